@@ -169,6 +169,8 @@ void Overlay::begin_frame(int width, int height, double seconds, const InputFram
   state_->input = input;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  state_->map.width = width;
+  state_->map.height = height;
   io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
   // Slow frames must not turn a double click into two clicks, so it may last four frames.
   io.MouseDoubleClickTime = std::max(0.3F, 4 * io.DeltaTime);

@@ -126,6 +126,7 @@ std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& r
     widgets[name] = {{"x", place.x}, {"y", place.y}, {"w", place.width}, {"h", place.height}};
   }
   const Json document = {{"frame", report.frame},
+                         {"size", Json::array({map.width, map.height})},
                          {"tab", map.tab},
                          {"hidden", map.hidden},
                          {"help", map.help},

@@ -17,6 +17,7 @@ struct UiRectangle {
 /// the words on the screen: "Agents" is a value's slider, "Agents.field" the field to type into, "Agents.reset" its
 /// arrow, "Schedule:levels" one of several choices, "tab:Crowd" a tab.
 struct UiMap {
+  int width = 0, height = 0;  ///< pixels of the picture that the overlay is laid out for
   std::string tab;
   bool hidden = false;                                       ///< the overlay is hidden, by Tab
   bool help = false;                                         ///< the help card is open, by F1
@@ -27,9 +28,9 @@ struct UiMap {
   [[nodiscard]] const UiRectangle* find(const std::string& name) const;
 };
 
-/// Returns the map with the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `shows_b`, `typing`,
-/// `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile, selected, ...}, `camera`
-/// {x, y, z, yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
+/// Returns the map with the figures that tests wait for, as JSON: `size` [width, height], `tab`, `hidden`, `help`,
+/// `shows_b`, `typing`, `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile,
+/// selected, ...}, `camera` {x, y, z, yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

@@ -40,10 +40,10 @@ void WindowDriver::start_display() {
 }
 
 void WindowDriver::start_program() {
-  program_ =
-      std::make_unique<ChildProcess>(std::vector<std::string>{THRONG_PROGRAM, "--agents", "50", "--size", "1280x720",
-                                                              "--ui-map", (folder_.path() / "ui.json").string()},
-                                     display_->environment(), folder_.path());
+  std::vector<std::string> words{THRONG_PROGRAM, "--ui-map", (folder_.path() / "ui.json").string()};
+  const std::vector<std::string> others = options();
+  words.insert(words.end(), others.begin(), others.end());
+  program_ = std::make_unique<ChildProcess>(words, display_->environment(), folder_.path());
   ASSERT_TRUE(program_->started());
   while (const auto line = program_->read_line(soon())) {
     if (*line == "READY") return;

@@ -51,7 +51,12 @@ class WindowDriver : public testing::Test {
   void button(int number, bool down);
   void xdotool(const std::vector<std::string>& words);
 
+  /// Returns the options that the program is started with.
+  virtual std::vector<std::string> options() const { return {"--agents", "50", "--size", "1280x720"}; }
+
   ChildProcess& program() { return *program_; }
+  /// Returns what DISPLAY says.
+  const std::string& display() const { return display_->name(); }
   /// Returns the folder in which the program works. At first it has only what the driver keeps there.
   const std::filesystem::path& folder() const { return folder_.path(); }
 

@@ -116,16 +116,6 @@ TEST_F(Window, TabHidesTheOverlayAndF1ShowsHelp) {
   wait_for("the overlay", [](const Json& map) { return !map["widgets"].empty(); });
 }
 
-TEST_F(Window, KeepsRunningInAnotherSize) {
-  xdotool({"search", "--name", "Throng", "windowsize", "900", "640"});
-  wait_for("the overlay in its new place", [](const Json& map) {
-    const Json& tab = map["widgets"]["tab:Crowd"];
-    return tab["x"].get<double>() < 640;
-  });
-  click("tab:Scheduling");
-  wait_for("the tab", [](const Json& map) { return map["tab"] == "Scheduling"; });
-}
-
 TEST_F(Window, EscapeEndsItWithStatusZero) {
   xdotool({"key", "Escape"});
   EXPECT_EQ(program().exit_status(soon()), 0);

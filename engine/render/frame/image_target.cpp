@@ -99,7 +99,10 @@ void ImageTarget::bind_overlay() const {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
+// Mesa's software drivers ask how large the window is when a viewport is set while the window is what is drawn to.
 void ImageTarget::copy_to_window(glm::ivec2 window_size) const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glViewport(0, 0, window_size.x, window_size.y);
   glDisable(GL_FRAMEBUFFER_SRGB);
   const GLenum filter = window_size == size_ ? GL_NEAREST : GL_LINEAR;
   glBlitNamedFramebuffer(plain_.id(), 0, 0, 0, size_.x, size_.y, 0, 0, window_size.x, window_size.y,

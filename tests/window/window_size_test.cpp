@@ -1,0 +1,97 @@
+// A window of any size shows the whole picture of that size, and is clicked where it shows.
+#include <string>
+#include <vector>
+
+#include "tests/render/image_difference.h"
+#include "tests/window/screen.h"
+#include "tests/window/window_driver.h"
+
+namespace throng::app::window_size_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Means over a picture, in steps of 255. The figures of the overlay and what the pointer is over differ by less from
+/// one frame to the next; a picture that slid or was cut off differs by more than ten.
+constexpr double largest_mean_difference = 1.5;
+
+class WindowSize : public WindowDriver {
+ protected:
+  void window(const std::vector<std::string>& words) {
+    std::vector<std::string> command{"search", "--name", "^Throng$"};
+    command.insert(command.end(), words.begin(), words.end());
+    xdotool(command);
+  }
+  void resize(glm::ivec2 size) {
+    window({"windowsize", std::to_string(size.x), std::to_string(size.y)});
+    wait_for("its new size", [&](const Json& map) { return map["size"] == Json::array({size.x, size.y}); });
+    next_map();
+  }
+  void pause() {
+    press("space");
+    wait_for("a pause", [](const Json& map) { return map["tuning"]["paused"].get<bool>(); });
+  }
+  std::string take_picture() {
+    press("F12");
+    const std::string file = "throng-" + std::to_string(++pictures_) + ".png";
+    wait_for(file, [&](const Json& map) { return map["report"]["notice"] == "Wrote " + file; });
+    return file;
+  }
+  /// Holds what the display shows against the picture that was drawn.
+  void expect_that_it_shows_its_picture(glm::ivec2 size) {
+    take_picture();  // the notice of this one is on both of the next
+    const std::string file = take_picture();
+    next_map();
+    const auto drawn = render::read_png(folder() / file);
+    const auto shown = picture_of_screen(display(), size);
+    ASSERT_TRUE(drawn && shown) << file;
+    const auto difference = render::test::compare(*drawn, *shown);
+    ASSERT_TRUE(difference) << file << ": " << difference.error().message;
+    EXPECT_LT(difference->mean, largest_mean_difference) << size.x << "x" << size.y;
+  }
+  void expect_that_it_is_clicked_where_it_shows() {
+    for (const std::string tab : {"Scheduling", "Presets", "Crowd"}) {
+      click("tab:" + tab);
+      wait_for(tab, [&](const Json& map) { return map["tab"] == tab; });
+    }
+  }
+
+ private:
+  int pictures_ = 0;
+};
+
+TEST_F(WindowSize, MayBeAnyAndShowsAndTakesClicksWhereItShows) {
+  pause();
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), {1100, 700}, {640, 480}, {1380, 880}, {801, 603}, {1280, 720}}) {
+    ASSERT_NO_FATAL_FAILURE(resize(size));
+    ASSERT_NO_FATAL_FAILURE(expect_that_it_shows_its_picture(size));
+    ASSERT_NO_FATAL_FAILURE(expect_that_it_is_clicked_where_it_shows());
+  }
+}
+
+TEST_F(WindowSize, IsAsBeforeAfterTheWindowWasHidden) {
+  pause();
+  window({"windowunmap"});
+  window({"windowmap"});
+  next_map();
+  expect_that_it_shows_its_picture({1280, 720});
+}
+
+class LargeOverlay : public WindowSize {
+ protected:
+  std::vector<std::string> options() const override {
+    return {"--agents", "50", "--size", "1280x720", "--ui-scale", "2"};
+  }
+};
+
+TEST_F(LargeOverlay, IsClickedWhereItShowsInEverySize) {
+  pause();
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), {1000, 800}, {1380, 880}}) {
+    ASSERT_NO_FATAL_FAILURE(resize(size));
+    ASSERT_NO_FATAL_FAILURE(expect_that_it_shows_its_picture(size));
+    ASSERT_NO_FATAL_FAILURE(expect_that_it_is_clicked_where_it_shows());
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::window_size_test

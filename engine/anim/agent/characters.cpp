@@ -21,6 +21,16 @@ const char* fault_of(const EntityKind& kind) {
   return nullptr;
 }
 
+/// Returns whether `places` has each index below `count` once.
+bool is_permutation(std::span<const int> places, int count) {
+  std::vector<int> sorted(places.begin(), places.end());
+  std::ranges::sort(sorted);
+  for (int i = 0; i < static_cast<int>(sorted.size()); ++i) {
+    if (sorted[static_cast<std::size_t>(i)] != i) return false;
+  }
+  return static_cast<int>(places.size()) == count;
+}
+
 /// Checks that both are the same skeleton, with its bones in the same order.
 Status has_bones_of(const Skeleton& skeleton, const Skeleton& other) {
   const Result<std::vector<int>> places = match_bones(skeleton, other);
@@ -92,7 +102,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
       !std::ranges::equal(reordered->clips, agents.character->clips, {}, &BakedClip::name, &BakedClip::name) ||
-      places.size() != static_cast<std::size_t>(agents.skeleton().bone_count())) {
+      !is_permutation(places, agents.skeleton().bone_count())) {
     return refuse({call, "it is not the same character with its bones in another order"});
   }
   const bool moves = !std::ranges::is_sorted(places);

@@ -99,7 +99,6 @@ class Population {
   }
   /// Converts the blocks of all agents to the residency of a schedule, and their players to a stream.
   void convert(Residency residency, StreamKind stream);
-  StreamKind stream() const { return stream_; }
 
   const AgentNumbers& numbers() const { return numbers_; }
   AgentNumbers& numbers() { return numbers_; }

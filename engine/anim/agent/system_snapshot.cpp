@@ -39,7 +39,7 @@ Status AnimationSystem::restore(const SystemSnapshot& from) {
   const Turn turn(parts_.turn, "AnimationSystem::restore");
   if (!turn) return Turn::refusal();
   if (Status same = parts_.population.can_restore(from.population_); !same) return same;
-  const bool same_stream = from.population_.stream == parts_.population.stream();
+  const bool same_stream = from.population_.stream == options().stream;
   Status restored =
       same_stream ? restore_same_stream(parts_, from.population_) : restore_other_stream(parts_, from.population_);
   if (!restored) return restored;

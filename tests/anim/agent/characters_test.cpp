@@ -65,6 +65,10 @@ TEST(Characters, KeepTheirOrderOfBonesWhileAMaskDependsOnIt) {
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("masks of bones"), std::string::npos);
   EXPECT_EQ(&system->characters()[1], again.get());
+  places[10] = 10;
+  const Status senseless = system->characters().replace(1, again, places);  // two bones in one place
+  ASSERT_FALSE(senseless);
+  EXPECT_NE(senseless.error().message.find("it is not the same character"), std::string::npos);
 }
 
 TEST(Characters, HaveSharedEntitiesInPoolsOfTheirOwn) {

@@ -2,7 +2,9 @@
 
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -249,6 +251,8 @@ TEST(ListedJoints, KeepTheOrderOfTheBones) {
   JointCrowd crowd;
   ASSERT_TRUE(crowd.list({{.bone = 1}}, JointFormat::matrices));
   std::vector<int> places(40);
+  std::iota(places.begin(), places.end(), 0);
+  std::swap(places[38], places[39]);
   const Status replaced = crowd->characters().replace({0}, test_character(), places);
   ASSERT_FALSE(replaced);
   EXPECT_THAT(replaced.error().message, HasSubstr("a list of joints"));

@@ -1,57 +1,122 @@
-#include "app/character/lod_export.h"
+#include "app/lod/lod_export.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/character/bone_lod.h"
+#include "app/lod/lod_thresholds.h"
+#include "app/lod/mesh_lods.h"
+#include "app/settings/choices.h"
 #include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 namespace {
 
-constexpr int lod_export_version = 2;
+constexpr int lod_export_version = 3;
+constexpr float frame_seconds = 1.0F / 60.0F;
 
-Json intervals_of(const anim::LodRules& rules, double height, double pixels_per_unit) {
+using anim::LodRule;
+
+/// A distance, and the height on screen of the character there; null at the camera.
+Json from(const LodInForce& lod, double metres, double height) {
+  const double pixels = height * static_cast<double>(lod.pixels_per_unit);
+  return {{"from_distance_metres", metres}, {"below_pixels_tall", metres > 0.0 ? Json(pixels / metres) : Json()}};
+}
+
+Json intervals_of(const LodInForce& lod, double height) {
   Json intervals = Json::array();
-  for (int interval = 1; interval <= rules.largest_interval; ++interval) {
-    const int steps = interval - 2;
-    const double from = interval == 1 ? 0.0
-                                      : static_cast<double>(rules.full_rate_distance) +
-                                            static_cast<double>(rules.interval_growth) * steps;
-    Json row = {{"interval_frames", interval}, {"from_distance_metres", from}};
-    row["below_pixels_tall"] = from > 0.0 ? Json(height * pixels_per_unit / from) : Json();
+  const auto add = [&](int interval, double metres) {
+    Json row = from(lod, metres, height);
+    row["interval_frames"] = interval;
     intervals.push_back(std::move(row));
+  };
+  if (lod.tuning.lod.rule == LodRule::budget) return intervals;
+  add(1, 0.0);
+  if (lod.tuning.lod.rule == LodRule::off) return intervals;
+  for (const IntervalThreshold& threshold : interval_thresholds(lod.tuning)) {
+    add(threshold.interval, static_cast<double>(threshold.metres));
   }
   return intervals;
 }
 
-Json levels_of(std::span<const LodLevel> levels, const anim::LodRules& rules, double height, double pixels_per_unit) {
+Json choices_of(const LodInForce& lod, const anim::MotionLod& motion, double height) {
+  const ErrorView view{.tolerance_pixels = lod.tolerance_pixels, .pixels_per_unit = lod.pixels_per_unit};
+  Json choices = Json::array();
+  for (const auto& [metres, choice] : choice_thresholds(motion, view)) {
+    Json row = from(lod, static_cast<double>(metres), height);
+    row["interval_frames"] = choice.interval;
+    row["bone_level"] = choice.bone_level;
+    row["error_metres"] = motion.error_metres(choice);
+    choices.push_back(std::move(row));
+  }
+  return choices;
+}
+
+/// Errors of skipping differ from clip to clip. The first row is of standing still.
+Json clips_of(const CharacterSource& source, const LodInForce& lod, double height) {
+  Json clips = Json::array();
+  if (lod.tuning.lod.rule != LodRule::budget) return clips;
+  anim::LodChoices choices;
+  choices.build({&lod.character, 1}, lod.tuning.lod, frame_seconds);
+  for (int clip = -1; clip < static_cast<int>(source.clip_names.size()); ++clip) {
+    const Json name = clip < 0 ? Json() : Json(source.clip_names[static_cast<std::size_t>(clip)]);
+    clips.push_back({{"clip", name}, {"choices", choices_of(lod, choices.of(0, clip), height)}});
+  }
+  return clips;
+}
+
+// By the distance rule, and where updates are not skipped, bone levels go by distance alone.
+Json levels_of(std::span<const LodLevel> levels, const LodInForce& lod, double height) {
+  const bool by_distance = lod.tuning.lod.bone_lod && lod.tuning.lod.rule != LodRule::budget;
   Json rows = Json::array();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const LodLevel& level = levels[i];
-    const double from = i == 0 ? 0.0 : static_cast<double>(rules.level_distances[i - 1]);
-    rows.push_back(
-        {{"level", i},
-         {"bones", level.bones},
-         {"palette_entries", level.palette_entries},
-         {"from_distance_metres", from},
-         {"error_metres", level.error_metres},
-         {"error_pixels_there", from > 0.0 ? Json(level.error_metres * pixels_per_unit / from) : Json(0.0)},
-         {"one_pixel_below_pixels_tall", level.error_metres > 0.0 ? Json(height / level.error_metres) : Json()},
-         {"nanoseconds", level.nanoseconds}});
+    Json row = {{"level", i},
+                {"bones", level.bones},
+                {"palette_entries", level.palette_entries},
+                {"error_metres", level.error_metres},
+                {"one_pixel_below_pixels_tall", level.error_metres > 0.0 ? Json(height / level.error_metres) : Json()},
+                {"nanoseconds", level.nanoseconds},
+                {"from_distance_metres", nullptr},
+                {"error_pixels_there", nullptr}};
+    const double metres = i == 0 ? 0.0 : static_cast<double>(lod.tuning.lod.level_distances[i - 1]);
+    if (by_distance || i == 0) row["from_distance_metres"] = metres;
+    if (by_distance && i > 0) {
+      row["error_pixels_there"] = level.error_metres * static_cast<double>(lod.pixels_per_unit) / metres;
+    }
+    rows.push_back(std::move(row));
   }
   return rows;
 }
 
-Json meshes_of(std::span<const MeshLevel> meshes, double height) {
+Json meshes_of(std::span<const MeshLevel> meshes, const Tuning& tuning, double height) {
+  const auto limit = static_cast<double>(mesh_error_limit(tuning));
   Json rows = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto error = static_cast<double>(meshes[i].error_metres);
+    const bool by_error = tuning.mesh_lod < 0 && error > 0.0;
     rows.push_back({{"level", i},
                     {"triangles", meshes[i].triangles},
                     {"error_metres", error},
-                    {"one_pixel_below_pixels_tall", error > 0.0 ? Json(height / error) : Json()}});
+                    {"one_pixel_below_pixels_tall", error > 0.0 ? Json(height / error) : Json()},
+                    {"below_pixels_tall", by_error ? Json(limit * height / error) : Json()}});
   }
   return rows;
+}
+
+Json rule_of(const LodInForce& lod) {
+  const Tuning& tuning = lod.tuning;
+  const bool by_error = tuning.lod.rule == LodRule::budget;
+  const auto where = [](bool is, auto value) { return is ? Json(value) : Json(); };
+  return {{"rule", lod_rule_words[static_cast<std::size_t>(tuning.lod.rule)]},
+          {"largest_interval_frames", tuning.lod.rule == LodRule::off ? 1 : tuning.lod.largest_interval},
+          {"frame_seconds", frame_seconds},
+          {"smooth", tuning.lod.smooth && tuning.lod.rule != LodRule::off},
+          {"error_limit_pixels", where(by_error && tuning.error_px > 0.0F, tuning.error_px)},
+          {"budget_milliseconds", where(by_error && tuning.budget_ms > 0.0F, tuning.budget_ms)},
+          {"tolerance_pixels", where(by_error, lod.tolerance_pixels)},
+          {"bone_lod", tuning.lod.bone_lod},
+          {"mesh_level", where(tuning.mesh_lod >= 0, tuning.mesh_lod)}};
 }
 
 Json bones_of(const anim::Character& character) {
@@ -89,14 +154,17 @@ std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std
 }
 
 std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel> levels,
-                        std::span<const MeshLevel> meshes, const anim::LodRules& rules, double pixels_per_unit) {
+                        std::span<const MeshLevel> meshes, const LodInForce& lod) {
+  const double height = source.character->bounds.height;
   const Json all = {{"version", lod_export_version},
-                    {"character", source.name},
-                    {"height_metres", source.character->bounds.height},
-                    {"pixels_of_a_metre_at_one_metre", pixels_per_unit},
-                    {"intervals", intervals_of(rules, source.character->bounds.height, pixels_per_unit)},
-                    {"bone_levels", levels_of(levels, rules, source.character->bounds.height, pixels_per_unit)},
-                    {"mesh_levels", meshes_of(meshes, source.character->bounds.height)},
+                    {"character", std::filesystem::path(source.name).filename().string()},
+                    {"height_metres", height},
+                    {"pixels_of_a_metre_at_one_metre", lod.pixels_per_unit},
+                    {"in_force", rule_of(lod)},
+                    {"intervals", intervals_of(lod, height)},
+                    {"clips", clips_of(source, lod, height)},
+                    {"bone_levels", levels_of(levels, lod, height)},
+                    {"mesh_levels", meshes_of(meshes, lod.tuning, height)},
                     {"bones", bones_of(*source.character)}};
   return all.dump(2) + "\n";
 }

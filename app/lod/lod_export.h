@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "app/character/source.h"
-#include "engine/anim/lod/lod.h"
+#include "app/settings/settings.h"
+#include "engine/anim/lod/lod_choices.h"
 
 namespace throng::app {
 
@@ -30,10 +31,18 @@ std::vector<LodLevel> lod_levels(const CharacterSource& source);
 /// Returns mesh LODs, the full mesh first. Both spans have one element a LOD.
 std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const float> errors);
 
-/// Returns a JSON object of a character's level of detail (app/commands/lod/README.md): intervals between updates and
-/// bone levels by distance, mesh LODs by height on screen, the bones in order, errors. `pixels_per_unit` are the pixels
-/// that one metre covers at a distance of one metre.
+/// The level of detail that is in force, and the view that distances are said for.
+struct LodInForce {
+  Tuning tuning;
+  anim::LodCharacter character = {};  ///< read under LodRule::budget, as is what follows
+  float tolerance_pixels = 0;         ///< what a pose may be off; above 0
+  float pixels_per_unit = 1;          ///< pixels that one metre covers at a distance of one metre; read by all rules
+};
+
+/// Returns a JSON object of the level of detail of a character (app/commands/lod/README.md): by the rule in force how
+/// often it is updated and with how many bones, from which distance; mesh LODs by height on screen; the bones in order;
+/// errors. It is for frames of a sixtieth of a second, and names no folder.
 std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel> levels,
-                        std::span<const MeshLevel> meshes, const anim::LodRules& rules, double pixels_per_unit);
+                        std::span<const MeshLevel> meshes, const LodInForce& lod);
 
 }  // namespace throng::app

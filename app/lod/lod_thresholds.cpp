@@ -20,17 +20,24 @@ std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning) {
   return thresholds;
 }
 
-std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view) {
-  std::vector<IntervalThreshold> thresholds;
-  int interval = motion.choose(0.0F).interval;
-  if (interval > 1) thresholds.push_back({0.0F, interval});
+std::vector<ChoiceThreshold> choice_thresholds(const anim::MotionLod& motion, const ErrorView& view) {
+  std::vector<ChoiceThreshold> thresholds{{0.0F, motion.choose(0.0F)}};
   for (int step = 0; step < anim::allowance_steps; ++step) {
     const float allowed = anim::least_allowance_metres * std::exp2(static_cast<float>(step) / anim::steps_an_octave);
-    const float metres = allowed * view.pixels_per_unit / view.tolerance_pixels;
-    const int chosen = motion.choose(allowed * beyond_rounding).interval;
+    const anim::LodChoice chosen = motion.choose(allowed * beyond_rounding);
+    if (chosen == thresholds.back().choice) continue;
+    thresholds.push_back({allowed * view.pixels_per_unit / view.tolerance_pixels, chosen});
+  }
+  return thresholds;
+}
+
+std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view) {
+  std::vector<IntervalThreshold> thresholds;
+  int interval = 1;
+  for (const auto& [metres, choice] : choice_thresholds(motion, view)) {
     if (metres > farthest) break;
-    if (chosen != interval) thresholds.push_back({metres, chosen});
-    interval = chosen;
+    if (choice.interval != interval) thresholds.push_back({metres, choice.interval});
+    interval = choice.interval;
   }
   return thresholds;
 }

@@ -23,9 +23,19 @@ struct ErrorView {
   float pixels_per_unit = 1;   ///< pixels that one metre covers at a distance of one metre
 };
 
-/// Returns the distances where the interval changes by the tolerance in pixels, up to 200 metres. They hold for an
-/// agent that is as tall as the character, as important as most, and not in the middle of the picture. The interval
-/// mostly grows with distance; it shrinks where fewer bones, more often, are cheaper.
+/// How agents that are at least `metres` away are updated.
+struct ChoiceThreshold {
+  float metres = 0;
+  anim::LodChoice choice;
+};
+
+/// Returns the distances where interval or bone level change by the tolerance in pixels, the first of them 0. They hold
+/// for an agent that is as tall as the character, as important as most, and not in the middle of the picture.
+std::vector<ChoiceThreshold> choice_thresholds(const anim::MotionLod& motion, const ErrorView& view);
+
+/// Returns the distances where the interval changes by the tolerance in pixels, up to 200 metres. They hold for
+/// the agents of choice_thresholds(). The interval mostly grows with distance; it shrinks where fewer bones, more
+/// often, are cheaper.
 std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view);
 
 /// Returns the frames from one update to the next of an agent that is `metres` away.

@@ -15,6 +15,8 @@ inline constexpr float mesh_share_of_error = 0.5F;
 
 /// Returns the limit on the errors of poses alone.
 float pose_error_limit(const Tuning& tuning);
+/// Returns the limit on the errors of meshes alone, where a mesh is chosen by its error.
+float mesh_error_limit(const Tuning& tuning);
 
 /// Chooses the mesh LOD of each agent by the error that it shows on screen. A mesh LOD depends on no bone level.
 class MeshLods {

@@ -1,9 +1,10 @@
 #include "app/show/kept_choices.h"
 
 #include "app/character/bone_lod.h"
-#include "app/character/lod_export.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
+#include "app/lod/lod_export.h"
+#include "app/lod/mesh_lods.h"
 #include "app/show/show.h"
 
 namespace throng::app {
@@ -21,14 +22,30 @@ anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& charact
   return BoneLodFile(character.file).write(character.character->skeleton);
 }
 
+namespace {
+
+// The limit that a person set, not the tolerance that follows what is measured from frame to frame, so that the same
+// values export the same; but the tolerance where a budget decides, since nobody set that.
+float exported_tolerance(const Stage& stage) {
+  const anim::LodFigures& figures = stage.level_of_detail().figures();
+  const bool budget_decides =
+      figures.binding == anim::BindingLimit::budget || figures.binding == anim::BindingLimit::both_miss;
+  const float limit = pose_error_limit(stage.tuning().error_px > 0.0F ? stage.tuning() : Tuning());
+  const bool has_limit = stage.tuning().error_px > 0.0F && !budget_decides;
+  return has_limit || figures.tolerance_px <= 0.0F ? limit : figures.tolerance_px;
+}
+
+}  // namespace
+
 anim::Result<std::filesystem::path> export_lod(const Show& show, std::size_t index) {
   const CharacterSource& character = show.stage().characters()[index];
-  const auto levels = lod_levels(character);
-  const auto height = static_cast<float>(show.height);
-  const double pixels_per_unit = static_cast<double>(render::pixels_tall(show.camera, height, 1, 1));
+  const LodInForce in_force{
+      .tuning = show.stage().tuning(),
+      .character = lod_character(character),
+      .tolerance_pixels = exported_tolerance(show.stage()),
+      .pixels_per_unit = render::pixels_tall(show.camera, static_cast<float>(show.height), 1.0F, 1.0F)};
   return KeptFile(character.file, ".lod.export.json", "The level of detail")
-      .write(lod_as_json(character, levels, show.painter().mesh_levels(index), show.stage().tuning().lod,
-                         pixels_per_unit));
+      .write(lod_as_json(character, lod_levels(character), show.painter().mesh_levels(index), in_force));
 }
 
 }  // namespace throng::app

@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "app/character/lod_export.h"
 #include "app/figures/notices.h"
 #include "app/figures/run_figures.h"
+#include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
 #include "app/show/picture.h"

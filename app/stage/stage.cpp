@@ -43,12 +43,15 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
   learn_level_of_detail();
 }
 
+anim::LodCharacter lod_character(const CharacterSource& source) {
+  anim::LodCharacter character = anim::lod_character(*source.character);
+  if (!source.roles.is_prop) character.full_rate_nanoseconds = cost_of_placed_feet;
+  return character;
+}
+
 void Stage::learn_level_of_detail() {
   std::vector<anim::LodCharacter> characters;
-  for (const CharacterSource& source : characters_) {
-    characters.push_back(anim::lod_character(*source.character));
-    if (!source.roles.is_prop) characters.back().full_rate_nanoseconds = cost_of_placed_feet;
-  }
+  for (const CharacterSource& source : characters_) characters.push_back(lod_character(source));
   lod_.set_characters(std::move(characters));
 }
 

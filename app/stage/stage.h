@@ -121,6 +121,9 @@ class Stage {
   bool moving_ = true;
 };
 
+/// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
+anim::LodCharacter lod_character(const CharacterSource& source);
+
 /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
 

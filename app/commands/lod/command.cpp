@@ -9,6 +9,7 @@
 #include "app/character/files.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
+#include "app/lod/mesh_lods.h"
 #include "app/stage/stage.h"
 #include "engine/files/output_file.h"
 #include "engine/render/camera.h"
@@ -25,15 +26,21 @@ anim::Result<CharacterSource> character_of(const LodOptions& options) {
   return load_character(options.model, options.model, &kept, {.import = options.reading});
 }
 
+// By the values that a crowd begins with.
+std::string exported(const CharacterSource& source, const LodCurve& curve) {
+  const Tuning tuning;
+  return lod_as_json(source, curve.bones, curve.meshes,
+                     {.tuning = tuning,
+                      .character = lod_character(source),
+                      .tolerance_pixels = pose_error_limit(tuning),
+                      .pixels_per_unit = render::pixels_tall({}, exported_height, 1.0F, 1.0F)});
+}
+
 anim::Status write_files(const LodOptions& options, const CharacterSource& source, const LodCurve& curve) {
   std::vector<std::pair<std::string, std::string>> files;
   if (!options.json.empty()) files.emplace_back(options.json, curve_as_json(source, curve, options.pixels));
   if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, curve, options.pixels));
-  const double pixels_per_unit = static_cast<double>(render::pixels_tall({}, exported_height, 1.0F, 1.0F));
-  if (!options.export_file.empty()) {
-    files.emplace_back(options.export_file,
-                       lod_as_json(source, curve.bones, curve.meshes, Tuning().lod, pixels_per_unit));
-  }
+  if (!options.export_file.empty()) files.emplace_back(options.export_file, exported(source, curve));
   for (const auto& [file, text] : files) {
     if (anim::Status written = write_output(file, text); !written) return written;
   }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/character/lod_export.h"
 #include "app/character/source.h"
+#include "app/lod/lod_export.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {

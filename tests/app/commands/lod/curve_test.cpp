@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/character/lod_export.h"
+#include "app/lod/lod_export.h"
+#include "engine/anim/lod/level_of_detail.h"
 
 namespace throng::app::curve_test {
 namespace {
@@ -50,10 +51,16 @@ TEST(LodCurve, SaysOfEachMeshHowManyTrianglesItHasAndHowFarItIsOff) {
   EXPECT_THAT(text, HasSubstr("22.5"));
 }
 
+LodInForce by_distance() {
+  LodInForce lod{.tuning = {}, .pixels_per_unit = 772.0F};
+  lod.tuning.lod.rule = anim::LodRule::distance;
+  return lod;
+}
+
 TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
   const std::vector<LodLevel> levels = lod_levels(mannequin());
   const std::vector<MeshLevel> meshes{{1000, 0.0F}, {250, 0.09F}};
-  const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, meshes, {}, 772.0));
+  const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, meshes, by_distance()));
   const anim::Skeleton& skeleton = mannequin().character->skeleton;
   ASSERT_EQ(json["bones"].size(), skeleton.bones.size());
   EXPECT_EQ(json["bones"][0]["bone"], skeleton.bones[0].name);
@@ -70,6 +77,41 @@ TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
   EXPECT_NEAR(json["mesh_levels"][1]["one_pixel_below_pixels_tall"].get<double>(), 20.0, 0.1);
   ASSERT_EQ(json["intervals"].size(), 8U);
   EXPECT_EQ(json["intervals"][2]["from_distance_metres"], 24.0);
+  EXPECT_TRUE(json["clips"].empty()) << "distances are the same for all clips";
+}
+
+TEST(LodExport, OfALimitOnTheErrorSaysForEachClipHowItIsUpdatedFromWhichDistance) {
+  const auto at = [&](float tolerance) {
+    return nlohmann::json::parse(lod_as_json(mannequin(), lod_levels(mannequin()), {},
+                                             {.tuning = {},
+                                              .character = anim::lod_character(*mannequin().character),
+                                              .tolerance_pixels = tolerance,
+                                              .pixels_per_unit = 772.0F}));
+  };
+  const auto fine = at(0.25F), coarse = at(4.0F);
+  EXPECT_EQ(fine["in_force"]["rule"], "budget");
+  EXPECT_TRUE(fine["intervals"].empty()) << "the distances of the other rule are not in force";
+  EXPECT_TRUE(fine["bone_levels"][1]["from_distance_metres"].is_null());
+  ASSERT_EQ(fine["clips"].size(), mannequin().clip_names.size() + 1);
+  EXPECT_TRUE(fine["clips"][0]["clip"].is_null());
+  for (std::size_t clip = 1; clip < fine["clips"].size(); ++clip) {
+    EXPECT_EQ(fine["clips"][clip]["clip"], mannequin().clip_names[clip - 1]);
+    const auto& rows = fine["clips"][clip]["choices"];
+    EXPECT_EQ(rows[0]["from_distance_metres"], 0.0);
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+      const double metres = rows[row]["from_distance_metres"], off = rows[row]["error_metres"];
+      EXPECT_GT(metres, rows[row - 1]["from_distance_metres"].get<double>());
+      EXPECT_LE(off * 772.0 / metres, 0.25 * 1.001) << fine["clips"][clip]["clip"] << ", row " << row;
+      EXPECT_NEAR(metres, 16 * coarse["clips"][clip]["choices"][row]["from_distance_metres"].get<double>(),
+                  1e-3 * metres);
+    }
+  }
+}
+
+TEST(LodExport, NamesNoFolder) {
+  CharacterSource source = mannequin();
+  source.name = "/somewhere/people/walker.glb";
+  EXPECT_EQ(nlohmann::json::parse(lod_as_json(source, {}, {}, by_distance()))["character"], "walker.glb");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/demo/frame_reporter.h"
 #include "app/demo/stop_signals.h"
+#include "app/demo/unkept_values.h"
 #include "app/demo/window_input.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
@@ -21,14 +22,6 @@ namespace {
 constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
 constexpr double single_step = 1.0 / 60.0;
 
-UpdateCost cost_of_last_update(const anim::AnimationSystem& system) {
-  const anim::CopyCounts& copied = system.figures().report().copies;
-  UpdateCost cost{.milliseconds = system.figures().update_time().milliseconds,
-                  .bytes = copied.bytes_in + copied.bytes_out};
-  for (const anim::ProcessingUnit& unit : system.figures().units()) cost.tasks += unit.activity().tasks;
-  return cost;
-}
-
 class WindowLoop {
  public:
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
@@ -37,6 +30,7 @@ class WindowLoop {
         replay_(replay),
         tuning_(show.stage().tuning()),
         accepted_(tuning_),
+        unkept_(tuning_),
         input_(show.painter().context().window()),
         overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
         fly_camera_(place_of(show.camera)),
@@ -95,7 +89,13 @@ class WindowLoop {
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
     if (!show_.recording_outcome()) notice_ = show_.recording_outcome().error().message;
-    done_ = done_ || commands.quit || input_.asked_to_close() || asked_to_stop() != 0;
+    done_ = done_ || (commands.quit && may_leave()) || input_.asked_to_close() || asked_to_stop() != 0;
+  }
+
+  bool may_leave() {
+    if (replay_ != nullptr || !unkept_.ask_about(tuning_)) return true;
+    notice_ = "The values are in no preset. Esc leaves them behind; the tab Presets keeps them.";
+    return false;
   }
 
   // What was recorded happens, and nothing else.
@@ -235,6 +235,7 @@ class WindowLoop {
       const std::filesystem::path file = preset_file(*commands.save_preset);
       const anim::Status written = write_preset(file, {tuning_, fly_camera_.place()});
       notice_ = written ? "Wrote " + file.string() : written.error().message;
+      if (written) unkept_.keep(tuning_);
     }
     if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
     if (commands.delete_preset) {
@@ -253,6 +254,7 @@ class WindowLoop {
     const LodInspection look = tuning_.inspection;
     tuning_ = preset->tuning;
     tuning_.inspection = look;
+    unkept_.keep(tuning_);
     if (!preset->camera) return;
     show_.films = false;
     fly_camera_.set_camera(camera_at(*preset->camera));
@@ -317,6 +319,7 @@ class WindowLoop {
   Replay* replay_;  // null: people say what happens
   Tuning tuning_;
   Tuning accepted_;  // the last that could be
+  UnkeptValues unkept_;
   WindowInput input_;
   Overlay overlay_;
   FlyCamera fly_camera_;

@@ -31,7 +31,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"F5", "build the shaders again"},
     {"F12", "screenshot"},
     {"F1", "this card"},
-    {"Esc", "deselect; quit"},
+    {"Esc", "close the topmost; quit"},
 });
 
 constexpr std::array word_lines = std::to_array<HelpLine>({

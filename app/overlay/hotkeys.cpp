@@ -5,7 +5,23 @@
 
 namespace throng::app {
 
-void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
+namespace {
+
+// A list closes itself (Widgets::pick).
+void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, OverlayCommands& commands) {
+  if (open.list) return;
+  if (switches.help && !switches.hidden) {
+    switches.help = false;
+  } else if (open.selection) {
+    commands.deselect = true;
+  } else {
+    commands.quit = true;
+  }
+}
+
+}  // namespace
+
+void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
   commands.exact_crowd = input.down(Key::x);
   for (const Key key : input.pressed) {
@@ -17,9 +33,8 @@ void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitch
     commands.record |= key == Key::r;
     commands.reload_shaders |= key == Key::f5;
     commands.screenshot |= key == Key::f12;
-    commands.push_over |= key == Key::p && anybody_selected;
-    commands.deselect |= key == Key::escape && anybody_selected;
-    commands.quit |= key == Key::escape && !anybody_selected;
+    commands.push_over |= key == Key::p && open.selection;
+    if (key == Key::escape) close_the_topmost(open, switches, commands);
   }
 }
 

@@ -14,9 +14,16 @@ struct OverlaySwitches {
   bool help = false;
 };
 
+/// What lies open while keys are pressed, which Esc closes from the top down: a list, the help, the card of who is
+/// selected.
+struct OpenThings {
+  bool list = false;
+  bool selection = false;
+};
+
 /// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text
 /// field has the keys.
-void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
+void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands);
 
 /// Tells a click at the crowd from a drag, and from a click at the overlay.

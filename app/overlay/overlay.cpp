@@ -185,7 +185,9 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   commands.models = state.input.dropped;
   commands.select_at = state.click.update(state.input, !uses_pointer());
   if (!uses_keyboard()) {
-    apply_hotkeys(state.input, report.selected.has_value(), state.switches, tuning, commands);
+    const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value()}, state.switches, tuning,
+                  commands);
     if (std::ranges::count(state.input.pressed, Key::b) > 0) state.memory.pair.change_places(tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);

@@ -159,6 +159,7 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
   draw_closed(theme_, place, word_of(index, words, none), ImGui::IsItemHovered() || ImGui::IsPopupOpen("list"));
   place_list(theme_, place);
   if (ImGui::BeginPopup("list")) {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     for (int i = none == nullptr ? 0 : -1; i < static_cast<int>(words.size()); ++i) {
       const std::string word = word_of(i, words, none);
       ImGui::PushID(i);

@@ -47,6 +47,14 @@ UpdateCost median_of(const std::vector<UpdateCost>& costs) {
 
 }  // namespace
 
+UpdateCost cost_of_last_update(const anim::AnimationSystem& system) {
+  const anim::CopyCounts& copied = system.figures().report().copies;
+  UpdateCost cost{.milliseconds = system.figures().update_time().milliseconds,
+                  .bytes = copied.bytes_in + copied.bytes_out};
+  for (const anim::ProcessingUnit& unit : system.figures().units()) cost.tasks += unit.activity().tasks;
+  return cost;
+}
+
 double swept_value(SweptValue value, const Tuning& tuning) {
   switch (value) {
     case SweptValue::pus:

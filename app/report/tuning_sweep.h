@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "engine/anim/agent/animation_system.h"
 
 namespace throng::app {
 
@@ -32,6 +33,9 @@ struct UpdateCost {
   std::uint64_t tasks = 0;  ///< handed to PUs
   std::uint64_t bytes = 0;  ///< copied into local stores and out of them
 };
+
+/// Returns the cost of the last update.
+UpdateCost cost_of_last_update(const anim::AnimationSystem& system);
 
 struct SweepStop {
   double value = 0;

@@ -153,6 +153,8 @@ TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
   ASSERT_NO_FATAL_FAILURE(select_somebody_and_scrub());
   ASSERT_NO_FATAL_FAILURE(drop_files());
   ASSERT_NO_FATAL_FAILURE(end_the_recording());
+  press("Escape");
+  wait_for_notice("The values are in no preset.");
   xdotool({"key", "Escape"});
   EXPECT_EQ(program().exit_status(soon()), 0);
   ChildProcess replay({THRONG_PROGRAM, "--headless=none", "--replay", (folder() / "throng-1.rec").string()}, {});

@@ -55,6 +55,16 @@ TEST_F(BodyList, OffersEveryBoneAndAGuess) {
   }
 }
 
+TEST_F(BodyList, ClosesTheBonesByEscapeAndChoosesNone) {
+  open();
+  driver.click("Right foot");
+  ASSERT_TRUE(driver.sees("Right foot:ankle"));
+  const OverlayCommands commands = driver.press(Key::escape);
+  EXPECT_FALSE(commands.quit || commands.body);
+  EXPECT_FALSE(driver.sees("Right foot:ankle"));
+  EXPECT_TRUE(driver.press(Key::escape).quit) << "with nothing open";
+}
+
 TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
   for (int bone = 0; bone < 40; ++bone) driver.report.body.bones.push_back("z" + std::to_string(bone));
   open();

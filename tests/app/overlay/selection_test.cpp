@@ -95,6 +95,16 @@ TEST_F(SelectionCard, EscapeDeselectsFirstAndQuitsThen) {
   EXPECT_TRUE(driver.press(Key::escape).quit);
 }
 
+TEST_F(SelectionCard, StaysWhileEscapeClosesTheHelpAboveIt) {
+  select();
+  driver.press(Key::f1);
+  ASSERT_TRUE(driver.overlay.ui_map().help);
+  const OverlayCommands first = driver.press(Key::escape);
+  EXPECT_FALSE(first.deselect || first.quit);
+  EXPECT_FALSE(driver.overlay.ui_map().help);
+  EXPECT_TRUE(driver.press(Key::escape).deselect);
+}
+
 TEST_F(SelectionCard, PushesOverByItsButtonAndByP) {
   EXPECT_FALSE(driver.press(Key::p).push_over) << "nobody is selected";
   select();

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include "engine/anim/import/pixels/decode.h"
 #include "tests/import/test_files.h"
@@ -34,6 +36,41 @@ TEST(JpegTables, WithMoreCodesThanThereAreBytesAreRefused) {
   const auto image = decode_image(std::as_bytes(std::span(jpeg)), 1 << 20);
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().message, "a Huffman table of its JPEG has more than 256 codes");
+}
+
+std::vector<char> without_huffman_tables(std::vector<char> jpeg) {
+  constexpr std::array<char, 2> tables{'\xFF', '\xC4'};
+  for (;;) {
+    const auto at = std::search(jpeg.begin(), jpeg.end(), tables.begin(), tables.end());
+    if (at == jpeg.end()) return jpeg;
+    const auto high = static_cast<unsigned char>(at[2]), low = static_cast<unsigned char>(at[3]);
+    jpeg.erase(at, at + 2 + high * 256 + low);
+  }
+}
+
+std::vector<std::uint8_t> decoded(const std::vector<char>& jpeg) {
+  const auto image = decode_image(std::as_bytes(std::span(jpeg)), 1 << 20);
+  if (!image) return {};
+  return {image->rgba.begin(), image->rgba.end()};
+}
+
+/// Lets memory that malloc gives hold one byte while it lives.
+class FilledMemory {
+ public:
+  explicit FilledMemory(int byte) { mallopt(M_PERTURB, byte ^ 0xFF); }
+  FilledMemory(const FilledMemory&) = delete;
+  FilledMemory& operator=(const FilledMemory&) = delete;
+  ~FilledMemory() { mallopt(M_PERTURB, 0); }
+};
+
+std::vector<std::uint8_t> decoded_in_memory_of(int byte, const std::vector<char>& jpeg) {
+  const FilledMemory memory(byte);
+  return decoded(jpeg);
+}
+
+TEST(JpegTables, ThatAreNotThereAreNotWhatMemoryHeldBefore) {
+  const std::vector<char> jpeg = without_huffman_tables(small_jpeg());
+  EXPECT_EQ(decoded_in_memory_of(1, jpeg), decoded_in_memory_of(2, jpeg));
 }
 
 TEST(JpegTables, AreFoundBehindBytesThatFill) {

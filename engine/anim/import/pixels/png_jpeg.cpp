@@ -26,6 +26,7 @@ union alignas(std::max_align_t) BlockHead {
   std::max_align_t align;
 };
 
+// The block is zero: stb decodes by tables that a JPEG does not have, which would be those of another image.
 void* take_block(std::size_t size) {
   if (decoder_heap != nullptr) {
     const std::uint64_t held = decoder_heap->held + size;
@@ -34,7 +35,7 @@ void* take_block(std::size_t size) {
       return nullptr;
     }
   }
-  auto* const head = static_cast<BlockHead*>(std::malloc(sizeof(BlockHead) + size));
+  auto* const head = static_cast<BlockHead*>(std::calloc(1, sizeof(BlockHead) + size));
   if (head == nullptr) return nullptr;
   head->size = size;
   if (decoder_heap != nullptr) decoder_heap->held += size;

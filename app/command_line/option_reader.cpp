@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/files/nearest_names.h"
+
 namespace throng::app {
 namespace {
 
@@ -14,8 +16,16 @@ std::optional<std::string> empty_value_in(const std::vector<std::string>& argume
   return {};
 }
 
-std::string unexpected(const std::string& argument, const std::string& command) {
-  if (argument.starts_with('-')) return argument + ": unknown option; " + command + " --help lists them all";
+std::string unexpected(const std::string& argument, const CLI::App& app) {
+  if (argument.starts_with('-')) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const auto meant = name_meant(argument.substr(0, argument.find('=')), names);
+    return argument + ": unknown option; " + (meant ? "is " + *meant + " meant? " : "") + app.get_name() +
+           " --help lists them all";
+  }
   return argument + ": unexpected; options begin with --, and one model is the most";
 }
 
@@ -115,7 +125,7 @@ std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& 
   } catch (const CLI::CallForVersion& version) {
     return ShowText{version.what() + std::string("\n")};
   } catch (const CLI::ExtrasError&) {
-    return UsageError{unexpected(remaining().front(), get_name())};
+    return UsageError{unexpected(remaining().front(), *this)};
   } catch (const CLI::ArgumentMismatch& error) {
     return UsageError{mismatch(*this, error.what())};
   } catch (const CLI::ExcludesError& error) {

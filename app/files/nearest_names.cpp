@@ -36,4 +36,10 @@ std::string nearest_names(std::string_view wanted, std::span<const std::string> 
   return joined(nearest);
 }
 
+std::optional<std::string> name_meant(std::string_view wanted, std::span<const std::string> names) {
+  const auto nearest = std::ranges::min_element(names, {}, [&](const auto& name) { return difference(wanted, name); });
+  if (nearest == names.end() || 3 * difference(wanted, *nearest) > nearest->size() + 2) return {};
+  return *nearest;
+}
+
 }  // namespace throng::app

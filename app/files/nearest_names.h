@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,5 +9,9 @@ namespace throng::app {
 
 /// Returns the three of `names` that come nearest to `wanted`, with commas between them. Case does not count.
 std::string nearest_names(std::string_view wanted, std::span<const std::string> names);
+
+/// Returns the name that was probably meant: the nearest, if it takes no more than a change in three letters to write
+/// `wanted` instead; nothing if none is so near.
+std::optional<std::string> name_meant(std::string_view wanted, std::span<const std::string> names);
 
 }  // namespace throng::app

@@ -20,10 +20,34 @@ std::size_t nearest_stop(const NumberScale& scale, double value) {
   return static_cast<std::size_t>(std::distance(scale.stops.begin(), nearest));
 }
 
-std::string without_separators(const std::string& text) {
-  std::string kept;
-  std::ranges::copy_if(text, std::back_inserter(kept), [](char letter) { return letter != ',' && letter != ' '; });
-  return kept;
+std::string without_spaces(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+// "12,345" is written with thousands; in "3,5" the comma is the point of a person who writes it so.
+bool has_thousands(std::string_view text) {
+  const std::size_t first = text.find(',');
+  if (first == 0 || first > 3) return false;
+  for (std::size_t comma = first; comma < text.size() && text[comma] == ','; comma += 4) {
+    const std::string_view digits = text.substr(comma + 1, 3);
+    if (digits.size() < 3 || !std::ranges::all_of(digits, [](char letter) { return letter >= '0' && letter <= '9'; })) {
+      return false;
+    }
+    const std::size_t next = comma + 4;
+    if (next < text.size() && text[next] >= '0' && text[next] <= '9') return false;
+  }
+  return true;
+}
+
+std::string with_point(const std::string& text) {
+  std::string digits = without_spaces(text);
+  if (has_thousands(digits)) {
+    std::erase(digits, ',');
+  } else {
+    std::ranges::replace(digits, ',', '.');
+  }
+  return digits;
 }
 
 }  // namespace
@@ -79,12 +103,12 @@ std::string written(const NumberScale& scale, double value) {
 
 std::optional<double> meant(const NumberScale& scale, const std::string& text) {
   if (scale.zero_word != nullptr && text == scale.zero_word) return 0;
-  const std::string digits = without_separators(text);
+  const std::string digits = with_point(text);
   char* end = nullptr;
   const double value = std::strtod(digits.c_str(), &end);
   const std::string rest = end;
   if (end == digits.c_str() || !std::isfinite(value)) return std::nullopt;
-  if (!rest.empty() && rest != without_separators(scale.suffix)) return std::nullopt;
+  if (!rest.empty() && rest != without_spaces(scale.suffix)) return std::nullopt;
   return accepted(scale, value);
 }
 

@@ -48,8 +48,10 @@ template <typename Member>
 TuningValue on_off(TuningValue value, Member member) {
   value.form = TuningValue::Form::on_off;
   value.values = "on or off";
-  value.read = [=](Tuning& tuning, const std::string& text) { return on_or_off(member(tuning))(text); };
-  value.read_option = value.read;
+  value.read_option = [=](Tuning& tuning, const std::string& text) { return on_or_off(member(tuning))(text); };
+  value.read = [=](Tuning& tuning, const std::string& text) {  // a preset says true or false
+    return on_or_off(member(tuning))(text == "true" ? "on" : text == "false" ? "off" : text);
+  };
   value.text = [=](const Tuning& tuning) { return std::string(member(tuning) ? "on" : "off"); };
   return value;
 }

@@ -41,6 +41,14 @@ TEST(NumberScale, ReadsWhatPeopleType) {
   EXPECT_EQ(meant(stepped, "30"), 32);
 }
 
+TEST(NumberScale, ReadsACommaAsThePointWhereItSeparatesNoThousands) {
+  EXPECT_EQ(meant(metres, "3,5"), 3.5);
+  EXPECT_EQ(meant(metres, "7,25 m"), 7.3);
+  EXPECT_EQ(meant(logarithmic, "2,500"), 2500);
+  EXPECT_EQ(meant(logarithmic, "1,2345"), 1) << "1.2345, and whole";
+  EXPECT_FALSE(meant(metres, "1,2,3"));
+}
+
 TEST(NumberScale, RefusesWhatIsNoNumber) {
   for (const char* const text : {"", "m", "7 feet", "nan", "inf", "--1", "auto"}) {
     EXPECT_FALSE(meant(metres, text)) << text;

@@ -138,6 +138,12 @@ TEST_F(Presets, AreStartingValuesThatOptionsWinOver) {
   EXPECT_FALSE(demo("--camera above --preset " + file).camera);
 }
 
+TEST_F(Presets, AreSetByKeyInTheWordsOfThePresetAndOfTheOption) {
+  for (const std::string on : {"true", "on"}) EXPECT_TRUE(demo("--set paused=" + on).tuning.paused) << on;
+  for (const std::string off : {"false", "off"}) EXPECT_FALSE(demo("--set variety=" + off).tuning.variety) << off;
+  EXPECT_THAT(refused("--set paused=1"), HasSubstr("must be on or off"));
+}
+
 TEST_F(Presets, AreFoundByTheirName) {
   ASSERT_TRUE(write_preset(preset_file("few"), {.tuning = demo("--agents 7").tuning, .camera = {}}));
   EXPECT_EQ(demo("--preset few").tuning.agents, 7);

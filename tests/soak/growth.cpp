@@ -12,7 +12,7 @@ std::uint64_t Growth::Figure::least_of_last(std::size_t count) const {
 
 bool Growth::Figure::has_grown() const {
   const std::size_t count = slack > 0 ? patience : 1;
-  return values.size() >= count && least_of_last(count) > warm_up + slack;
+  return values.size() >= count && is_above_for(count);
 }
 
 Growth::Figure& Growth::figure(const std::string& name) {
@@ -33,6 +33,10 @@ void Growth::add(const std::string& name, std::uint64_t value, std::uint64_t sla
   }
   figure.largest = std::max(figure.largest, value);
   figure.values.push_back(value);
+}
+
+bool Growth::is_above() const {
+  return std::ranges::any_of(figures_, [](const Figure& each) { return each.slack > 0 && each.is_above_for(1); });
 }
 
 std::optional<std::string> Growth::grown() const {

@@ -21,6 +21,8 @@ class Growth {
   /// Ends the warm-up: the values so far say how large each figure is.
   void end_warm_up() { warm_ = true; }
 
+  /// Returns whether the last value of a figure that scatters is above what it may reach.
+  bool is_above() const;
   /// Returns a sentence about the first figure that grew; nothing while none does.
   std::optional<std::string> grown() const;
   /// Returns a line for each figure: the largest value of the warm-up; since then the largest, the least of the last
@@ -35,6 +37,7 @@ class Growth {
     std::vector<std::uint64_t> values;  // since the warm-up
 
     std::uint64_t least_of_last(std::size_t count) const;
+    bool is_above_for(std::size_t count) const { return least_of_last(count) > warm_up + slack; }
     bool has_grown() const;
   };
   Figure& figure(const std::string& name);

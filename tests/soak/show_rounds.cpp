@@ -68,6 +68,12 @@ Fault ShowRounds::open() {
   return rest();
 }
 
+Fault ShowRounds::renew() {
+  if (show_ == nullptr) return {};
+  show_.reset();
+  return open();
+}
+
 Fault ShowRounds::play(const RoundPlace& place, Random& random) {
   const anim::Status started = show_->start_recording(place.folder / "run.rec");
   if (!started) return started.error().message;

@@ -20,6 +20,8 @@ class ShowRounds {
 
   /// Makes the show, if there is none yet. Shows of one process are made before any of them is measured.
   Fault open();
+  /// Makes another show in the place of the one that there is.
+  Fault renew();
   Fault run(const RoundPlace& place);
 
   /// Says what this process has beside the show.

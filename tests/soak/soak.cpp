@@ -94,6 +94,17 @@ bool Soak::is_warm(int round) const {
   return std::chrono::duration<double>(Clock::now() - begin_).count() > 60 * options_.minutes * 0.2;
 }
 
+// A driver lets go of what it keeps for a context once the context is closed; what nobody owns is still there then.
+Fault Soak::measure(const ShowRounds& shows) {
+  const ShowRounds::Others others{.open_files = windows_ ? windows_->open_files() : 0, .draw = !options_.again};
+  shows.measure(growth_, others);
+  if (!growth_.is_above()) return {};
+  Fault fault = shows_.renew();
+  if (!fault) fault = drawn_shows_.renew();
+  if (!fault) shows.measure(growth_, others);
+  return fault;
+}
+
 Fault Soak::run_round(const RoundPlace& place) {
   const std::uint64_t kind = place.seed % 8;
   if (kind < 3) return programs_.run(place);
@@ -107,8 +118,7 @@ Fault Soak::run_round(const RoundPlace& place) {
   Fault fault = options_.again ? Fault{} : shows_.open();
   if (!fault && !options_.again) fault = drawn_shows_.open();
   if (!fault) fault = shows.run(place);
-  if (!fault) shows.measure(growth_, {.open_files = windows_ ? windows_->open_files() : 0, .draw = !options_.again});
-  return fault;
+  return fault ? fault : measure(shows);
 }
 
 Fault Soak::run_round(std::uint64_t seed) {

@@ -44,6 +44,7 @@ class Soak {
   bool is_warm(int round) const;
   Fault run_round(std::uint64_t seed);
   Fault run_round(const RoundPlace& place);
+  Fault measure(const ShowRounds& shows);
   void print_table(int rounds) const;
 
   SoakOptions options_;

@@ -95,6 +95,7 @@ class WindowLoop {
   bool may_leave() {
     if (replay_ != nullptr || !unkept_.ask_about(tuning_)) return true;
     notice_ = "The values are in no preset. Esc leaves them behind; the tab Presets keeps them.";
+    overlay_.set_hidden(false);  // which shows the notice
     return false;
   }
 

@@ -80,7 +80,8 @@ void show_levels(const TabContext& context) {
               {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
                        "list below, and a dropped bone follows its nearest kept ancestor.",
                .cost = "off evaluates all bones of every agent."});
-  ImGui::BeginDisabled(!tuning.lod.bone_lod);
+  const bool by_error = tuning.lod.rule == anim::LodRule::budget;
+  ImGui::BeginDisabled(!tuning.lod.bone_lod || by_error);
   for (int level = 1; level < level_count(report); ++level) {
     const std::string number = std::to_string(level), key = "bone_level_distance_" + number;
     const std::string label = "Level " + number + " from";
@@ -91,8 +92,11 @@ void show_levels(const TabContext& context) {
     }
   }
   show_band(context);
-  widgets.caption("Bones kept over 0 to 150 m. Drag a border.");
   ImGui::EndDisabled();
+  widgets.caption(by_error
+                      ? "The rule budget chooses levels by the error limit, for each clip from distances of its own; "
+                        "these count for the rules distance and off."
+                      : "Bones kept over 0 to 150 m. Drag a border.");
   int mesh = tuning.mesh_lod + 1;
   widgets.choose("Mesh LOD", mesh, standard.mesh_lod + 1, mesh_words,
                  {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "

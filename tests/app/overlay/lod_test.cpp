@@ -163,6 +163,20 @@ TEST(ExactCrowd, SkipsAndSimplifiesNothing) {
   EXPECT_TRUE(exact.inspection.freeze_camera) << "one still looks at the same agents";
 }
 
+TEST(Overlay, LeavesDistancesOfBoneLevelsAloneWhereTheErrorDecides) {
+  OverlayDriver driver;
+  driver.report = full_report();
+  driver.click("tab:Per-bone LOD");
+  for (const anim::LodRule rule : {anim::LodRule::budget, anim::LodRule::distance}) {
+    driver.tuning.lod.rule = rule;
+    driver.frames();
+    const auto before = driver.tuning.lod.level_distances;
+    driver.drag("Level 1 from", 0.9F);
+    driver.drag("Level band", 0.2F);
+    EXPECT_EQ(driver.tuning.lod.level_distances == before, rule == anim::LodRule::budget);
+  }
+}
+
 TEST(OverlayMap, HasWhatIsLookedAtAndForced) {
   Tuning tuning;
   tuning.inspection.forced_interval = 5;

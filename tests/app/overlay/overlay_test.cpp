@@ -185,6 +185,7 @@ TEST(Overlay, ProcessingUnitsAndStoresCanBeChangedAndGoBackToTheirWord) {
 TEST(Overlay, BoneLevelsFollowEachOther) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
+  driver.tuning.lod.rule = anim::LodRule::distance;
   driver.drag("Level 1 from", 1);
   const auto& distance = driver.tuning.lod.level_distances;
   EXPECT_EQ(distance[0], 150);
@@ -207,6 +208,7 @@ TEST(Overlay, ShowsNoMoreBoneLevelsThanTheCharacterHas) {
 TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
+  driver.tuning.lod.rule = anim::LodRule::distance;
   driver.drag("Level band", 0.8F);  // from the middle, 75 m, which is nearest to level 3 at 60 m
   EXPECT_NEAR(driver.tuning.lod.level_distances[2], 120, 1);
   EXPECT_EQ(driver.tuning.lod.level_distances[1], Tuning().lod.level_distances[1]);

@@ -9,6 +9,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/simple_channel.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "tests/anim/agent/heard_misuses.h"
 
 namespace throng::anim::characters_test {
 namespace {
@@ -65,10 +66,16 @@ TEST(Characters, KeepTheirOrderOfBonesWhileAMaskDependsOnIt) {
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("masks of bones"), std::string::npos);
   EXPECT_EQ(&system->characters()[1], again.get());
-  places[10] = 10;
-  const Status senseless = system->characters().replace(1, again, places);  // two bones in one place
-  ASSERT_FALSE(senseless);
-  EXPECT_NE(senseless.error().message.find("it is not the same character"), std::string::npos);
+}
+
+TEST(Characters, RefusePlacesOfBonesOfWhichTwoAreTheSame) {
+  const auto system = two_characters();
+  std::vector<int> places(12);
+  std::iota(places.begin(), places.end(), 0);
+  places[10] = 11;
+  const HeardMisuses heard;
+  EXPECT_FALSE(system->characters().replace(1, character_of(12), places));
+  EXPECT_EQ(HeardMisuses::all().size(), 1U);
 }
 
 TEST(Characters, HaveSharedEntitiesInPoolsOfTheirOwn) {

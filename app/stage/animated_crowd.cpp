@@ -57,9 +57,16 @@ anim::Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
 
 anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const ReorderedCharacter& reordered) {
   const auto number = static_cast<std::uint32_t>(character);
-  anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
-  if (!replaced) return replaced;
   rigs_[character]->reorder_bones(reordered.places);
+  anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
+  if (!replaced) {
+    std::vector<int> back(reordered.places.size());
+    for (std::size_t bone = 0; bone < back.size(); ++bone) {
+      back[static_cast<std::size_t>(reordered.places[bone])] = static_cast<int>(bone);
+    }
+    rigs_[character]->reorder_bones(back);
+    return replaced;
+  }
   ++number_;  // moments of it are of other blocks
   return replaced;
 }

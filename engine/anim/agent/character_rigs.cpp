@@ -107,15 +107,27 @@ void CharacterRigs::find_limb(const Skeleton& skeleton, const std::optional<Limb
   limbs_.push_back(*made);
 }
 
+// The kinds say up to which bone they read, so they are made anew where they lie.
 void CharacterRigs::reorder_bones(std::span<const int> places) {
-  if (look_at_) reorder(look_at_->chain, places);
+  if (look_at_) {
+    reorder(look_at_->chain, places);
+    look_at_kind_ = look_at_kind(*look_at_);
+  }
   if (foot_placement_) {
-    for (PlacedLeg& leg : foot_placement_->legs) reorder(leg.limb.chain, places);
+    int bone_end = 0;
+    for (PlacedLeg& leg : foot_placement_->legs) {
+      reorder(leg.limb.chain, places);
+      bone_end = std::max(bone_end, leg.limb.chain.bone_end());
+    }
+    foot_placement_->bone_end = bone_end;
+    foot_placement_kind_ = foot_placement_kind(*foot_placement_);
   }
   for (TwoBoneLimb& limb : limbs_) reorder(limb.chain, places);
+  if (!limbs_.empty()) ik_kind_ = ik_kind(limbs_);
   if (!ragdoll_) return;
   for (RagdollBody& body : ragdoll_->bodies) body.bone = places[static_cast<std::size_t>(body.bone)];
   for (RagdollLink& link : ragdoll_->links) link.bone = places[static_cast<std::size_t>(link.bone)];
+  ragdoll_kind_ = ragdoll_kind(*ragdoll_);
 }
 
 const EntityKind* CharacterRigs::kind(EntityType type) const {

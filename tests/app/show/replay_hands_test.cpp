@@ -175,5 +175,28 @@ TEST_F(ReplaysOfADroppedModel, WithAByteDamagedSaySoBeforeTheirFirstFrame) {
   }
 }
 
+/// The last in the order are the feet, which everybody places, and no level drops a bone.
+void move_feet_last(Show& show) {
+  const anim::Skeleton& skeleton = show.stage().people()[0].character->skeleton;
+  std::vector<int> parents;
+  for (const anim::Bone& bone : skeleton.bones) parents.push_back(bone.parent);
+  const BoneLodChoice present = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
+  const auto foot = std::ranges::find(skeleton.bones, "foot.L", &anim::Bone::name);
+  ASSERT_NE(foot, skeleton.bones.end());
+  const auto place = static_cast<std::size_t>(foot - skeleton.bones.begin());
+  BoneLodChoice choice = with_bone_moved(parents, present, place, parents.size() - 1);
+  choice.level_counts = {present.level_counts[0]};
+  expect_done(show.set_bone_lod(0, choice));
+}
+
+TEST_F(ReplaysOfHands, ThatMovedFeetToTheEndOfTheOrderAreEqual) {
+  record(*plaza(), 60, [](Show& show, int frame) {
+    if (frame == 20) move_feet_last(show);
+  });
+  for (const std::string scheduling : {"", "--pus 3", "--schedule levels --tile 1"}) {
+    EXPECT_THAT(repeated(scheduling), testing::HasSubstr("all 60 frames are equal")) << scheduling;
+  }
+}
+
 }  // namespace
 }  // namespace throng::app::replay_hands_test

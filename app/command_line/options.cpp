@@ -1,5 +1,7 @@
 #include "app/command_line/options.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,26 +14,39 @@
 namespace throng::app {
 namespace {
 
+struct Command {
+  std::string name;
+  ParsedCommand (*parse)(const std::vector<std::string>& arguments);
+};
+
+const std::array<Command, 5>& commands() {
+  static const std::array<Command, 5> all{{{"pose", parse_pose},
+                                           {"inspect", parse_inspect},
+                                           {"lod", parse_lod},
+                                           {"bench", parse_bench},
+                                           {"bake", parse_bake}}};
+  return all;
+}
+
 // A model's file has an ending, or lies in a folder.
 std::optional<std::string> command_meant(const std::string& word) {
-  static const std::vector<std::string> commands{"pose", "inspect", "lod", "bench", "bake"};
   if (word.empty() || word.find_first_of("-./\\") != std::string::npos) return {};
   std::error_code unknown;
-  return std::filesystem::exists(word, unknown) ? std::nullopt : name_meant(word, commands);
+  if (std::filesystem::exists(word, unknown)) return {};
+  std::vector<std::string> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  return name_meant(word, names);
 }
 
 }  // namespace
 
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments) {
-  const std::string command = arguments.empty() ? "" : arguments.front();
-  const std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
-  if (command == "pose") return parse_pose(rest);
-  if (command == "inspect") return parse_inspect(rest);
-  if (command == "lod") return parse_lod(rest);
-  if (command == "bench") return parse_bench(rest);
-  if (command == "bake") return parse_bake(rest);
-  if (const auto meant = command_meant(command)) {
-    return UsageError{command + ": there is no such command nor file; is throng " + *meant + " meant?"};
+  if (arguments.empty()) return parse_demo(arguments);
+  const std::string& word = arguments.front();
+  const auto command = std::ranges::find(commands(), word, &Command::name);
+  if (command != commands().end()) return command->parse({arguments.begin() + 1, arguments.end()});
+  if (const auto meant = command_meant(word)) {
+    return UsageError{word + ": there is no such command nor file; is throng " + *meant + " meant?"};
   }
   return parse_demo(arguments);
 }

@@ -23,7 +23,7 @@ struct ErrorView {
   float pixels_per_unit = 1;   ///< pixels that one metre covers at a distance of one metre
 };
 
-/// How agents that are at least `metres` away are updated.
+/// The interval and the bone level of agents that are at least `metres` away.
 struct ChoiceThreshold {
   float metres = 0;
   anim::LodChoice choice;

@@ -14,8 +14,8 @@ struct OverlaySwitches {
   bool help = false;
 };
 
-/// What lies open while keys are pressed, which Esc closes from the top down: a list, the help, the card of who is
-/// selected.
+/// Says what is open while keys are pressed. Esc closes it from the top down: a list, then the help, then the card of
+/// the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/character/cut_scene_models.h"
+#include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/base/cores.h"
 
 namespace throng::app {
@@ -60,11 +61,7 @@ anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const Reordered
   rigs_[character]->reorder_bones(reordered.places);
   anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
   if (!replaced) {
-    std::vector<int> back(reordered.places.size());
-    for (std::size_t bone = 0; bone < back.size(); ++bone) {
-      back[static_cast<std::size_t>(reordered.places[bone])] = static_cast<int>(bone);
-    }
-    rigs_[character]->reorder_bones(back);
+    rigs_[character]->reorder_bones(anim::bone_places({.bones = reordered.places, .level_counts = {}}));  // back
     return replaced;
   }
   ++number_;  // moments of it are of other blocks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -19,16 +20,6 @@ const char* fault_of(const EntityKind& kind) {
     return "prepared_bytes is a multiple of 64, and at most most_prepared_bytes";
   }
   return nullptr;
-}
-
-/// Returns whether `places` has each index below `count` once.
-bool is_permutation(std::span<const int> places, int count) {
-  std::vector<int> sorted(places.begin(), places.end());
-  std::ranges::sort(sorted);
-  for (int i = 0; i < static_cast<int>(sorted.size()); ++i) {
-    if (sorted[static_cast<std::size_t>(i)] != i) return false;
-  }
-  return static_cast<int>(places.size()) == count;
 }
 
 /// Checks that both are the same skeleton, with its bones in the same order.
@@ -102,7 +93,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
       !std::ranges::equal(reordered->clips, agents.character->clips, {}, &BakedClip::name, &BakedClip::name) ||
-      !is_permutation(places, agents.skeleton().bone_count())) {
+      !std::ranges::is_permutation(places, std::views::iota(0, agents.skeleton().bone_count()))) {
     return refuse({call, "it is not the same character with its bones in another order"});
   }
   const bool moves = !std::ranges::is_sorted(places);

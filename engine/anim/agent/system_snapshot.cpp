@@ -21,7 +21,7 @@ Status restore_same_stream(SystemParts& parts, const PopulationSnapshot& from) {
   return parts.population.restore(from);
 }
 
-// What its graphs ask of the stores with another stream is only known once they have it.
+// Converts first and checks the stores then, since only converted graphs say how much they need.
 Status restore_other_stream(SystemParts& parts, const PopulationSnapshot& from) {
   PopulationSnapshot now;
   parts.population.snapshot(now);

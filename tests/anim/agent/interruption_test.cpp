@@ -11,6 +11,7 @@
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/crowd_rig.h"
+#include "tests/anim/bake/clip_parts.h"
 
 namespace throng::anim::interruption_test {
 namespace {
@@ -147,13 +148,9 @@ struct OtherOrder {
   std::shared_ptr<const Character> character;
 };
 
-OtherOrder other_order() {
+OtherOrder in_other_order() {
   Model model = synthetic_model(40, 5);
-  std::vector<double> importance(40);
-  for (std::size_t bone = 0; bone < importance.size(); ++bone) importance[bone] = static_cast<double>(bone * 7 % 40);
-  std::vector<int> parents;
-  for (const Bone& bone : model.skeleton.bones) parents.push_back(bone.parent);
-  const BoneOrder order = order_bones(parents, importance);
+  const BoneOrder order = other_order(model.skeleton);
   reorder_bones(model, order);
   return {order, std::make_shared<const Character>(reorder_character(*test_character(), model, order))};
 }
@@ -177,7 +174,7 @@ CrowdRig interrupted_twice(int frames_before, const OtherOrder* other) {
 }
 
 TEST(Interruption, GoesOnWhenTheBonesGetAnotherOrder) {
-  const OtherOrder other = other_order();
+  const OtherOrder other = in_other_order();
   ASSERT_FALSE(std::ranges::is_sorted(other.order.bones)) << "else nothing moves";
   const std::vector<int> before = palette_order(test_character()->skeleton, other.order);
   for (int frames = 0; frames < 6; ++frames) {

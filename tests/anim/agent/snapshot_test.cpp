@@ -150,23 +150,8 @@ TEST(Snapshot, OfAnotherStreamIsPosedAsIfNothingHadBeenRefused) {
   EXPECT_EQ(hash_after(true), hash_after(false));
 }
 
-TEST(Snapshot, OfAnotherStreamIsRefusedWhereThatStreamHasNoRoomAndNothingChanges) {
-  CrowdRig crowd;
-  crowd->agent(0).play({.clip = 0});
-  for (int layer = 0; layer < 30; ++layer) {
-    ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
-  }
-  SystemSnapshot snapshot;
-  crowd->snapshot(snapshot);
-  while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(crowd->agent(0).channel_id(1));
-  ASSERT_TRUE(crowd->configure({.local_store_bytes = 64 * 1024, .stream = StreamKind::keyframe}));
-  crowd.step();
-  EXPECT_FALSE(crowd->restore(snapshot));
-  EXPECT_EQ(crowd->agent(0).channel_count(), 1U);
-  crowd.step();
-}
-
-TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
+/// Takes a snapshot of 30 layers, keeps one of them, and configures stores that have no room for the others.
+void expect_that_there_is_no_room(const SystemOptions& options) {
   CrowdRig crowd({.local_store_bytes = 256 * 1024});
   crowd->agent(0).play({.clip = 0});
   for (int layer = 0; layer < 30; ++layer) {
@@ -175,10 +160,17 @@ TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
   while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(crowd->agent(0).channel_id(1));
-  ASSERT_TRUE(crowd->configure({.local_store_bytes = 16 * 1024}));
+  ASSERT_TRUE(crowd->configure(options));
+  crowd.step();
   EXPECT_FALSE(crowd->restore(snapshot));
   EXPECT_EQ(crowd->agent(0).channel_count(), 1U);
   crowd.step();
+}
+
+TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) { expect_that_there_is_no_room({.local_store_bytes = 16 * 1024}); }
+
+TEST(Snapshot, OfAnotherStreamIsRefusedWhereThatStreamHasNoRoomAndNothingChanges) {
+  expect_that_there_is_no_room({.local_store_bytes = 64 * 1024, .stream = StreamKind::keyframe});
 }
 
 TEST(Snapshot, ThatWasNeverTakenIsRefused) {

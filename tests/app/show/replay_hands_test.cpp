@@ -175,7 +175,7 @@ TEST_F(ReplaysOfADroppedModel, WithAByteDamagedSaySoBeforeTheirFirstFrame) {
   }
 }
 
-/// The last in the order are the feet, which everybody places, and no level drops a bone.
+/// Moves a foot, which everybody places, to the end of the order. No level drops a bone.
 void move_feet_last(Show& show) {
   const anim::Skeleton& skeleton = show.stage().people()[0].character->skeleton;
   std::vector<int> parents;

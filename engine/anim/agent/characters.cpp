@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/anim/bake/bone_match.h"
 
@@ -32,6 +33,15 @@ Status has_bones_of(const Skeleton& skeleton, const Skeleton& other) {
   return Error{"\"" + other.name +
                "\" has its bones or its levels in another order: with_clips() of the character that "
                "agents play brings clips to its order"};
+}
+
+/// Tells whether each bone has a place of its own.
+bool is_permutation_of_bones(std::span<const int> places, int bone_count) {
+  std::vector<int> every_bone(static_cast<std::size_t>(bone_count));
+  std::iota(every_bone.begin(), every_bone.end(), 0);
+  std::vector<int> sorted(places.begin(), places.end());
+  std::ranges::sort(sorted);
+  return sorted == every_bone;
 }
 
 }  // namespace
@@ -93,7 +103,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
       !std::ranges::equal(reordered->clips, agents.character->clips, {}, &BakedClip::name, &BakedClip::name) ||
-      !std::ranges::is_permutation(places, std::views::iota(0, agents.skeleton().bone_count()))) {
+      !is_permutation_of_bones(places, agents.skeleton().bone_count())) {
     return refuse({call, "it is not the same character with its bones in another order"});
   }
   const bool moves = !std::ranges::is_sorted(places);

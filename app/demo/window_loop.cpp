@@ -209,6 +209,7 @@ class WindowLoop {
     }
     obey_hands(commands);
     obey_sweep(commands);
+    reporter_.look_at(commands);
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
     if (commands.share) show_.set_share(commands.share->character, commands.share->share);
@@ -226,7 +227,7 @@ class WindowLoop {
     if (commands.hold_at) show_.hands().hold_selected_clip(*commands.hold_at);
     if (commands.let_go) show_.hands().let_go_of_clip();
     if (commands.rewind) {
-      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+      if (const anim::Status gone = show_.rewind(*commands.rewind); !gone) notice_ = gone.error().message;
     }
     if (!commands.models.empty()) replace_models(commands.models);
   }

@@ -182,6 +182,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   State& state = *state_;
   OverlayCommands commands;
   state.map.widgets.clear();
+  state.map.idle.clear();
   commands.models = state.input.dropped;
   commands.select_at = state.click.update(state.input, !uses_pointer());
   if (!uses_keyboard()) {
@@ -196,7 +197,8 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     Area below_notices = layout.crowd;
     below_notices.from.y =
         show_notices(state.widgets, layout.crowd, notices_of(report, tuning, commands.exact_crowd, state.theme));
-    show_frame_strip(state.widgets, layout.strip, report);
+    show_frame_strip(state.widgets, layout.strip, report, commands);
+    if (commands.look_at_frame) show_tab("Scheduling");
     state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands, state.memory});
     if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
     if (state.switches.help) show_help_card(state.widgets, layout.crowd);

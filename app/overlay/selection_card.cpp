@@ -109,11 +109,11 @@ float draw_graph(Widgets& widgets, const Area& card, float y, const SelectionRep
 void show_buttons(Widgets& widgets, ImVec2 at, const SelectionReport& selected, OverlayCommands& commands) {
   const float width = widgets.theme().px(120);
   ImGui::SetCursorScreenPos(at);
-  ImGui::BeginDisabled(!selected.can_fall);
+  widgets.begin_idle(selected.can_fall ? std::nullopt : std::optional<std::string>(cannot_fall));
   commands.push_over |= widgets.button(
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
       width);
-  ImGui::EndDisabled();
+  widgets.end_idle();
   ImGui::SameLine(0, widgets.theme().px(8));
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }

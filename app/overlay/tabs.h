@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/overlay/notices.h"
 #include "app/overlay/widgets.h"
 #include "app/report/frame_report.h"
 #include "app/settings/idle_values.h"
@@ -19,6 +20,7 @@ namespace throng::app {
 class TuningPair {
  public:
   [[nodiscard]] bool shows_b() const { return shows_b_; }
+  [[nodiscard]] bool has_two() const { return other_.has_value(); }
 
   /// Brings the other tuning into use. The first time it is a copy of the one in use.
   void change_places(Tuning& tuning);
@@ -52,6 +54,8 @@ struct TabMemory {
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
   std::optional<double> seconds_back;        ///< where the slider over snapshots is dragged to
   TuningPair pair;                           ///< key B changes their places
+  NoticeMemory notices;
+  std::string searched_help;
   std::string preset_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
 };
 

@@ -14,7 +14,7 @@ class ReportedShow : public testing::Test {
   void pass(int frames, double frame_ms) {
     for (int i = 0; i < frames; ++i) {
       show_->animate(test::sixtieth);
-      reporter_.update(*show_, {}, frame_ms, "");
+      reporter_.update(*show_, {}, frame_ms);
     }
   }
 

@@ -58,12 +58,12 @@ void count(std::vector<int>& counts, std::size_t place) {
 }
 
 // Props have no feet and no bones to speak of, so people alone count.
-Situation situation_of(const Stage& stage) {
+Situation situation_of(const Stage& stage, int mesh_levels) {
   Situation situation{.selected = stage.selected().has_value(),
                       .places_feet = false,
                       .can_pack = false,
                       .bone_levels = 1,
-                      .mesh_levels = std::max(1, stage.mesh_lods().most_levels()),
+                      .mesh_levels = mesh_levels,
                       .pus = stage.system().options().pus};
   for (std::size_t i = 0; i < stage.people().size(); ++i) {
     const CharacterSource& person = stage.people()[i];
@@ -85,6 +85,10 @@ FrameReporter::FrameReporter(const Show& show) {
 void FrameReporter::describe_characters(const Show& show) {
   report_.characters.clear();
   report_.cast.clear();
+  mesh_levels_ = 1;
+  for (std::size_t i = 0; i < show.stage().people().size(); ++i) {
+    mesh_levels_ = std::max(mesh_levels_, static_cast<int>(show.painter().mesh_levels(i).size()));
+  }
   for (const CharacterSource& character : show.stage().people()) {
     report_.characters.push_back(character.name);
     report_.cast.push_back({.share = character.roles.share, .starting_share = character.roles.share});
@@ -138,7 +142,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (!show.is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
-  report_.situation = situation_of(show.stage());
+  report_.situation = situation_of(show.stage(), mesh_levels_);
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
   report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());

@@ -64,6 +64,7 @@ class FrameReporter {
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
+  int mesh_levels_ = 1;  // the most of a character
 };
 
 }  // namespace throng::app

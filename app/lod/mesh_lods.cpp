@@ -15,12 +15,6 @@ float mesh_error_limit(const Tuning& tuning) {
   return limit * mesh_share_of_error;
 }
 
-int MeshLods::most_levels() const {
-  std::size_t most = 0;
-  for (const std::vector<float>& each : shares_) most = std::max(most, each.size());
-  return static_cast<int>(most);
-}
-
 int MeshLods::choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const {
   const std::vector<float>& shares = shares_[character];
   if (shares.empty()) return 0;

@@ -28,8 +28,6 @@ class MeshLods {
   /// Allows `times` the error, where a processor draws. 1 at first.
   void allow_more(float times) { times_allowed_ = times; }
 
-  /// Returns the number of mesh LODs of the character that has most; 0 where none is known.
-  int most_levels() const;
   /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
   /// fixes. 0 for a character without LODs.
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;

@@ -12,7 +12,7 @@ void SlowFrames::add(int number, float frame_ms, const std::function<FrameDetail
   const auto time_of = [](const Kept& each) { return each.details.frame_ms; };
   if (kept_.size() == most_frames) {
     const auto fastest = std::ranges::min_element(kept_, {}, time_of);
-    if (time_of(*fastest) < frame_ms) kept_.erase(fastest);
+    if (time_of(*fastest) <= frame_ms) kept_.erase(fastest);
   }
   if (kept_.size() < most_frames) kept_.push_back({describe(), now});
   list_numbers();

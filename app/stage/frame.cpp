@@ -12,6 +12,8 @@ float contact_scale(const CharacterSource& source) {
   return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
+constexpr std::size_t least_agents_to_learn_from = 100;
+
 // Colours of errors are for everybody in view.
 ErrorSampling error_sampling(const Tuning& tuning) {
   return tuning.debug_view == DebugView::error ? ErrorSampling::all : tuning.error_sample;
@@ -79,8 +81,10 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   animated_->system().update(lod_.updates());
   measure(camera, size);
   const anim::ErrorFigures error = meter_.pose_figures();
-  // In the first frames nobody is skipped yet, so errors are too small to learn from.
-  const bool tells = error.p99_is_known() && error.frames >= anim::ErrorWindow::frames;
+  // In the first frames nobody is skipped yet, so errors are too small to learn from. Of few agents, one alone is more
+  // than the hundredth part, and calm ones say nothing of what it does next.
+  const bool tells = error.p99_is_known() && error.frames >= anim::ErrorWindow::frames &&
+                     selection().visible.size() >= least_agents_to_learn_from;
   lod_.settle(system().figures().report().predicted_nanoseconds, tells ? std::optional(error.p99) : std::nullopt);
   animated_->let_fallen_get_up();
 }

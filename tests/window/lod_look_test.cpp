@@ -12,6 +12,7 @@ class LookAtLod : public WindowDriver {
   void SetUp() override {
     ASSERT_NO_FATAL_FAILURE(WindowDriver::SetUp());
     click("tab:LOD skipping");
+    scroll_down_at(1100, 500, 6);  // to the ways to look
   }
 };
 

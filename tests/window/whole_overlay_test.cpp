@@ -78,6 +78,7 @@ class WholeOverlay : public WindowDriver {
   }
   void look_at_both_crowds() {
     click("tab:LOD skipping");
+    scroll_down_at(1100, 500, 6);
     for (const std::string split : {"exact | LOD", "difference", "off"}) {
       click("Split:" + split);
       wait_for("the split " + split, [&](const Json& map) { return map["tuning"]["inspection"]["split"] == split; });

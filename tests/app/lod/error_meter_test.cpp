@@ -156,6 +156,18 @@ TEST_F(MeasuredStage, MeasuresASingleAgentToo) {
   EXPECT_GT(stage_->error_meter().figures().samples, 30U);
 }
 
+// One of sixty is more than the hundredth part: what it does next is not known from what it did.
+TEST_F(MeasuredStage, TellsTheErrorLimitNothingOfFewAgents) {
+  Tuning tuning;
+  tuning.system.pus = 2;
+  for (const int agents : {60, 1000}) {
+    tuning.agents = agents;
+    pass(tuning, 90);
+    ASSERT_EQ(stage_->selection().visible.size() >= 100, agents == 1000);
+    EXPECT_EQ(stage_->level_of_detail().figures().error_held.has_value(), agents == 1000);
+  }
+}
+
 TEST_F(MeasuredStage, RemembersHowTheErrorWent) {
   Tuning tuning = measured();
   pass(tuning, 40);

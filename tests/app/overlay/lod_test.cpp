@@ -12,18 +12,20 @@ namespace {
 struct LodSkippingTab : testing::Test {
   LodSkippingTab() { driver.click("tab:LOD skipping"); }
 
-  void scroll_down() {
+  void scroll_down(float steps = 100) {
     driver.point_at(1100, 600);
     driver.frames();
-    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -steps});
     driver.frames();
   }
+  void scroll_to_ways_to_look() { scroll_down(6); }
 
   OverlayDriver driver;
   const LodInspection& look = driver.tuning.inspection;
 };
 
 TEST_F(LodSkippingTab, FreezesTheCameraAndSaysSoUntilItIsFreeAgain) {
+  scroll_to_ways_to_look();
   const int before = driver.overlay.vertex_count();
   driver.click("Freeze LOD camera");
   EXPECT_TRUE(look.freeze_camera);
@@ -33,6 +35,7 @@ TEST_F(LodSkippingTab, FreezesTheCameraAndSaysSoUntilItIsFreeAgain) {
 }
 
 TEST_F(LodSkippingTab, ShowsThresholdsAndFigures) {
+  scroll_to_ways_to_look();
   driver.click("Thresholds");
   driver.click("Above heads");
   EXPECT_TRUE(look.thresholds);
@@ -40,6 +43,7 @@ TEST_F(LodSkippingTab, ShowsThresholdsAndFigures) {
 }
 
 TEST_F(LodSkippingTab, SplitsThePictureAtALineThatCanBeDragged) {
+  scroll_to_ways_to_look();
   driver.drag("Split at", 1);
   EXPECT_EQ(look.split_at, LodInspection().split_at) << "nothing is split";
   driver.click("Split:difference");
@@ -51,6 +55,7 @@ TEST_F(LodSkippingTab, SplitsThePictureAtALineThatCanBeDragged) {
 }
 
 TEST_F(LodSkippingTab, ForcesAnIntervalAndALevel) {
+  scroll_to_ways_to_look();
   driver.drag("Force interval", 1);
   EXPECT_EQ(look.forced_interval, 16);
   driver.click("Force level:2");
@@ -62,6 +67,7 @@ TEST_F(LodSkippingTab, ForcesAnIntervalAndALevel) {
 }
 
 TEST_F(LodSkippingTab, OffersNoLevelThatTheCharacterDoesNotHave) {
+  scroll_to_ways_to_look();
   driver.tuning.inspection.forced_bone_level = 3;
   driver.report.level_bone_counts = {62, 20};
   driver.frames();
@@ -71,6 +77,7 @@ TEST_F(LodSkippingTab, OffersNoLevelThatTheCharacterDoesNotHave) {
 }
 
 TEST_F(LodSkippingTab, AnIntervalCannotBeForcedWhereNothingIsSkipped) {
+  scroll_to_ways_to_look();
   driver.tuning.lod.rule = anim::LodRule::off;
   driver.frames();
   driver.drag("Force interval", 1);

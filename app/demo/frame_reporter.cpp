@@ -140,6 +140,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
+  report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
   report_.snapshots = static_cast<int>(show.moments().count());
   report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
 }

@@ -7,6 +7,7 @@
 #include "app/demo/frame_reporter.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/unkept_values.h"
+#include "app/demo/viewer_commands.h"
 #include "app/demo/window_input.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
@@ -128,12 +129,15 @@ class WindowLoop {
 
   // Whoever takes the camera in hand has it from then on.
   void fly(const InputFrame& input, float seconds) {
+    const FlyControls controls{!overlay_.uses_pointer(), !overlay_.uses_keyboard()};
+    if (show_.viewer() != nullptr) return show_.viewer()->turntable().update(input, controls);
     const render::Camera before = fly_camera_.camera();
-    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
+    fly_camera_.update(input, controls, seconds);
     if (fly_camera_.camera() != before) show_.films = false;
   }
 
   anim::Ticks step(double seconds, bool single) const {
+    if (show_.viewer() != nullptr) return anim::to_ticks(options_.dt.value_or(seconds));  // its clip has its own pause
     if (tuning_.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(options_.dt.value_or(seconds) * static_cast<double>(tuning_.time_scale));
   }
@@ -152,6 +156,7 @@ class WindowLoop {
 
   void present() {
     if (minimised_) return;
+    show_.covered = 1.0F - overlay_.crowd_area().width / static_cast<float>(show_.width);
     if (const anim::Status drawn = show_.draw(); !drawn) {
       notice_ = drawn.error().message;  // a person can take back what was too much, but for the first picture
       if (show_.stage().frame() <= 1) failed_ = drawn, done_ = true;
@@ -209,6 +214,7 @@ class WindowLoop {
     }
     obey_hands(commands);
     obey_sweep(commands);
+    if (const anim::Status viewed = obey_viewer(show_, commands.viewer); !viewed) notice_ = viewed.error().message;
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
     if (commands.share) show_.set_share(commands.share->character, commands.share->share);

@@ -14,11 +14,12 @@ struct OverlaySwitches {
   bool help = false;
 };
 
-/// Says what is open while keys are pressed. Esc closes it from the top down: a list, then the help, then the card of
-/// the selected agent.
+/// Says what is open while keys are pressed. Esc closes it from the top down: a list, then the help, then the viewer of
+/// one character, then the card of the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;
+  std::optional<ViewerSettings> viewer = {};  ///< of the viewer that is open
 };
 
 /// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text

@@ -115,6 +115,9 @@ void show_buttons(Widgets& widgets, ImVec2 at, const SelectionReport& selected, 
       width);
   ImGui::EndDisabled();
   ImGui::SameLine(0, widgets.theme().px(8));
+  commands.viewer.view_selected |=
+      widgets.button("View", {.what = "Shows its character alone, clip by clip, while the crowd waits."}, width);
+  ImGui::SameLine(0, widgets.theme().px(8));
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }
 

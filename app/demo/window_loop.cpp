@@ -129,10 +129,9 @@ class WindowLoop {
 
   // Whoever takes the camera in hand has it from then on.
   void fly(const InputFrame& input, float seconds) {
-    const FlyControls controls{!overlay_.uses_pointer(), !overlay_.uses_keyboard()};
-    if (show_.viewer() != nullptr) return show_.viewer()->turntable().update(input, controls);
+    if (show_.viewer() != nullptr) return show_.viewer()->turntable().update(input, {!overlay_.uses_pointer()});
     const render::Camera before = fly_camera_.camera();
-    fly_camera_.update(input, controls, seconds);
+    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
     if (fly_camera_.camera() != before) show_.films = false;
   }
 

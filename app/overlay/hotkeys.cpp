@@ -12,6 +12,8 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Overla
   if (open.list) return;
   if (switches.help && !switches.hidden) {
     switches.help = false;
+  } else if (switches.log && !switches.hidden) {
+    switches.log = false;
   } else if (open.viewer) {
     commands.viewer.leave = true;
   } else if (open.selection) {
@@ -44,6 +46,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
   for (const Key key : input.pressed) {
     if (key == Key::tab) switches.hidden = !switches.hidden;
     if (key == Key::f1) switches.help = !switches.help;
+    if (key == Key::l) switches.log = !switches.log;
     commands.reload_shaders |= key == Key::f5;
     commands.screenshot |= key == Key::f12;
     if (key == Key::escape) close_the_topmost(open, switches, commands);

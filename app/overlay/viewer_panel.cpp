@@ -11,7 +11,7 @@ namespace throng::app {
 namespace {
 
 constexpr float joint_reach = 14;  // pixels
-constexpr float clip_height = 20, most_clips_seen = 9;
+constexpr float clip_height = 20, most_clips_seen = 7;
 
 bool has_part(const std::string& name, const std::string& part) {
   const auto small = [](unsigned char letter) { return std::tolower(letter); };
@@ -94,9 +94,10 @@ void show_time(Panel& panel) {
   const auto& [widgets, report, memory, commands, now] = panel;
   ViewerSettings& settings = panel.settings;
   widgets.section("Time");
-  double seconds = static_cast<double>(report.seconds);
+  const auto at = static_cast<double>(report.seconds);
+  double seconds = at;
   const double length = std::max(static_cast<double>(report.length), 0.001);
-  if (widgets.number("At", seconds, 0, {.highest = length, .decimals = 3, .suffix = " s"},
+  if (widgets.number("At", seconds, at, {.highest = length, .decimals = 3, .suffix = " s"},
                      {.what = "Drag to stop the clip and to move through it.", .unit = "seconds from its start"})) {
     commands.scrub = static_cast<float>(seconds);
   }
@@ -172,6 +173,7 @@ void show_facts(const Panel& panel) {
   }
   if (mesh >= report.meshes.size()) return;
   widgets.fact("Triangles drawn", with_thousands(report.meshes[mesh].triangles), {.what = "At the mesh LOD."});
+  if (mesh == 0) return;
   widgets.fact("Mesh error", metres(report.meshes[mesh].error_metres),
                {.what = "How far the surface of this mesh LOD is off the full one, at most."});
 }
@@ -199,8 +201,8 @@ void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerRe
   show_preview(panel);
   show_clips(panel);
   show_time(panel);
-  show_blend(panel);
   show_look(panel);
+  show_blend(panel);
   show_facts(panel);
   if (panel.settings != report.settings) commands.settings = panel.settings;
 }

@@ -120,6 +120,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (!show.is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
+  report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
+  if (report_.viewer) return;  // the crowd waits, and so do its figures
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
   report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());
@@ -141,7 +143,6 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
-  report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
   report_.snapshots = static_cast<int>(show.moments().count());
   report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
 }

@@ -34,6 +34,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.roles) show.set_roles(character, *commands.roles);
   messages().tell(obey_viewer(show, commands.viewer));
+  if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (commands.save_roles) say_where(save_roles(show.stage().characters()[character]));
   obey_body(commands, character);
   obey_bone_lod(commands, character);

@@ -124,6 +124,7 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
+  const bool viewed = viewer_ != nullptr;
   viewer_.reset();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
@@ -131,7 +132,7 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   rewind_.forget();
   if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
-  return anim::Done{};
+  return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
 }
 
 void Show::set_roles(std::size_t character, const RoleClips& clips) {

@@ -64,7 +64,8 @@ class Show {
   /// those of Viewer::create; then nothing has changed.
   anim::Status view(const ViewRequest& request);
   void leave_viewer() { viewer_.reset(); }
-  /// Returns the viewer of a character alone; null while the crowd is shown. It ends when characters change.
+  /// Returns the viewer of a character alone; null while the crowd is shown. It ends when a character's bones or parts
+  /// of the body change, and shows the first of other characters when they come.
   Viewer* viewer() { return viewer_.get(); }
   const Viewer* viewer() const { return viewer_.get(); }
 

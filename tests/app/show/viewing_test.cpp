@@ -52,12 +52,15 @@ TEST(ViewedCharacterOfACrowd, WhoIsSelectedIsNobody) {
   EXPECT_EQ(show->viewer(), nullptr);
 }
 
-TEST(ViewedCharacterOfACrowd, GoesWhenOtherCharactersCome) {
+TEST(ViewedCharacterOfACrowd, GivesWayToTheFirstOfOthersThatCome) {
   const auto show = show_of(demo("--agents 4"));
   ASSERT_TRUE(show->view({}));
   const std::vector<std::string> files = {THRONG_SOURCE_DIR "/tests/data/features/plain.glb"};
   ASSERT_TRUE(show->replace_models(files));
-  EXPECT_EQ(show->viewer(), nullptr);
+  ASSERT_NE(show->viewer(), nullptr);
+  EXPECT_EQ(&show->viewer()->viewed().source(), &show->stage().people().front());
+  animate(*show, 2);
+  show->leave_viewer();
   animate(*show, 2);
 }
 

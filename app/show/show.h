@@ -66,8 +66,7 @@ class Show {
   void leave_viewer() { viewer_.reset(); }
   /// Returns the viewer of a character alone; null while the crowd is shown. It ends when a character's bones or parts
   /// of the body change, and shows the first of other characters when they come.
-  Viewer* viewer() { return viewer_.get(); }
-  const Viewer* viewer() const { return viewer_.get(); }
+  Viewer* viewer() const { return viewer_.get(); }
 
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.

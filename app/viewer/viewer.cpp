@@ -97,6 +97,7 @@ Viewer::~Viewer() {
   if (slot_.valid()) slots_->retire(slot_, stage_frame_);
 }
 
+// In the colours of an agent, but in the shape that its file has.
 void Viewer::dress(const Stage& stage, std::optional<std::uint32_t> agent) {
   record_ = {};
   record_.scale = scale_;
@@ -105,8 +106,6 @@ void Viewer::dress(const Stage& stage, std::optional<std::uint32_t> agent) {
   if (!agent) return;
   const Crowd& crowd = stage.crowd();
   std::ranges::copy(crowd.tints()[*agent], record_.tints);
-  record_.shape = crowd.variants()[*agent].shape();
-  record_.hair = crowd.variants()[*agent].hair();
   record_.shade = crowd.shades()[*agent];
 }
 

@@ -83,6 +83,9 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",
       [&options](const std::string& text) { return whole_number(options.selected.emplace(), 0, 99'999)(text); });
+  reader.optional_value("--view", "", "[=CLIP]",
+                        "The first character alone on a turntable, in a clip of it; the crowd waits",
+                        [&options](const std::string& text) { return options.view.emplace(text), Complaint(); });
   reader.flag("--hide-ui", options.hide_ui, "No overlay in the window")->excludes(ui);
 }
 

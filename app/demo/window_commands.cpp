@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/demo/viewer_commands.h"
 #include "app/recording/cast_options.h"
 #include "app/recording/crowd_file.h"
 #include "app/show/kept_choices.h"
@@ -35,6 +36,8 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   const std::size_t character = reporter.report().character;
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.roles) show.set_roles(character, *commands.roles);
+  messages().tell(obey_viewer(show, commands.viewer));
+  if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (commands.save_roles) say_where(save_roles(show.stage().characters()[character]));
   obey_body(commands, character);
   obey_bone_lod(commands, character);

@@ -13,6 +13,7 @@
 #include "app/report/messages.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
+#include "app/report/viewer_report.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/character_agents.h"
 #include "engine/anim/agent/frame_work.h"
@@ -113,6 +114,7 @@ struct FrameReport {
   int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
   float snapshot_seconds = 0;               ///< seconds back to the newest of them
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
+  std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
 };
 
 /// A pixel from the top left of the picture.
@@ -162,6 +164,7 @@ struct OverlayCommands {
   bool push_over = false;                                              ///< key P: the selected agent falls
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew
   bool stop_sweep = false;
+  ViewerCommands viewer;
   bool exact_crowd = false;  ///< key X is held: nothing is skipped or simplified
 };
 

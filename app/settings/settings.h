@@ -138,6 +138,7 @@ struct DemoOptions {
   bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
   std::string ui_tab = "Crowd";              ///< the overlay starts with it
   std::optional<int> selected;               ///< an agent, from the start
+  std::optional<std::string> view;           ///< the first character is shown alone, in this clip; empty: in any
   bool hide_ui = false;
   float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords

@@ -142,6 +142,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (!show.is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
+  report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
+  if (report_.viewer) return;  // the crowd waits, and so do its figures
   report_.situation = situation_of(show.stage(), mesh_levels_);
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);

@@ -88,6 +88,22 @@ Json body_json(const BodyParts& body) {
   return {{"said", rig_json(body.said)}, {"follows", body.follows}, {"refusal", body.refusal}};
 }
 
+Json viewer_json(const std::optional<ViewerReport>& viewer) {
+  if (!viewer) return nullptr;
+  const ViewerSettings& settings = viewer->settings;
+  return {{"character", viewer->character},
+          {"clip", viewer->clips[static_cast<std::size_t>(settings.clip)].name},
+          {"seconds", viewer->seconds},
+          {"length", viewer->length},
+          {"plays", settings.plays},
+          {"bind_pose", settings.bind_pose},
+          {"blended", settings.blended},
+          {"weight", settings.weight},
+          {"bone_level", settings.bone_level},
+          {"mesh_lod", settings.mesh_lod},
+          {"preview", viewer->preview ? Json(role_names.at(index_of(viewer->preview->role))) : Json(nullptr)}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -114,7 +130,8 @@ Json report_json(const FrameReport& report) {
           {"error", error_json(report.error)},
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
-          {"selected", selected_json(report.selected)}};
+          {"selected", selected_json(report.selected)},
+          {"viewer", viewer_json(report.viewer)}};
 }
 
 Json camera_json(const CameraPlace& camera) {

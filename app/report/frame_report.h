@@ -14,6 +14,7 @@
 #include "app/report/messages.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
+#include "app/report/viewer_report.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/character_agents.h"
@@ -99,8 +100,10 @@ struct FrameReport {
   CameraPlace camera;
   Situation situation;                      ///< says which values have no effect
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
+  std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
   std::vector<float> snapshots;             ///< seconds back to each that the crowd can be taken to, newest first
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
+  std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
 };
 
 /// A pixel from the top left of the picture.
@@ -145,10 +148,12 @@ struct OverlayCommands {
   bool let_go = false;                ///< the held agent plays on
   std::optional<std::size_t> rewind;  ///< the crowd goes back to that snapshot, 0 the newest
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
-  bool copy_command_line = false;                                      ///< the tuning as options
+  std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
+  bool copy_command_line = false;                                      ///< models, roles and tuning as options
   bool push_over = false;                                              ///< key P: the selected agent falls
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew
   bool stop_sweep = false;
+  ViewerCommands viewer;
   std::optional<int> look_at_frame;  ///< the kept frame whose number is nearest is looked at
   bool look_at_last_frames = false;  ///< no longer
   bool exact_crowd = false;          ///< key X is held: nothing is skipped or simplified

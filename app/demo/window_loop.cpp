@@ -26,6 +26,7 @@ class WindowLoop {
         overlay_(fonts_folder(options), options.ui_scale, session_.tuning, session_.input.clipboard()) {
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.set_preset_names(preset_names());
+    session_.reporter.set_crowd_names(crowd_names("."));
     session_.reporter.report_recording(options.record);
     show.keep_moments();
     overlay_.show_tab(options.ui_tab);

@@ -118,6 +118,7 @@ inline constexpr int most_window_pixels = 16384;  ///< the same of a window, whi
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
+  std::string crowd_file;               ///< NAME.throng, which says who is there; empty: none was named
   std::vector<std::string> models;      ///< files and folders, even shares; empty: `cast`
   std::vector<CastEntry> cast;          ///< files and folders with shares; empty: the built-in character
   std::vector<std::string> clips_from;  ///< files whose clips every character plays too

@@ -9,6 +9,7 @@
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/nearest_names.h"
+#include "app/show/opened_crowd.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
@@ -28,6 +29,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   show->width = options.width;
   show->height = options.height;
   show->load_options_ = app::load_options(options);
+  show->data_ = options.data;
   auto cast = load_starting_characters(options, error);
   if (!cast) return nullptr;
   show->left_out_ = std::move(cast->left_out);
@@ -113,6 +115,15 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
   for (CharacterSource& character : cast->characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
   }
+  if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
+  left_out_ = std::move(cast->left_out);
+  update_notice();
+  return anim::Done{};
+}
+
+anim::Status Show::replace_crowd(std::span<const CrowdCharacter> characters) {
+  auto cast = load_crowd(characters, data_, load_options_);
+  if (!cast) return cast.error();
   if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
   left_out_ = std::move(cast->left_out);
   update_notice();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/figures/run_figures.h"
+#include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
 #include "app/show/hands.h"
@@ -34,6 +35,9 @@ class Show {
   anim::Status replace_models(std::span<const std::string> files);
   /// Does the same with characters that are loaded already, 1 to most_models.
   anim::Status replace_characters(std::vector<CharacterSource> characters);
+
+  /// Does the same with the characters of a crowd file. Its values and its camera are for the caller to take.
+  anim::Status replace_crowd(std::span<const CrowdCharacter> characters);
 
   /// Gives the roles of a character other clips, at a frame boundary.
   void set_roles(std::size_t character, const RoleClips& clips);
@@ -110,6 +114,7 @@ class Show {
   RunFigures figures_;
   Rewind rewind_;
   LoadOptions load_options_;           // of models that are dropped too
+  std::string data_;                   // the folder that --data names
   std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;

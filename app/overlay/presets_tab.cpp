@@ -65,7 +65,7 @@ void show_saving(const TabContext& context) {
           .button(exists ? "Replace preset" : "Save preset",
                   {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
                            "preset of that name is replaced."},
-                  can_name_a_preset(name))) {
+                  can_name_a_preset(name) ? nullptr : "a name has letters, digits, - and _")) {
     commands.save_preset = name;
   }
   commands.copy_command_line |=

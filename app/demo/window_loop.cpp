@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/demo/frame_reporter.h"
+#include "app/demo/placed_model.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/unkept_values.h"
 #include "app/demo/window_input.h"
@@ -211,6 +212,7 @@ class WindowLoop {
     obey_sweep(commands);
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
+    if (commands.placement) notice_ = place_model(show_, *commands.placement);
     if (commands.share) show_.set_share(commands.share->character, commands.share->share);
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(save_roles(show_.stage().characters()[character]));

@@ -10,8 +10,6 @@
 namespace throng::app {
 namespace {
 
-constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
-
 float longest_distance() { return static_cast<float>(scale_of("bone_level_distance_1").highest); }
 
 /// Moves the neighbours of a distance that was moved, so that levels follow each other.
@@ -97,12 +95,6 @@ void show_levels(const TabContext& context) {
                       ? "The rule budget chooses levels by the error limit, for each clip from distances of its own; "
                         "these count for the rules distance and off."
                       : "Bones kept over 0 to 150 m. Drag a border.");
-  int mesh = tuning.mesh_lod + 1;
-  widgets.choose("Mesh LOD", mesh, standard.mesh_lod + 1, mesh_words,
-                 {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "
-                          "for everyone, 0 is the full mesh.",
-                  .cost = "Triangles; on a software renderer most of the frame."});
-  tuning.mesh_lod = mesh - 1;
 }
 
 void show_agents_by_level(const TabContext& context) {
@@ -139,6 +131,7 @@ void show_bone_lod_tab(const TabContext& context) {
   // The same value as *Force level* of the other tab, beside the bones that it drops.
   show_forced_level(context, "Preview level",
                     "Shows everyone in view with the bones of this level, to look at what it loses.");
+  show_meshes(context);
   show_agents_by_level(context);
   show_bone_list(context);
 }

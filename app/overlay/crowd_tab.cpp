@@ -47,8 +47,19 @@ void show_who(const TabContext& context) {
                .unit = "0 to 9,999",
                .cost = "Changing it places all agents anew."});
   context.row("variety", "Variety",
-              {.what = "Agents of one character differ in height and colours. Off: they are all as its file has it.",
+              {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "
+                       "they are all as its file has it.",
                .cost = "Changing it places all agents anew."});
+  ImGui::BeginDisabled(!context.tuning.variety);
+  context.row("tint", "Tint",
+              {.what = "How much agents differ in colours: 1 as much as they can, 0 not at all. A model whose colours "
+                       "are its file's own gets lighter, darker, warmer and cooler.",
+               .cost = "Changing it places all agents anew."});
+  context.row("size_variety", "Size variety",
+              {.what = "How much agents differ in size, as a share of it.",
+               .unit = "0 to 0.3",
+               .cost = "Changing it places all agents anew."});
+  ImGui::EndDisabled();
   context.row("placed_feet", "Placed feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",
@@ -187,6 +198,7 @@ void show_in_view(const TabContext& context) {
 void show_crowd_tab(const TabContext& context) {
   show_who(context);
   show_cast(context);
+  show_model(context);
   show_time(context);
   show_picture(context);
   show_in_view(context);

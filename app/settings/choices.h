@@ -22,6 +22,8 @@ inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
+inline constexpr std::array<const char*, 6> up_axis_words = {"x", "y", "z", "-x", "-y", "-z"};
+inline constexpr std::array<const char*, 3> ground_words = {"guess", "file", "feet"};
 
 // The engine may change its enumerations. These checks fail when their order is no longer that of the words.
 template <std::size_t count, class Choice>
@@ -32,6 +34,8 @@ static_assert(is_last(schedule_words, anim::Schedule::levels, "levels"));
 static_assert(is_last(double_buffer_words, anim::DoubleBuffering::interleaved, "interleaved"));
 static_assert(is_last(stream_words, anim::StreamKind::keyframe, "keyframe"));
 static_assert(is_last(palette_words, anim::PaletteFormat::packed, "packed"));
+static_assert(is_last(up_axis_words, anim::UpAxis::minus_z, "-z"));
+static_assert(is_last(ground_words, anim::GroundRule::feet, "feet"));
 static_assert(is_last(lod_rule_words, anim::LodRule::budget, "budget"));
 
 }  // namespace throng::app

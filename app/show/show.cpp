@@ -7,6 +7,7 @@
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
@@ -26,6 +27,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   show->width = options.width;
   show->height = options.height;
   show->load_options_ = app::load_options(options);
+  show->data_ = options.data;
   auto cast = load_starting_characters(options, error);
   if (!cast) return nullptr;
   show->left_out_ = std::move(cast->left_out);
@@ -102,16 +104,33 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
 }
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
+  if (anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged;
+  left_out_.clear();
+  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
+  update_notice();
+  return anim::Done{};
+}
+
+anim::Result<double> Show::set_placement(std::size_t character, const anim::PlacementChoice& choice) {
+  const auto start = RunFigures::Clock::now();
+  auto placed = placed_anew(stage_->people()[character], choice, load_options_, data_);
+  if (!placed) return placed.error();
+  std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
+  characters[character] = std::move(*placed);
+  if (const anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged.error();
+  recorder_.add(RecordedPlacement{static_cast<std::uint32_t>(character), choice});
+  update_notice();
+  return milliseconds_since(start) / 1000.0;
+}
+
+anim::Status Show::exchange(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
-  left_out_.clear();
   rewind_.forget();
-  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
-  update_notice();
   return anim::Done{};
 }
 

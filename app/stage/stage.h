@@ -79,6 +79,7 @@ class Stage {
     return mesh_lods_.choose(tuning_, crowd().characters()[agent.agent], agent.pixels_tall);
   }
   MeshLods& mesh_lods() { return mesh_lods_; }
+  const MeshLods& mesh_lods() const { return mesh_lods_; }
 
   const anim::LodSelection& selection() const { return lod_.selection(); }
   const anim::LevelOfDetail& level_of_detail() const { return lod_; }

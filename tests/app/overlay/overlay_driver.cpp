@@ -43,6 +43,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
+    if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }

@@ -4,11 +4,11 @@
 
 namespace throng::app {
 
-std::string place_model(Show& show, const NewPlacement& asked) {
+void place_model(Show& show, const NewPlacement& asked, Messages& messages) {
   const auto seconds = show.set_placement(asked.character, asked.choice);
-  if (!seconds) return seconds.error().message;
+  if (!seconds) return messages.say(seconds.error().message, Message::Kind::refused);
   const CharacterSource& placed = show.stage().people()[asked.character];
-  return placed.name + ": " + placed.placement.reasons + "; made anew in " + fixed(*seconds, 1) + " s";
+  messages.say(placed.name + ": " + placed.placement.reasons + "; made anew in " + fixed(*seconds, 1) + " s");
 }
 
 }  // namespace throng::app

@@ -26,7 +26,8 @@ void show_lods(const TabContext& context) {
                             fixed(row.face_error_mm, 1) + " mm, as measured over its clips.";
     const std::string where = by_error ? where_drawn(row) + ": " : std::string();
     context.widgets.fact(
-        label.c_str(), std::to_string(row.triangles) + " triangles, " + where + std::to_string(row.agents) + " agents",
+        label.c_str(),
+        std::to_string(row.triangles) + " triangles, " + where + counted(static_cast<std::size_t>(row.agents), "agent"),
         {.what = off.c_str()});
   }
 }

@@ -36,6 +36,7 @@ enum class Key : std::uint8_t {
   d,
   e,
   f,
+  l,
   p,
   q,
   r,

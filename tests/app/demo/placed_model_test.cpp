@@ -15,10 +15,14 @@ using testing::MatchesRegex;
 
 TEST(PlacedModel, SaysTheScaleAndHowLongItTook) {
   const auto show = test::show_of(test::demo("--agents 3"));
+  Messages messages;
+  place_model(*show, {.character = 0, .choice = {.scale = 2.0}}, messages);
   EXPECT_THAT(
-      place_model(*show, {.character = 0, .choice = {.scale = 2.0}}),
+      messages.all().back().words,
       MatchesRegex("mannequin \\(built in\\): 3\\.6 m tall: scaled by 2 as asked; made anew in [0-9]+\\.[0-9] s"));
-  EXPECT_THAT(place_model(*show, {.character = 0, .choice = {.scale = 1e12}}), HasSubstr("beyond all measure"));
+  place_model(*show, {.character = 0, .choice = {.scale = 1e12}}, messages);
+  EXPECT_THAT(messages.all().back().words, HasSubstr("beyond all measure"));
+  EXPECT_EQ(messages.all().back().kind, Message::Kind::refused);
 }
 
 TEST(PlacedModel, IsReportedFromTheNextFrameOn) {
@@ -26,9 +30,10 @@ TEST(PlacedModel, IsReportedFromTheNextFrameOn) {
   FrameReporter reporter(*show);
   EXPECT_EQ(reporter.report().placement.scale, 1.0);
   EXPECT_EQ(reporter.report().placement.guessed_scale, 1.0);
-  place_model(*show, {.character = 0, .choice = {.scale = 0.5}});
+  Messages messages;
+  place_model(*show, {.character = 0, .choice = {.scale = 0.5}}, messages);
   show->animate(test::sixtieth);
-  reporter.update(*show, {}, 16.0, "");
+  reporter.update(*show, {}, 16.0);
   EXPECT_EQ(reporter.report().placement.scale, 0.5);
   EXPECT_EQ(reporter.report().placement.guessed_scale, 1.0);
   EXPECT_NEAR(reporter.report().placement.units_tall, 1.8, 0.05);

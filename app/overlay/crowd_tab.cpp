@@ -198,10 +198,10 @@ void show_in_view(const TabContext& context) {
 void show_crowd_tab(const TabContext& context) {
   show_who(context);
   show_cast(context);
-  show_model(context);
   show_time(context);
   show_picture(context);
   show_in_view(context);
+  show_model(context);
   show_roles(context);
   show_body(context);
 }

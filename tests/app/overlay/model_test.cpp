@@ -14,6 +14,10 @@ struct ModelSection : testing::Test {
                                .units_tall = 176.0,
                                .reasons = "1.76 m tall: taken as centimetres"};
     driver.frames();
+    driver.point_at(1100, 600);
+    driver.frames();
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+    driver.frames();
   }
 
   OverlayDriver driver;
@@ -58,7 +62,8 @@ TEST_F(ModelSection, HasNoHeightWithoutExtent) {
   EXPECT_FALSE(driver.sees("Height"));
 }
 
-TEST_F(ModelSection, SaysHowMuchAgentsDiffer) {
+TEST(VarietyRows, SayHowMuchAgentsDiffer) {
+  OverlayDriver driver;
   driver.drag("Tint", 0.0F);
   EXPECT_EQ(driver.tuning.tint, 0.0F);
   driver.drag("Size variety", 1.0F);

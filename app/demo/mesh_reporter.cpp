@@ -17,7 +17,7 @@ MeshReport report_meshes(const Show& show, std::size_t character) {
   if (report.lods.empty()) return report;
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     if (stage.crowd().characters()[agent.agent] != character) continue;
-    ++report.lods[static_cast<std::size_t>(stage.mesh_lod(agent))].agents;
+    ++report.lods[static_cast<std::size_t>(mesh_lod_of(stage, agent))].agents;
   }
   return report;
 }

@@ -1,7 +1,7 @@
 #version 450 core
 
 in vec3 world_position;
-flat in vec4 debug_color;
+in vec4 debug_color;
 
 out vec4 color;
 

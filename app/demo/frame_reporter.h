@@ -8,6 +8,7 @@
 
 #include "app/demo/fixed_report.h"
 #include "app/demo/selection_log.h"
+#include "app/demo/slow_frames.h"
 #include "app/figures/limiter.h"
 #include "app/report/frame_report.h"
 #include "app/show/show.h"
@@ -37,7 +38,10 @@ class FrameReporter {
   Messages& messages() { return report_.messages; }
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
+  void set_crowd_names(std::vector<std::string> names) { report_.crowd_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
+  /// Reports the frame that a person looks at from now on.
+  void look_at(const OverlayCommands& commands);
   /// Reports the camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
@@ -53,12 +57,15 @@ class FrameReporter {
   void describe_bones(const anim::Character& character);
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
+  void add_error(const Stage& stage);
   void add_heads(const Stage& stage);
   void add_units(const anim::AnimationSystem& system);
 
   FrameReport report_;
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
+  SlowFrames slow_frames_;
+  int mesh_levels_ = 1;  // the most of a character
 };
 
 }  // namespace throng::app

@@ -1,9 +1,12 @@
 #include "app/demo/window_commands.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/demo/placed_model.h"
-#include "app/settings/preset.h"
+#include "app/demo/viewer_commands.h"
+#include "app/recording/cast_options.h"
+#include "app/recording/crowd_file.h"
 #include "app/show/kept_choices.h"
 #include "engine/files/output_file.h"
 
@@ -29,11 +32,15 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   if (commands.push_over) messages().tell(show.hands().push_selected());
   obey_hands(commands);
   obey_sweep(commands);
+  reporter.look_at(commands);
   obey_presets(commands);
+  obey_crowd_files(commands);
   const std::size_t character = reporter.report().character;
   if (commands.placement) place_model(show, *commands.placement, messages());
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.roles) show.set_roles(character, *commands.roles);
+  messages().tell(obey_viewer(show, commands.viewer));
+  if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (commands.save_roles) say_where(save_roles(show.stage().characters()[character]));
   obey_body(commands, character);
   obey_bone_lod(commands, character);
@@ -65,8 +72,33 @@ void WindowCommands::obey_hands(const OverlayCommands& commands) {
   Show& show = session_.show;
   if (commands.hold_at) show.hands().hold_selected_clip(*commands.hold_at);
   if (commands.let_go) show.hands().let_go_of_clip();
-  if (commands.rewind) messages().tell(show.rewind());
+  if (commands.rewind) messages().tell(show.rewind(*commands.rewind));
   if (!commands.models.empty()) replace_models(commands.models);
+}
+
+void WindowCommands::obey_crowd_files(const OverlayCommands& commands) {
+  const auto file = [](const std::string& name) { return std::filesystem::path(name + crowd_file_ending); };
+  if (commands.save_crowd) save_crowd(file(*commands.save_crowd));
+  if (commands.open_crowd) open_crowd(file(*commands.open_crowd));
+}
+
+void WindowCommands::save_crowd(const std::filesystem::path& file) {
+  const Preset preset{session_.tuning, session_.fly_camera.place()};
+  const anim::Status written = write_crowd_file(file, crowd_setup(session_.show.stage().people(), preset));
+  messages().tell(written, "Wrote " + file.string());
+  if (!written) return;
+  session_.unkept.keep(session_.tuning);
+  session_.reporter.set_crowd_names(crowd_names("."));
+}
+
+void WindowCommands::open_crowd(const std::filesystem::path& file) {
+  const auto setup = read_crowd_file(file);
+  if (!setup) return messages().say(setup.error().message, Message::Kind::refused);
+  const anim::Status replaced = session_.show.replace_crowd(setup->characters);
+  if (!replaced) return messages().say(file.string() + ": " + replaced.error().message, Message::Kind::refused);
+  session_.reporter.describe_characters(session_.show);
+  take(setup->preset);
+  messages().say("Opened " + file.string());
 }
 
 void WindowCommands::obey_sweep(const OverlayCommands& commands) {
@@ -93,7 +125,7 @@ void WindowCommands::obey_presets(const OverlayCommands& commands) {
                     "Deleted " + file.string());
   }
   if (commands.save_preset || commands.delete_preset) session_.reporter.set_preset_names(preset_names());
-  if (commands.copy_command_line) copy(command_line(session_.tuning, Tuning(), camera));
+  if (commands.copy_command_line) copy_command_line();
 }
 
 void WindowCommands::obey_body(const OverlayCommands& commands, std::size_t character) {
@@ -127,17 +159,31 @@ void WindowCommands::frame_crowd() {
 void WindowCommands::load_preset(const std::filesystem::path& file) {
   const anim::Result<Preset> preset = read_preset(file);
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  take(*preset);
+}
+
+void WindowCommands::take(const Preset& preset) {
   const LodInspection look = session_.tuning.inspection;
-  session_.tuning = preset->tuning;
+  session_.tuning = preset.tuning;
   session_.tuning.inspection = look;
   session_.unkept.keep(session_.tuning);
-  if (!preset->camera) return;
+  if (!preset.camera) return;
   session_.show.films = false;
-  session_.fly_camera.set_camera(camera_at(*preset->camera));
+  session_.fly_camera.set_camera(camera_at(*preset.camera));
 }
 
 void WindowCommands::replace_models(const std::vector<std::string>& files) {
+  const auto crowd = std::ranges::find_if(files, is_crowd_file);
+  if (crowd != files.end() && files.size() == 1) return open_crowd(*crowd);
+  if (crowd != files.end()) {
+    return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
+  }
   if (messages().tell(session_.show.replace_models(files))) session_.reporter.describe_characters(session_.show);
+}
+
+void WindowCommands::copy_command_line() {
+  const std::string cast = cast_options(session_.show.stage().people());
+  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.tuning, Tuning(), session_.fly_camera.place()));
 }
 
 void WindowCommands::copy(const std::string& options) {

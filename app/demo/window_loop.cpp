@@ -26,6 +26,7 @@ class WindowLoop {
         overlay_(fonts_folder(options), options.ui_scale, session_.tuning, session_.input.clipboard()) {
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.set_preset_names(preset_names());
+    session_.reporter.set_crowd_names(crowd_names("."));
     session_.reporter.report_recording(options.record);
     show.keep_moments();
     overlay_.show_tab(options.ui_tab);
@@ -105,6 +106,9 @@ class WindowLoop {
 
   // Whoever takes the camera in hand has it from then on.
   void fly(const InputFrame& input, float seconds) {
+    if (Viewer* const viewer = session_.show.viewer()) {
+      return viewer->turntable().update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()});
+    }
     const render::Camera before = session_.fly_camera.camera();
     session_.fly_camera.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
     if (session_.fly_camera.camera() != before) session_.show.films = false;
@@ -112,6 +116,7 @@ class WindowLoop {
 
   anim::Ticks step(double seconds, bool single) const {
     const Tuning& tuning = session_.tuning;
+    if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
     if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
   }
@@ -129,6 +134,7 @@ class WindowLoop {
 
   void present() {
     if (minimised_) return;
+    session_.show.covered = 1.0F - overlay_.crowd_area().width / static_cast<float>(session_.show.width);
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
       // A person can take back what was too much, but for the first picture.
       if (session_.show.stage().frame() <= 1) failed_ = drawn, done_ = true;

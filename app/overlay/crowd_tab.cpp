@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,7 +53,6 @@ void show_who(const TabContext& context) {
               {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "
                        "they are all as its file has it.",
                .cost = "Changing it places all agents anew."});
-  ImGui::BeginDisabled(!context.tuning.variety);
   context.row("tint", "Tint",
               {.what = "How much agents differ in colours: 1 as much as they can, 0 not at all. A model whose colours "
                        "are its file's own gets lighter, darker, warmer and cooler.",
@@ -59,7 +61,6 @@ void show_who(const TabContext& context) {
               {.what = "How much agents differ in size, as a share of it.",
                .unit = "0 to 0.3",
                .cost = "Changing it places all agents anew."});
-  ImGui::EndDisabled();
   context.row("placed_feet", "Placed feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",
@@ -102,21 +103,51 @@ void show_cast(const TabContext& context) {
   widgets.caption(counts + " agents");
 }
 
+std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
+  const auto distance = [seconds](float age) { return std::abs(static_cast<double>(age) - seconds); };
+  return static_cast<std::size_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
+}
+
+// The crowd goes back where the slider is let go, since on the way there each snapshot would take its place.
+void show_snapshots(const TabContext& context) {
+  const std::vector<float>& ages = context.report.snapshots;
+  std::optional<double>& seconds_back = context.memory.seconds_back;
+  const bool none = ages.empty();
+  double seconds = seconds_back.value_or(0);
+  context.widgets.begin_idle(none ? std::optional<std::string>("there is no snapshot yet") : std::nullopt);
+  if (context.widgets.number(
+          "Back by", seconds, 0,
+          {.highest = none ? 1 : static_cast<double>(ages.back()), .decimals = 1, .zero_word = "now", .suffix = " s"},
+          {.what =
+               "Where it is let go, the crowd goes back to the nearest of up to ten snapshots, one each half second. "
+               "From there everything happens as it did.",
+           .unit = "seconds of the crowd's clock",
+           .cost = "Memory of ten crowds; none are taken above 20,000 agents."})) {
+    seconds_back = seconds;
+  }
+  context.widgets.end_idle();
+  if (!seconds_back || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+  if (*seconds_back > 0 && !none) context.commands.rewind = nearest_snapshot(ages, *seconds_back);
+  seconds_back.reset();
+}
+
 void show_time(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const std::vector<float>& ages = report.snapshots;
   widgets.section("Time");
   context.row("paused", "Pause", {.what = "Holds the crowd; the camera still flies. Space does the same."});
   context.row("time_scale", "Speed", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
+  show_snapshots(context);
   ButtonRow buttons(widgets, 2);
-  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."}, tuning.paused);
-  commands.rewind |= buttons.button("Rewind",
-                                    {.what = "Back to the newest of up to ten snapshots, one each half second; pressed "
-                                             "again, to the one before it. From there everything happens as it did.",
-                                     .cost = "Memory of ten crowds; none are taken above 20,000 agents."},
-                                    report.snapshots > 0);
-  widgets.caption(report.snapshots == 0 ? "No snapshot yet."
-                                        : std::to_string(report.snapshots) + " snapshots, the newest " +
-                                              fixed(report.snapshot_seconds, 1) + " s ago.");
+  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
+                                  tuning.paused ? nullptr : "the crowd is not paused");
+  if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
+                     ages.empty() ? "there is no snapshot yet" : nullptr)) {
+    commands.rewind = 0;
+  }
+  widgets.caption(ages.empty()
+                      ? "No snapshot yet."
+                      : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");
 }
 
 void show_picture(const TabContext& context) {
@@ -165,8 +196,12 @@ void show_roles(const TabContext& context) {
   RoleClips clips = report.role_clips;
   for (const RoleRow& row : role_rows) {
     const std::size_t role = index_of(row.role);
+    const int before = clips[role];
     widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
-                 {.what = row.what, .cost = "Changing it places all agents anew."});
+                 {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
+    if (clips[role] == before || clips[role] == no_clip) continue;
+    commands.viewer.view = {.character = report.character, .preview = RolePreview{row.role, clips[role]}};
+    clips[role] = before;
   }
   ButtonRow buttons(widgets, 2);
   commands.save_roles |=

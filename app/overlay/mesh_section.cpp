@@ -48,20 +48,20 @@ void show_meshes(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Meshes");
   int mesh = tuning.mesh_lod + 1;
-  widgets.choose("Mesh LOD", mesh, standard.mesh_lod + 1, mesh_words,
-                 {.what = "auto: the coarsest mesh that keeps to the error below. A number: that one for everyone, 0 "
-                          "is the full mesh.",
-                  .cost = "Triangles; on a software renderer most of the frame."});
+  context.unless_idle("mesh_lod", [&] {
+    context.widgets.choose("Mesh LOD", mesh, context.standard.mesh_lod + 1, mesh_words,
+                           {.what = "auto: the coarsest mesh that keeps to the error below. A number: that one for "
+                                    "everyone, 0 is the full mesh.",
+                            .cost = "Triangles; on a software renderer most of the frame."});
+  });
   tuning.mesh_lod = mesh - 1;
   const bool by_error = tuning.mesh_lod < 0;
-  ImGui::BeginDisabled(!by_error);
   context.row("mesh_error_px", "Mesh error",
               {.what = "What a coarser mesh may be off on screen. Its surface and its colours count, as measured in "
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",
                .cost = "Less: more triangles."});
-  ImGui::EndDisabled();
-  widgets.caption(by_error ? what_holds(context) : "One mesh for everyone: the error does not choose.");
+  if (by_error) widgets.caption(what_holds(context));
   show_lods(context);
 }
 

@@ -106,12 +106,16 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
   const Theme& theme = widgets.theme();
   const float width = theme.px(92), gap = theme.px(8), right = card.to.x - theme.px(card_margin);
   draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, blocks(selected));
-  ImGui::SetCursorScreenPos({right - 2 * width - gap, y});
-  ImGui::BeginDisabled(!selected.can_fall);
+  const float view_width = theme.px(60);
+  ImGui::SetCursorScreenPos({right - view_width - 2 * (width + gap), y});
+  commands.viewer.view_selected |=
+      widgets.button("View", {.what = "Shows its character alone, clip by clip, while the crowd waits."}, view_width);
+  ImGui::SameLine(0, gap);
+  widgets.begin_idle(selected.can_fall ? std::nullopt : std::optional<std::string>(cannot_fall));
   commands.push_over |= widgets.button(
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
       width);
-  ImGui::EndDisabled();
+  widgets.end_idle();
   ImGui::SameLine(0, gap);
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }

@@ -4,6 +4,20 @@
 
 namespace throng::app {
 
+namespace {
+
+void add(ViewerCommands& all, const ViewerCommands& more) {
+  all.view_selected |= more.view_selected;
+  all.leave |= more.leave;
+  all.face_front |= more.face_front;
+  all.apply_preview |= more.apply_preview;
+  if (more.view) all.view = more.view;
+  if (more.settings) all.settings = more.settings;
+  if (more.scrub) all.scrub = more.scrub;
+}
+
+}  // namespace
+
 OverlayDriver::OverlayDriver(const std::string& fonts)
     : overlay(fonts, 1, Tuning(),
               {.get = [this] { return clipboard; }, .set = [this](const std::string& text) { clipboard = text; }}),
@@ -28,12 +42,14 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.deselect |= commands.deselect;
     all.push_over |= commands.push_over;
     all.exact_crowd |= commands.exact_crowd;
-    all.rewind |= commands.rewind;
     all.let_go |= commands.let_go;
     all.copy_command_line |= commands.copy_command_line;
     all.save_bone_lod |= commands.save_bone_lod;
     all.export_lod |= commands.export_lod;
     all.stop_sweep |= commands.stop_sweep;
+    all.look_at_last_frames |= commands.look_at_last_frames;
+    if (commands.look_at_frame) all.look_at_frame = commands.look_at_frame;
+    if (commands.rewind) all.rewind = commands.rewind;
     if (commands.sweep) all.sweep = commands.sweep;
     if (commands.bone_lod) all.bone_lod = commands.bone_lod;
     if (commands.hold_at) all.hold_at = commands.hold_at;
@@ -46,6 +62,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.share) all.share = commands.share;
     if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
+    add(all.viewer, commands.viewer);
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }
   return all;

@@ -1,6 +1,7 @@
 // What a person does to a crowd by hand while it is recorded, and that a replay does the same.
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -45,6 +46,17 @@ class ReplaysOfHands : public test::RecordedRun {
   std::unique_ptr<Show> plaza() const { return show_of(demo("--agents 40 --seed 3 --pus 1")); }
 };
 
+TEST_F(ReplaysOfHands, GiveRolesOtherClipsWhileTheCrowdGoesOn) {
+  record(*plaza(), 90, [](Show& show, int frame) {
+    if (frame != 30 && frame != 60) return;
+    RoleClips clips = show.stage().people()[0].roles.clips;
+    std::swap(clips[index_of(Role::walk)], clips[index_of(Role::run)]);
+    std::swap(clips[index_of(Role::stand)], clips[index_of(Role::wave)]);
+    show.set_roles(0, clips);
+  });
+  EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
+}
+
 TEST_F(ReplaysOfHands, HoldAClipAndLetItGo) {
   record(*plaza(), 60, [](Show& show, int frame) {
     if (frame == 5) show.hands().select(7);
@@ -83,6 +95,18 @@ TEST_F(ReplaysOfHands, GoBackNoFurtherThanToTheBeginOfTheRecording) {
       expect_done(recorded.rewind());
       EXPECT_FALSE(recorded.rewind());
     }
+  });
+  EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
+}
+
+TEST_F(ReplaysOfHands, GoBackToTheMomentThatWasAskedFor) {
+  record(*plaza(), 160, [](Show& show, int frame) {
+    if (frame != 150) return;
+    ASSERT_EQ(show.moments().count(), 5U);
+    const anim::Ticks kept = show.stage().system().clock() - show.moments().age(show.stage(), 2);
+    expect_done(show.rewind(2));
+    EXPECT_EQ(show.stage().system().clock(), kept);
+    EXPECT_EQ(show.moments().count(), 2U) << "it and all newer ones are behind";
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }

@@ -11,6 +11,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
+#include "app/character/model_placement.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
 #include "app/files/joined.h"
@@ -93,15 +94,6 @@ anim::Error no_mesh(const std::string& path, const anim::Model& model) {
           (clips > 0 ? " and " + counted(clips, "clip") : "") +
           ", but no mesh to draw; open the file that has the mesh" +
           (clips > 0 ? ", with --clips-from and this file" : ", or export both into one")};
-}
-
-anim::Status check_extent(const CharacterSource& character, const std::string& path) {
-  constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
-  const auto is_sensible = [&](double length) { return length > least && length < most; };
-  const anim::CharacterBounds& bounds = character.character->bounds;
-  if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return anim::Done{};
-  return anim::Error{anim::plain_text(path) +
-                     ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
 }
 
 anim::Error too_many(const std::string& entry) {
@@ -252,11 +244,17 @@ class CastLoader {
     return clips;
   }
 
+  anim::PlacementChoice placement_of(const Member& member) const {
+    const auto& own = entries_[member.entry].placement;
+    return own ? *own : placement_for(member.file, options_);
+  }
+
   // Clips that lie beside a pack are not lent to it, for it is baked.
   anim::Result<CharacterSource> make_packed(const ReadMember& read) const {
     const std::string& file = read.member.file;
     const BoneLodFile kept(file);
     LoadOptions options = options_;
+    options.placement = placement_of(read.member);
     if (const auto& own = entries_[read.member.entry].clip_files) options.clips_from = *own;
     options.placement = placement_of(read.member);
     return take_packed(*read.pack, character_file(file), file, &kept, options);
@@ -317,6 +315,15 @@ class CastLoader {
 };
 
 }  // namespace
+
+anim::Status check_extent(const CharacterSource& character, const std::string& path) {
+  constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
+  const auto is_sensible = [&](double length) { return length > least && length < most; };
+  const anim::CharacterBounds& bounds = character.character->bounds;
+  if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return anim::Done{};
+  return anim::Error{anim::plain_text(path) +
+                     ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
+}
 
 anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options) {
   return CastLoader(entries, options, false).load();

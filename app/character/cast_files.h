@@ -26,6 +26,9 @@ anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const Loa
 /// named.
 anim::Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options = {});
 
+/// Returns whether the character has a height that can be shown. The error names `path`.
+anim::Status check_extent(const CharacterSource& character, const std::string& path);
+
 /// Returns the entries of files without shares.
 std::vector<CastEntry> cast_of(std::span<const std::string> files);
 

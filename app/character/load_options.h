@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,11 +9,22 @@
 
 namespace throng::app {
 
+/// What a person asks of the size and place of one model among several; what is unset is as for all.
+struct ModelPlacement {
+  std::string model;  ///< the name of its file, with or without its ending, or of its character
+  std::optional<double> scale = std::nullopt;
+  std::optional<anim::UpAxis> up = std::nullopt;
+  std::optional<anim::GroundRule> ground = std::nullopt;
+
+  friend bool operator==(const ModelPlacement&, const ModelPlacement&) = default;
+};
+
 /// Says how the files of characters are read.
 struct LoadOptions {
   import::ImportOptions import{};
-  anim::PlacementChoice placement{};      ///< size and place; what it leaves open is guessed
-  std::vector<std::string> clips_from{};  ///< files whose clips every character plays too
+  anim::PlacementChoice placement{};         ///< size and place; what it leaves open is guessed
+  std::vector<ModelPlacement> placements{};  ///< of single models, over that of all
+  std::vector<std::string> clips_from{};     ///< files whose clips every character plays too
 };
 
 }  // namespace throng::app

@@ -13,6 +13,7 @@
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
+#include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
@@ -99,6 +100,22 @@ render::MaterialData material_data(const anim::Material& material) {
 std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
   std::vector<std::uint16_t> entries;
   for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
+  return entries;
+}
+
+// Says of each palette entry whether it moves the head, or nothing where no bone is the head for certain.
+std::vector<std::uint8_t> face_entries(const anim::Skeleton& skeleton) {
+  const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
+  if (head < 0) return {};
+  std::vector<std::uint8_t> of_head, entries;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const bool follows = parent >= 0 && of_head[static_cast<std::size_t>(parent)] != 0;
+    of_head.push_back(bone == head || follows ? 1 : 0);
+  }
+  for (const anim::PaletteEntry& entry : skeleton.palette) {
+    entries.push_back(of_head[static_cast<std::size_t>(entry.bone)]);
+  }
   return entries;
 }
 
@@ -289,6 +306,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
   }
   data.morph_deltas = morph_deltas(model);
   if (!data.packed_surface.empty()) return data;
+  data.face_entries = face_entries(model.skeleton);
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;

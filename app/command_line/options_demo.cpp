@@ -6,6 +6,7 @@
 #include "app/command_line/options_commands.h"
 #include "app/recording/crowd_file.h"
 #include "app/settings/cast_option.h"
+#include "app/settings/placement_options.h"
 #include "app/settings/preset.h"
 #include "app/settings/tuning_values.h"
 
@@ -199,6 +200,16 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   return {};
 }
 
+void declare_placements(OptionReader& reader, DemoOptions& options) {
+  reader.option_defaults()->group("Size and place of models");
+  reader.value("--scale", "[NAME=]X,...", "Metres that a unit of the files, or of the file NAME, is (guessed)",
+               model_scales(options.placement, options.placements));
+  reader.value("--up", "[NAME=]AXIS,...", "The axis that points up there: x, y, z, -x, -y or -z (y)",
+               model_up_axes(options.placement, options.placements));
+  reader.value("--ground", "[NAME=]RULE,...", "What is on the ground: file, their origin, or feet (guessed)",
+               model_grounds(options.placement, options.placements));
+}
+
 void declare_demo(OptionReader& reader, DemoOptions& options) {
   const auto add = [&](const std::string& text) {
     return is_crowd_file(text) ? crowd_file(options)(text) : any_text(options.models.emplace_back())(text);
@@ -210,7 +221,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
       ->group("Model");
-  declare_placement(reader, options.placement);
+  declare_placements(reader, options);
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_cast(reader, options);

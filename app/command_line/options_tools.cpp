@@ -4,6 +4,7 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
+#include "app/settings/placement_options.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::app {
@@ -66,20 +67,13 @@ void declare_simd(OptionReader& reader, const anim::Kernels*& kernels) {
 }
 
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
-  using anim::GroundRule;
-  using anim::UpAxis;
   reader.option_defaults()->group("Size and place of models");
   reader.value("--scale", "X", "Metres that a unit of the files is (guessed from the height)",
                scale_above_zero(placement.scale));
   reader.value("--up", "AXIS", "The axis that points up in the files: x, y, z, -x, -y or -z (y)",
-               choice<UpAxis>(placement.up, {{"x", UpAxis::x},
-                                             {"y", UpAxis::y},
-                                             {"z", UpAxis::z},
-                                             {"-x", UpAxis::minus_x},
-                                             {"-y", UpAxis::minus_y},
-                                             {"-z", UpAxis::minus_z}}));
+               up_axis(placement.up));
   reader.value("--ground", "file|feet", "What is on the ground: the files' origin, or the feet (guessed)",
-               choice<GroundRule>(placement.ground, {{"file", GroundRule::file}, {"feet", GroundRule::feet}}));
+               ground_rule(placement.ground));
 }
 
 ParsedCommand parse_pose(const std::vector<std::string>& arguments) {

@@ -96,4 +96,33 @@ float random_size(Random& random) {
   return 1.0F + std::clamp(sum * (deviation / deviation_of_sum), -most, most);
 }
 
+// All of it, or the usual, is as it was drawn, to the bit.
+Tints between(const Tints& first, const Tints& own, float share) {
+  if (share == 1.0F) return own;
+  Tints tints{};
+  for (std::size_t region = 0; region < tints.size(); ++region) {
+    for (const unsigned shift : {0U, 8U, 16U, 24U}) {
+      const auto from = static_cast<float>((first.at(region) >> shift) & 0xFFU);
+      const auto to = static_cast<float>((own.at(region) >> shift) & 0xFFU);
+      tints.at(region) |= static_cast<std::uint32_t>(std::lround(from + (to - from) * share)) << shift;
+    }
+  }
+  return tints;
+}
+
+std::uint32_t weaker_shade(std::uint32_t shade, float share) {
+  if (share == 1.0F) return shade;
+  std::uint32_t weaker = 0;
+  for (const unsigned shift : {0U, 8U, 16U}) {
+    const auto full = static_cast<std::int8_t>(static_cast<std::uint8_t>(shade >> shift));
+    const auto part = static_cast<std::int8_t>(std::lround(static_cast<float>(full) * share));
+    weaker |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(part)) << shift;
+  }
+  return weaker;
+}
+
+float varied_size(float size, float most) {
+  return most == usual_size_variety ? size : 1.0F + (size - 1.0F) * (most / usual_size_variety);
+}
+
 }  // namespace throng::app

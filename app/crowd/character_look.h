@@ -12,6 +12,19 @@ namespace throng::app {
 /// 255.
 using Tints = std::array<std::uint32_t, render::tint_regions>;
 
+/// The most that agents differ in size, as a share, as they are drawn.
+inline constexpr float usual_size_variety = 0.1F;
+
+/// How much agents of one character differ.
+struct Variety {
+  bool differs = true;              ///< false: all are as the first of their character, whatever follows
+  float tint = 1.0F;                ///< in colours, 0 to 1: as random_tints() and random_shade() draw them
+  float size = usual_size_variety;  ///< in size, 0 to most_size_variety
+
+  friend bool operator==(const Variety&, const Variety&) = default;
+};
+inline constexpr float most_size_variety = 0.3F;
+
 /// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.
 Tints random_tints(Random& random);
 
@@ -36,6 +49,13 @@ Variant random_variant(Random& random);
 /// Draws InstanceRecord::shade for colours that are a file's own: up to 10% lighter or darker and 4% warmer or cooler,
 /// as the screen counts, so that they stay what they are.
 std::uint32_t random_shade(Random& random);
+
+/// Returns colours on the way from those of `first`, where `share` is 0, to `own`, where it is 1.
+Tints between(const Tints& first, const Tints& own, float share);
+/// Returns a share, 0 to 1, of what a shade changes.
+std::uint32_t weaker_shade(std::uint32_t shade, float share);
+/// Returns a size that was drawn, for agents that differ by `most` instead of the usual.
+float varied_size(float size, float most);
 
 /// Draws the height over that of the file, of people as they differ: 4% in standard deviation, 10% at most.
 float random_size(Random& random);

@@ -67,7 +67,7 @@ struct BodyLook {
 /// Makes bodies differ. Streams of their own draw what not every character has, so that nobody else's draws change.
 class BodyLooks {
  public:
-  BodyLooks(std::uint32_t seed, bool variety)
+  BodyLooks(std::uint32_t seed, const Variety& variety)
       : variety_(variety), variants_(seed, variants_stream), painted_(seed, painted_stream) {}
 
   /// Returns the look of the next agent, of character `number`. `scale` and `tints` were drawn for it.
@@ -77,20 +77,22 @@ class BodyLooks {
     const std::uint32_t shade = random_shade(painted_);
     const bool is_first = !std::exchange(met_[number], true);
     if (is_first) first_tints_[number] = tints;
-    if (!variety_) return {1.0F, first_tints_[number], {}, 0};
-    if (!character.is_painted) return {scale, tints, variant, 0};
-    return is_first ? BodyLook{1.0F, tints, variant, 0} : BodyLook{size, tints, variant, shade};
+    if (!variety_.differs) return {1.0F, first_tints_[number], {}, 0};
+    const Tints own = between(first_tints_[number], tints, variety_.tint);
+    if (!character.is_painted) return {varied_size(scale, variety_.size), own, variant, 0};
+    if (is_first) return {1.0F, own, variant, 0};
+    return {varied_size(size, variety_.size), own, variant, weaker_shade(shade, variety_.tint)};
   }
 
  private:
-  bool variety_;
+  Variety variety_;
   Random variants_, painted_;
   std::array<bool, 256> met_{};
   std::array<Tints, 256> first_tints_{};
 };
 
 CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed, const CrowdCast& cast,
-                    bool variety) {
+                    const Variety& variety) {
   Random random(seed, looks_stream);
   BodyLooks bodies(seed, variety);
   CrowdLooks looks;
@@ -136,12 +138,13 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 }  // namespace
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
-             bool variety)
+             const Variety& variety)
     : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety) {
   assert(size() == agents);
 }
 
-Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters, bool variety)
+Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
+             const Variety& variety)
     : cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),

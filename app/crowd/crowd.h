@@ -31,6 +31,9 @@ struct CrowdLooks {
   std::vector<std::uint32_t> shades;  ///< InstanceRecord::shade
 };
 
+/// Returns how much a tuning lets agents differ.
+inline Variety variety_of(const Tuning& tuning) { return {tuning.variety, tuning.tint, tuning.size_variety}; }
+
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {
   anim::Ticks now{};
@@ -49,10 +52,10 @@ using CrowdMoment = std::optional<CrowdState>;
 /// state after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
-  /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them. `variety`: agents of one character
-  /// differ in size and colours, but for the first of a painted one, who is as its file has it.
+  /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them. `variety` says how much agents of
+  /// one character differ; the first of a painted one is as its file has it.
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
-        bool variety = true);
+        const Variety& variety = {});
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& character)
       : Crowd(scene, agents, seed, std::span(&character, 1)) {}
   Crowd(const Crowd&) = delete;  // its parts point at the cast
@@ -87,7 +90,7 @@ class Crowd {
   std::size_t size() const { return state_.positions.size(); }
   std::span<const glm::vec3> positions() const { return state_.positions; }  ///< metres, between the feet
   std::span<const Heading> headings() const { return state_.headings; }
-  std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.1
+  std::span<const float> scales() const { return looks_.scales; }  ///< 0.7 to 1.3
   std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
   std::span<const float> speeds() const { return state_.speeds; }  ///< metres a second over the ground
   /// Returns the speeds at which the shown clips play. A gait plays at 0.4 to 1.7, so that feet do not slide; other
@@ -109,7 +112,8 @@ class Crowd {
   std::size_t marchers() const { return marchers_.size(); }       ///< those after them: rank and file; all others stay
 
  private:
-  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters, bool variety);
+  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
+        const Variety& variety);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();

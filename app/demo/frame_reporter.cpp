@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/demo/mesh_reporter.h"
 #include "app/demo/selection_reporter.h"
 #include "engine/anim/base/cores.h"
 
@@ -22,6 +23,19 @@ int depth_of(const anim::Skeleton& skeleton, int bone) {
     ++depth;
   }
   return depth;
+}
+
+PlacementReport placement_of(const CharacterSource& source) {
+  const anim::GuessedPlacement& guessed = source.placement;
+  PlacementReport report{.choice = guessed.choice,
+                         .scale = guessed.placement.scale,
+                         .guessed_scale = guessed.placement.scale,
+                         .units_tall = 0.0,
+                         .reasons = guessed.reasons};
+  if (!guessed.extent) return report;
+  report.guessed_scale = anim::guessed_scale(*guessed.extent);
+  report.units_tall = guessed.extent->size.y;
+  return report;
 }
 
 constexpr double most_spans_in_a_lane = 512;
@@ -111,6 +125,7 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.clip_names = source.clip_names;
   report_.suggested_role_clips = source.suggested;
   report_.level_bone_counts = skeleton.level_bone_counts;
+  report_.placement = placement_of(source);
   report_.body = body_parts(source, show.stage().animated().rigs(character));
   describe_bones(*source.character);
 }
@@ -134,7 +149,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
     describe_characters(show);  // a replay has others from here on
   }
-  if (show.stage().characters()[report_.character].rig != report_.body.said) {
+  const CharacterSource& shown = show.stage().characters()[report_.character];
+  if (shown.rig != report_.body.said || shown.placement.choice != report_.placement.choice) {
     describe_character(show, report_.character);  // here too
   }
   ++report_.frame;
@@ -157,6 +173,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.pose_hash = system.figures().pose_hash();
   report_.draw_counts = show.painter().draw_counts();
   add_level_of_detail(show.stage());
+  report_.meshes = report_meshes(show, report_.character);
   report_.thresholds = show.painter().thresholds().thresholds();
   report_.threshold_clip = show.painter().thresholds().clip();
   add_heads(show.stage());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/demo/placed_model.h"
 #include "app/demo/viewer_commands.h"
 #include "app/recording/cast_options.h"
 #include "app/recording/crowd_file.h"
@@ -35,6 +36,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   obey_presets(commands);
   obey_crowd_files(commands);
   const std::size_t character = reporter.report().character;
+  if (commands.placement) place_model(show, *commands.placement, messages());
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.roles) show.set_roles(character, *commands.roles);
   messages().tell(obey_viewer(show, commands.viewer));

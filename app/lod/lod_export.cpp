@@ -90,16 +90,18 @@ Json levels_of(std::span<const LodLevel> levels, const LodInForce& lod, double h
 }
 
 Json meshes_of(std::span<const MeshLevel> meshes, const Tuning& tuning, double height) {
-  const auto limit = static_cast<double>(mesh_error_limit(tuning));
+  const MeshTolerance tolerance = mesh_tolerance(tuning);
   Json rows = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const auto error = static_cast<double>(meshes[i].error_metres);
+    const auto error = static_cast<double>(meshes[i].error.surface);
+    const float below = fine_below(shares_of(meshes[i].error, height), tolerance);
     const bool by_error = tuning.mesh_lod < 0 && error > 0.0;
     rows.push_back({{"level", i},
                     {"triangles", meshes[i].triangles},
                     {"error_metres", error},
+                    {"face_error_metres", meshes[i].error.face},
                     {"one_pixel_below_pixels_tall", error > 0.0 ? Json(height / error) : Json()},
-                    {"below_pixels_tall", by_error ? Json(limit * height / error) : Json()}});
+                    {"below_pixels_tall", by_error ? Json(below) : Json()}});
   }
   return rows;
 }
@@ -147,7 +149,8 @@ std::vector<LodLevel> lod_levels(const CharacterSource& source) {
   return levels;
 }
 
-std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const float> errors) {
+std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles,
+                                   std::span<const render::MeshError> errors) {
   std::vector<MeshLevel> levels;
   for (std::size_t i = 0; i < triangles.size(); ++i) levels.push_back({triangles[i], errors[i]});
   return levels;

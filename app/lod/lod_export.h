@@ -8,6 +8,7 @@
 #include "app/character/source.h"
 #include "app/settings/settings.h"
 #include "engine/anim/lod/lod_choices.h"
+#include "engine/render/mesh/mesh_error_value.h"
 
 namespace throng::app {
 
@@ -22,14 +23,14 @@ struct LodLevel {
 /// One mesh LOD of a character. It depends on no bone level.
 struct MeshLevel {
   std::uint32_t triangles = 0;
-  float error_metres = 0.0F;  ///< as render::MeshErrorMeter measures it
+  render::MeshError error = {};  ///< metres
 };
 
 /// Returns the bone levels of a character, with times by the cost model.
 std::vector<LodLevel> lod_levels(const CharacterSource& source);
 
 /// Returns mesh LODs, the full mesh first. Both spans have one element a LOD.
-std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const float> errors);
+std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const render::MeshError> errors);
 
 /// The level of detail that is in force, and the view that distances are said for.
 struct LodInForce {

@@ -7,16 +7,30 @@
 
 #include "app/character/source.h"
 #include "app/settings/settings.h"
+#include "engine/render/mesh/mesh_error_value.h"
 
 namespace throng::app {
 
-/// The share of Tuning::error_px that a coarser mesh may show. Poses may show the rest.
+/// The share of Tuning::error_px that a coarser mesh may show at most. Poses may show the rest.
 inline constexpr float mesh_share_of_error = 0.5F;
+/// Who is this tall on screen, in pixels, keeps the face on any device: it is off by `most_face_error` pixels at most.
+inline constexpr float least_face_pixels = 100.0F, most_face_error = 0.5F;
 
 /// Returns the limit on the errors of poses alone.
 float pose_error_limit(const Tuning& tuning);
-/// Returns the limit on the errors of meshes alone, where a mesh is chosen by its error.
-float mesh_error_limit(const Tuning& tuning);
+
+/// The pixels that a coarser mesh may be off, where a mesh is chosen by its error.
+struct MeshTolerance {
+  float surface = 0.0F;
+  float face = 0.0F;  ///< of those who are least_face_pixels tall or taller
+};
+/// Returns what a tuning allows. Where a processor draws, `times` as much is allowed of all but faces.
+MeshTolerance mesh_tolerance(const Tuning& tuning, float times = 1.0F);
+/// Returns the errors in metres as shares of a character's height.
+render::MeshError shares_of(const render::MeshError& metres, double height);
+/// Returns the height on screen, in pixels, below which a mesh with that error is fine enough; infinity without error.
+/// `shares` are of the character's height.
+float fine_below(const render::MeshError& shares, const MeshTolerance& tolerance);
 
 /// Chooses the mesh LOD of each agent by the error that it shows on screen. A mesh LOD depends on no bone level.
 class MeshLods {
@@ -24,8 +38,8 @@ class MeshLods {
   explicit MeshLods(std::span<const CharacterSource> characters) : shares_(characters.size()) {}
 
   /// Takes the errors of a character's mesh LODs, the full mesh first, in shares of the character's height.
-  void set(std::size_t character, std::vector<float> shares) { shares_[character] = std::move(shares); }
-  /// Allows `times` the error, where a processor draws. 1 at first.
+  void set(std::size_t character, std::vector<render::MeshError> shares) { shares_[character] = std::move(shares); }
+  /// Allows `times` the error where there is no face, where a processor draws. 1 at first.
   void allow_more(float times) { times_allowed_ = times; }
 
   /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
@@ -33,9 +47,13 @@ class MeshLods {
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
+  /// Returns what the tuning allows here.
+  MeshTolerance tolerance(const Tuning& tuning) const { return mesh_tolerance(tuning, times_allowed_); }
+  /// Returns the errors of a character's mesh LODs, as they were set.
+  std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }
 
  private:
-  std::vector<std::vector<float>> shares_;  // [character][LOD]
+  std::vector<std::vector<render::MeshError>> shares_;  // [character][LOD]
   float times_allowed_ = 1.0F;
 };
 

@@ -12,8 +12,6 @@
 namespace throng::app {
 namespace {
 
-constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
-
 float longest_distance() { return static_cast<float>(scale_of("bone_level_distance_1").highest); }
 
 /// Moves the neighbours of a distance that was moved, so that levels follow each other.
@@ -96,16 +94,7 @@ void show_levels(const TabContext& context) {
   show_band(context);
   ImGui::EndDisabled();
   widgets.caption(idle ? "These distances have no effect: " + *idle + "."
-                       : "Bones kept over 0 to 150 m. Drag a border.");
-  int mesh = tuning.mesh_lod + 1;
-  context.unless_idle("mesh_lod", [&] {
-    context.widgets.choose(
-        "Mesh LOD", mesh, context.standard.mesh_lod + 1, mesh_words,
-        {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "
-                 "for everyone, 0 is the full mesh.",
-         .cost = "Triangles; on a software renderer most of the frame."});
-  });
-  tuning.mesh_lod = mesh - 1;
+                        : "Bones kept over 0 to 150 m. Drag a border.");
 }
 
 void show_agents_by_level(const TabContext& context) {
@@ -144,6 +133,7 @@ void show_bone_lod_tab(const TabContext& context) {
   // The same value as *Force level* of the other tab, beside the bones that it drops.
   show_forced_level(context, "Preview level",
                     "Shows everyone in view with the bones of this level, to look at what it loses.");
+  show_meshes(context);
   show_agents_by_level(context);
   show_bone_list(context);
 }

@@ -50,7 +50,16 @@ void show_who(const TabContext& context) {
                .unit = "0 to 9,999",
                .cost = "Changing it places all agents anew."});
   context.row("variety", "Variety",
-              {.what = "Agents of one character differ in height and colours. Off: they are all as its file has it.",
+              {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "
+                       "they are all as its file has it.",
+               .cost = "Changing it places all agents anew."});
+  context.row("tint", "Tint",
+              {.what = "How much agents differ in colours: 1 as much as they can, 0 not at all. A model whose colours "
+                       "are its file's own gets lighter, darker, warmer and cooler.",
+               .cost = "Changing it places all agents anew."});
+  context.row("size_variety", "Size variety",
+              {.what = "How much agents differ in size, as a share of it.",
+               .unit = "0 to 0.3",
                .cost = "Changing it places all agents anew."});
   context.row("placed_feet", "Placed feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
@@ -227,6 +236,7 @@ void show_crowd_tab(const TabContext& context) {
   show_time(context);
   show_picture(context);
   show_in_view(context);
+  show_model(context);
   show_roles(context);
   show_body(context);
 }

@@ -48,6 +48,7 @@ struct BoneListMemory {
 /// All that the tabs remember from frame to frame.
 struct TabMemory {
   BoneListMemory bones;
+  std::optional<NewPlacement> placement;     ///< a size or a place that is being dragged
   bool shows_body = false;                   ///< the list of the parts of the body is open
   SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
   float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
@@ -97,6 +98,10 @@ void show_scheduling_tab(const TabContext& context);
 void show_agent_tab(const TabContext& context);
 void show_presets_tab(const TabContext& context);
 
+/// Shows how the meshes of the character shown are chosen, and what follows.
+void show_meshes(const TabContext& context);
+/// Shows the size and place of the character shown, and why it has them.
+void show_model(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
 /// them, and reads what follows from them.
 void show_body(const TabContext& context);

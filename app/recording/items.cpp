@@ -97,6 +97,14 @@ std::optional<RecordedRequest> rig(std::string_view text) {
   return RecordedRig{static_cast<std::uint32_t>((*json)["character"].get<int>()), std::move(*choices)};
 }
 
+std::optional<RecordedRequest> placement(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json || !json->is_object() || !(*json)["character"].is_whole(0, most_models - 1)) return {};
+  const auto choice = recorded_placement((*json)["placement"]);
+  if (!choice) return {};
+  return RecordedPlacement{static_cast<std::uint32_t>((*json)["character"].get<int>()), *choice};
+}
+
 std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader& numbers) {
   switch (kind) {
     case RecordKind::selection:
@@ -123,6 +131,7 @@ std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader&
 std::optional<RecordedRequest> read_request(RecordKind kind, std::string_view payload) {
   if (kind == RecordKind::characters) return characters(payload);
   if (kind == RecordKind::rig) return rig(payload);
+  if (kind == RecordKind::placement) return placement(payload);
   NumberReader numbers(payload);
   auto request = request_of_numbers(kind, numbers);
   return numbers.at_end() ? std::move(request) : std::nullopt;

@@ -44,11 +44,6 @@ std::string fingerprint(const CharacterSource& source) {
   return hex_string(hash);
 }
 
-Json to_json(const anim::PlacementChoice& placement) {
-  return Json::array(
-      {placement.scale.value_or(0.0), static_cast<int>(placement.up), static_cast<int>(placement.ground)});
-}
-
 /// Returns the name of a file as a text, or as a list of its bytes where they are no UTF-8, which JSON demands.
 Json name_json(const std::string& file) {
   if (anim::is_utf8(file)) return file;
@@ -71,15 +66,9 @@ bool read_name(const Json& json, std::string& file) {
 }
 
 void read_placement(const JsonObject& character, anim::PlacementChoice& placement) {
-  constexpr int last_axis = static_cast<int>(anim::UpAxis::minus_z),
-                last_rule = static_cast<int>(anim::GroundRule::feet);
-  const std::span<const Json> values = character.elements("placement");
-  const bool can_be = values.size() == 3 && values[0].is<double>() && values[0].get<double>() >= 0.0 &&
-                      values[1].is_whole(0, last_axis) && values[2].is_whole(0, last_rule);
-  if (!can_be) return character.wrong("placement", "a scale, an axis and a rule, as numbers");
-  if (const auto scale = values[0].get<double>(); scale > 0.0) placement.scale = scale;
-  placement.up = static_cast<anim::UpAxis>(values[1].get<int>());
-  placement.ground = static_cast<anim::GroundRule>(values[2].get<int>());
+  const auto read = recorded_placement(character["placement"]);
+  if (!read) return character.wrong("placement", "a scale, an axis and a rule, as numbers");
+  placement = *read;
 }
 
 void read_roles(const JsonObject& character, RoleClips& roles) {
@@ -138,6 +127,25 @@ std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> charact
   return all;
 }
 
+Json placement_json(const anim::PlacementChoice& placement) {
+  return Json::array(
+      {placement.scale.value_or(0.0), static_cast<int>(placement.up), static_cast<int>(placement.ground)});
+}
+
+std::optional<anim::PlacementChoice> recorded_placement(const Json& json) {
+  constexpr int last_axis = static_cast<int>(anim::UpAxis::minus_z),
+                last_rule = static_cast<int>(anim::GroundRule::feet);
+  const std::span<const Json> values = json.elements();
+  const bool can_be = values.size() == 3 && values[0].is<double>() && values[0].get<double>() >= 0.0 &&
+                      values[1].is_whole(0, last_axis) && values[2].is_whole(0, last_rule);
+  if (!can_be) return {};
+  anim::PlacementChoice placement;
+  if (const auto scale = values[0].get<double>(); scale > 0.0) placement.scale = scale;
+  placement.up = static_cast<anim::UpAxis>(values[1].get<int>());
+  placement.ground = static_cast<anim::GroundRule>(values[2].get<int>());
+  return placement;
+}
+
 std::optional<std::vector<RigChoice>> recorded_rig(const Json& json) {
   auto choices = rig_choices_in(json, JsonFile({}));
   return choices ? std::optional(std::move(*choices)) : std::nullopt;
@@ -172,7 +180,10 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
 std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters) {
   std::vector<CastEntry> entries;
   for (const RecordedCharacter& character : characters) {
-    entries.push_back({.file = character.file, .share = character.share, .clip_files = character.clip_files});
+    entries.push_back({.file = character.file,
+                       .share = character.share,
+                       .clip_files = character.clip_files,
+                       .placement = character.placement});
   }
   return entries;
 }
@@ -187,7 +198,7 @@ Json to_json(std::span<const RecordedCharacter> characters) {
                  {"roles", character.roles},
                  {"bones", character.bones},
                  {"level_counts", character.level_counts},
-                 {"placement", to_json(character.placement)},
+                 {"placement", placement_json(character.placement)},
                  {"share", character.share},
                  {"clip_files", std::move(clip_files)}};
     if (character.rig) each["rig"] = rig_json(*character.rig);

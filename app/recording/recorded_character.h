@@ -39,6 +39,11 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 /// Reads the "rig" of a character; returns nothing where the JSON is none.
 std::optional<std::vector<RigChoice>> recorded_rig(const Json& json);
 
+/// Returns a placement as [scale, 0 where it is guessed; up axis; ground rule], numbers all of them.
+Json placement_json(const anim::PlacementChoice& placement);
+/// Reads it; returns nothing where the JSON is none.
+std::optional<anim::PlacementChoice> recorded_placement(const Json& json);
+
 /// Gives a character the recorded order of bones, levels, parts of the body and roles. Errors: it is another character,
 /// or it lacks what the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
@@ -47,7 +52,7 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
 std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters);
 
 /// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files", "rig"
-/// and "placement": scale (0: guessed), up axis and ground rule as numbers.
+/// and "placement".
 Json to_json(std::span<const RecordedCharacter> characters);
 /// Reads 1 to most_models characters. `complaint` is what is wrong first, as the end of a sentence.
 std::vector<RecordedCharacter> read_characters(std::span<const Json> json, std::optional<std::string>& complaint);

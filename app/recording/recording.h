@@ -37,6 +37,7 @@ namespace throng::app {
 ///     characters  JSON, as in the header
 ///     share       character u32, share of the crowd f64
 ///     rig         JSON: the index of a "character", and its "rig" as in MODEL.throng.json
+///     placement   JSON: the index of a "character", and its "placement" as in the header
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it
@@ -56,7 +57,8 @@ enum class RecordKind : std::uint8_t {
   frame,
   end,
   share,
-  rig
+  rig,
+  placement
 };
 
 struct RecordingHeader {
@@ -100,13 +102,19 @@ struct RecordedRig {
   std::uint32_t character = 0;
   std::vector<RigChoice> choices;
 };
+/// Another size and place of a character.
+struct RecordedPlacement {
+  std::uint32_t character = 0;
+  anim::PlacementChoice choice;
+};
 /// Other characters for all agents.
 struct RecordedCharacters {
   std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
 };
 /// A request that a person made between two frames.
-using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold,
-                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig>;
+using RecordedRequest =
+    std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold, RecordedRewind,
+                 RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig, RecordedPlacement>;
 
 struct RecordedFrame {
   anim::Ticks delta{};  ///< 0 while paused

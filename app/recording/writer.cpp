@@ -96,6 +96,11 @@ void RecordingWriter::add(const RecordedRig& rig) {
   write_item(RecordKind::rig);
 }
 
+void RecordingWriter::add(const RecordedPlacement& placement) {
+  payload_ = Json{{"character", placement.character}, {"placement", placement_json(placement.choice)}}.dump();
+  write_item(RecordKind::placement);
+}
+
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
   const render::Camera& camera = frame.view.camera;
   append_number(payload_, frame.delta.count());

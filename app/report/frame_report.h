@@ -11,7 +11,9 @@
 #include "app/lod/lod_thresholds.h"
 #include "app/report/error_report.h"
 #include "app/report/frame_details.h"
+#include "app/report/mesh_report.h"
 #include "app/report/messages.h"
+#include "app/report/placement_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/report/viewer_report.h"
@@ -77,6 +79,7 @@ struct FrameReport {
   RoleClips role_clips = no_clips();            ///< the clips in use
   RoleClips suggested_role_clips = no_clips();  ///< the clips that the names suggest
   BodyParts body;                               ///< the parts of the character's body
+  PlacementReport placement;                    ///< its size and place
   // Level of detail
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< [level]
@@ -84,6 +87,7 @@ struct FrameReport {
   ErrorReport error;                      ///< of what is shown
   std::vector<BoneRow> bones;             ///< in level-of-detail order
   anim::LodFigures lod;
+  MeshReport meshes;                          ///< of the character shown
   std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
   std::string threshold_clip;                 ///< the clip that they hold for; empty: they hold for all
   std::string limit_sentence;                 ///< says what limits the frame rate, with figures
@@ -127,6 +131,7 @@ struct NewBody {
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
+  std::optional<NewPlacement> placement;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
   std::optional<NewBody> body;            ///< of the character shown

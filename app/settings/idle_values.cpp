@@ -117,6 +117,14 @@ Reason of_mesh_lod(const Tuning&, const Situation& situation) {
   return situation.mesh_levels < 2 ? "no character here has more than one mesh" : nullptr;
 }
 
+Reason of_mesh_error(const Tuning& tuning, const Situation& situation) {
+  return tuning.mesh_lod >= 0 ? "one mesh is fixed for everyone" : of_mesh_lod(tuning, situation);
+}
+
+Reason of_variety(const Tuning& tuning, const Situation&) {
+  return tuning.variety ? nullptr : "variety is off, so all of a character are alike";
+}
+
 Reason of_grain(const Tuning&, const Situation& situation) {
   return situation.pus == 1 ? "there is one PU, and nobody to share with" : nullptr;
 }
@@ -171,6 +179,9 @@ constexpr std::array rules = std::to_array<Rule>({
     {"bone_level_distance_2", of_level_distance<2>},
     {"bone_level_distance_3", of_level_distance<3>},
     {"mesh_lod", of_mesh_lod},
+    {"mesh_error_px", of_mesh_error},
+    {"tint", of_variety},
+    {"size_variety", of_variety},
     {"cost_least_task_ns", of_grain},
     {"palette", of_palette},
     {"debug_view", of_colours},

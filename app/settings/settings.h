@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/character/cast_entry.h"
+#include "app/character/load_options.h"
 #include "app/character/roles.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/import/import.h"
@@ -64,7 +65,9 @@ struct Tuning {
   Scene scene = Scene::plaza;
   int agents = 1000;  ///< 1 to 100,000
   std::uint32_t seed = 1;
-  bool variety = true;  ///< agents of one character differ in size and colours
+  bool variety = true;        ///< agents of one character differ in size and colours, as the next two say
+  float tint = 1.0F;          ///< how much they differ in colours, 0 to 1
+  float size_variety = 0.1F;  ///< how much they differ in size, as a share, 0 to 0.3
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
@@ -74,7 +77,8 @@ struct Tuning {
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
-  int mesh_lod = -1;  ///< -1: by error on screen; 0..3: always that one
+  int mesh_lod = -1;           ///< -1: by error on screen; 0..3: always that one
+  float mesh_error_px = 0.5F;  ///< what a coarser mesh is off at most; half of error_px at most
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // What is shown
@@ -118,11 +122,12 @@ inline constexpr int most_window_pixels = 16384;  ///< the same of a window, whi
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::string crowd_file;               ///< NAME.throng, which says who is there; empty: none was named
-  std::vector<std::string> models;      ///< files and folders, even shares; empty: `cast`
-  std::vector<CastEntry> cast;          ///< files and folders with shares; empty: the built-in character
-  std::vector<std::string> clips_from;  ///< files whose clips every character plays too
-  anim::PlacementChoice placement;      ///< size and place of all of them; what it leaves open is guessed
+  std::string crowd_file;                  ///< NAME.throng, which says who is there; empty: none was named
+  std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`
+  std::vector<CastEntry> cast;             ///< files and folders with shares; empty: the built-in character
+  std::vector<std::string> clips_from;     ///< files whose clips every character plays too
+  anim::PlacementChoice placement;         ///< size and place of all of them; what it leaves open is guessed
+  std::vector<ModelPlacement> placements;  ///< of single models, over that
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;           ///< unset: see drawn_frames; a window draws all

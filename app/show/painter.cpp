@@ -14,7 +14,6 @@ namespace {
 constexpr int software_window_agents = 300;
 constexpr float software_mesh_error = 3.0F;  // of the usual one
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
-constexpr float least_height = 1e-6F;    // metres, of a character
 constexpr float frustum_reach = 120.0F;  // metres
 
 // A single last picture can afford its full quality anywhere.
@@ -101,9 +100,10 @@ anim::Status Painter::load_meshes(Stage& stage) {
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
-    const auto height = static_cast<float>(stage.characters()[i].character->bounds.height);
-    std::vector<float> shares;
-    for (const MeshLevel& level : mesh_levels(i)) shares.push_back(level.error_metres / std::max(height, least_height));
+    std::vector<render::MeshError> shares;
+    for (const MeshLevel& level : mesh_levels(i)) {
+      shares.push_back(shares_of(level.error, stage.characters()[i].character->bounds.height));
+    }
     stage.mesh_lods().set(i, std::move(shares));
   }
   return anim::Done{};

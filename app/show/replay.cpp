@@ -48,6 +48,13 @@ void take_files(std::span<const RecordedCharacter> characters, DemoOptions& opti
   for (CastEntry& entry : options.cast) entry.clip_files.reset();
 }
 
+// Files that stand in for those recorded have their sizes and places, where there are as many.
+void place_as_recorded(std::span<const RecordedCharacter> characters, DemoOptions& options) {
+  if (options.models.size() != characters.size()) return;
+  options.cast = cast_of(std::exchange(options.models, {}));
+  for (std::size_t i = 0; i < characters.size(); ++i) options.cast[i].placement = characters[i].placement;
+}
+
 std::string name_of(std::uint32_t agent, const Stage& stage) {
   if (agent >= stage.crowd().size()) return "the camera of the cut scene";
   return "agent " + std::to_string(agent) + ", " + stage.character_of(agent).name;
@@ -65,7 +72,11 @@ DemoOptions Replay::options(const DemoOptions& given) {
   given_ = given;
   const RecordingHeader& header = reader_->header();
   DemoOptions options = given;
-  if (options.models.empty()) take_files(header.characters, options);
+  if (options.models.empty()) {
+    take_files(header.characters, options);
+  } else {
+    place_as_recorded(header.characters, options);
+  }
   options.tuning = with_own_scheduling(header.tuning);
   options.placement = header.characters.front().placement;
   options.agents_given = true;

@@ -59,9 +59,7 @@ anim::Status asked(const RecordedBoneOrder& order, Show& show) {
 }
 
 anim::Status asked(const RecordedCharacters& others, Show& show) {
-  LoadOptions options = show.load_options();
-  options.placement = others.characters.front().placement;
-  auto cast = load_cast(entries_of(others.characters), options);
+  auto cast = load_cast(entries_of(others.characters), show.load_options());
   if (!cast) return cast.error();
   if (cast->characters.size() != others.characters.size()) return anim::Error{"has a folder among its characters"};
   for (std::size_t i = 0; i < cast->characters.size(); ++i) {
@@ -76,6 +74,13 @@ anim::Status asked(const RecordedRig& rig, Show& show) {
     return anim::Error{"gives a body to a character that is not there"};
   const anim::Status set = show.set_rig(rig.character, rig.choices);
   return set ? set : anim::Status(anim::Error{"its parts of a body cannot be: " + set.error().message});
+}
+
+anim::Status asked(const RecordedPlacement& placement, Show& show) {
+  if (placement.character >= show.stage().people().size()) return anim::Error{"places a character that is not there"};
+  const auto placed = show.set_placement(placement.character, placement.choice);
+  return placed ? anim::Status(anim::Done{})
+                : anim::Status(anim::Error{"its size and place cannot be: " + placed.error().message});
 }
 
 anim::Status asked(const RecordedShare& share, Show& show) {

@@ -8,6 +8,7 @@
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "app/show/placed_anew.h"
 #include "app/files/nearest_names.h"
 #include "app/show/opened_crowd.h"
 #include "app/stage/memory_needs.h"
@@ -131,19 +132,36 @@ anim::Status Show::replace_crowd(std::span<const CrowdCharacter> characters) {
 }
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
+  const bool viewed = viewer_ != nullptr;
+  if (anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged;
+  left_out_.clear();
+  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
+  update_notice();
+  return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
+}
+
+anim::Result<double> Show::set_placement(std::size_t character, const anim::PlacementChoice& choice) {
+  const auto start = RunFigures::Clock::now();
+  auto placed = placed_anew(stage_->people()[character], choice, load_options_, data_);
+  if (!placed) return placed.error();
+  std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
+  characters[character] = std::move(*placed);
+  if (const anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged.error();
+  recorder_.add(RecordedPlacement{static_cast<std::uint32_t>(character), choice});
+  update_notice();
+  return milliseconds_since(start) / 1000.0;
+}
+
+anim::Status Show::exchange(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
-  const bool viewed = viewer_ != nullptr;
   viewer_.reset();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
-  left_out_.clear();
   rewind_.forget();
-  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
-  update_notice();
-  return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
+  return anim::Done{};
 }
 
 void Show::set_roles(std::size_t character, const RoleClips& clips) {
@@ -176,7 +194,7 @@ anim::Status Show::view(const ViewRequest& request) {
   std::vector<ViewedMesh> meshes;
   if (request.character < stage_->people().size()) {
     for (const MeshLevel& level : painter_->mesh_levels(request.character)) {
-      meshes.push_back({static_cast<std::size_t>(level.triangles), level.error_metres});
+      meshes.push_back({static_cast<std::size_t>(level.triangles), level.error.surface});
     }
   }
   auto viewer = Viewer::create(*stage_, request, std::move(meshes));

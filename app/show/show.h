@@ -43,6 +43,10 @@ class Show {
   void set_roles(std::size_t character, const RoleClips& clips);
   /// Gives a character another share of the crowd, least_share to most_share, at a frame boundary.
   void set_share(std::size_t character, double share);
+  /// Gives a character another size and place, at a frame boundary: it is loaded anew, and the crowd starts anew.
+  /// Roles, orders and shares stay. Returns the seconds that it took. Errors: those of placed_anew() and
+  /// replace_characters(); then nothing has changed.
+  anim::Result<double> set_placement(std::size_t character, const anim::PlacementChoice& choice);
   /// Does what Stage::set_bone_lod does, and changes what is drawn as well.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
   /// Does what Stage::set_rig does; moments that were kept are forgotten.
@@ -102,6 +106,7 @@ class Show {
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
+  anim::Status exchange(std::vector<CharacterSource> characters);
   bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();
   void film();

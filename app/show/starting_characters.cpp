@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/character/files.h"
+#include "app/character/model_placement.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
@@ -64,7 +65,10 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
 }  // namespace
 
 LoadOptions load_options(const DemoOptions& options) {
-  return {.import = options.reading, .placement = options.placement, .clips_from = options.clips_from};
+  return {.import = options.reading,
+          .placement = options.placement,
+          .placements = options.placements,
+          .clips_from = options.clips_from};
 }
 
 bool fail(StartError& error, int status, std::string message) {
@@ -75,6 +79,9 @@ bool fail(StartError& error, int status, std::string message) {
 std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error) {
   auto cast = load(options);
   if (!cast) return fail(error, exit_job_failed, cast.error().message), std::nullopt;
+  if (const anim::Status known = check_placed_models(options.placements, cast->characters); !known) {
+    return fail(error, exit_usage, known.error().message), std::nullopt;
+  }
   if (!choose_roles(options, cast->characters, error)) return {};
   return std::move(*cast);
 }

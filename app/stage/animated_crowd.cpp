@@ -70,7 +70,7 @@ anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const Reordered
 
 void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning.agents);
-  crowd_ = std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), tuning.variety);
+  crowd_ = std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning));
   ++number_;
   held_clip_.reset();
   fallen_->reset();

@@ -28,7 +28,7 @@ std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characte
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
-  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && a.variety == b.variety;
+  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && variety_of(a) == variety_of(b);
 }
 
 }  // namespace

@@ -75,11 +75,8 @@ class Stage {
   }
 
   const ErrorMeter& error_meter() const { return meter_; }
-  /// Returns the mesh LOD that a visible agent is drawn with.
-  int mesh_lod(const anim::VisibleAgent& agent) const {
-    return mesh_lods_.choose(tuning_, crowd().characters()[agent.agent], agent.pixels_tall);
-  }
   MeshLods& mesh_lods() { return mesh_lods_; }
+  const MeshLods& mesh_lods() const { return mesh_lods_; }
 
   const anim::LodSelection& selection() const { return lod_.selection(); }
   const anim::LevelOfDetail& level_of_detail() const { return lod_; }
@@ -127,5 +124,10 @@ anim::LodCharacter lod_character(const CharacterSource& source);
 
 /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
+
+/// Returns the mesh LOD that a visible agent is drawn with.
+inline int mesh_lod_of(const Stage& stage, const anim::VisibleAgent& agent) {
+  return stage.mesh_lods().choose(stage.tuning(), stage.crowd().characters()[agent.agent], agent.pixels_tall);
+}
 
 }  // namespace throng::app

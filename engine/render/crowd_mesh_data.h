@@ -90,6 +90,7 @@ struct CrowdMeshData {
   /// Maps, for each of 1 to 4 bone levels, a palette entry to the one that a vertex reads at that level: the same entry
   /// where the bone is kept, else that of its nearest kept ancestor. [0] is the identity.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
+  std::vector<std::uint8_t> face_entries;  ///< one a palette entry, 1: it moves a face; or empty: no face is known
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
   std::vector<MorphDeltaData> morph_deltas;      ///< ascending by vertex; empty: the surface does not morph
   PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them

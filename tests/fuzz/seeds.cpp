@@ -61,6 +61,7 @@ anim::Status write_recording(const std::filesystem::path& file) {
   writer.add(app::RecordedRewind{});
   writer.add(app::RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
   writer.add(app::RecordedRig{.character = 0, .choices = *person().rig});
+  writer.add(app::RecordedPlacement{.character = 0, .choice = {.scale = 0.01, .up = anim::UpAxis::z}});
   writer.add(app::RecordedShare{.character = 0, .share = 0.5});
   writer.add(app::RecordedCharacters{{person(), person()}});
   writer.add(frame, std::vector<std::uint64_t>{1, ~0ULL});

@@ -73,7 +73,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
   reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
   // Everybody gets the coarsest mesh, which is the quickest to draw.
-  stage_->mesh_lods().set(0, std::vector<float>(renderer_->meshes().front().lod_count(), 0.0F));
+  stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()));
   moments_.resize(stage_->crowd().size());
   const auto cameras =
       scene_cameras(tuning.scene, stage_->crowd().size(), common_roles(roles_of(stage_->characters())));

@@ -66,7 +66,7 @@ struct Scene {
     surface.vertices = vertices;
     const SurfacePaint paint(surface, materials, data);
     const SkinnedSurfaceView view{positions, influences, belongs_to, fine, {}};
-    return MeshErrorMeter(view, &paint, poses).error_of(other);
+    return MeshErrorMeter(view, &paint, poses).error_of(other).surface;
   }
 
   std::vector<float> positions;

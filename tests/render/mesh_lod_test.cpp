@@ -76,11 +76,11 @@ TEST(MeshLods, HaveClearlyFewerTrianglesEachAndErrorsThatGrow) {
   ASSERT_GE(lods.size(), 2U);
   ASSERT_LE(lods.size(), largest_mesh_lod_count);
   EXPECT_EQ(lods[0].indices, arm.indices);
-  EXPECT_EQ(lods[0].error, 0.0F);
+  EXPECT_EQ(lods[0].error, MeshError{});
   for (std::size_t lod = 1; lod < lods.size(); ++lod) {
     EXPECT_LE(lods[lod].indices.size() * 10, lods[lod - 1].indices.size() * 8) << lod;
-    EXPECT_GE(lods[lod].error, lods[lod - 1].error);
-    EXPECT_GT(lods[lod].error, 0.0F);
+    EXPECT_GE(lods[lod].error.surface, lods[lod - 1].error.surface);
+    EXPECT_GT(lods[lod].error.surface, 0.0F);
   }
   EXPECT_LE(lods.back().indices.size() * 5, arm.indices.size()) << "serves those who are small on screen";
 }
@@ -90,8 +90,8 @@ TEST(MeshLods, AreMeasuredInThePosesThatTheCharacterTakes) {
   const glm::mat4x3 rest(1.0F);
   const glm::mat4x3 bent(
       glm::translate(glm::rotate(glm::translate(glm::mat4(1), {1, 0, 0}), 2.0F, {0, 0, 1}), glm::vec3(-1, 0, 0)));
-  const float straight = lods_of(arm.view(), {{rest, rest}}).back().error;
-  EXPECT_GT(lods_of(arm.view(), {{rest, rest}, {rest, bent}}).back().error, straight);
+  const float straight = lods_of(arm.view(), {{rest, rest}}).back().error.surface;
+  EXPECT_GT(lods_of(arm.view(), {{rest, rest}, {rest, bent}}).back().error.surface, straight);
 }
 
 TEST(MeshLods, StayClosed) {
@@ -139,18 +139,72 @@ TEST(MeshLods, SurviveTrianglesWithoutArea) {
   EXPECT_GE(lods_of(arm.view()).size(), 2U);
 }
 
+std::vector<glm::vec3> with_a_dark_ring(const Arm& arm, float from, float to) {
+  std::vector<glm::vec3> colors;
+  for (std::uint32_t vertex = 0; vertex < arm.influences.size(); ++vertex) {
+    colors.emplace_back(arm.x(vertex) > from && arm.x(vertex) < to ? 0.1F : 0.9F);
+  }
+  return colors;
+}
+
+TEST(MeshLods, KeepColoursWhereTheyAre) {
+  // Nothing but its colour tells the ring from the rest of the upper arm.
+  const Arm arm;
+  const std::vector<glm::vec3> colors = with_a_dark_ring(arm, 0.65F, 0.75F);
+  SkinnedSurfaceView view = arm.view();
+  view.colors = colors;
+  const std::vector<MeshLod> lods = lods_of(view);
+  const auto is_dark = [&](std::uint32_t vertex) { return colors[vertex].r < 0.5F; };
+  EXPECT_GE(std::ranges::count_if(lods.back().indices, is_dark), 3);
+}
+
+TEST(MeshLods, KeepMoreOfAFaceThanOfTheRest) {
+  const Arm arm;
+  std::vector<std::uint8_t> face;
+  for (std::uint32_t vertex = 0; vertex < arm.influences.size(); ++vertex) face.push_back(arm.x(vertex) > 1.5F ? 1 : 0);
+  const auto face_triangles = [&](const SkinnedSurfaceView& view) {
+    SurfaceSimplifier simplifier(view);
+    simplifier.reduce_to(300, 1.0);
+    const std::vector<std::uint32_t> indices = simplifier.indices();
+    return std::ranges::count_if(indices, [&](std::uint32_t vertex) { return face[vertex] != 0; }) / 3;
+  };
+  SkinnedSurfaceView view = arm.view();
+  const auto without = face_triangles(view);
+  view.face = face;
+  EXPECT_GT(face_triangles(view), without * 5 / 4);
+}
+
+TEST(MeshLods, KnowTheErrorOfTheFaceAlone) {
+  const Arm arm;
+  std::vector<std::uint8_t> face(arm.influences.size(), 0);
+  SkinnedSurfaceView view = arm.view();
+  const MeshLod without = lods_of(view).back();
+  EXPECT_EQ(without.error.face, without.error.surface) << "where no face is known";
+  for (std::uint32_t vertex = 0; vertex < arm.influences.size(); ++vertex) face[vertex] = arm.x(vertex) > 1.8F ? 1 : 0;
+  view.face = face;
+  const MeshLod with = lods_of(view).back();
+  EXPECT_LT(with.error.face, with.error.surface);
+}
+
+MeshError alike(float error) { return {error, error}; }
+
 TEST(PickMeshLod, IsTheCoarsestWithinTheLimit) {
-  constexpr std::array errors{0.0F, 0.01F, 0.03F, 0.1F};
-  EXPECT_EQ(pick_mesh_lod(errors, 0.0F), 0);
-  EXPECT_EQ(pick_mesh_lod(errors, 0.009F), 0);
-  EXPECT_EQ(pick_mesh_lod(errors, 0.01F), 1);
-  EXPECT_EQ(pick_mesh_lod(errors, 0.05F), 2);
-  EXPECT_EQ(pick_mesh_lod(errors, 1.0F), 3);
+  const std::array errors{alike(0.0F), alike(0.01F), alike(0.03F), alike(0.1F)};
+  EXPECT_EQ(pick_mesh_lod(errors, alike(0.0F)), 0);
+  EXPECT_EQ(pick_mesh_lod(errors, alike(0.009F)), 0);
+  EXPECT_EQ(pick_mesh_lod(errors, alike(0.01F)), 1);
+  EXPECT_EQ(pick_mesh_lod(errors, alike(0.05F)), 2);
+  EXPECT_EQ(pick_mesh_lod(errors, alike(1.0F)), 3);
+}
+
+TEST(PickMeshLod, KeepsToBothLimits) {
+  const std::array errors{MeshError{}, MeshError{0.02F, 0.01F}, MeshError{0.05F, 0.04F}};
+  EXPECT_EQ(pick_mesh_lod(errors, {.surface = 1.0F, .face = 0.02F}), 1);
+  EXPECT_EQ(pick_mesh_lod(errors, {.surface = 0.02F, .face = 1.0F}), 1);
 }
 
 TEST(PickMeshLod, IsTheFullMeshWhereThereIsNoOther) {
-  constexpr std::array errors{0.0F};
-  EXPECT_EQ(pick_mesh_lod(errors, 100.0F), 0);
+  EXPECT_EQ(pick_mesh_lod(std::array{MeshError{}}, alike(100.0F)), 0);
 }
 
 }  // namespace

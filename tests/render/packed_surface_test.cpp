@@ -25,7 +25,7 @@ Surface small_surface() {
   surface.indices = {0, 1, 0, 1, 0, 1, 0, 0, 1};
   surface.runs_by_lod = {{{0, 0, 3}, {1, 3, 3}}, {{1, 6, 3}}};
   surface.triangles_by_lod = {2, 1};
-  surface.error_by_lod = {0.0F, 0.25F};
+  surface.error_by_lod = {{}, {0.25F, 0.125F}};
   surface.vertex_count = 2;
   surface.first_bone_end = 2;
   surface.bone_end_count = 1;
@@ -64,7 +64,7 @@ TEST(PackedSurface, IsTheSurfaceThatWasPacked) {
   EXPECT_EQ(view->runs_by_lod[0].size(), 2U);
   EXPECT_EQ(view->runs_by_lod[1][0].first_index, 6U);
   EXPECT_THAT(view->triangles_by_lod, ElementsAre(2U, 1U));
-  EXPECT_THAT(view->error_by_lod, ElementsAre(0.0F, 0.25F));
+  EXPECT_THAT(view->error_by_lod, ElementsAre(MeshError{}, MeshError{0.25F, 0.125F}));
   EXPECT_EQ(view->vertex_count, 2U);
   EXPECT_EQ(view->first_bone_end, 2U);
   EXPECT_EQ(view->bone_end_count, 1U);

@@ -107,7 +107,7 @@ TEST(MeshError, CountsWhatIsSeenThroughAShell) {
   const auto error = [&](float alpha) {
     paint.data.materials[1].base_color[3] = alpha;
     const SurfacePaint colors(paint.surface, paint.materials, paint.data);
-    return MeshErrorMeter(view, &colors, {}).error_of(shell_alone);
+    return MeshErrorMeter(view, &colors, {}).error_of(shell_alone).surface;
   };
   EXPECT_LT(error(1.0F), 0.01F) << "nobody sees what is inside";
   EXPECT_GT(error(0.3F), 0.1F) << "what was inside is lost";

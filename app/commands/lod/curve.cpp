@@ -54,10 +54,11 @@ std::vector<Json> mesh_rows_of(const CharacterSource& source, std::span<const Me
   const double height = source.character->bounds.height;
   std::vector<Json> rows;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const auto error = static_cast<double>(meshes[i].error_metres);
+    const auto error = static_cast<double>(meshes[i].error.surface);
     rows.push_back({{"mesh_level", i},
                     {"triangles", meshes[i].triangles},
                     {"error_mm", error * 1000},
+                    {"face_error_mm", static_cast<double>(meshes[i].error.face) * 1000},
                     {"error_px", height > 0.0 ? error / height * pixels : 0.0},
                     {"px_tall_for_1_px", error > 0.0 ? Json(height / error) : Json()}});
   }
@@ -137,7 +138,8 @@ std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double heigh
 std::string curve_as_text(const CharacterSource& source, const LodCurve& curve, int pixels) {
   constexpr std::array columns = {"level",    "bones",    "ns_per_agent",     "ms_10k_agents",
                                   "error_mm", "error_px", "px_tall_for_1_px", "pays"};
-  constexpr std::array mesh_columns = {"mesh_level", "triangles", "error_mm", "error_px", "px_tall_for_1_px"};
+  constexpr std::array mesh_columns = {"mesh_level",    "triangles", "error_mm",
+                                       "face_error_mm", "error_px",  "px_tall_for_1_px"};
   char title[80];
   std::snprintf(title, sizeof(title), ", %.2f m; errors at p99, in pixels of one %d pixels tall\n",
                 source.character->bounds.height, pixels);

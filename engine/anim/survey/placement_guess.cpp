@@ -128,6 +128,8 @@ class PlacementGuesser {
 
 }  // namespace
 
+double guessed_scale(const ModelExtent& extent) { return guess_scale(largest_of(extent.size)); }
+
 GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice) {
   if (const auto extent = measure_extent(model, upright(choice.up))) return PlacementGuesser(*extent, choice).guess();
   return {.placement = {.scale = choice.scale.value_or(1.0), .rotation = upright(choice.up)},

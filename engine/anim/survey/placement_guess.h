@@ -34,6 +34,9 @@ struct GuessedPlacement {
   std::string reasons{};  ///< one sentence for people, plain or not: "1.76 m tall: taken as centimetres, ..."
 };
 
+/// Returns the metres a unit of the file that a model of that size, in units of its file, is taken to have.
+double guessed_scale(const ModelExtent& extent);
+
 /// Finds the size and place of a model that a person would expect. Sizes that people, animals and houses have in metres
 /// are kept (largest side from 4 cm to 40 m); others are taken as centimetres, millimetres or whatever power of ten
 /// brings them nearest to a person. Who stands beside the origin is moved there, and who reaches below the ground or

@@ -83,4 +83,20 @@ double CollapseCost::at(const glm::dvec3& point, const SkinInfluences& influence
   return plane_cost(point) + joint_travel * joint_travel * influence_cost(influences);
 }
 
+void ColorSpread::add(const glm::dvec3& color, double area) {
+  sum_ += area * color;
+  squares_ += area * glm::dot(color, color);
+  area_ += area;
+}
+
+void ColorSpread::add(const ColorSpread& other) {
+  sum_ += other.sum_;
+  squares_ += other.squares_;
+  area_ += other.area_;
+}
+
+double ColorSpread::at(const glm::dvec3& color) const {
+  return std::max(squares_ - 2.0 * glm::dot(sum_, color) + area_ * glm::dot(color, color), 0.0);
+}
+
 }  // namespace throng::render

@@ -50,4 +50,20 @@ class CollapseCost {
   double influence_area_ = 0.0;
 };
 
+/// Says what it costs to paint a piece of surface in one colour: how far its own colours are from that one.
+class ColorSpread {
+ public:
+  /// Adds the share of a triangle. Colours are as they are seen (PointLook::color).
+  void add(const glm::dvec3& color, double area);
+  void add(const ColorSpread& other);
+
+  /// Gives the sum of area times the squared distance from `color`.
+  double at(const glm::dvec3& color) const;
+
+ private:
+  glm::dvec3 sum_{0.0};
+  double squares_ = 0.0;
+  double area_ = 0.0;
+};
+
 }  // namespace throng::render

@@ -21,7 +21,7 @@ class CrowdMesh {
 
   std::size_t lod_count() const { return parts_.runs_by_lod.size(); }
   std::span<const std::uint32_t> triangles_by_lod() const { return parts_.triangles_by_lod; }
-  std::span<const float> error_by_lod() const { return parts_.error_by_lod; }  ///< metres
+  std::span<const MeshError> error_by_lod() const { return parts_.error_by_lod; }
 
   /// Gives the runs that draw mesh LOD `lod`, one a material.
   std::span<const MaterialRun> runs(std::size_t lod) const { return parts_.runs_by_lod[lod]; }

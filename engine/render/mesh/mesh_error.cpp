@@ -77,11 +77,19 @@ MeshErrorMeter::MeshErrorMeter(const SkinnedSurfaceView& surface, const SurfaceP
   std::erase_if(samples_, [](const Sample& sample) { return sample.seen_area == 0.0F; });
 }
 
-float MeshErrorMeter::error_of(std::span<const std::uint32_t> indices) const {
+MeshError MeshErrorMeter::error_of(std::span<const std::uint32_t> indices) const {
   const Side coarse = side_of(indices);
   std::vector<Pair> pairs;
   for (const Sample& sample : samples_) pair(sample, full_, coarse, pairs);
   for (const Sample& sample : samples_of(coarse)) pair(sample, coarse, full_, pairs);
+  const float surface = usual_error(pairs);
+  if (surface_.face.empty()) return {surface, surface};
+  std::erase_if(pairs, [](const Pair& pair) { return !pair.on_face; });
+  return {surface, usual_error(pairs)};
+}
+
+/// Returns the error that 99% of the poses do not exceed.
+float MeshErrorMeter::usual_error(std::span<const Pair> pairs) const {
   std::vector<float> errors;
   for (std::size_t pose = 0; pose < positions_.size(); ++pose) errors.push_back(error_in_pose(pairs, pose));
   const auto kept = static_cast<std::ptrdiff_t>(std::ceil(poses_kept * static_cast<double>(errors.size()))) - 1;
@@ -176,7 +184,13 @@ void MeshErrorMeter::pair(const Sample& sample, const Side& own, const Side& oth
   }
   found.seen_area = sample.seen_area.value_or(0.0F);
   if (!sample.seen_area) found.seen_area = seen_area(own, sample);
+  found.on_face = is_on_face(sample.point);
   if (found.seen_area > 0.0F) pairs.push_back(found);
+}
+
+bool MeshErrorMeter::is_on_face(const SurfacePoint& point) const {
+  return !surface_.face.empty() &&
+         std::ranges::any_of(point.vertices, [this](std::uint32_t vertex) { return surface_.face[vertex] != 0; });
 }
 
 float MeshErrorMeter::recolored_by(const Sample& sample, const PointLook& look, const Side& own,

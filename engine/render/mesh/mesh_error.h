@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/render/mesh/cell_tree.h"
+#include "engine/render/mesh/mesh_error_value.h"
 #include "engine/render/mesh/surface_paint.h"
 #include "engine/render/mesh/surface_simplifier.h"
 
@@ -35,8 +36,8 @@ class MeshErrorMeter {
   /// of `poses`; without poses, on the surface as it is modelled.
   MeshErrorMeter(const SkinnedSurfaceView& surface, const SurfacePaint* paint, const PosedPalettes& poses);
 
-  /// Returns the error of a coarser mesh over the same vertices, in metres. 99% of the poses have no larger one.
-  float error_of(std::span<const std::uint32_t> indices) const;
+  /// Returns the errors of a coarser mesh over the same vertices. 99% of the poses have no larger ones.
+  MeshError error_of(std::span<const std::uint32_t> indices) const;
   /// Returns the longest side of a box around the full surface in the first pose, in metres.
   float extent() const { return extent_; }
 
@@ -61,6 +62,7 @@ class MeshErrorMeter {
     SurfacePoint here, there;
     float recolored = 0.0F;  // metres that an edge of colour has moved
     float seen_area = 0.0F;  // square metres
+    bool on_face = false;
   };
 
   Side side_of(std::span<const std::uint32_t> indices) const;
@@ -74,7 +76,9 @@ class MeshErrorMeter {
   float recolored_by(const Sample& sample, const PointLook& look, const Side& own, const Side& other) const;
   float largest_distance(const SurfacePoint& a, const SurfacePoint& b, float below) const;
   float distance_to_alike(const SurfacePoint& point, const PointLook& look, const Side& side, float limit) const;
+  float usual_error(std::span<const Pair> pairs) const;
   float error_in_pose(std::span<const Pair> pairs, std::size_t pose) const;
+  bool is_on_face(const SurfacePoint& point) const;
 
   SurfacePoint point_of(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
   PointLook look_of(const SurfacePoint& point) const;

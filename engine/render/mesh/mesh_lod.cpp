@@ -13,8 +13,10 @@
 namespace throng::render {
 namespace {
 
-/// The steps of simplification, in shares of the triangles. Each is measured.
-constexpr std::array steps{0.65, 0.45, 0.3, 0.2, 0.12, 0.07, 0.03};
+/// The steps of simplification, in shares of the triangles. Each is measured. Those who are so small that they are
+/// drawn with the coarse ones show no face: there it is not held more firmly than all else.
+constexpr std::array fine_steps{0.65, 0.45, 0.3};
+constexpr std::array coarse_steps{0.2, 0.12, 0.07, 0.03};
 // LODs are chosen for characters of these heights on screen, in pixels, all as frequent on a logarithmic scale, and for
 // this error.
 constexpr double shortest = 8.0, tallest = 512.0, usual_error = 0.5;
@@ -39,7 +41,8 @@ std::vector<std::uint32_t> clustered(const SkinnedSurfaceView& surface, std::siz
   return indices;
 }
 
-void simplify(const SkinnedSurfaceView& surface, double extent, std::vector<MeshLod>& candidates) {
+void simplify(const SkinnedSurfaceView& surface, std::span<const double> steps, double extent,
+              std::vector<MeshLod>& candidates) {
   SurfaceSimplifier simplifier(surface);
   for (const double step : steps) {
     const auto target = static_cast<std::size_t>(share_of(surface.indices.size() / 3, step));
@@ -61,7 +64,7 @@ void simplify(const SkinnedSurfaceView& surface, double extent, std::vector<Mesh
 
 /// Returns the height on screen, in pixels, up to which a LOD of a surface of that extent serves.
 double served_height(const MeshLod& lod, double extent) {
-  const double error = std::max(static_cast<double>(lod.error), extent * usual_error / tallest);
+  const double error = std::max(static_cast<double>(lod.error.surface), extent * usual_error / tallest);
   return std::clamp(extent * usual_error / error, shortest, tallest);
 }
 
@@ -102,28 +105,34 @@ std::vector<MeshLod> cheapest(std::span<const MeshLod> candidates, double extent
 }  // namespace
 
 void measure_mesh_lods(std::span<MeshLod> lods, const MeshErrorMeter& meter) {
-  std::vector<std::future<float>> measured;
+  std::vector<std::future<MeshError>> measured;
   for (const MeshLod& lod : lods.subspan(1)) {
     measured.push_back(std::async([&meter, &lod] { return meter.error_of(lod.indices); }));
   }
-  for (std::size_t i = 1; i < lods.size(); ++i) lods[i].error = std::max(lods[i - 1].error, measured[i - 1].get());
+  for (std::size_t i = 1; i < lods.size(); ++i) {
+    const MeshError error = measured[i - 1].get(), &finer = lods[i - 1].error;
+    lods[i].error = {std::max(finer.surface, error.surface), std::max(finer.face, error.face)};
+  }
 }
 
 std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const MeshErrorMeter& meter) {
   std::vector<MeshLod> candidates;
-  candidates.push_back({{surface.indices.begin(), surface.indices.end()}, 0.0F});
+  candidates.push_back({.indices = {surface.indices.begin(), surface.indices.end()}});
   if (surface.indices.empty()) return candidates;
   const double extent = static_cast<double>(
       meshopt_simplifyScale(surface.positions.data(), surface.positions.size() / 3, position_bytes));
-  simplify(surface, extent, candidates);
+  simplify(surface, fine_steps, extent, candidates);
+  SkinnedSurfaceView without_face = surface;
+  without_face.face = {};
+  simplify(without_face, coarse_steps, extent, candidates);
   measure_mesh_lods(candidates, meter);
   return cheapest(candidates, static_cast<double>(meter.extent()));
 }
 
-int pick_mesh_lod(std::span<const float> error_by_lod, float limit) {
+int pick_mesh_lod(std::span<const MeshError> error_by_lod, const MeshError& limits) {
   assert(!error_by_lod.empty());
   std::size_t lod = error_by_lod.size() - 1;
-  while (lod > 0 && error_by_lod[lod] > limit) --lod;
+  while (lod > 0 && (error_by_lod[lod].surface > limits.surface || error_by_lod[lod].face > limits.face)) --lod;
   return static_cast<int>(lod);
 }
 

@@ -16,7 +16,7 @@ inline constexpr std::size_t largest_mesh_lod_count = 4;
 /// One mesh LOD: triangles over the original vertices, so that weights stay valid.
 struct MeshLod {
   std::vector<std::uint32_t> indices;
-  float error = 0.0F;  ///< metres, as MeshErrorMeter measures it
+  MeshError error = {};
 };
 
 /// Simplifies a surface step by step, measures each step, and keeps those with which a crowd of all sizes on screen is
@@ -29,7 +29,7 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
 /// Measures all LODs but the first, which is the surface itself. No error is smaller than the one before.
 void measure_mesh_lods(std::span<MeshLod> lods, const MeshErrorMeter& meter);
 
-/// Returns the coarsest mesh LOD whose error is at most `limit`, in the unit of the errors. The first error is 0.
-int pick_mesh_lod(std::span<const float> error_by_lod, float limit);
+/// Returns the coarsest mesh LOD whose errors are at most `limits`, in the unit of the errors. The first errors are 0.
+int pick_mesh_lod(std::span<const MeshError> error_by_lod, const MeshError& limits);
 
 }  // namespace throng::render

@@ -39,7 +39,7 @@ static_assert(offsetof(PackedSurface, first_bone_end) == 32);
 struct PackedSurfaceLod {
   std::uint32_t runs;
   std::uint32_t triangles;
-  float error;  ///< metres
+  MeshError error;
 };
 
 /// Changes with the sizes of what is in a packed surface. Raise the first number when its meaning changes alone.

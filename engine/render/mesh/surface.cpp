@@ -60,9 +60,27 @@ struct Merged {
   std::vector<int> materials;                   ///< one a vertex
   std::vector<float> texture_coords;            ///< one a vertex, or empty: no part shows a texture
   std::vector<std::uint32_t> belongs_to;        ///< material and tint region, one a vertex
+  std::vector<glm::vec3> colors;                ///< one a vertex, as seen; or empty, before they are needed
+  std::vector<std::uint8_t> face;               ///< one a vertex, 1 on a face; or empty: no face is known
   std::vector<SkinInfluences> influences;       ///< one a vertex
   std::vector<PaletteEntries> palette_entries;  ///< at level 0; including those of the bone ends
 };
+
+/// Returns whether bones of a face move the vertex more than others do.
+bool is_on_face(const SkinInfluences& influences, std::span<const std::uint8_t> face_entries) {
+  float share = 0.0F;
+  for (std::size_t i = 0; i < influences.entries.size(); ++i) {
+    if (face_entries[influences.entries.at(i)] != 0) share += influences.weights.at(i);
+  }
+  return share > 0.5F;
+}
+
+void find_faces(const CrowdMeshData& data, Merged& merged) {
+  if (data.face_entries.empty()) return;
+  for (const SkinInfluences& influences : merged.influences) {
+    merged.face.push_back(is_on_face(influences, data.face_entries) ? 1 : 0);
+  }
+}
 
 void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
   const std::size_t count = part.positions.size() / 3;
@@ -135,7 +153,13 @@ bool shows_an_image(const MaterialData& material) {
 }
 
 SkinnedSurfaceView view_of(const Merged& merged) {
-  return {merged.positions, merged.influences, merged.belongs_to, merged.indices, merged.texture_coords};
+  return {.positions = merged.positions,
+          .influences = merged.influences,
+          .belongs_to = merged.belongs_to,
+          .indices = merged.indices,
+          .texture_coords = merged.texture_coords,
+          .colors = merged.colors,
+          .face = merged.face};
 }
 
 /// Appends one mesh LOD to the indices of the surface, sorted by the material of each triangle's first vertex. Parts
@@ -172,13 +196,18 @@ std::vector<MeshLod> baked_lods(const CrowdMeshData& data, Surface& surface, Mer
     lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});
   }
   merged.indices.resize(full_count);
+  find_faces(data, merged);
   const SurfacePaint paint(surface, merged.materials, data);
   measure_mesh_lods(lods, MeshErrorMeter(view_of(merged), &paint, data.poses));
   return lods;
 }
 
-std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& surface, const Merged& merged) {
+std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& surface, Merged& merged) {
+  find_faces(data, merged);
   const SurfacePaint paint(surface, merged.materials, data);
+  for (std::uint32_t vertex = 0; vertex < merged.materials.size(); ++vertex) {
+    merged.colors.push_back(paint.look({.vertices = {vertex, vertex, vertex}}).color);
+  }
   return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/crowd_mesh_data.h"
+#include "engine/render/mesh/mesh_error_value.h"
 
 namespace throng::render {
 
@@ -53,8 +54,8 @@ struct MaterialRun {
 struct SurfaceParts {
   std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;
-  std::vector<float> error_by_lod;  ///< metres
-  std::uint32_t vertex_count = 0;   ///< vertices of the full surface, which come first; those of baked LODs follow
+  std::vector<MeshError> error_by_lod;
+  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; those of baked LODs follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

@@ -18,6 +18,12 @@ constexpr std::uint32_t no_vertex = UINT32_MAX;
 // A bent joint moves the surface around it by about this share of the size of the character.
 constexpr double joint_travel_share = 0.05;
 
+// A colour that is lost altogether counts as a surface that moved by this share of the size of the character.
+constexpr double color_travel_share = 0.03;
+
+// People look at faces: an error there counts as one of a surface this many times as large.
+constexpr double face_firmness = 25.0;
+
 // The length of an edge costs this much: of merges that keep the shape, short ones make better triangles.
 constexpr double length_cost = 1e-3;
 
@@ -55,7 +61,14 @@ void SurfaceSimplifier::join_vertices_into_points() {
     point_of_vertex_.push_back(found->second);
   }
   const glm::dvec3 extent = high - low;
-  joint_travel_ = joint_travel_share * std::max({extent.x, extent.y, extent.z, 0.0});
+  const double largest = std::max({extent.x, extent.y, extent.z, 0.0});
+  joint_travel_ = joint_travel_share * largest;
+  color_travel_ = color_travel_share * largest;
+  if (!surface_.colors.empty()) painted_.resize(surface_.colors.size());
+}
+
+double SurfaceSimplifier::firmness(std::uint32_t vertex) const {
+  return !surface_.face.empty() && surface_.face[vertex] != 0 ? face_firmness : 1.0;
 }
 
 void SurfaceSimplifier::add_triangles() {
@@ -69,8 +82,10 @@ void SurfaceSimplifier::add_triangles() {
     for (const std::uint32_t vertex : triangle) {
       Point& point = points_[point_of_vertex_[vertex]];
       point.triangles.push_back(index);
-      point.cost.add_plane(normal_and_area / twice_area, point.position, twice_area / 6.0);
-      point.cost.add_influences(point.influences, twice_area / 6.0);
+      const double area = firmness(vertex) * twice_area / 6.0;
+      point.cost.add_plane(normal_and_area / twice_area, point.position, area);
+      point.cost.add_influences(point.influences, area);
+      if (!painted_.empty()) painted_[vertex].add(surface_.colors[vertex], area);
     }
   }
   triangle_count_ = triangles_.size();
@@ -133,10 +148,27 @@ void SurfaceSimplifier::propose_merges_around(std::uint32_t point) {
   for (const std::uint32_t neighbour : neighbours(point)) {
     const Point& into = points_[neighbour];
     const glm::dvec3 edge = into.position - from.position;
-    const double cost = from.cost.at(into.position, into.influences, joint_travel_);
+    const double cost = from.cost.at(into.position, into.influences, joint_travel_) + color_cost(from, into);
     const double length = length_cost * glm::dot(edge, edge) * glm::dot(edge, edge);
     merges_.push({cost + length, point, neighbour, from.version});
   }
+}
+
+/// Returns what it costs that each vertex of a point takes the colour of the one of the other point that is most like
+/// it.
+double SurfaceSimplifier::color_cost(const Point& from, const Point& into) const {
+  if (painted_.empty()) return 0.0;
+  double cost = 0.0;
+  for (const std::uint32_t vertex : from.vertices) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t other : into.vertices) {
+      if (surface_.belongs_to[other] != surface_.belongs_to[vertex]) continue;
+      least = std::min(least, painted_[vertex].at(surface_.colors[other]));
+    }
+    // Where there is none, find_stand_ins decides.
+    if (least < std::numeric_limits<double>::infinity()) cost += least;
+  }
+  return color_travel_ * color_travel_ * cost;
 }
 
 bool SurfaceSimplifier::is_current(const Merge& merge) const {
@@ -225,6 +257,10 @@ void SurfaceSimplifier::merge(std::uint32_t from, std::uint32_t into, const Stan
   }
   gone.merged_away = true;
   kept.cost.add(gone.cost);
+  for (const std::uint32_t vertex : gone.vertices) {
+    const auto stand_in = std::ranges::find(stand_ins, vertex, &StandIns::value_type::first);
+    if (!painted_.empty()) painted_[stand_in->second].add(painted_[vertex]);
+  }
   ++kept.version;
   propose_merges_around(into);
   for (const std::uint32_t neighbour : neighbours(into)) propose_merges_around(neighbour);

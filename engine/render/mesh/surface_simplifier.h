@@ -22,11 +22,14 @@ struct SkinnedSurfaceView {
   std::span<const SkinInfluences> influences;  ///< one a vertex
   std::span<const std::uint32_t> belongs_to;   ///< material and tint region, one a vertex; their borders stay sharp
   std::span<const std::uint32_t> indices;
-  std::span<const float> texture_coords;  ///< u v a vertex, or empty if there is no texture
+  std::span<const float> texture_coords;    ///< u v a vertex, or empty if there is no texture
+  std::span<const glm::vec3> colors = {};   ///< one a vertex, as seen (PointLook::color), or empty: all alike
+  std::span<const std::uint8_t> face = {};  ///< one a vertex, 1 on a face, or empty: no face is known
 };
 
 /// Merges points of a skinned surface along its edges, the cheapest first (CollapseCost).
 /// A point is always merged into one that exists, so that weights stay valid.
+/// Colours stay where they are as far as they can, and faces are held more firmly than all else.
 /// Triangles never turn over. Borders between materials and regions stay where they are.
 class SurfaceSimplifier {
  public:
@@ -70,7 +73,9 @@ class SurfaceSimplifier {
   void add_triangles();
   void hold_open_edges();
   Edge edge_of(const Triangle& triangle, std::size_t corner) const;
+  double firmness(std::uint32_t vertex) const;
   void propose_merges_around(std::uint32_t point);
+  double color_cost(const Point& from, const Point& into) const;
   bool is_current(const Merge& merge) const;
   bool pinches(std::uint32_t from, std::uint32_t into) const;
   bool turns_a_triangle_over(std::uint32_t from, std::uint32_t into) const;
@@ -84,11 +89,13 @@ class SurfaceSimplifier {
 
   SkinnedSurfaceView surface_;
   std::vector<std::uint32_t> point_of_vertex_;
+  std::vector<ColorSpread> painted_;  // [vertex]; empty: no colours are known
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;
   std::vector<bool> removed_;  // one a triangle
   std::size_t triangle_count_ = 0;
   double joint_travel_ = 0.0;
+  double color_travel_ = 0.0;
   double error_ = 0.0;
   std::priority_queue<Merge, std::vector<Merge>, std::greater<>> merges_;
 };

@@ -89,6 +89,16 @@ TEST(DemoOptions, SayInWhatSizeAndWhereModelsStand) {
   EXPECT_EQ(demo("").placement, anim::PlacementChoice{});
 }
 
+TEST(DemoOptions, SayItOfSingleModelsByName) {
+  const DemoOptions options = demo("a.glb b=2.glb --scale 2,a=0.01 --up b=2=z,a.glb=-x --ground a=feet");
+  EXPECT_EQ(options.placement, anim::PlacementChoice{.scale = 2.0});
+  const std::vector<ModelPlacement> expected{{.model = "a", .scale = 0.01},
+                                             {.model = "b=2", .up = anim::UpAxis::z},
+                                             {.model = "a.glb", .up = anim::UpAxis::minus_x},
+                                             {.model = "a", .ground = anim::GroundRule::feet}};
+  EXPECT_EQ(options.placements, expected);
+}
+
 TEST(DemoOptions, SayHowMuchMemoryReadingTakes) {
   EXPECT_EQ(demo("").reading.memory_limit, 0U) << "as the import says";
   EXPECT_EQ(demo("--memory-limit 2GB").reading.memory_limit, 2'000'000'000U);

@@ -31,7 +31,7 @@ double times_as_bright(std::uint32_t shade, unsigned channel) {
   return 1.0 + static_cast<double>(render::shade_reach) * static_cast<std::int8_t>(shade >> 8U * channel) / 127.0;
 }
 
-Crowd crowd_of(const CharacterRoles& character, std::uint32_t seed = 1, bool variety = true) {
+Crowd crowd_of(const CharacterRoles& character, std::uint32_t seed = 1, const Variety& variety = {}) {
   return Crowd(Scene::plaza, 2000, seed, {&character, 1}, variety);
 }
 
@@ -88,12 +88,45 @@ TEST(Variety, OfCharactersWithTintRegionsIsInTheirClothes) {
 
 TEST(Variety, OffMakesAllOfOneCharacterAlike) {
   for (const CharacterRoles& character : {person(), painted()}) {
-    const Crowd crowd = crowd_of(character, 1, false);
+    const Crowd crowd = crowd_of(character, 1, {.differs = false});
     EXPECT_THAT(crowd.scales(), Each(1.0F));
     EXPECT_THAT(crowd.shades(), Each(0U));
     EXPECT_THAT(crowd.tints(), Each(crowd.tints()[0]));
     EXPECT_THAT(crowd.variants(), Each(Variant()));
   }
+}
+
+float largest_difference_in_size(const Crowd& crowd) {
+  float largest = 0.0F;
+  for (const float scale : crowd.scales()) largest = std::max(largest, std::abs(scale - 1.0F));
+  return largest;
+}
+
+TEST(Variety, InSizeIsAsMuchAsWanted) {
+  for (const CharacterRoles& character : {person(), painted()}) {
+    EXPECT_EQ(largest_difference_in_size(crowd_of(character, 1, {.size = 0.0F})), 0.0F);
+    const float usual = largest_difference_in_size(crowd_of(character));
+    EXPECT_NEAR(largest_difference_in_size(crowd_of(character, 1, {.size = 0.3F})), 3.0F * usual, 1e-5F);
+  }
+}
+
+TEST(Variety, InColoursIsAsMuchAsWanted) {
+  EXPECT_THAT(crowd_of(painted(), 1, {.tint = 0.0F}).shades(), Each(0U));
+  const Crowd alike = crowd_of(person(), 1, {.tint = 0.0F});
+  EXPECT_THAT(alike.tints(), Each(alike.tints()[0]));
+  EXPECT_NE(alike.variants()[0], alike.variants()[1]) << "shapes differ as before";
+  const Crowd full = crowd_of(painted()), half = crowd_of(painted(), 1, {.tint = 0.5F});
+  for (std::size_t agent = 0; agent < full.size(); ++agent) {
+    const double far = times_as_bright(full.shades()[agent], 0) - 1.0;
+    EXPECT_NEAR(times_as_bright(half.shades()[agent], 0) - 1.0, far / 2.0, 0.01) << agent;
+  }
+}
+
+TEST(Variety, OfColoursDoesNotChangeSizesAndTheOtherWayRound) {
+  const Crowd usual = crowd_of(painted()), pale = crowd_of(painted(), 1, {.tint = 0.2F}),
+              large = crowd_of(painted(), 1, {.size = 0.3F});
+  EXPECT_TRUE(std::ranges::equal(usual.scales(), pale.scales()));
+  EXPECT_TRUE(std::ranges::equal(usual.shades(), large.shades()));
 }
 
 TEST(Variety, EntersTheSpeedSoThatFeetDoNotSlide) {

@@ -255,7 +255,7 @@ TEST_F(DisplacedBone, IsOffByAsManyPixelsAsTheDistanceCovers) {
 
 // Half of the limit of one pixel is the mesh's: 100 pixels tall, it may be off by 0.005 of the height.
 TEST_F(DisplacedBone, AddsTheErrorOfTheMeshThatItIsDrawnWith) {
-  mesh_lods_.set(0, {0.0F, 0.004F, 0.02F});
+  mesh_lods_.set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}});
   EXPECT_FLOAT_EQ(error_of({}), 0.4F);
   EXPECT_EQ(meter_.pose_figures().max, 0.0F);
   tuning_.mesh_lod = 2;

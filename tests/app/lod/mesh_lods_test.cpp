@@ -10,14 +10,14 @@ namespace {
 
 class ChosenMeshes : public testing::Test {
  protected:
-  ChosenMeshes() { lods_.set(0, {0.0F, 0.004F, 0.02F}); }
+  ChosenMeshes() { lods_.set(0, {{}, {0.004F, 0.002F}, {0.02F, 0.006F}}); }
 
   std::vector<CharacterSource> characters_ = std::vector<CharacterSource>(2);
   MeshLods lods_{characters_};
   Tuning tuning_{.error_px = 1.0F};
 };
 
-TEST_F(ChosenMeshes, AreTheCoarsestThatAreOffByHalfOfTheLimitAtMost) {
+TEST_F(ChosenMeshes, AreTheCoarsestThatAreOffByHalfAPixelAtMost) {
   EXPECT_EQ(lods_.choose(tuning_, 0, 1000.0F), 0);
   EXPECT_EQ(lods_.choose(tuning_, 0, 126.0F), 0);
   EXPECT_EQ(lods_.choose(tuning_, 0, 124.0F), 1);
@@ -27,11 +27,16 @@ TEST_F(ChosenMeshes, AreTheCoarsestThatAreOffByHalfOfTheLimitAtMost) {
   EXPECT_FLOAT_EQ(lods_.error_px(0, 1, 124.0F), 0.496F);
 }
 
-TEST_F(ChosenMeshes, FollowTheLimit) {
+TEST_F(ChosenMeshes, FollowTheirLimit) {
+  tuning_.mesh_error_px = 0.25F;
+  EXPECT_EQ(lods_.choose(tuning_, 0, 63.0F), 0);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 62.0F), 1);
+  tuning_.mesh_error_px = 2.0F;
+  EXPECT_EQ(lods_.choose(tuning_, 0, 124.0F), 1) << "half of the limit on all errors is the most";
   tuning_.error_px = 4.0F;
-  EXPECT_EQ(lods_.choose(tuning_, 0, 499.0F), 1);
-  tuning_.error_px = 0.0F;  // a budget without a limit: the usual one
-  EXPECT_EQ(lods_.choose(tuning_, 0, 1000.0F), 0);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 249.0F), 1);
+  tuning_.error_px = 0.0F;  // a budget without a limit
+  EXPECT_EQ(lods_.choose(tuning_, 0, 249.0F), 1);
 }
 
 TEST_F(ChosenMeshes, AreTheFixedOneWhereTheTuningHasOne) {
@@ -41,9 +46,32 @@ TEST_F(ChosenMeshes, AreTheFixedOneWhereTheTuningHasOne) {
   EXPECT_EQ(lods_.choose(tuning_, 0, 1000.0F), 2) << "the coarsest that there is";
 }
 
-TEST_F(ChosenMeshes, MayBeOffByMoreWhereAProcessorDraws) {
+TEST_F(ChosenMeshes, MayBeOffByMoreWhereAProcessorDrawsButForTheFace) {
   lods_.allow_more(3.0F);
-  EXPECT_EQ(lods_.choose(tuning_, 0, 374.0F), 1);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 99.0F), 1);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 74.0F), 2);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 249.0F), 1);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 251.0F), 0) << "the face would be off by more than half a pixel";
+}
+
+TEST_F(ChosenMeshes, KeepTheFaceOfWhoIsAHundredPixelsTallUnderAnyLimit) {
+  tuning_ = {.error_px = 100.0F, .mesh_error_px = 50.0F};
+  lods_.allow_more(3.0F);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 99.0F), 2);
+  EXPECT_EQ(lods_.choose(tuning_, 0, 100.0F), 1);
+}
+
+TEST_F(ChosenMeshes, AreSaidByTheHeightBelowWhichTheyAreFineEnough) {
+  for (const float times : {1.0F, 3.0F, 100.0F}) {
+    lods_.allow_more(times);
+    const MeshTolerance tolerance = lods_.tolerance(tuning_);
+    for (float tall = 2.0F; tall < 2000.0F; tall *= 1.01F) {
+      const auto lod = static_cast<std::size_t>(lods_.choose(tuning_, 0, tall));
+      EXPECT_LE(tall, fine_below(lods_.shares(0)[lod], tolerance) * 1.0001F);
+      if (lod == 2) continue;
+      EXPECT_GE(tall, fine_below(lods_.shares(0)[lod + 1], tolerance) * 0.9999F);
+    }
+  }
 }
 
 TEST_F(ChosenMeshes, OfACharacterWithoutLodsAreTheFullOne) {

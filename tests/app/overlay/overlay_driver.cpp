@@ -60,6 +60,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
+    if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
     add(all.viewer, commands.viewer);
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);

@@ -23,6 +23,10 @@ class OverlayDriver {
   OverlayCommands press(Key key);
   void type(const std::string& text);
   void point_at(float x, float y);
+  /// Points at a share of the width of a widget.
+  void point_at(const std::string& widget, float share);
+  /// Presses or lets go of the left button.
+  void button(bool down);
 
   [[nodiscard]] bool sees(const std::string& widget) const { return overlay.ui_map().find(widget) != nullptr; }
 
@@ -31,10 +35,6 @@ class OverlayDriver {
   Tuning tuning;
   std::string clipboard;
   InputQueue input;
-
- private:
-  void point_at(const std::string& widget, float share);
-  void button(bool down);
 };
 
 /// Returns a report that has everything that the overlay can show.

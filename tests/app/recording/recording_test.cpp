@@ -72,6 +72,7 @@ class Recordings : public test::TemporaryFolder {
     (*writer)->add(RecordedRewind{});
     (*writer)->add(RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
     (*writer)->add(RecordedRig{.character = 0, .choices = *person().rig});
+    (*writer)->add(RecordedPlacement{.character = 0, .choice = person().placement});
     (*writer)->add(RecordedCharacters{{person(), person()}});
     (*writer)->add(frame(anim::Ticks{}), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
@@ -129,6 +130,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   EXPECT_THAT(order.choice.bones, ElementsAre(1, 0));
   EXPECT_THAT(order.choice.level_counts, ElementsAre(2, 1));
   EXPECT_EQ(asked<RecordedRig>(reader).choices, person().rig);
+  EXPECT_EQ(asked<RecordedPlacement>(reader).choice, person().placement);
   EXPECT_THAT(asked<RecordedCharacters>(reader).characters, ElementsAre(person(), person()));
   EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, anim::Ticks{});
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));

@@ -59,7 +59,7 @@ LodInForce by_distance() {
 
 TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
   const std::vector<LodLevel> levels = lod_levels(mannequin());
-  const std::vector<MeshLevel> meshes{{1000, 0.0F}, {250, 0.09F}};
+  const std::vector<MeshLevel> meshes{{1000, {}}, {250, {0.09F, 0.03F}}};
   const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, meshes, by_distance()));
   const anim::Skeleton& skeleton = mannequin().character->skeleton;
   ASSERT_EQ(json["bones"].size(), skeleton.bones.size());

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/character/load_options.h"
+#include "app/character/source.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Returns what is asked of the size and place of a file, "FILE" or "FILE#SKIN".
+anim::PlacementChoice placement_for(const std::string& file, const LoadOptions& options);
+
+/// Errors: a placement is asked for a model that is not among the characters. The error names those that are.
+anim::Status check_placed_models(std::span<const ModelPlacement> placements,
+                                 std::span<const CharacterSource> characters);
+
+}  // namespace throng::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/lod/mesh_lods.h"
+
+namespace throng::app {
+
+/// A mesh LOD of the character shown.
+struct MeshLodRow {
+  std::uint32_t triangles = 0;
+  float error_mm = 0, face_error_mm = 0;
+  float below_px = 0;  ///< height on screen below which it is drawn, where the error decides; infinity: always
+  int agents = 0;      ///< in view, drawn with it
+};
+
+/// What meshes the character shown is drawn with, and why.
+struct MeshReport {
+  MeshTolerance tolerance;
+  bool is_spared = false;        ///< a processor draws, so all but faces may be off by more
+  std::vector<MeshLodRow> lods;  ///< the full mesh first; empty where nothing is drawn
+};
+
+}  // namespace throng::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/settings/option_values.h"
+
+namespace throng::app {
+
+/// These read VALUE, for all models, or NAME=VALUE, for the model of that name, with commas between several. A name is
+/// that of a file, with or without its ending, or of a character. A value for one model wins over that for all.
+ValueReader model_scales(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+ValueReader model_up_axes(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+ValueReader model_grounds(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+
+/// These two read a value for all models.
+ValueReader up_axis(anim::UpAxis& target);
+ValueReader ground_rule(anim::GroundRule& target);
+
+}  // namespace throng::app

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace throng::render {
+
+/// What a coarser mesh is off, in metres, as MeshErrorMeter measures it.
+struct MeshError {
+  float surface = 0.0F;  ///< anywhere
+  float face = 0.0F;     ///< on faces alone; the same where no face is known
+
+  friend bool operator==(const MeshError&, const MeshError&) = default;
+};
+
+}  // namespace throng::render

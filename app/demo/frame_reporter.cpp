@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/demo/selection_reporter.h"
+#include "app/demo/window_camera.h"
 #include "engine/anim/base/cores.h"
 
 namespace throng::app {
@@ -119,6 +120,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.notice = notice;
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
+  report_cameras(show, report_.cameras);
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
   report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());

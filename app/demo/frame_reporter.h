@@ -32,6 +32,10 @@ class FrameReporter {
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
+  /// Reports a replay.
+  void report_replay(const ReplayReport& replay) { report_.replay = replay; }
+  /// Returns what is reported of the cameras.
+  CameraReport& cameras() { return report_.cameras; }
   /// Reports the camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 

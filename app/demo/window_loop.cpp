@@ -7,13 +7,14 @@
 #include "app/demo/frame_reporter.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/unkept_values.h"
+#include "app/demo/window_camera.h"
 #include "app/demo/window_input.h"
+#include "app/demo/window_replay.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/preset.h"
 #include "app/show/kept_choices.h"
-#include "app/view/fly_camera.h"
 #include "engine/files/output_file.h"
 
 namespace throng::app {
@@ -27,14 +28,14 @@ class WindowLoop {
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : show_(show),
         options_(options),
-        replay_(replay),
         tuning_(show.stage().tuning()),
         accepted_(tuning_),
         unkept_(tuning_),
         input_(show.painter().context().window()),
         overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
-        fly_camera_(place_of(show.camera)),
+        camera_(show),
         reporter_(show) {
+    if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
     reporter_.set_preset_names(preset_names());
     show_.keep_moments();
@@ -47,7 +48,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    return failed_;
+    return failed_ && replay_ ? replay_->outcome() : failed_;
   }
 
  private:
@@ -69,41 +70,42 @@ class WindowLoop {
     const InputFrame& input = input_.next_frame();
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
-    if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
-    reporter_.see_from(fly_camera_.place());
+    if (!replay_) fly(input, static_cast<float>(seconds));
+    reporter_.see_from(camera_.place());
+    camera_.report(reporter_.cameras());
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
     show_.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
-    if (replay_ != nullptr) {
-      repeat();
+    if (replay_) {
+      repeat(commands.replay, seconds);
     } else {
       obey(commands);
       apply_what_is_wanted(commands.exact_crowd);
-      show_.camera = fly_camera_.camera();
+      camera_.hand_over(show_);
       show_.animate(step(seconds, commands.step));
       measure_for_sweep();
     }
-    if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
+    camera_.take_back(show_);
     present();
     if (commands.screenshot) take_screenshot();
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
-    reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
+    reporter_.update(show_, camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
     if (!show_.recording_outcome()) notice_ = show_.recording_outcome().error().message;
     done_ = done_ || (commands.quit && may_leave()) || input_.asked_to_close() || asked_to_stop() != 0;
   }
 
   bool may_leave() {
-    if (replay_ != nullptr || !unkept_.ask_about(tuning_)) return true;
+    if (replay_ || !unkept_.ask_about(tuning_)) return true;
     notice_ = "The values are in no preset. Esc leaves them behind; the tab Presets keeps them.";
     overlay_.set_hidden(false);  // which shows the notice
     return false;
   }
 
   // What was recorded happens, and nothing else.
-  void repeat() {
-    const anim::Result<bool> repeated = replay_->step(show_);
-    if (!repeated) failed_ = repeated.error();
-    done_ = !repeated || !*repeated;
+  void repeat(const ReplayCommands& commands, double seconds) {
+    replay_->obey(commands);
+    replay_->advance(show_, seconds);
+    reporter_.report_replay(replay_->report());
     tuning_ = show_.stage().tuning();
   }
 
@@ -126,11 +128,9 @@ class WindowLoop {
     return file;
   }
 
-  // Whoever takes the camera in hand has it from then on.
   void fly(const InputFrame& input, float seconds) {
-    const render::Camera before = fly_camera_.camera();
-    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
-    if (fly_camera_.camera() != before) show_.films = false;
+    const FlyControls free{.pointer_free = !overlay_.uses_pointer(), .keyboard_free = !overlay_.uses_keyboard()};
+    camera_.steer(show_, input, free, seconds);
   }
 
   anim::Ticks step(double seconds, bool single) const {
@@ -196,12 +196,8 @@ class WindowLoop {
   }
 
   void obey(const OverlayCommands& commands) {
-    if (commands.frame_crowd) {
-      show_.films = false;
-      const CrowdSphere crowd = bounding_sphere(show_.stage().crowd());
-      const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
-      fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
-    }
+    if (commands.frame_crowd) camera_.frame_crowd(overlay_.crowd_area(), show_);
+    camera_.obey(commands.cameras, show_);
     if (commands.select_at) show_.hands().select_at(commands.select_at->x, commands.select_at->y);
     if (commands.deselect) show_.hands().select({});
     if (commands.push_over) {
@@ -218,7 +214,7 @@ class WindowLoop {
     obey_bone_lod(commands, character);
     if (commands.record) toggle_recording();
     if (commands.character) reporter_.describe_character(show_, *commands.character);
-    if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
+    if (commands.copy_camera) copy(camera_option(camera_.place()));
     if (commands.reload_shaders) reload_shaders();
   }
 
@@ -234,7 +230,7 @@ class WindowLoop {
   void obey_presets(const OverlayCommands& commands) {
     if (commands.save_preset) {
       const std::filesystem::path file = preset_file(*commands.save_preset);
-      const anim::Status written = write_preset(file, {tuning_, fly_camera_.place()});
+      const anim::Status written = write_preset(file, {tuning_, camera_.place()});
       notice_ = written ? "Wrote " + file.string() : written.error().message;
       if (written) unkept_.keep(tuning_);
     }
@@ -245,7 +241,7 @@ class WindowLoop {
       notice_ = failed ? preset_file(*commands.delete_preset).string() + ": " + failed.message() : "";
     }
     if (commands.save_preset || commands.delete_preset) reporter_.set_preset_names(preset_names());
-    if (commands.copy_command_line) copy(command_line(tuning_, Tuning(), fly_camera_.place()));
+    if (commands.copy_command_line) copy(command_line(tuning_, Tuning(), camera_.place()));
   }
 
   void load_preset(const std::filesystem::path& file) {
@@ -256,9 +252,7 @@ class WindowLoop {
     tuning_ = preset->tuning;
     tuning_.inspection = look;
     unkept_.keep(tuning_);
-    if (!preset->camera) return;
-    show_.films = false;
-    fly_camera_.set_camera(camera_at(*preset->camera));
+    if (preset->camera) camera_.put(*preset->camera, show_);
   }
 
   void copy(const std::string& options) {
@@ -317,16 +311,16 @@ class WindowLoop {
 
   Show& show_;
   const DemoOptions& options_;
-  Replay* replay_;  // null: people say what happens
   Tuning tuning_;
   Tuning accepted_;  // the last that could be
   UnkeptValues unkept_;
   WindowInput input_;
   Overlay overlay_;
-  FlyCamera fly_camera_;
+  WindowCamera camera_;
   FrameReporter reporter_;
   TuningSweep sweep_;
   Clock::time_point last_frame_ = Clock::now();
+  std::optional<WindowReplay> replay_;  // none: people say what happens
   std::string notice_;
   std::string recording_;  // its file
   anim::Status failed_ = anim::Done{};

@@ -15,6 +15,7 @@
 
 #include "app/overlay/cards.h"
 #include "app/overlay/hotkeys.h"
+#include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
@@ -188,6 +189,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value()}, state.switches, tuning,
                   commands);
+    if (report.replay) apply_replay_keys(state.input, commands.replay);
     if (std::ranges::count(state.input.pressed, Key::b) > 0) state.memory.pair.change_places(tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
@@ -198,6 +200,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
         show_notices(state.widgets, layout.crowd, notices_of(report, tuning, commands.exact_crowd, state.theme));
     show_frame_strip(state.widgets, layout.strip, report);
     state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands, state.memory});
+    if (report.replay) show_replay_bar(state.widgets, layout.crowd, *report.replay, commands.replay);
     if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
     if (state.switches.help) show_help_card(state.widgets, layout.crowd);
   }

@@ -82,6 +82,19 @@ Json body_json(const BodyParts& body) {
   return {{"said", rig_json(body.said)}, {"follows", body.follows}, {"refusal", body.refusal}};
 }
 
+Json replay_json(const std::optional<ReplayReport>& replay) {
+  if (!replay) return nullptr;
+  return {{"frame", replay->frame},   {"frames", replay->frames},   {"sought", replay->sought.value_or(0)},
+          {"paused", replay->paused}, {"loops", replay->loops},     {"speed", replay->speed},
+          {"ended", replay->ended},   {"differs", replay->differs}, {"outcome", replay->outcome}};
+}
+
+Json cameras_json(const CameraReport& cameras) {
+  Json kept = Json::array();
+  for (const bool each : cameras.kept) kept.push_back(each);
+  return {{"films", cameras.films}, {"follows", cameras.follows}, {"fly_speed", cameras.fly_speed}, {"kept", kept}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -105,6 +118,8 @@ Json report_json(const FrameReport& report) {
           {"timeline_frames", report.timeline.size()},
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
+          {"cameras", cameras_json(report.cameras)},
+          {"replay", replay_json(report.replay)},
           {"selected", selected_json(report.selected)}};
 }
 

@@ -99,8 +99,12 @@ class ButtonRow {
   ButtonRow(Widgets& widgets, int count);
   /// Shows the next button to the right. Returns whether it was pressed.
   bool button(const char* label, const Help& help, bool enabled = true);
+  /// Shows the next one under a name of its own, with a line under its words if it is `marked`.
+  bool marked_button(const char* words, const std::string& name, const Help& help, bool marked);
 
  private:
+  void go_right();
+
   Widgets& widgets_;
   float width_;
   bool begun_ = false;

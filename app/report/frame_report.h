@@ -10,6 +10,8 @@
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
 #include "app/lod/lod_thresholds.h"
+#include "app/report/camera_report.h"
+#include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/settings.h"
@@ -99,6 +101,8 @@ struct FrameReport {
   std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
   SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
   CameraPlace camera;
+  CameraReport cameras;
+  std::optional<ReplayReport> replay;       ///< a recording is repeated
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
   float snapshot_seconds = 0;               ///< seconds back to the newest of them
@@ -137,6 +141,8 @@ struct OverlayCommands {
   bool step = false;                      ///< one frame onwards, while paused
   bool frame_crowd = false;               ///< key F
   bool copy_camera = false;               ///< key C
+  CameraCommands cameras;
+  ReplayCommands replay;
   bool screenshot = false;                ///< key F12
   bool reload_shaders = false;            ///< key F5
   bool record = false;                    ///< key R: begins or ends a recording

@@ -10,6 +10,7 @@
 #include "app/figures/run_figures.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
+#include "app/show/camera_guide.h"
 #include "app/show/hands.h"
 #include "app/show/painter.h"
 #include "app/show/starting_characters.h"
@@ -25,7 +26,8 @@ class Show {
  public:
   static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error);
 
-  /// Takes new values at a frame boundary. Errors: they cannot be; then nothing has changed.
+  /// Takes new values at a frame boundary. Another scene brings its own camera. Errors: they cannot be; then nothing
+  /// has changed.
   anim::Status apply(const Tuning& tuning);
 
   /// Gives everyone other characters, those of files and folders that came together (load_dropped), at a frame
@@ -59,6 +61,10 @@ class Show {
   /// Draws the frame that was animated last. Errors: those of Painter::draw.
   anim::Status draw() { return painter_->draw(*stage_, {camera, frozen_camera_, width, height}, figures_); }
 
+  /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of apply(); then
+  /// nothing has changed.
+  anim::Status begin_anew(const Tuning& tuning);
+
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
   anim::Status start_recording(const std::filesystem::path& file);
@@ -78,6 +84,7 @@ class Show {
 
   render::Camera camera;
   bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
+  CameraGuide guide;   ///< moves `camera` where nobody flies it
   int width = 0;
   int height = 0;
   /// Says in lines for people what they would not expect (app/figures/notices.h); may be empty.
@@ -88,7 +95,6 @@ class Show {
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
   void update_notice();
-  void film();
   void freeze_lod_camera();
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
@@ -101,8 +107,6 @@ class Show {
   std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
-  CameraPath path_ = CameraPath::none;
-  render::Camera path_start_;
 };
 
 }  // namespace throng::app

@@ -26,7 +26,7 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   Tuning tuning = show.stage().tuning();
   FrameReporter reporter(show);
   reporter.update(show, place_of(show.camera),
-                  show.figures().times().animation_ms + show.figures().times().drawing_ms(), show.notice);
+                  show.figures().times().animation_ms + show.figures().times().drawing_ms());
   if (options.ui_fixed) {
     const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
     if (!figures) return figures.error();

@@ -108,7 +108,7 @@ void FrameReporter::describe_bones(const anim::Character& character) {
   }
 }
 
-void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
+void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms) {
   const anim::AnimationSystem& system = show.stage().system();
   if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
     describe_characters(show);  // a replay has others from here on
@@ -117,7 +117,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
     describe_character(show, report_.character);  // here too
   }
   ++report_.frame;
-  report_.notice = notice;
+  report_.notice = show.notice;
+  if (!show.is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_cameras(show, report_.cameras);

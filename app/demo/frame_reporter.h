@@ -28,7 +28,13 @@ class FrameReporter {
   void refuse_body(const NewBody& asked, const std::string& why);
 
   /// Reports a frame that was animated and drawn. `frame_ms` is the time from its start to its end.
-  void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
+  void update(const Show& show, const CameraPlace& camera, double frame_ms);
+  /// Reports a recording that begins, until the show records no more.
+  void report_recording(const std::string& file) {
+    report_.recording = {.file = file, .began_at = report_.messages.now()};
+  }
+  /// Returns what the person is told.
+  Messages& messages() { return report_.messages; }
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }

@@ -35,6 +35,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_E, Key::e},
     {GLFW_KEY_F, Key::f},
     {GLFW_KEY_G, Key::g},
+    {GLFW_KEY_L, Key::l},
     {GLFW_KEY_P, Key::p},
     {GLFW_KEY_Q, Key::q},
     {GLFW_KEY_R, Key::r},

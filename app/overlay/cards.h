@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "app/overlay/widgets.h"
@@ -11,19 +10,16 @@ namespace throng::app {
 /// Shows the strip below the crowd: the cost of the last frame, and of the frames before it.
 void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report);
 
-struct Notice {
-  ImU32 colour = 0;
-  std::string words;
-};
+/// Shows the keys and explains every word of the panel; those that have the letters of `searched`, which the person
+/// edits there. Returns whether the person closed the card.
+bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 
-/// Shows the notices at the top of the crowd, one below the other. Returns the y below the last of them.
-float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices);
+/// Shows what the person was told so far, the newest first. Returns whether the person closed the card.
+bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
-/// Shows the keys and the words, in the middle of the crowd.
-void show_help_card(Widgets& widgets, const Area& crowd);
-
-/// Shows what the selected agent does, and the graph of entities that makes its pose. The card is in the upper left of
-/// `place`, where there is mostly sky.
+/// Shows what the selected agent does, and the end of the graph of entities that makes its pose, as far as there is
+/// room. The card begins in the upper left
+/// of `place`, where there is mostly sky. Closing it deselects the agent.
 void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
                          OverlayCommands& commands);
 
@@ -35,6 +31,6 @@ std::string place_in_clip(const EntityRow& row);
 void show_head_labels(Widgets& widgets, const Area& crowd, const FrameReport& report);
 
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
-void begin_fixed_window(const char* name, const Area& place, float rounding = 0);
+void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);
 
 }  // namespace throng::app

@@ -12,6 +12,8 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Overla
   if (open.list) return;
   if (switches.help && !switches.hidden) {
     switches.help = false;
+  } else if (switches.log && !switches.hidden) {
+    switches.log = false;
   } else if (open.selection) {
     commands.deselect = true;
   } else {
@@ -39,6 +41,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
     if (key == Key::space) tuning.paused = !tuning.paused;
     if (key == Key::tab) switches.hidden = !switches.hidden;
     if (key == Key::f1) switches.help = !switches.help;
+    if (key == Key::l) switches.log = !switches.log;
     commands.frame_crowd |= key == Key::f;
     commands.copy_camera |= key == Key::c;
     commands.record |= key == Key::r;

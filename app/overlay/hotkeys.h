@@ -12,10 +12,11 @@ namespace throng::app {
 struct OverlaySwitches {
   bool hidden = false;
   bool help = false;
+  bool log = false;  ///< of messages
 };
 
-/// Says what is open while keys are pressed. Esc closes it from the top down: a list, then the help, then the card of
-/// the selected agent.
+/// Says what is open while keys are pressed. Esc closes it from the top down: a list, the help, the log of messages,
+/// the card of the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;

@@ -6,10 +6,8 @@
 #include <cstddef>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <imgui.h>
 
@@ -101,24 +99,6 @@ Layout lay_out(const Theme& theme, ImVec2 size) {
           .column = {.from = {column_x, 0}, .to = size}};
 }
 
-std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, bool exact, const Theme& theme) {
-  std::vector<Notice> notices;
-  const auto add_if = [&](bool holds, ImU32 ink, const char* words) {
-    if (holds) notices.push_back({ink, words});
-  };
-  std::istringstream lines(report.notice);
-  for (std::string line; std::getline(lines, line);) add_if(true, colour::changed, line.c_str());
-  add_if(theme.fonts_missing, colour::changed, "The overlay's fonts cannot be read in the data folder.");
-  add_if(tuning.inspection.freeze_camera, colour::accent, "Level of detail goes on from where the camera was frozen.");
-  add_if(tuning.inspection.split == Split::shown, colour::accent,
-         "Left of the line the exact crowd, right of it as it is shown.");
-  add_if(tuning.inspection.split == Split::difference, colour::accent,
-         "Left of the line the exact crowd, right of it the difference, times 8.");
-  add_if(tuning.paused, colour::frame, "Paused. Space goes on.");
-  add_if(exact, colour::accent, "The exact crowd, while X is held.");
-  return notices;
-}
-
 using Context = std::unique_ptr<ImGuiContext, decltype(&ImGui::DestroyContext)>;
 
 // ImGui writes to what it asks for without a look, so memory that is not there has to be an exception.
@@ -143,7 +123,7 @@ struct Overlay::State {
   std::size_t tab = 0;
   TabMemory memory;
 
-  void show_header(const Area& column) const;
+  void show_header(const Area& column);
   void show_tab_bar(const Area& column);
   void show_column(const Area& column, const TabContext& context_of_tab);
 };
@@ -195,14 +175,17 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
     show_head_labels(state.widgets, layout.crowd, report);
+    const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
     Area below_notices = layout.crowd;
-    below_notices.from.y =
-        show_notices(state.widgets, layout.crowd, notices_of(report, tuning, commands.exact_crowd, state.theme));
+    below_notices.from.y = show_notices(context, layout.crowd);
     show_frame_strip(state.widgets, layout.strip, report);
-    state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands, state.memory});
+    state.show_column(layout.column, context);
     if (report.replay) show_replay_bar(state.widgets, layout.crowd, *report.replay, commands.replay);
     if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
-    if (state.switches.help) show_help_card(state.widgets, layout.crowd);
+    if (state.switches.log && show_log_card(state.widgets, layout.crowd, report.messages)) state.switches.log = false;
+    if (state.switches.help && show_help_card(state.widgets, layout.crowd, state.memory.searched_help)) {
+      state.switches.help = false;
+    }
   }
   ImGui::Render();
   state.map.tab = tabs.at(state.tab).name;
@@ -213,10 +196,22 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   return commands;
 }
 
-void Overlay::State::show_header(const Area& column) const {
+void Overlay::State::show_header(const Area& column) {
   const float y = column.from.y + theme.px(11);
   draw_text(theme.strong, {column.from.x + theme.px(16), y}, colour::text, "Throng");
-  draw_text(theme.small, {column.to.x - theme.px(16), y + theme.px(1)}, colour::faint, "F1 help   Tab hide", 1);
+  float right = column.to.x - theme.px(16);
+  const auto word = [&](const char* words) {
+    const float width = text_width(theme.small, words);
+    const Area place{.from = {right - width, column.from.y + theme.px(6)}, .to = {right, column.from.y + theme.px(32)}};
+    const bool clicked = widgets.clickable(std::string("header:") + words, place);
+    draw_text(theme.small, {place.from.x, y + theme.px(1)}, ImGui::IsItemHovered() ? colour::text : colour::faint,
+              words);
+    right = place.from.x - theme.px(14);
+    return clicked;
+  };
+  if (word("Hide (Tab)")) switches.hidden = true;
+  if (word("Help (F1)")) switches.help = !switches.help;
+  if (word("Messages (L)")) switches.log = !switches.log;
 }
 
 void Overlay::State::show_tab_bar(const Area& column) {

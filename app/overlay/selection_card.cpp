@@ -2,15 +2,15 @@
 #include <array>
 #include <cmath>
 
+#include "app/overlay/card.h"
 #include "app/overlay/cards.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float widest_card = 620, card_margin = 14, card_gap = 12;
-constexpr float title_height = 25, text_height = 19, entity_height = 18, button_height = 34;
-constexpr std::size_t most_rows = 16;  // a longer graph shows its end, which is nearest to the pose
+constexpr float widest_card = 540, card_margin = 14, card_gap = 12;
+constexpr float text_height = 19, entity_height = 18, foot_height = 32;
 
 struct Column {
   const char* title;
@@ -77,17 +77,14 @@ std::string blocks(const SelectionReport& selected) {
 }
 
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {
-  ImVec2 at(card.from.x + theme.px(card_margin), card.from.y + theme.px(card_margin - 3));
-  const float right = card.to.x - theme.px(card_margin);
-  draw_text(theme.strong, at, colour::accent, "Agent " + with_thousands(selected.agent));
-  draw_text(theme.regular, {right, at.y}, colour::text, doing(selected), 1);
-  at.y += theme.px(title_height);
+  ImVec2 at(card.from.x + theme.px(card_margin), card.from.y + theme.px(4));
   draw_text(theme.small, at, colour::dim, whereabouts(selected));
-  draw_text(theme.small, {right, at.y}, colour::dim, detail(selected), 1);
-  return at.y + theme.px(text_height + 4);
+  at.y += theme.px(text_height);
+  draw_text(theme.small, at, colour::dim, detail(selected));
+  return at.y + theme.px(text_height + 2);
 }
 
-float draw_graph(Widgets& widgets, const Area& card, float y, const SelectionReport& selected) {
+float draw_graph(Widgets& widgets, const Area& card, float y, std::size_t rows, const SelectionReport& selected) {
   const Theme& theme = widgets.theme();
   Area row{.from = {card.from.x + theme.px(card_margin), y},
            .to = {card.to.x - theme.px(card_margin), y + theme.px(entity_height)}};
@@ -96,25 +93,26 @@ float draw_graph(Widgets& widgets, const Area& card, float y, const SelectionRep
   std::ranges::transform(columns, titles.begin(), &Column::title);
   draw_row(theme, row, colour::faint, titles);
   next();
-  const std::size_t count = selected.entities.size(), first = count - std::min(count, most_rows);
-  for (std::size_t i = first; i < count; ++i, next()) {
+  for (std::size_t i = selected.entities.size() - rows; i < selected.entities.size(); ++i, next()) {
     const EntityRow& entity = selected.entities[i];
     draw_row(theme, row, entity.weight > 0 ? colour::text : colour::dim, cells_of(entity));
     widgets.record("Entity " + std::to_string(i), row);
   }
-  draw_text(theme.small, {row.from.x, row.from.y + theme.px(3)}, colour::dim, blocks(selected));
-  return row.to.y + theme.px(6);
+  return row.from.y + theme.px(5);
 }
 
-void show_buttons(Widgets& widgets, ImVec2 at, const SelectionReport& selected, OverlayCommands& commands) {
-  const float width = widgets.theme().px(120);
-  ImGui::SetCursorScreenPos(at);
+void show_foot(Widgets& widgets, const Area& card, float y, const SelectionReport& selected,
+               OverlayCommands& commands) {
+  const Theme& theme = widgets.theme();
+  const float width = theme.px(92), gap = theme.px(8), right = card.to.x - theme.px(card_margin);
+  draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, blocks(selected));
+  ImGui::SetCursorScreenPos({right - 2 * width - gap, y});
   ImGui::BeginDisabled(!selected.can_fall);
   commands.push_over |= widgets.button(
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
       width);
   ImGui::EndDisabled();
-  ImGui::SameLine(0, widgets.theme().px(8));
+  ImGui::SameLine(0, gap);
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }
 
@@ -128,18 +126,21 @@ std::string place_in_clip(const EntityRow& row) {
 void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
                          OverlayCommands& commands) {
   const Theme& theme = widgets.theme();
-  const auto rows = static_cast<float>(std::min(selected.entities.size(), most_rows) + 1);
-  const float height =
-      theme.px(2 * card_margin + title_height + text_height + 1 + entity_height * (rows + 1) + 6 + button_height);
   const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
-  const ImVec2 from(place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap));
-  const Area card{.from = from, .to = {from.x + width, from.y + height}};
-  begin_fixed_window("Selected", card, theme.px(10));
-  widgets.record("Selected", card);
-  const float y = draw_words(theme, card, selected);
-  const float below = draw_graph(widgets, card, y, selected);
-  show_buttons(widgets, {card.from.x + theme.px(card_margin), below}, selected, commands);
-  ImGui::End();
+  const float without_rows = theme.px(4 + 2 * text_height + 2 + entity_height + 5 + foot_height);
+  const float for_rows = Card::most_height(theme, place, width) - without_rows;
+  const auto room = static_cast<std::size_t>(std::max(for_rows / theme.px(entity_height), 0.0F));
+  const std::size_t rows = std::min(selected.entities.size(), room);
+  const Card card(widgets, "Selected", place,
+                  {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
+                   .size = {width, without_rows + static_cast<float>(rows) * theme.px(entity_height)},
+                   .title = "Agent " + with_thousands(selected.agent) + "   " + doing(selected)});
+  commands.deselect |= card.was_closed();
+  if (!card.is_unfolded()) return;
+  const Area content = card.content();
+  const float y = draw_words(theme, content, selected);
+  const float below = draw_graph(widgets, content, y, rows, selected);
+  show_foot(widgets, content, below, selected, commands);
 }
 
 }  // namespace throng::app

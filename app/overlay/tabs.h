@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/overlay/notices.h"
 #include "app/overlay/widgets.h"
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
@@ -17,6 +18,7 @@ namespace throng::app {
 class TuningPair {
  public:
   [[nodiscard]] bool shows_b() const { return shows_b_; }
+  [[nodiscard]] bool has_two() const { return other_.has_value(); }
 
   /// Brings the other tuning into use. The first time it is a copy of the one in use.
   void change_places(Tuning& tuning);
@@ -49,6 +51,8 @@ struct TabMemory {
   float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
   TuningPair pair;                           ///< key B changes their places
+  NoticeMemory notices;
+  std::string searched_help;
   std::string preset_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
 };
 

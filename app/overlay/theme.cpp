@@ -70,13 +70,19 @@ void set_colours(ImGuiStyle& style) {
   set(style, ImGuiCol_ChildBg, 0);
   set(style, ImGuiCol_PopupBg, IM_COL32(26, 30, 37, 248));
   set(style, ImGuiCol_Border, colour::panel_edge);
+  for (const ImGuiCol title : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}) {
+    set(style, title, colour::panel);
+  }
+  set(style, ImGuiCol_Button, 0);  // fold and close, in the title of a card
+  set(style, ImGuiCol_ButtonHovered, colour::well_hovered);
+  set(style, ImGuiCol_ButtonActive, colour::accent_soft);
   set(style, ImGuiCol_FrameBg, colour::well);
   set(style, ImGuiCol_FrameBgHovered, colour::well_hovered);
   set(style, ImGuiCol_FrameBgActive, colour::well_hovered);
-  set(style, ImGuiCol_ScrollbarBg, 0);
-  set(style, ImGuiCol_ScrollbarGrab, IM_COL32(255, 255, 255, 30));
-  set(style, ImGuiCol_ScrollbarGrabHovered, IM_COL32(255, 255, 255, 60));
-  set(style, ImGuiCol_ScrollbarGrabActive, IM_COL32(255, 255, 255, 90));
+  set(style, ImGuiCol_ScrollbarBg, colour::well);
+  set(style, ImGuiCol_ScrollbarGrab, IM_COL32(255, 255, 255, 70));
+  set(style, ImGuiCol_ScrollbarGrabHovered, IM_COL32(255, 255, 255, 110));
+  set(style, ImGuiCol_ScrollbarGrabActive, IM_COL32(255, 255, 255, 150));
   set(style, ImGuiCol_Separator, colour::grid);
   set(style, ImGuiCol_TextSelectedBg, colour::accent_soft);
 }

@@ -87,8 +87,11 @@ bool ButtonRow::button(const char* label, const Help& help, bool enabled) {
 void Widgets::record(const std::string& name, const Area& place) {
   ImRect seen(place.from, place.to);
   seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
-  if (seen.GetWidth() <= 0 || seen.GetHeight() <= 0) return;
-  map_.widgets.emplace_back(name, UiRectangle{seen.Min.x, seen.Min.y, seen.GetWidth(), seen.GetHeight()});
+  if (seen.GetWidth() > 0 && seen.GetHeight() > 0) record_whole(name, {.from = seen.Min, .to = seen.Max});
+}
+
+void Widgets::record_whole(const std::string& name, const Area& place) {
+  map_.widgets.emplace_back(name, UiRectangle{place.from.x, place.from.y, place.width(), place.height()});
 }
 
 bool Widgets::clickable(const std::string& name, const Area& place) {

@@ -69,7 +69,10 @@ class Widgets {
   /// Returns whether a tab or another plain word was clicked. The caller draws it into the rectangle.
   bool clickable(const std::string& name, const Area& place);
   void tooltip(const char* title, const Help& help, const std::string& standard) const;
+  /// Notes a place in the map, as far as the window shows it.
   void record(const std::string& name, const Area& place);
+  /// Notes a place in the map that nothing cuts off.
+  void record_whole(const std::string& name, const Area& place);
 
  private:
   using FieldText = std::array<char, 32>;

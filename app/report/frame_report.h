@@ -11,6 +11,7 @@
 #include "app/character/roles.h"
 #include "app/lod/lod_thresholds.h"
 #include "app/report/camera_report.h"
+#include "app/report/messages.h"
 #include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
@@ -60,6 +61,12 @@ struct CastMember {
   int agents = 0;
 };
 
+/// The recording that goes on.
+struct RecordingReport {
+  std::string file;     ///< empty: nothing is recorded
+  double began_at = 0;  ///< on the clock of the messages
+};
+
 /// All that the overlay shows. The demo fills it once a frame, and the overlay only reads it.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
@@ -67,7 +74,9 @@ struct FrameReport {
   std::vector<CastMember> cast;         ///< [character]
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
-  std::string notice;  ///< lines worth showing, such as what a software renderer turns down; may be empty
+  std::string notice;  ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
+  Messages messages;   ///< what the person was told
+  RecordingReport recording;
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;
   std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240

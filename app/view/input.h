@@ -37,6 +37,7 @@ enum class Key : std::uint8_t {
   e,
   f,
   g,
+  l,
   p,
   q,
   r,

@@ -42,6 +42,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.screenshot |= commands.screenshot;
     all.reload_shaders |= commands.reload_shaders;
     all.quit |= commands.quit;
+    all.record |= commands.record;
     all.save_roles |= commands.save_roles;
     all.save_body |= commands.save_body;
     all.deselect |= commands.deselect;

@@ -39,11 +39,12 @@ Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& 
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushFont(theme.strong);
+  ImFont* const font = ImGui::GetFont();
+  ImGui::SetCurrentFont(theme.strong);  // PushFont and PopFont would be in two windows, each with a texture
   is_unfolded_ = ImGui::Begin(((layout.title.empty() ? name : layout.title) + "###" + name).c_str(), &stays_open_,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                   ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PopFont();
+  ImGui::SetCurrentFont(font);
   ImGui::PopStyleVar(2);
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   const ImVec2 kept = inside_of(crowd, window.Pos, window.Size);

@@ -142,6 +142,7 @@ Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& 
   io.SetClipboardTextFn = write_clipboard;
   for (const auto& [theirs, ours] : edit_keys) io.KeyMap[theirs] = static_cast<int>(ours);
   io.Fonts->Build();
+  io.Fonts->SetTexID(&state_->theme);  // until a renderer has one: with none, ImGui misses text drawn without it
 }
 
 Overlay::~Overlay() = default;

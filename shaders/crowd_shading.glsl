@@ -1,7 +1,7 @@
 // Lights a point of the crowd's surface. Include frame_uniforms.glsl and lighting.glsl before it.
 in vec3 world_position;
 in vec3 world_normal;
-flat in vec4 debug_color;
+in vec4 debug_color;
 
 vec3 facing_normal() { return normalize(gl_FrontFacing ? world_normal : -world_normal); }
 

@@ -7,4 +7,5 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 ray_forward;
   uint now;  // microseconds, modulo 2^32
   float distance_scale;  // the haze is thinner by it
+  uint weighed_entry, weighed_entries;  // palette entries whose weights are shown; 0 entries: none
 };

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/anim/survey/placement_guess.h"
+
 namespace throng::app {
 
 /// The most characters of people in one crowd. A system animates 32; the balloon and the camera of the film are two.
@@ -22,6 +24,8 @@ struct CastEntry {
   std::optional<double> share = {};
   /// The files whose clips its characters play too, in place of all others.
   std::optional<std::vector<std::string>> clip_files = {};
+  /// The size and place of its characters, in place of all others.
+  std::optional<anim::PlacementChoice> placement = {};
 
   friend bool operator==(const CastEntry&, const CastEntry&) = default;
 };

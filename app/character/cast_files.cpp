@@ -144,6 +144,10 @@ class CastLoader {
     return anim::Done{};
   }
 
+  anim::PlacementChoice placement_of(const Member& member) const {
+    return entries_[member.entry].placement.value_or(options_.placement);
+  }
+
   anim::Status read_all() {
     for (const Member& member : members_) {
       const anim::Status read = this->read(member);
@@ -254,6 +258,7 @@ class CastLoader {
     const BoneLodFile kept(file);
     LoadOptions options = options_;
     if (const auto& own = entries_[read.member.entry].clip_files) options.clips_from = *own;
+    options.placement = placement_of(read.member);
     return take_packed(*read.pack, character_file(file), file, &kept, options);
   }
 
@@ -261,9 +266,9 @@ class CastLoader {
                                               std::span<const ClipFile* const> clips) const {
     const BoneLodFile kept(file);
     const std::string path = character_file(read.member.file).path;
-    auto character =
-        make_character(read.imported, model,
-                       {.path = path, .name = file, .kept = &kept, .placement = options_.placement, .clips = clips});
+    auto character = make_character(
+        read.imported, model,
+        {.path = path, .name = file, .kept = &kept, .placement = placement_of(read.member), .clips = clips});
     if (!character) return character;
     character->cast = read.names;
     character->cast_index = model;

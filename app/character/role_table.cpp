@@ -15,19 +15,6 @@ namespace fs = std::filesystem;
 constexpr int role_table_version = 1;
 constexpr JsonRemedies remedies{.malformed = "; delete it to go by the names of clips and bones again"};
 
-anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const JsonFile& file) {
-  if (!clips.is_object()) return file.wrong("\"clips\" must be an object of roles and clip names");
-  std::vector<RoleChoice> choices;
-  for (const auto& [name, clip] : clips.members()) {
-    const auto role = role_named(name);
-    if (!role) return file.wrong("\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
-    if (!clip.is<std::string>())
-      return file.wrong("\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
-    choices.push_back({*role, clip.get<std::string>()});
-  }
-  return choices;
-}
-
 }  // namespace
 
 anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
@@ -56,6 +43,25 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
   return choices;
 }
 
+anim::Result<std::vector<RoleChoice>> role_choices_in(const Json& clips, const JsonFile& file) {
+  if (!clips.is_object()) return file.wrong("\"clips\" must be an object of roles and clip names");
+  std::vector<RoleChoice> choices;
+  for (const auto& [name, clip] : clips.members()) {
+    const auto role = role_named(name);
+    if (!role) return file.wrong("\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
+    if (!clip.is<std::string>())
+      return file.wrong("\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
+    choices.push_back({*role, clip.get<std::string>()});
+  }
+  return choices;
+}
+
+Json clips_json(std::span<const RoleChoice> choices) {
+  Json clips = Json::object();
+  for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
+  return clips;
+}
+
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
 template <typename Choice, typename Parse>
@@ -71,7 +77,7 @@ anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key, const Pars
   return table->contains(key) ? parse((*table)[key], file) : std::vector<Choice>();
 }
 
-anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key<RoleChoice>("clips", choices_in); }
+anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key<RoleChoice>("clips", role_choices_in); }
 
 anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key<RigChoice>("rig", rig_choices_in); }
 
@@ -87,7 +93,7 @@ anim::Result<fs::path> RoleFile::write_rig(std::span<const RigChoice> choices) c
 
 anim::Result<fs::path> RoleFile::write_both(std::span<const RoleChoice> clips, std::span<const RigChoice> rig) const {
   Json written = {{"version", role_table_version}};
-  for (const auto& [role, clip] : clips) written["clips"][role_names.at(index_of(role))] = clip;
+  if (!clips.empty()) written["clips"] = clips_json(clips);
   if (!rig.empty()) written["rig"] = rig_json(rig);
   return file_.write(written.dump(2) + "\n");
 }

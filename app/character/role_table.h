@@ -21,6 +21,10 @@ anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const s
 /// Returns every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
 
+/// Reads {"walk": "Walking_A", "cheer": "none"}. The error names the file and what is wrong in it.
+anim::Result<std::vector<RoleChoice>> role_choices_in(const Json& clips, const JsonFile& file);
+Json clips_json(std::span<const RoleChoice> choices);
+
 /// The file MODEL.throng.json, in which a person says which clip of a model plays which role, and which bone is which
 /// part of the body.
 ///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}, "rig": {"hips": "Bone.003"}}

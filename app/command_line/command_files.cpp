@@ -17,6 +17,7 @@ RunFiles reading(std::span<const std::string> models, std::span<const std::strin
 RunFiles files_of(const DemoOptions& options) {
   RunFiles files = reading(options.models, options.clips_from);
   for (const CastEntry& entry : options.cast) files.read_model(entry.file);
+  files.read.push_back({"MODEL", options.crowd_file});
   files.read.push_back({"--preset", options.preset});
   files.read.push_back({"--replay", options.replay});
   files.written = {{"--screenshot", options.screenshot},

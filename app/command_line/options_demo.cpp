@@ -4,12 +4,26 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
+#include "app/recording/crowd_file.h"
 #include "app/settings/cast_option.h"
 #include "app/settings/preset.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::app {
 namespace {
+
+// Its values win over nothing that the command line says.
+ValueReader crowd_file(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    if (!options.crowd_file.empty()) return "one crowd file is the most; open the other one in the window";
+    const auto setup = read_crowd_file(text);
+    if (!setup) return setup.error().message.substr(text.size() + std::string_view(": ").size());
+    options.crowd_file = text;
+    options.tuning = setup->preset.tuning;
+    options.camera = setup->preset.camera;
+    return {};
+  };
+}
 
 // Before all others, which win over them.
 void declare_starting_values(OptionReader& reader, DemoOptions& options) {
@@ -69,6 +83,9 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",
       [&options](const std::string& text) { return whole_number(options.selected.emplace(), 0, 99'999)(text); });
+  reader.optional_value("--view", "", "[=CLIP]",
+                        "The first character alone on a turntable, in a clip of it; the crowd waits",
+                        [&options](const std::string& text) { return options.view.emplace(text), Complaint(); });
   reader.flag("--hide-ui", options.hide_ui, "No overlay in the window")->excludes(ui);
 }
 
@@ -135,10 +152,24 @@ std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   return {};
 }
 
+/// A crowd file says who is there; the command line must not say it too.
+std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& options) {
+  static const std::set<std::string> said{"--cast", "--clips-from", "--skin",  "--scale",
+                                          "--up",   "--ground",     "--replay"};
+  if (!options.models.empty()) return options.models.front() + ": " + options.crowd_file + " says who is there";
+  for (const std::string& name : options.given) {
+    if (said.contains(name)) return name + ": " + options.crowd_file + " says it; leave it out";
+  }
+  return {};
+}
+
 /// Options that are right alone and wrong together.
 std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (options.models.size() > most_models) {
     return options.models[most_models] + ": " + std::to_string(most_models) + " models are the most";
+  }
+  if (!options.crowd_file.empty()) {
+    if (auto contradiction = contradiction_of_crowd_file(options)) return contradiction;
   }
   if (!options.models.empty() && !options.cast.empty()) return "--cast: takes the place of MODEL; give one of them";
   if (options.models.empty() && options.cast.empty() && !options.skin.empty()) {
@@ -169,9 +200,12 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
 }
 
 void declare_demo(OptionReader& reader, DemoOptions& options) {
-  const auto add = [&](const std::string& text) { return any_text(options.models.emplace_back())(text); };
+  const auto add = [&](const std::string& text) {
+    return is_crowd_file(text) ? crowd_file(options)(text) : any_text(options.models.emplace_back())(text);
+  };
   const std::string models = "glTF files (.glb or .gltf), packs, and folders of them, up to " +
-                             std::to_string(most_models) + " characters; without any, the built-in one";
+                             std::to_string(most_models) +
+                             " characters; or one NAME.throng, a crowd that was saved; without any, the built-in one";
   reader.value("MODEL", "...", models, add)
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
@@ -208,8 +242,8 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
     options.given.push_back(option->get_name());
   }
   options.frames_given = reader.given("--frames");
-  options.agents_given =
-      reader.given("--agents") || reader.given("--preset") || options.tuning.agents != Tuning{}.agents;
+  options.agents_given = reader.given("--agents") || reader.given("--preset") || !options.crowd_file.empty() ||
+                         options.tuning.agents != Tuning{}.agents;
   options.shadows_given = reader.given("--shadows");
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};

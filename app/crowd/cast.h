@@ -19,6 +19,12 @@ class CrowdCast {
   /// an actor is that one too. `characters`: 1 to 256, the first is no prop.
   CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed);
 
+  /// Takes other roles of the same characters, which stay as large as they are. Agents stay the characters that they
+  /// are.
+  void take_roles(std::span<const CharacterRoles> characters) {
+    characters_.assign(characters.begin(), characters.end());
+  }
+
   const CharacterRoles& of(std::size_t agent) const { return characters_[numbers_[agent]]; }
   std::span<const std::uint8_t> numbers() const { return numbers_; }  ///< [agent] index of its character
   double spacing() const { return spacing_; }                         ///< CharacterRoles::spacing of the widest

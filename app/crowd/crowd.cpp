@@ -275,6 +275,22 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
   return advance(dt, here, 1);
 }
 
+// Who marches at another speed has come to the same place, as if from another start.
+void Crowd::march_at(double speed) {
+  for (std::size_t marcher = 0; marcher < marchers_.size(); ++marcher) {
+    marchers_[marcher].distance += (route_.speed - speed) * anim::to_seconds(state_.now - state_.behind[marcher]);
+  }
+  route_.speed = speed;
+}
+
+std::span<const ClipRequest> Crowd::take_roles(std::span<const CharacterRoles> characters) {
+  cast_.take_roles(characters);
+  if (!marchers_.empty()) march_at(cast_.of(walkers()).walk_speed);
+  state_.minds.take_new_clips(state_.now);
+  for (std::size_t agent = 0; agent < size(); ++agent) match_playback(agent);
+  return state_.minds.requests();
+}
+
 void Crowd::put(std::uint32_t agent, const glm::vec3& position, const Heading& heading) {
   assert(habits()[agent] == Habit::act);
   state_.positions[agent] = position;

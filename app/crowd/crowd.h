@@ -64,6 +64,11 @@ class Crowd {
   /// Does the same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
+  /// Takes other roles of the same characters, as large as before, each of which can walk as before. Everybody keeps
+  /// place and heading. Returns the changes of clips, which are valid until the next call; moments of before are of
+  /// another crowd.
+  std::span<const ClipRequest> take_roles(std::span<const CharacterRoles> characters);
+
   /// Moves an agent that acts.
   void put(std::uint32_t agent, const glm::vec3& position, const Heading& heading);
 
@@ -111,6 +116,7 @@ class Crowd {
   void lead_wave();
   void follow_walkers();
   void march(anim::Ticks dt);
+  void march_at(double speed);
   void turn_standers(anim::Ticks dt);
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);

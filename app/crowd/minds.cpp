@@ -41,6 +41,8 @@ void CrowdMinds::begin(std::size_t agent) {
   Random& whim = whims_[agent];
   const CharacterRoles& character = cast_->of(agent);
   intentions_[agent] = first_role(habits_[agent], character, whim);
+  roles_[agent] = Role::other;
+  clips_[agent] = no_clip;
   const std::vector<int>& others = character.others;
   if (const auto role = character.playable(intentions_[agent])) {
     roles_[agent] = *role;
@@ -51,7 +53,37 @@ void CrowdMinds::begin(std::size_t agent) {
   // Uniform from now on, so that the first changes come as evenly as all later ones.
   const bool follows = habits_[agent] == Habit::march || habits_[agent] == Habit::act;
   const bool changes = !follows && (intentions_[agent] != Role::other || others.size() > 1);
-  if (changes) next_changes_[agent] = some_time(whim, {0.5F, stay_in(intentions_[agent]).most});
+  next_changes_[agent] = changes ? now_ + some_time(whim, {0.5F, stay_in(intentions_[agent]).most}) : never;
+}
+
+void CrowdMinds::take_new_clips(anim::Ticks now) {
+  now_ = now;
+  requests_.clear();
+  for (std::size_t agent = 0; agent < habits_.size(); ++agent) take_new_clip(agent);
+}
+
+/// Returns whether a clip leads the agent to its role that its character still has for that.
+bool CrowdMinds::is_on_its_way(std::size_t agent) const {
+  const CharacterRoles& character = cast_->of(agent);
+  const Arrival& arrival = arrivals_[agent];
+  const int way = arrival.seated ? character.sit_down.clip : character.stand_up.clip;
+  return arrival.at != never && clips_[agent] == way && character.clip(arrival.role) == arrival.clip;
+}
+
+void CrowdMinds::take_new_clip(std::size_t agent) {
+  if (is_on_its_way(agent)) return;
+  const CharacterRoles& character = cast_->of(agent);
+  const int before = clips_[agent];
+  arrivals_[agent].at = never;
+  auto played = character.playable(roles_[agent]);
+  if (!played) played = character.playable(intentions_[agent]);
+  if (played) {
+    roles_[agent] = *played;
+    clips_[agent] = character.clip(*played);
+  } else {
+    begin(agent);
+  }
+  if (clips_[agent] != before) fade_to(agent, roles_[agent], clips_[agent], shortest_fade);
 }
 
 void CrowdMinds::decide(anim::Ticks now) {

@@ -37,6 +37,10 @@ class CrowdMinds {
   /// Shows `role` if the character can play it; the agent has the same in mind as before.
   void show(std::size_t agent, Role role);
 
+  /// Lets everybody go on with what they have in mind, by the clips that their characters have for it now. Who plays
+  /// another clip from then on is among the requests; there are no others.
+  void take_new_clips(anim::Ticks now);
+
   /// Keeps the agent at what it does, except that it stops walking. Returns that change, if there is one; it is not
   /// among the requests.
   std::optional<ClipRequest> hold(std::size_t agent);
@@ -57,6 +61,8 @@ class CrowdMinds {
 
  private:
   void begin(std::size_t agent);
+  bool is_on_its_way(std::size_t agent) const;
+  void take_new_clip(std::size_t agent);
   void change_role(std::size_t agent, anim::Ticks now);
   void play_next_other(std::size_t agent);
   void request(std::size_t agent, Role role, int clip);

@@ -108,6 +108,7 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
 }
 
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+  if (options.ui) show.covered = column_share(options.width, options.ui_scale);
   anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
   if (!run) return run;
   if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)

@@ -122,6 +122,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_cameras(show, report_.cameras);
+  report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
+  if (report_.viewer) return;  // the crowd waits, and so do its figures
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
   report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());

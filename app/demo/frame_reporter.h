@@ -37,6 +37,7 @@ class FrameReporter {
   Messages& messages() { return report_.messages; }
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
+  void set_crowd_names(std::vector<std::string> names) { report_.crowd_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
   /// Reports a replay.
   void report_replay(const ReplayReport& replay) { report_.replay = replay; }

@@ -1,8 +1,11 @@
 #include "app/demo/window_commands.h"
 
+#include <algorithm>
 #include <system_error>
 
-#include "app/settings/preset.h"
+#include "app/demo/viewer_commands.h"
+#include "app/recording/cast_options.h"
+#include "app/recording/crowd_file.h"
 #include "app/show/kept_choices.h"
 #include "engine/files/output_file.h"
 
@@ -30,9 +33,12 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   obey_hands(commands);
   obey_sweep(commands);
   obey_presets(commands);
+  obey_crowd_files(commands);
   const std::size_t character = reporter.report().character;
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.roles) show.set_roles(character, *commands.roles);
+  messages().tell(obey_viewer(show, commands.viewer));
+  if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (commands.save_roles) say_where(save_roles(show.stage().characters()[character]));
   obey_body(commands, character);
   obey_bone_lod(commands, character);
@@ -68,6 +74,31 @@ void WindowCommands::obey_hands(const OverlayCommands& commands) {
   if (!commands.models.empty()) replace_models(commands.models);
 }
 
+void WindowCommands::obey_crowd_files(const OverlayCommands& commands) {
+  const auto file = [](const std::string& name) { return std::filesystem::path(name + crowd_file_ending); };
+  if (commands.save_crowd) save_crowd(file(*commands.save_crowd));
+  if (commands.open_crowd) open_crowd(file(*commands.open_crowd));
+}
+
+void WindowCommands::save_crowd(const std::filesystem::path& file) {
+  const Preset preset{session_.tuning, session_.camera.place()};
+  const anim::Status written = write_crowd_file(file, crowd_setup(session_.show.stage().people(), preset));
+  messages().tell(written, "Wrote " + file.string());
+  if (!written) return;
+  session_.unkept.keep(session_.tuning);
+  session_.reporter.set_crowd_names(crowd_names("."));
+}
+
+void WindowCommands::open_crowd(const std::filesystem::path& file) {
+  const auto setup = read_crowd_file(file);
+  if (!setup) return messages().say(setup.error().message, Message::Kind::refused);
+  const anim::Status replaced = session_.show.replace_crowd(setup->characters);
+  if (!replaced) return messages().say(file.string() + ": " + replaced.error().message, Message::Kind::refused);
+  session_.reporter.describe_characters(session_.show);
+  take(setup->preset);
+  messages().say("Opened " + file.string());
+}
+
 void WindowCommands::obey_sweep(const OverlayCommands& commands) {
   if (commands.sweep) {
     session_.sweep.start(*commands.sweep, session_.tuning, session_.reporter.report().hardware_threads);
@@ -92,7 +123,7 @@ void WindowCommands::obey_presets(const OverlayCommands& commands) {
                     "Deleted " + file.string());
   }
   if (commands.save_preset || commands.delete_preset) session_.reporter.set_preset_names(preset_names());
-  if (commands.copy_command_line) copy(command_line(session_.tuning, Tuning(), camera));
+  if (commands.copy_command_line) copy_command_line();
 }
 
 void WindowCommands::obey_body(const OverlayCommands& commands, std::size_t character) {
@@ -117,15 +148,29 @@ void WindowCommands::obey_bone_lod(const OverlayCommands& commands, std::size_t 
 void WindowCommands::load_preset(const std::filesystem::path& file) {
   const anim::Result<Preset> preset = read_preset(file);
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  take(*preset);
+}
+
+void WindowCommands::take(const Preset& preset) {
   const LodInspection look = session_.tuning.inspection;
-  session_.tuning = preset->tuning;
+  session_.tuning = preset.tuning;
   session_.tuning.inspection = look;
   session_.unkept.keep(session_.tuning);
-  if (preset->camera) session_.camera.put(*preset->camera, session_.show);
+  if (preset.camera) session_.camera.put(*preset.camera, session_.show);
 }
 
 void WindowCommands::replace_models(const std::vector<std::string>& files) {
+  const auto crowd = std::ranges::find_if(files, is_crowd_file);
+  if (crowd != files.end() && files.size() == 1) return open_crowd(*crowd);
+  if (crowd != files.end()) {
+    return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
+  }
   if (messages().tell(session_.show.replace_models(files))) session_.reporter.describe_characters(session_.show);
+}
+
+void WindowCommands::copy_command_line() {
+  const std::string cast = cast_options(session_.show.stage().people());
+  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.tuning, Tuning(), session_.camera.place()));
 }
 
 void WindowCommands::copy(const std::string& options) {

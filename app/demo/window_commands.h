@@ -6,6 +6,7 @@
 
 #include "app/demo/window_session.h"
 #include "app/overlay/overlay.h"
+#include "app/settings/preset.h"
 
 namespace throng::app {
 
@@ -28,8 +29,13 @@ class WindowCommands {
   void obey_presets(const OverlayCommands& commands);
   void obey_body(const OverlayCommands& commands, std::size_t character);
   void obey_bone_lod(const OverlayCommands& commands, std::size_t character);
+  void obey_crowd_files(const OverlayCommands& commands);
+  void save_crowd(const std::filesystem::path& file);
+  void open_crowd(const std::filesystem::path& file);
+  void take(const Preset& preset);
   void load_preset(const std::filesystem::path& file);
   void replace_models(const std::vector<std::string>& files);
+  void copy_command_line();
   void copy(const std::string& options);
   void say_where(const anim::Result<std::filesystem::path>& written);
   void take_screenshot();

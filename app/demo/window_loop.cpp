@@ -28,6 +28,7 @@ class WindowLoop {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.set_preset_names(preset_names());
+    session_.reporter.set_crowd_names(crowd_names("."));
     session_.reporter.report_recording(options.record);
     show.keep_moments();
     overlay_.show_tab(options.ui_tab);
@@ -108,11 +109,13 @@ class WindowLoop {
 
   void fly(const InputFrame& input, float seconds) {
     const FlyControls free{.pointer_free = !overlay_.uses_pointer(), .keyboard_free = !overlay_.uses_keyboard()};
+    if (Viewer* const viewer = session_.show.viewer()) return viewer->turntable().update(input, free);
     session_.camera.steer(session_.show, input, free, seconds);
   }
 
   anim::Ticks step(double seconds, bool single) const {
     const Tuning& tuning = session_.tuning;
+    if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
     if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
   }
@@ -130,6 +133,7 @@ class WindowLoop {
 
   void present() {
     if (minimised_) return;
+    session_.show.covered = 1.0F - overlay_.crowd_area().width / static_cast<float>(session_.show.width);
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
       // A person can take back what was too much, but for the first picture.
       if (session_.show.stage().frame() <= 1) failed_ = drawn, done_ = true;

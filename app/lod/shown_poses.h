@@ -63,6 +63,8 @@ class ShownPoses {
   anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
+  /// Returns the slots that the poses are in; others may take some too.
+  render::PaletteSlots& slots() const { return *slots_; }
   /// Returns whether an agent found no slot since the last reset.
   bool out_of_memory() const { return out_of_memory_; }
 

@@ -147,8 +147,12 @@ void show_roles(const TabContext& context) {
   RoleClips clips = report.role_clips;
   for (const RoleRow& row : role_rows) {
     const std::size_t role = index_of(row.role);
+    const int before = clips[role];
     widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
-                 {.what = row.what, .cost = "Changing it places all agents anew."});
+                 {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
+    if (clips[role] == before || clips[role] == no_clip) continue;
+    commands.viewer.view = {.character = report.character, .preview = RolePreview{row.role, clips[role]}};
+    clips[role] = before;
   }
   ButtonRow buttons(widgets, 2);
   commands.save_roles |=

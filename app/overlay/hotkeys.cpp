@@ -14,6 +14,8 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Overla
     switches.help = false;
   } else if (switches.log && !switches.hidden) {
     switches.log = false;
+  } else if (open.viewer) {
+    commands.viewer.leave = true;
   } else if (open.selection) {
     commands.deselect = true;
   } else {
@@ -32,24 +34,39 @@ void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Ca
   (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
 }
 
+void ask_the_crowd(Key key, const OpenThings& open, Tuning& tuning, OverlayCommands& commands) {
+  if (key == Key::space) tuning.paused = !tuning.paused;
+  commands.frame_crowd |= key == Key::f;
+  commands.copy_camera |= key == Key::c;
+  commands.record |= key == Key::r;
+  commands.push_over |= key == Key::p && open.selection;
+}
+
+void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& commands) {
+  commands.face_front |= key == Key::f;
+  if (key != Key::space) return;
+  commands.settings = settings;
+  commands.settings->plays = !settings.plays;
+}
+
 }  // namespace
 
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
-  commands.exact_crowd = input.down(Key::x);
+  commands.exact_crowd = input.down(Key::x) && !open.viewer;
   for (const Key key : input.pressed) {
-    if (key == Key::space) tuning.paused = !tuning.paused;
     if (key == Key::tab) switches.hidden = !switches.hidden;
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
-    commands.frame_crowd |= key == Key::f;
-    commands.copy_camera |= key == Key::c;
-    commands.record |= key == Key::r;
     commands.reload_shaders |= key == Key::f5;
     commands.screenshot |= key == Key::f12;
-    add_camera_key(input, key, open, commands.cameras);
-    commands.push_over |= key == Key::p && open.selection;
     if (key == Key::escape) close_the_topmost(open, switches, commands);
+    if (open.viewer) {
+      ask_the_viewer(key, *open.viewer, commands.viewer);
+    } else {
+      ask_the_crowd(key, open, tuning, commands);
+      add_camera_key(input, key, open, commands.cameras);
+    }
   }
 }
 

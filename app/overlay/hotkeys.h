@@ -16,10 +16,11 @@ struct OverlaySwitches {
 };
 
 /// Says what is open while keys are pressed. Esc closes it from the top down: a list, the help, the log of messages,
-/// the card of the selected agent.
+/// the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;
+  std::optional<ViewerSettings> viewer = {};  ///< of the viewer that is open
 };
 
 /// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text

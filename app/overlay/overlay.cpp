@@ -15,6 +15,7 @@
 #include "app/overlay/hotkeys.h"
 #include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
+#include "app/overlay/viewer_panel.h"
 
 namespace throng::app {
 
@@ -26,6 +27,7 @@ struct ClipboardText {
 namespace {
 
 constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 28;
+constexpr float most_of_width = 0.6F;  // that the column takes
 
 struct Tab {
   const char* name;
@@ -92,7 +94,7 @@ struct Layout {
 };
 
 Layout lay_out(const Theme& theme, ImVec2 size) {
-  const float column_x = size.x - std::min(theme.px(column_width), std::floor(size.x * 0.6F));
+  const float column_x = size.x - std::min(theme.px(column_width), std::floor(size.x * most_of_width));
   const float strip_y = size.y - std::min(theme.px(strip_height), std::floor(size.y * 0.4F));
   return {.crowd = {.from = {0, 0}, .to = {column_x, strip_y}},
           .strip = {.from = {0, strip_y}, .to = {column_x, size.y}},
@@ -110,6 +112,11 @@ Context make_context() {
 
 }  // namespace
 
+float column_share(int width, float scale) {
+  const auto all = static_cast<float>(width);
+  return std::min(column_width * scale, std::floor(all * most_of_width)) / all;
+}
+
 struct Overlay::State {
   Context context = make_context();
   Theme theme;
@@ -122,10 +129,13 @@ struct Overlay::State {
   CrowdClick click;
   std::size_t tab = 0;
   TabMemory memory;
+  ViewerPanelMemory viewer_memory;
 
   void show_header(const Area& column);
   void show_tab_bar(const Area& column);
+  void show_crowd(const Layout& layout, const TabContext& context_of_tab);
   void show_column(const Area& column, const TabContext& context_of_tab);
+  void show_viewer(const Layout& layout, const TabContext& context_of_tab);
 };
 
 Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
@@ -165,24 +175,25 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   OverlayCommands commands;
   state.map.widgets.clear();
   commands.models = state.input.dropped;
-  commands.select_at = state.click.update(state.input, !uses_pointer());
+  const auto clicked = state.click.update(state.input, !uses_pointer());
+  if (!report.viewer) commands.select_at = clicked;
   if (!uses_keyboard()) {
     const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value()}, state.switches, tuning,
-                  commands);
+    const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
+    apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
+                  state.switches, tuning, commands);
     if (report.replay) apply_replay_keys(state.input, commands.replay);
-    if (std::ranges::count(state.input.pressed, Key::b) > 0) state.memory.pair.change_places(tuning);
+    const bool changes_places = !viewer && std::ranges::count(state.input.pressed, Key::b) > 0;
+    if (changes_places) state.memory.pair.change_places(tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
-    show_head_labels(state.widgets, layout.crowd, report);
     const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
-    Area below_notices = layout.crowd;
-    below_notices.from.y = show_notices(context, layout.crowd);
-    show_frame_strip(state.widgets, layout.strip, report);
-    state.show_column(layout.column, context);
-    if (report.replay) show_replay_bar(state.widgets, layout.crowd, *report.replay, commands.replay);
-    if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
+    if (report.viewer) {
+      state.show_viewer(layout, context);
+    } else {
+      state.show_crowd(layout, context);
+    }
     if (state.switches.log && show_log_card(state.widgets, layout.crowd, report.messages)) state.switches.log = false;
     if (state.switches.help && show_help_card(state.widgets, layout.crowd, state.memory.searched_help)) {
       state.switches.help = false;
@@ -195,6 +206,36 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   state.map.shows_b = state.memory.pair.shows_b();
   state.map.typing = ImGui::GetIO().WantTextInput;
   return commands;
+}
+
+void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
+  const FrameReport& report = context_of_tab.report;
+  show_head_labels(widgets, layout.crowd, report);
+  Area below_notices = layout.crowd;
+  below_notices.from.y = show_notices(context_of_tab, layout.crowd);
+  show_frame_strip(widgets, layout.strip, report);
+  show_column(layout.column, context_of_tab);
+  if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
+  if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
+}
+
+void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {
+  const auto& [of_tab, report, tuning, usual, commands, remembered] = context_of_tab;
+  const Area& column = layout.column;
+  show_notices(context_of_tab, layout.crowd);
+  show_bone_name(theme, layout.crowd, *report.viewer);
+  begin_fixed_window("Column", column);
+  ImGui::GetWindowDrawList()->AddLine(column.from, {column.from.x, column.to.y}, colour::panel_edge);
+  show_header(column);
+  const float top = theme.px(header_height);
+  ImGui::SetCursorScreenPos({column.from.x, column.from.y + top});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(16), theme.px(8)});
+  ImGui::BeginChild("Viewer", {column.width(), column.height() - top}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  show_viewer_panel(widgets, report.characters[report.viewer->character], *report.viewer, viewer_memory,
+                    commands.viewer);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::End();
 }
 
 void Overlay::State::show_header(const Area& column) {

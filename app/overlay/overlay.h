@@ -12,6 +12,9 @@ struct ImDrawData;
 
 namespace throng::app {
 
+/// Returns the share of a picture's width that the panel's column takes at its right.
+float column_share(int width, float scale);
+
 /// The panel over the crowd. It reads a report of the frame, edits a copy of the tuning, and returns commands.
 ///
 ///   +--------------------------------+-----------+

@@ -106,7 +106,11 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
   const Theme& theme = widgets.theme();
   const float width = theme.px(92), gap = theme.px(8), right = card.to.x - theme.px(card_margin);
   draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, blocks(selected));
-  ImGui::SetCursorScreenPos({right - 2 * width - gap, y});
+  const float view_width = theme.px(60);
+  ImGui::SetCursorScreenPos({right - view_width - 2 * (width + gap), y});
+  commands.viewer.view_selected |=
+      widgets.button("View", {.what = "Shows its character alone, clip by clip, while the crowd waits."}, view_width);
+  ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(!selected.can_fall);
   commands.push_over |= widgets.button(
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},

@@ -53,7 +53,7 @@ struct TabMemory {
   TuningPair pair;                           ///< key B changes their places
   NoticeMemory notices;
   std::string searched_help;
-  std::string preset_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
+  std::string preset_name, crowd_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
 };
 
 /// All that a tab reads and may change.

@@ -95,6 +95,22 @@ Json cameras_json(const CameraReport& cameras) {
   return {{"films", cameras.films}, {"follows", cameras.follows}, {"fly_speed", cameras.fly_speed}, {"kept", kept}};
 }
 
+Json viewer_json(const std::optional<ViewerReport>& viewer) {
+  if (!viewer) return nullptr;
+  const ViewerSettings& settings = viewer->settings;
+  return {{"character", viewer->character},
+          {"clip", viewer->clips[static_cast<std::size_t>(settings.clip)].name},
+          {"seconds", viewer->seconds},
+          {"length", viewer->length},
+          {"plays", settings.plays},
+          {"bind_pose", settings.bind_pose},
+          {"blended", settings.blended},
+          {"weight", settings.weight},
+          {"bone_level", settings.bone_level},
+          {"mesh_lod", settings.mesh_lod},
+          {"preview", viewer->preview ? Json(role_names.at(index_of(viewer->preview->role))) : Json(nullptr)}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -120,7 +136,8 @@ Json report_json(const FrameReport& report) {
           {"notice", report.notice},
           {"cameras", cameras_json(report.cameras)},
           {"replay", replay_json(report.replay)},
-          {"selected", selected_json(report.selected)}};
+          {"selected", selected_json(report.selected)},
+          {"viewer", viewer_json(report.viewer)}};
 }
 
 Json camera_json(const CameraPlace& camera) {

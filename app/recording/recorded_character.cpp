@@ -155,12 +155,12 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
   }
   if (here.bones != as_recorded.bones || here.level_counts != as_recorded.level_counts) {
     if (const anim::Status taken = take_bone_lod(as_recorded, character); !taken) {
-      return anim::Error{"the recorded order of the bones of " + character.name + ": " + taken.error().message};
+      return anim::Error{"the order of bones kept for " + character.name + ": " + taken.error().message};
     }
   }
   if (as_recorded.rig && *as_recorded.rig != character.rig) {
     if (const anim::Status taken = take_rig(character, *as_recorded.rig); !taken) {
-      return anim::Error{"the recorded rig of " + character.name + ": " + taken.error().message};
+      return anim::Error{"the parts of the body kept for " + character.name + ": " + taken.error().message};
     }
   }
   if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};

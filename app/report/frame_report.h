@@ -15,6 +15,7 @@
 #include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
+#include "app/report/viewer_report.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/character_agents.h"
 #include "engine/anim/agent/frame_work.h"
@@ -113,9 +114,11 @@ struct FrameReport {
   CameraReport cameras;
   std::optional<ReplayReport> replay;       ///< a recording is repeated
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
+  std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
   int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
   float snapshot_seconds = 0;               ///< seconds back to the newest of them
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
+  std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
 };
 
 /// A pixel from the top left of the picture.
@@ -162,10 +165,12 @@ struct OverlayCommands {
   bool let_go = false;           ///< the held agent plays on
   bool rewind = false;           ///< the crowd goes back to the newest snapshot, next time to the one before it
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
-  bool copy_command_line = false;                                      ///< the tuning as options
+  std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
+  bool copy_command_line = false;                                      ///< models, roles and tuning as options
   bool push_over = false;                                              ///< key P: the selected agent falls
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew
   bool stop_sweep = false;
+  ViewerCommands viewer;
   bool exact_crowd = false;  ///< key X is held: nothing is skipped or simplified
 };
 

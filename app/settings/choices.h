@@ -22,6 +22,8 @@ inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
+inline constexpr std::array<const char*, 6> up_axis_words = {"x", "y", "z", "-x", "-y", "-z"};
+inline constexpr std::array<const char*, 3> ground_words = {"guess", "file", "feet"};
 
 // The engine may change its enumerations. These checks fail when their order is no longer that of the words.
 template <std::size_t count, class Choice>

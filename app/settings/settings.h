@@ -118,6 +118,7 @@ inline constexpr int most_window_pixels = 16384;  ///< the same of a window, whi
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
+  std::string crowd_file;               ///< NAME.throng, which says who is there; empty: none was named
   std::vector<std::string> models;      ///< files and folders, even shares; empty: `cast`
   std::vector<CastEntry> cast;          ///< files and folders with shares; empty: the built-in character
   std::vector<std::string> clips_from;  ///< files whose clips every character plays too
@@ -137,6 +138,7 @@ struct DemoOptions {
   bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
   std::string ui_tab = "Crowd";              ///< the overlay starts with it
   std::optional<int> selected;               ///< an agent, from the start
+  std::optional<std::string> view;           ///< the first character is shown alone, in this clip; empty: in any
   bool hide_ui = false;
   float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords

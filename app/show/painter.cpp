@@ -175,4 +175,9 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   return drawn;
 }
 
+anim::Status Painter::draw(const render::CrowdFrame& frame) {
+  draw_counts_ = renderer_->draw(frame);
+  return renderer_->finish();
+}
+
 }  // namespace throng::app

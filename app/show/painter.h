@@ -59,6 +59,8 @@ class Painter {
   /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's. Errors: the
   /// device failed at it; the picture is not whole.
   anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
+  /// Draws what is no stage's in the same way; the figures of a run know nothing of it.
+  anim::Status draw(const render::CrowdFrame& frame);
   /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }

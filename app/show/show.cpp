@@ -1,5 +1,6 @@
 #include "app/show/show.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -7,6 +8,8 @@
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "app/files/nearest_names.h"
+#include "app/show/opened_crowd.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/fly_camera.h"
 
@@ -24,6 +27,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   show->width = options.width;
   show->height = options.height;
   show->load_options_ = app::load_options(options);
+  show->data_ = options.data;
   auto cast = load_starting_characters(options, error);
   if (!cast) return nullptr;
   show->left_out_ = std::move(cast->left_out);
@@ -36,6 +40,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
   if (!show->place_camera(options, error)) return nullptr;
+  if (options.view && !show->begin_viewing(*options.view, error)) return nullptr;
   show->update_notice();
   return show;
 }
@@ -74,6 +79,21 @@ bool Show::place_camera(const DemoOptions& options, StartError& error) {
   return true;
 }
 
+bool Show::begin_viewing(const std::string& clip, StartError& error) {
+  ViewRequest request;
+  const std::vector<std::string>& names = stage_->people().front().clip_names;
+  if (!clip.empty()) {
+    const auto found = std::ranges::find(names, clip);
+    if (found == names.end()) {
+      return fail(error, exit_usage,
+                  "--view=" + clip + ": the model has no such clip; nearest are " + nearest_names(clip, names));
+    }
+    request.clip = static_cast<int>(found - names.begin());
+  }
+  const anim::Status viewed = view(request);
+  return viewed ? true : fail(error, exit_job_failed, viewed.error().message);
+}
+
 anim::Status Show::apply(const Tuning& tuning) {
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
@@ -96,18 +116,29 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
   return anim::Done{};
 }
 
+anim::Status Show::replace_crowd(std::span<const CrowdCharacter> characters) {
+  auto cast = load_crowd(characters, data_, load_options_);
+  if (!cast) return cast.error();
+  if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
+  left_out_ = std::move(cast->left_out);
+  update_notice();
+  return anim::Done{};
+}
+
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
+  const bool viewed = viewer_ != nullptr;
+  viewer_.reset();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
   left_out_.clear();
   rewind_.forget();
   if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
-  return anim::Done{};
+  return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
 }
 
 void Show::set_roles(std::size_t character, const RoleClips& clips) {
@@ -121,17 +152,39 @@ void Show::set_share(std::size_t character, double share) {
 }
 
 anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  viewer_.reset();
   if (anim::Status set = stage_->set_bone_lod(character, choice); !set) return set;
   recorder_.add(RecordedBoneOrder{static_cast<std::uint32_t>(character), choice});
   return painter_->load_meshes(*stage_);
 }
 
 anim::Status Show::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
+  viewer_.reset();
   if (anim::Status set = stage_->set_rig(character, choices); !set) return set;
   rewind_.forget();
   recorder_.add(RecordedRig{static_cast<std::uint32_t>(character), choices});
   update_notice();
   return anim::Done{};
+}
+
+anim::Status Show::view(const ViewRequest& request) {
+  std::vector<ViewedMesh> meshes;
+  if (request.character < stage_->people().size()) {
+    for (const MeshLevel& level : painter_->mesh_levels(request.character)) {
+      meshes.push_back({static_cast<std::size_t>(level.triangles), level.error_metres});
+    }
+  }
+  auto viewer = Viewer::create(*stage_, request, std::move(meshes));
+  if (!viewer) return viewer.error();
+  viewer_ = std::move(*viewer);
+  return anim::Done{};
+}
+
+anim::Status Show::draw() {
+  const PaintedView view{camera, frozen_camera_, width, height};
+  if (viewer_ == nullptr) return painter_->draw(*stage_, view, figures_);
+  const render::Camera round = viewer_->turntable().camera(view.aspect(), covered);
+  return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())));
 }
 
 anim::Status Show::rewind() {
@@ -165,6 +218,7 @@ void Show::animate_as(const RecordedFrame& frame) {
 }
 
 void Show::update(anim::Ticks delta, const LodView* as_recorded) {
+  if (viewer_ != nullptr) return viewer_->advance(delta);
   const anim::Ticks step = stage_->tuning().taken_away.animation ? anim::Ticks{} : delta;
   const std::uint64_t completed = painter_->completed_frame(*stage_);
   const bool had_memory = !stage_->shown().out_of_memory();

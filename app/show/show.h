@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/figures/run_figures.h"
+#include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
 #include "app/show/camera_guide.h"
@@ -16,6 +17,7 @@
 #include "app/show/starting_characters.h"
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
+#include "app/viewer/viewer.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {
@@ -35,6 +37,9 @@ class Show {
   anim::Status replace_models(std::span<const std::string> files);
   /// Does the same with characters that are loaded already, 1 to most_models.
   anim::Status replace_characters(std::vector<CharacterSource> characters);
+
+  /// Does the same with the characters of a crowd file. Its values and its camera are for the caller to take.
+  anim::Status replace_crowd(std::span<const CrowdCharacter> characters);
 
   /// Gives the roles of a character other clips, at a frame boundary.
   void set_roles(std::size_t character, const RoleClips& clips);
@@ -59,7 +64,15 @@ class Show {
   /// Does the same as it was recorded: seen by that camera, in a picture of that size.
   void animate_as(const RecordedFrame& frame);
   /// Draws the frame that was animated last. Errors: those of Painter::draw.
-  anim::Status draw() { return painter_->draw(*stage_, {camera, frozen_camera_, width, height}, figures_); }
+  anim::Status draw();
+
+  /// Shows one character alone from now on: animate() and draw() are about it, and the crowd waits as it is. Errors:
+  /// those of Viewer::create; then nothing has changed.
+  anim::Status view(const ViewRequest& request);
+  void leave_viewer() { viewer_.reset(); }
+  /// Returns the viewer of a character alone; null while the crowd is shown. It ends when a character's bones or parts
+  /// of the body change, and shows the first of other characters when they come.
+  Viewer* viewer() const { return viewer_.get(); }
 
   /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of apply(); then
   /// nothing has changed.
@@ -87,6 +100,7 @@ class Show {
   CameraGuide guide;   ///< moves `camera` where nobody flies it
   int width = 0;
   int height = 0;
+  float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
   /// Says in lines for people what they would not expect (app/figures/notices.h); may be empty.
   std::string notice;
 
@@ -94,16 +108,19 @@ class Show {
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
+  bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();
   void freeze_lod_camera();
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
   std::unique_ptr<Painter> painter_;
-  std::unique_ptr<Stage> stage_;  // goes first, as it uses the painter's pages
+  std::unique_ptr<Stage> stage_;    // goes before the painter, as it uses the painter's pages
+  std::unique_ptr<Viewer> viewer_;  // null: the crowd is shown; goes before the stage, as it uses the stage's slots
   Recorder recorder_;
   RunFigures figures_;
   Rewind rewind_;
   LoadOptions load_options_;           // of models that are dropped too
+  std::string data_;                   // the folder that --data names
   std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;

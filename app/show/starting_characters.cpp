@@ -7,6 +7,7 @@
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
+#include "app/show/opened_crowd.h"
 
 namespace throng::app {
 namespace {
@@ -17,7 +18,16 @@ std::vector<CastEntry> entries_of(const DemoOptions& options) {
   return entries;
 }
 
+anim::Result<LoadedCast> load_crowd_file(const DemoOptions& options) {
+  const auto setup = read_crowd_file(options.crowd_file);
+  if (!setup) return setup.error();
+  auto cast = load_crowd(setup->characters, options.data, load_options(options));
+  if (!cast) return anim::Error{options.crowd_file + ": " + cast.error().message};
+  return cast;
+}
+
 anim::Result<LoadedCast> load(const DemoOptions& options) {
+  if (!options.crowd_file.empty()) return load_crowd_file(options);
   const std::vector<CastEntry> entries = entries_of(options);
   if (!entries.empty()) return load_cast(entries, load_options(options));
   auto character = load_built_in(options.data, load_options(options));
@@ -47,7 +57,8 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
     return taken || fail(error, exit_job_failed, taken.error().message);
   };
   const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
-  return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
+  const bool says_all = !options.crowd_file.empty();
+  return (says_all || std::ranges::all_of(characters, kept)) && std::ranges::all_of(options.clips, chosen);
 }
 
 }  // namespace

@@ -90,6 +90,16 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
   if (event_sums_) event_sums_->reset(agents);
 }
 
+// Many take the same clip at once, so each begins where it would have begun with it.
+void AnimatedCrowd::take_roles() {
+  let_go_of_clip();
+  for (const ClipRequest& request : crowd_->take_roles(roles_of(characters_))) {
+    change_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)),
+                static_cast<double>(crowd_->start_phases()[request.agent]));
+  }
+  ++number_;
+}
+
 void AnimatedCrowd::move(anim::Ticks delta) {
   const anim::Ticks before = system_->clock();
   system_->advance(delta);
@@ -133,10 +143,10 @@ void AnimatedCrowd::play(std::uint32_t agent, int clip, anim::Ticks fade, double
                       : anim::Ticks{}});
 }
 
-void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade) {
+void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   if (system_->agent(agent).can_wind_back()) lod_->make_due(agent);
   lod_->change_clip(agent, system_->clock() + fade);
-  play(agent, clip, fade, 0.0);
+  play(agent, clip, fade, start_phase);
 }
 
 void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {

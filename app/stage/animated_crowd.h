@@ -44,6 +44,10 @@ class AnimatedCrowd {
   /// Makes the crowd of the tuning's scene anew.
   void populate(const Tuning& tuning, Clocks clocks);
 
+  /// Lets everybody go on where they are, by the clips that the roles of the characters have now. Each character can
+  /// walk as before.
+  void take_roles();
+
   /// Advances every clock; the crowd walks on and asks for clips.
   void move(anim::Ticks delta);
   /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Call it before an update;
@@ -112,7 +116,7 @@ class AnimatedCrowd {
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
   bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
   void play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
-  void change_clip(std::uint32_t agent, int clip, anim::Ticks fade);
+  void change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase = 0.0);
   void change_clip(const std::optional<ClipRequest>& request);
   void match_playback();
   void mark_fallen();

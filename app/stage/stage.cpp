@@ -84,9 +84,14 @@ anim::Status Stage::apply(const Tuning& tuning) {
 }
 
 void Stage::set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share) {
+  CharacterRoles& roles = characters_[character].roles;
+  const bool walked = roles.can_walk();
   assign_roles(characters_[character], clips);
-  if (share) characters_[character].roles.share = *share;
-  populate();
+  if (share) roles.share = *share;
+  const bool keeps_places = !share && roles.can_walk() == walked && tuning_.scene != Scene::film;
+  if (!keeps_places) return populate();
+  animated_->take_roles();
+  if (!moving_) lod_.make_all_due();
 }
 
 // Slots keep their sizes: a pose goes to the next larger one.

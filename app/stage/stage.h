@@ -35,7 +35,8 @@ class Stage {
   anim::Status apply(const Tuning& tuning);
 
   /// Takes other clips for the roles of a character, and another share of the crowd where one is given, at a frame
-  /// boundary. The crowd starts anew.
+  /// boundary. Agents keep their places, and those whose clip stays their phase. The crowd starts anew with another
+  /// share, where the character begins or ceases to walk, and in a cut scene.
   void set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share = {});
 
   /// Takes another order of a character's bones, and other levels, at a frame boundary. The character is baked anew,

@@ -32,6 +32,12 @@ struct SceneLine {
   std::uint32_t color = 0xFFFFFFFF;  ///< sRGB, red in the lowest byte, alpha in the highest
 };
 
+/// Names palette entries side by side, 0 to 65535.
+struct WeighedEntries {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
 /// Holds everything that one picture needs, as plain data that is valid during the call.
 struct CrowdFrame {
   CameraView camera;
@@ -43,6 +49,7 @@ struct CrowdFrame {
   std::span<const SceneLine> lines = {};      ///< drawn over the crowd
   std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
+  WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 
 /// Says how two pictures share one.

@@ -91,6 +91,32 @@ TEST_F(CrowdPicture, ShowsADebugColorAsFarAsItsAlphaSays) {
   EXPECT_FALSE(looks_the_same(difference_now()));
 }
 
+/// Returns how many pixels are plainly red.
+std::size_t red_pixels(const Image& image) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at + 3 < image.rgba.size(); at += 4) {
+    const int red = image.rgba[at], green = image.rgba[at + 1], blue = image.rgba[at + 2];
+    count += red > 100 && red > 2 * green && red > 2 * blue ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(CrowdPicture, ShowsInRedWhatFollowsAWeighedEntry) {
+  for (InstanceRecord& record : crowd().instances) std::ranges::fill(record.tints, 0xFFFFFFFFU);
+  const auto red_with = [&](WeighedEntries weighed) {
+    CrowdFrame frame = crowd().frame();
+    frame.weighed = weighed;
+    crowd().renderer().draw(frame);
+    return red_pixels(crowd().renderer().read_image());
+  };
+  EXPECT_EQ(red_with({}), 0U);
+  const std::size_t of_legs = red_with({legs, 1}), of_head = red_with({head, 1});
+  EXPECT_GT(of_head, 20U);
+  EXPECT_GT(of_legs, of_head);
+  EXPECT_GT(red_with({0, doll_joints}), of_legs + of_head) << "everything follows all of them together";
+  EXPECT_EQ(red_with({65536, 1}), 0U) << "nothing follows it";
+}
+
 TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
   const DrawCounts few = crowd().renderer().draw(crowd().frame());
   crowd().stand(60);

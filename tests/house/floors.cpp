@@ -66,6 +66,7 @@ const std::vector<House>& houses() {
         {"report"},
         {"overlay"},
         {"stage"},
+        {"viewer"},
         {"figures"},
         {"recording"},
         {"show"},

@@ -118,6 +118,7 @@ const std::vector<Option>& other_options() {
       {"--ui-tab", 0.2F, word_of({"crowd", "skipping", "bones", "scheduling", "agent", "presets"})},
       {"--ui-scale", 0.1F, word_of({"0.5", "1", "1.5", "4"})},
       {"--select", 0.2F, word_of({"0"})},
+      {"--view", 0.0F, text("")},
       {"--hide-ui", 0.0F, text("")},
       {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},

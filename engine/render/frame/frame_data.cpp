@@ -18,6 +18,8 @@ FrameUniforms frame_uniforms(const CrowdFrame& frame) {
   uniforms.ray_forward = uniforms.ray_right * projection[2][0] + uniforms.ray_up * projection[2][1] - axes[2];
   uniforms.now = frame.now;
   uniforms.distance_scale = frame.distance_scale;
+  uniforms.weighed_entry = frame.weighed.first;
+  uniforms.weighed_entries = frame.weighed.count;
   return uniforms;
 }
 

@@ -29,7 +29,7 @@ enum StorageBinding : unsigned {
 ///      0  view projection
 ///     64  camera position x y z, unused
 ///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
-///    128  now in microseconds, distance scale, two unused
+///    128  now in microseconds, distance scale, first and number of the palette entries whose weights are shown
 struct FrameUniforms {
   glm::mat4 view_projection;
   glm::vec4 camera_position;
@@ -38,7 +38,8 @@ struct FrameUniforms {
   glm::vec4 ray_forward;
   std::uint32_t now;
   float distance_scale;
-  std::uint32_t unused[2];
+  std::uint32_t weighed_entry;
+  std::uint32_t weighed_entries;
 };
 static_assert(sizeof(FrameUniforms) == 144);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);

@@ -24,6 +24,20 @@ void add(ReplayCommands& all, const ReplayCommands& commands) {
 
 }  // namespace
 
+namespace {
+
+void add(ViewerCommands& all, const ViewerCommands& more) {
+  all.view_selected |= more.view_selected;
+  all.leave |= more.leave;
+  all.face_front |= more.face_front;
+  all.apply_preview |= more.apply_preview;
+  if (more.view) all.view = more.view;
+  if (more.settings) all.settings = more.settings;
+  if (more.scrub) all.scrub = more.scrub;
+}
+
+}  // namespace
+
 OverlayDriver::OverlayDriver(const std::string& fonts)
     : overlay(fonts, 1, Tuning(),
               {.get = [this] { return clipboard; }, .set = [this](const std::string& text) { clipboard = text; }}),
@@ -67,6 +81,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
     if (commands.character) all.character = commands.character;
+    add(all.viewer, commands.viewer);
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }
   return all;

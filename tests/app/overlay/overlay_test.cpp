@@ -111,7 +111,7 @@ TEST(Overlay, AChangedValueGoesBackByDoubleClickOrByItsArrow) {
   EXPECT_EQ(driver.tuning.agents, Tuning().agents);
 }
 
-TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
+TEST(Overlay, AnotherClipForARoleIsLookedAtFirstKeptAndTakenBack) {
   OverlayDriver driver;
   driver.point_at(1100, 400);
   driver.frames();
@@ -122,9 +122,16 @@ TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
   driver.click("Walk");
   ASSERT_TRUE(driver.sees("Walk:Running_A"));
   const OverlayCommands picked = driver.click("Walk:Running_A");
-  ASSERT_TRUE(picked.roles);
-  EXPECT_EQ((*picked.roles)[index_of(Role::walk)], 2);
-  EXPECT_EQ((*picked.roles)[index_of(Role::stand)], 0);
+  EXPECT_FALSE(picked.roles) << "the crowd does not play it yet";
+  ASSERT_TRUE(picked.viewer.view);
+  ASSERT_TRUE(picked.viewer.view->preview);
+  EXPECT_EQ(picked.viewer.view->preview->role, Role::walk);
+  EXPECT_EQ(picked.viewer.view->preview->clip, 2);
+  driver.click("Walk");
+  const OverlayCommands none = driver.click("Walk:none");
+  ASSERT_TRUE(none.roles) << "there is nothing to look at";
+  EXPECT_EQ((*none.roles)[index_of(Role::walk)], no_clip);
+  EXPECT_EQ((*none.roles)[index_of(Role::stand)], 0);
   EXPECT_TRUE(driver.click("Save roles").save_roles);
   const OverlayCommands reset = driver.click("Reset roles");
   ASSERT_TRUE(reset.roles);

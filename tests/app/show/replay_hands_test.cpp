@@ -1,6 +1,7 @@
 // What a person does to a crowd by hand while it is recorded, and that a replay does the same.
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -44,6 +45,17 @@ class ReplaysOfHands : public test::RecordedRun {
  protected:
   std::unique_ptr<Show> plaza() const { return show_of(demo("--agents 40 --seed 3 --pus 1")); }
 };
+
+TEST_F(ReplaysOfHands, GiveRolesOtherClipsWhileTheCrowdGoesOn) {
+  record(*plaza(), 90, [](Show& show, int frame) {
+    if (frame != 30 && frame != 60) return;
+    RoleClips clips = show.stage().people()[0].roles.clips;
+    std::swap(clips[index_of(Role::walk)], clips[index_of(Role::run)]);
+    std::swap(clips[index_of(Role::stand)], clips[index_of(Role::wave)]);
+    show.set_roles(0, clips);
+  });
+  EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
+}
 
 TEST_F(ReplaysOfHands, HoldAClipAndLetItGo) {
   record(*plaza(), 60, [](Show& show, int frame) {

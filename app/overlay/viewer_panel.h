@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "app/overlay/widgets.h"
+#include "app/report/viewer_report.h"
+
+namespace throng::app {
+
+/// All that the viewer's panel remembers from frame to frame.
+struct ViewerPanelMemory {
+  std::string search;  ///< shown are the clips whose names have it
+};
+
+/// Shows the viewer of one character in the place of the tabs: its clips, their time, and what is drawn of it.
+void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerReport& report, ViewerPanelMemory& memory,
+                       ViewerCommands& commands);
+
+/// Writes the name of the bone whose joint is under the pointer there, while bones are drawn.
+void show_bone_name(const Theme& theme, const Area& picture, const ViewerReport& report);
+
+}  // namespace throng::app

@@ -1,0 +1,46 @@
+#include "app/viewer/turntable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace throng::app {
+namespace {
+
+constexpr float radians_a_pixel = 0.008F;
+constexpr float radians_a_second = 0.7F;
+constexpr float step_of_wheel = 0.88F, nearest = 0.2F, farthest = 4.0F;
+constexpr float steepest = -1.5F, flattest = -0.03F;  // above the ground that the character stands on
+
+}  // namespace
+
+void Turntable::update(const InputFrame& input, const FlyControls& controls) {
+  if (!controls.pointer_free) return;
+  nearness_ = std::clamp(nearness_ * std::pow(step_of_wheel, input.wheel), nearest, farthest);
+  if (!input.down(MouseButton::left) && !input.down(MouseButton::right)) return;
+  yaw_ = std::remainder(yaw_ - input.moved_x * radians_a_pixel, 2.0F * std::numbers::pi_v<float>);
+  pitch_ = std::clamp(pitch_ - input.moved_y * radians_a_pixel, steepest, flattest);
+}
+
+void Turntable::turn(float seconds) {
+  yaw_ = std::remainder(yaw_ + seconds * radians_a_second, 2.0F * std::numbers::pi_v<float>);
+}
+
+void Turntable::face_front() {
+  yaw_ = first_yaw;
+  pitch_ = first_pitch;
+  nearness_ = 1.0F;
+}
+
+render::Camera Turntable::camera(float aspect, float covered) const {
+  render::Camera camera{.position = {}, .yaw = yaw_, .pitch = pitch_};
+  camera = render::frame_sphere(camera, centre_, radius_, aspect * (1.0F - covered));
+  const float distance = nearness_ * glm::distance(camera.position, centre_);
+  const float half_width = distance * std::tan(camera.vertical_view / 2) * aspect;
+  camera.position = centre_ - distance * render::forward(camera) + covered * half_width * render::right(camera);
+  return camera;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "app/character/source.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::app {
+
+/// Says which pose of a character is wanted.
+struct ViewedPose {
+  int clip = 0;
+  double seconds = 0;     ///< in the clip
+  int blended = no_clip;  ///< a second clip; no_clip: none
+  double blended_seconds = 0;
+  float weight = 0;  ///< of the second clip, 0 to 1
+  bool bind_pose = false;
+  std::uint8_t bone_level = 0;
+};
+
+/// A sphere in model space, in metres.
+struct ViewedSphere {
+  glm::vec3 centre{0.0F};
+  float radius = 1.0F;
+};
+
+/// One agent of a character, in an animation system of its own, which is asked for a pose in each frame.
+class ViewedCharacter {
+ public:
+  /// `source` outlives it. Errors: those of AnimationSystem::create.
+  static anim::Result<std::unique_ptr<ViewedCharacter>> create(const CharacterSource& source, anim::StreamKind stream);
+
+  void pose(const ViewedPose& wanted);
+  /// Returns a sphere about the points that stand for its surface, at several times of each clip.
+  ViewedSphere surroundings();
+
+  /// Returns the palette of the last pose; entries that its bone level lacks are left as they were.
+  std::span<const anim::PaletteMatrix> palette() const;
+  /// Returns the bytes that a palette of the character takes.
+  std::size_t palette_bytes() const {
+    return anim::palette_stride(character().level_entries.front(), anim::PaletteFormat::matrices);
+  }
+  /// Returns where a joint is in the last pose, in model space; nothing for a bone that no skin uses, or that the bone
+  /// level lacks.
+  std::optional<glm::vec3> joint(int bone) const;
+  /// Adds the weights of morphs of the last pose. Returns whether there are any.
+  bool add_morph_weights(std::span<float> weights) const;
+
+  const anim::Character& character() const { return *source_->character; }
+  const CharacterSource& source() const { return *source_; }
+
+ private:
+  explicit ViewedCharacter(const CharacterSource& source);
+  std::vector<glm::vec3> surface_at_many_times();
+  void add_surface(std::vector<glm::vec3>& points) const;
+
+  const CharacterSource* source_;
+  std::unique_ptr<anim::AnimationSystem> system_;
+  anim::AgentId agent_;
+  anim::AlignedBytes palette_;
+  std::vector<anim::PaletteMatrix> bind_;  // the palette of the bind pose
+  std::vector<anim::JointPlace> joints_;   // [bone]
+  std::size_t entries_ = 0;                // of the last pose
+  bool shows_bind_ = false;
+};
+
+}  // namespace throng::app

@@ -57,6 +57,8 @@ anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport&
   if (reader.has("sweep")) fixed.sweep = sweep_in(reader.elements("sweep"), complaint);
   if (complaint) return file.wrong(*complaint);
   fixed.timeline.clear();
+  fixed.kept = {};
+  fixed.error.skipping_sentence.clear();  // it has measured times
   report = std::move(fixed);
   return anim::Done{};
 }

@@ -58,6 +58,24 @@ void count(std::vector<int>& counts, std::size_t place) {
   ++counts[place];
 }
 
+// Props have no feet and no bones to speak of, so people alone count.
+Situation situation_of(const Stage& stage, int mesh_levels) {
+  Situation situation{.selected = stage.selected().has_value(),
+                      .places_feet = false,
+                      .can_pack = false,
+                      .bone_levels = 1,
+                      .mesh_levels = mesh_levels,
+                      .pus = stage.system().options().pus};
+  for (std::size_t i = 0; i < stage.people().size(); ++i) {
+    const CharacterSource& person = stage.people()[i];
+    situation.places_feet |= stage.animated().rigs(i).foot_placement().has_value();
+    situation.can_pack |= person.character->skeleton.rigid;
+    const auto levels = static_cast<int>(person.character->skeleton.level_bone_counts.size());
+    situation.bone_levels = std::max(situation.bone_levels, levels);
+  }
+  return situation;
+}
+
 }  // namespace
 
 FrameReporter::FrameReporter(const Show& show) {
@@ -68,6 +86,10 @@ FrameReporter::FrameReporter(const Show& show) {
 void FrameReporter::describe_characters(const Show& show) {
   report_.characters.clear();
   report_.cast.clear();
+  mesh_levels_ = 1;
+  for (std::size_t i = 0; i < show.stage().people().size(); ++i) {
+    mesh_levels_ = std::max(mesh_levels_, static_cast<int>(show.painter().mesh_levels(i).size()));
+  }
   for (const CharacterSource& character : show.stage().people()) {
     report_.characters.push_back(character.name);
     report_.cast.push_back({.share = character.roles.share, .starting_share = character.roles.share});
@@ -124,6 +146,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_cameras(show, report_.cameras);
   report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
   if (report_.viewer) return;  // the crowd waits, and so do its figures
+  report_.situation = situation_of(show.stage(), mesh_levels_);
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
   report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());
@@ -143,10 +166,13 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.memory = system.figures().memory();
   limit_.add(show.figures().times());
   report_.limit_sentence = limit_.sentence();
+  add_error(show.stage());
   report_.selected = report_selection(show.stage());
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
-  report_.snapshots = static_cast<int>(show.moments().count());
-  report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
+  report_.snapshots.clear();
+  for (std::size_t i = 0; i < show.moments().count(); ++i) {
+    report_.snapshots.push_back(static_cast<float>(anim::to_seconds(show.moments().age(show.stage(), i))));
+  }
 }
 
 void FrameReporter::add_cast(const Stage& stage) {
@@ -163,12 +189,21 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().lod.largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
-  report_.error = stage.error_meter().figures();
   report_.lod = stage.level_of_detail().figures();
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
+}
+
+void FrameReporter::add_error(const Stage& stage) {
+  const ErrorMeter& meter = stage.error_meter();
+  report_.error.figures = meter.figures();
+  report_.error.intervals = meter.intervals();
+  report_.error.p99_history.assign(meter.history().p99().begin(), meter.history().p99().end());
+  report_.error.pop_history.assign(meter.history().pop().begin(), meter.history().pop().end());
+  const bool skips = stage.tuning().lod.rule != anim::LodRule::off;
+  report_.error.skipping_sentence = skips ? skipping_sentence(limit_.mean(), report_.agents_by_interval) : "";
 }
 
 void FrameReporter::add_heads(const Stage& stage) {
@@ -192,13 +227,26 @@ void FrameReporter::add_units(const anim::AnimationSystem& system) {
   report_.schedule = system.figures().schedule();
   report_.simd_target = system.figures().kernels().target;
   report_.pu.clear();
-  if (report_.timeline.size() == timeline_frames) report_.timeline.pop_front();
+  if (report_.timeline.size() == timeline_frames) report_.timeline.erase(report_.timeline.begin());
   TimelineFrame& frame =
       report_.timeline.emplace_back(TimelineFrame{.frame = report_.frame, .time = system.figures().update_time()});
   for (const anim::ProcessingUnit& unit : system.figures().units()) {
     report_.pu.push_back({.activity = unit.activity(), .local_store_laid_out_bytes = unit.store().bytes_used()});
     frame.lanes.push_back(joined_spans(unit.trace(), frame.time));
   }
+  slow_frames_.add(report_.frame, report_.frame_ms, [this]() -> FrameDetails {
+    return {.frame_ms = report_.frame_ms,
+            .update_ms = report_.update_ms,
+            .work = report_.work,
+            .pu = report_.pu,
+            .timeline = report_.timeline.back()};
+  });
+  report_.kept = slow_frames_.report();
+}
+
+void FrameReporter::look_at(const OverlayCommands& commands) {
+  if (commands.look_at_frame) slow_frames_.look_at(*commands.look_at_frame);
+  if (commands.look_at_last_frames) slow_frames_.look_at_last();
 }
 
 }  // namespace throng::app

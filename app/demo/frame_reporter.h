@@ -8,6 +8,7 @@
 
 #include "app/demo/fixed_report.h"
 #include "app/demo/selection_log.h"
+#include "app/demo/slow_frames.h"
 #include "app/figures/limiter.h"
 #include "app/report/frame_report.h"
 #include "app/show/show.h"
@@ -43,6 +44,8 @@ class FrameReporter {
   void report_replay(const ReplayReport& replay) { report_.replay = replay; }
   /// Returns what is reported of the cameras.
   CameraReport& cameras() { return report_.cameras; }
+  /// Reports the frame that a person looks at from now on.
+  void look_at(const OverlayCommands& commands);
   /// Reports the camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
@@ -58,12 +61,15 @@ class FrameReporter {
   void describe_bones(const anim::Character& character);
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
+  void add_error(const Stage& stage);
   void add_heads(const Stage& stage);
   void add_units(const anim::AnimationSystem& system);
 
   FrameReport report_;
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
+  SlowFrames slow_frames_;
+  int mesh_levels_ = 1;  // the most of a character
 };
 
 }  // namespace throng::app

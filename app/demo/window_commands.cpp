@@ -32,6 +32,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   if (commands.push_over) messages().tell(show.hands().push_selected());
   obey_hands(commands);
   obey_sweep(commands);
+  reporter.look_at(commands);
   obey_presets(commands);
   obey_crowd_files(commands);
   const std::size_t character = reporter.report().character;
@@ -70,7 +71,7 @@ void WindowCommands::obey_hands(const OverlayCommands& commands) {
   Show& show = session_.show;
   if (commands.hold_at) show.hands().hold_selected_clip(*commands.hold_at);
   if (commands.let_go) show.hands().let_go_of_clip();
-  if (commands.rewind) messages().tell(show.rewind());
+  if (commands.rewind) messages().tell(show.rewind(*commands.rewind));
   if (!commands.models.empty()) replace_models(commands.models);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace throng::app {
@@ -13,6 +14,7 @@ struct FrameTimes {
   double wait_ms = 0;        ///< for the device to be done
 
   double drawing_ms() const { return upload_ms + submission_ms + wait_ms; }
+  double frame_ms() const { return animation_ms + drawing_ms(); }
 };
 
 enum class Limiter : std::uint8_t { animation, upload, submission, gpu };
@@ -24,11 +26,17 @@ Limiter who_limits(const FrameTimes& times);
 /// the first frame.
 std::string limit_sentence(const FrameTimes& times);
 
+/// Returns why skipping updates saves little at a low frame rate, below 25 frames a second: something else takes the
+/// frame, or frames are so long that hardly anybody may miss one. `agents_by_interval[i]` agents in view are posed
+/// every i + 1 frames. Returns nothing where the frame rate is higher, or where skipping does pay.
+std::string skipping_sentence(const FrameTimes& times, std::span<const int> agents_by_interval);
+
 /// Averages the parts over about half a second, so that a person can read them.
 class LimiterOverFrames {
  public:
   void add(const FrameTimes& times);
   std::string sentence() const { return limit_sentence(mean_); }
+  const FrameTimes& mean() const { return mean_; }
 
  private:
   FrameTimes mean_;

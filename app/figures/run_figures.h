@@ -18,8 +18,8 @@ class RunFigures {
   void keep_timeline() { timeline_.emplace(); }
   /// Takes how long it took to make the crowd.
   void set_spawn(double milliseconds) { statistics_.set_spawn(milliseconds); }
-  /// Takes how long it took to lay out the overlay in this frame.
-  void add_overlay(double milliseconds) { statistics_.add_overlay(milliseconds); }
+  /// Takes how long it took to lay out the overlay in this frame; call it when that is done.
+  void add_overlay(double milliseconds);
   /// Takes an update that began at `start` and posed the crowd in `milliseconds`.
   void add_update(const Stage& stage, Clock::time_point start, double milliseconds);
   /// Takes a drawing that began at `start`; `times` has all of its parts but the animation.

@@ -74,10 +74,14 @@ void add_scheduling(Json& json, const Stage& stage) {
 }
 
 // Of the whole run; null where it was not measured, or too seldom.
-void add_error(Json& json, const anim::ErrorFigures& error) {
+void add_error(Json& json, const ErrorMeter& meter) {
+  const anim::ErrorFigures error = meter.since_start();
+  const anim::QuantileInterval p99 = meter.intervals_since_start().p99;
   const bool measured = error.samples > 0;
   json["error_px_p50"] = measured ? Json(error.p50) : Json(nullptr);
-  json["error_px_p99"] = error.p99_is_known() ? Json(error.p99) : Json(nullptr);
+  json["error_px_p99"] = measured ? Json(error.p99) : Json(nullptr);
+  json["error_px_p99_low"] = measured ? Json(p99.low) : Json(nullptr);
+  json["error_px_p99_high"] = p99.high ? Json(*p99.high) : Json(nullptr);
   json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
   json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
   json["error_samples"] = error.samples;
@@ -159,7 +163,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
-  add_error(json, stage.error_meter().since_start());
+  add_error(json, stage.error_meter());
   add_level_of_detail(json, lod_, stage.tuning());
   add_events(json, stage.animated().event_sums());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);

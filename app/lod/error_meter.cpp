@@ -12,7 +12,9 @@ constexpr float not_measured = -1.0F;
 // just read, then every point is skinned twice and projected.
 constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
-constexpr std::size_t most_measured_of_few = 24;
+// A frame. Of a crowd that is cheap to pose, some are measured all the same, and as many as may be until a ninety-ninth
+// percentile is known.
+constexpr std::size_t most_measured_of_few = 24, least_measured_of_few = 4;
 
 glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
   const glm::vec3 position = crowd.positions()[agent];
@@ -49,12 +51,14 @@ void ErrorMeter::reset(std::size_t agents) {
   window_ = {};
   pose_window_ = {};
   figures_ = {};
+  history_ = {};
 }
 
 void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible,
                              const ShownPoses& shown) {
   if (sampling != sampling_) {
     sampling_ = sampling;
+    if (sampling == ErrorSampling::off) figures_ = {}, history_ = {};
     const std::size_t most = sampling == ErrorSampling::all ? errors_.size() : WatchedAgents::few;
     const std::size_t watched = sampling == ErrorSampling::off ? 0 : std::min(most, errors_.size());
     watched_.reset(errors_.size(), watched, most_entries_);
@@ -77,13 +81,19 @@ void ErrorMeter::take(WatchedAgent& watched) {
   exact_.push_back({.agent = {watched.agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
 }
 
+double ErrorMeter::affordable_bones(const anim::UpdateReport& update) const {
+  const std::size_t least = figures_.p99_is_known() ? least_measured_of_few : most_measured_of_few;
+  return std::max(share_of_pose_cost * static_cast<double>(update.bones_evaluated),
+                  static_cast<double>(least) * characters_.front().cost);
+}
+
 // Whoever was measured for the first time in the frame before is measured again, so that it is known by how much its
 // error changes; then it is others' turn, as long as the update's cost affords it.
 void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame) {
   chosen_.clear();
   exact_.clear();
   const bool all = sampling_ == ErrorSampling::all;
-  const double affordable = share_of_pose_cost * static_cast<double>(system.figures().report().bones_evaluated);
+  const double affordable = affordable_bones(system.figures().report());
   credit_ = std::min(credit_ + affordable, frames_of_credit * affordable + 2 * characters_.front().cost);
   const std::span<WatchedAgent> watched = watched_.all();
   const auto is_ready = [&](const WatchedAgent& each) {
@@ -117,6 +127,7 @@ void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& f
     measure(watched_.all()[chosen_[i]], exact_[i].palette, frame);
   }
   figures_ = window_.figures();
+  history_.add({.p99 = figures_.p99, .pop = window_.newest_pop()});
 }
 
 void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame) {

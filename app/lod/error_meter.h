@@ -6,6 +6,7 @@
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
+#include "app/lod/error_history.h"
 #include "app/lod/mesh_lods.h"
 #include "app/lod/watched_agents.h"
 #include "app/settings/settings.h"
@@ -33,7 +34,8 @@ struct MeasuredFrame {
 /// surface, between what the vertex shader shows and the exact pose of the moment. Changes no pose.
 class ErrorMeter {
  public:
-  /// The share of an update's cost that the meter may take to measure some of the agents.
+  /// The share of an update's cost that the meter may take to measure some of the agents. It takes more where that is
+  /// less than four samples a frame, and until there are samples enough for a ninety-ninth percentile.
   static constexpr double share_of_pose_cost = 0.05;
 
   explicit ErrorMeter(std::span<const CharacterSource> characters);
@@ -55,7 +57,14 @@ class ErrorMeter {
 
   /// Returns the errors of poses and meshes together, over the last 60 frames. All are 0 while nobody is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
+  /// Returns where the percentiles of figures() lie by chance. Nobody measured: they may lie anywhere.
+  anim::ErrorIntervals intervals() const { return window_.intervals(); }
   anim::ErrorFigures since_start() const { return window_.since_start(); }
+  anim::ErrorIntervals intervals_since_start() const { return window_.intervals_since_start(); }
+  /// Returns the largest pop of the last frame; 0 where nobody was measured in it and in the frame before.
+  float newest_pop() const { return window_.newest_pop(); }
+  /// Returns how figures() went in the last seconds.
+  const ErrorHistory& history() const { return history_; }
   /// Returns the errors of poses alone, which level of detail decides by.
   anim::ErrorFigures pose_figures() const { return pose_window_.figures(); }
   /// Returns the error of an agent's pose and mesh together as measured last, in pixels; below 0 if it was not measured
@@ -73,6 +82,7 @@ class ErrorMeter {
   };
 
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
+  double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
   void measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame);
   static float mesh_error(std::uint32_t agent, const MeasuredFrame& frame);
@@ -91,6 +101,7 @@ class ErrorMeter {
   anim::ErrorWindow window_;   // of poses and meshes together
   anim::ErrorWindow pose_window_;
   anim::ErrorFigures figures_;
+  ErrorHistory history_;
 };
 
 }  // namespace throng::app

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,23 +84,29 @@ void show_layers(const TabContext& context, const SelectionReport& selected) {
   widgets.caption("Green: how much of a layer is laid over what is below. Blue: how much of an entity is in the pose.");
 }
 
+std::optional<std::string> why_not_held(const SelectionReport& selected) {
+  if (selected.clip_seconds <= 0) return "it plays no clip";
+  if (selected.posture != Posture::upright) return "it is no longer upright";
+  return std::nullopt;
+}
+
 void show_hands(const TabContext& context, const SelectionReport& selected) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Hands on it");
   const auto last = static_cast<double>(std::max(selected.clip_seconds, 0.01F));
-  ImGui::BeginDisabled(selected.clip_seconds <= 0 || selected.posture != Posture::upright);
+  widgets.begin_idle(why_not_held(selected));
   double seconds = std::min(static_cast<double>(selected.held_at.value_or(0)), last);
   if (widgets.number("Hold clip at", seconds, 0, {.highest = last, .decimals = 2, .suffix = " s"},
                      {.what = "Drag to stop it and to move through its clip. Crowd logic holds it in its place.",
                       .unit = "seconds from the clip's start"})) {
     commands.hold_at = static_cast<float>(seconds);
   }
-  ImGui::EndDisabled();
+  widgets.end_idle();
   ButtonRow buttons(widgets, 2);
-  commands.let_go |=
-      buttons.button("Let go", {.what = "It goes on as the crowd wants it."}, selected.held_at.has_value());
-  commands.push_over |=
-      buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."}, selected.can_fall);
+  commands.let_go |= buttons.button("Let go", {.what = "It goes on as the crowd wants it."},
+                                    selected.held_at ? nullptr : "its clip is not held");
+  commands.push_over |= buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."},
+                                       selected.can_fall ? nullptr : cannot_fall);
 }
 
 /// Draws a column a frame, as high as the interval is long, above a dot in the colour of the bone level.

@@ -62,7 +62,8 @@ void show_open_list(const TabContext& context) {
       "Save body",
       {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
                "the ground and clips of other files go by it from then on."});
-  if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."}, !report.body.said.empty())) {
+  if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."},
+                     report.body.said.empty() ? "every part is as it is guessed" : nullptr)) {
     commands.body = NewBody{};
   }
 }

@@ -68,7 +68,8 @@ void change(const TabContext& context, const BoneLodChoice& choice) {
 void show_bone_buttons(const TabContext& context) {
   std::vector<BoneLodChoice>& undo = context.memory.bones.undo;
   ButtonRow buttons(context.widgets, 3);
-  if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."}, !undo.empty())) {
+  if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."},
+                     undo.empty() ? "nothing was changed yet" : nullptr)) {
     context.commands.bone_lod = undo.back();
     undo.pop_back();
   }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "app/overlay/bone_list.h"
 #include "app/overlay/plots.h"
@@ -80,8 +82,6 @@ void show_levels(const TabContext& context) {
               {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
                        "list below, and a dropped bone follows its nearest kept ancestor.",
                .cost = "off evaluates all bones of every agent."});
-  const bool by_error = tuning.lod.rule == anim::LodRule::budget;
-  ImGui::BeginDisabled(!tuning.lod.bone_lod || by_error);
   for (int level = 1; level < level_count(report); ++level) {
     const std::string number = std::to_string(level), key = "bone_level_distance_" + number;
     const std::string label = "Level " + number + " from";
@@ -91,17 +91,20 @@ void show_levels(const TabContext& context) {
       keep_in_order(tuning, static_cast<std::size_t>(level) - 1);
     }
   }
+  const std::optional<std::string> idle = idle_reason("bone_level_distance_1", tuning, report.situation);
+  ImGui::BeginDisabled(idle.has_value());
   show_band(context);
   ImGui::EndDisabled();
-  widgets.caption(by_error
-                      ? "The rule budget chooses levels by the error limit, for each clip from distances of its own; "
-                        "these count for the rules distance and off."
-                      : "Bones kept over 0 to 150 m. Drag a border.");
+  widgets.caption(idle ? "These distances have no effect: " + *idle + "."
+                       : "Bones kept over 0 to 150 m. Drag a border.");
   int mesh = tuning.mesh_lod + 1;
-  widgets.choose("Mesh LOD", mesh, standard.mesh_lod + 1, mesh_words,
-                 {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "
-                          "for everyone, 0 is the full mesh.",
-                  .cost = "Triangles; on a software renderer most of the frame."});
+  context.unless_idle("mesh_lod", [&] {
+    context.widgets.choose(
+        "Mesh LOD", mesh, context.standard.mesh_lod + 1, mesh_words,
+        {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "
+                 "for everyone, 0 is the full mesh.",
+         .cost = "Triangles; on a software renderer most of the frame."});
+  });
   tuning.mesh_lod = mesh - 1;
 }
 
@@ -128,10 +131,12 @@ void show_forced_level(const TabContext& context, const char* label, const char*
   const auto levels = static_cast<std::size_t>(level_count(context.report));
   int& forced = context.tuning.inspection.forced_bone_level;
   int word = std::min(forced, static_cast<int>(levels) - 1) + 1;
-  if (context.widgets.choose(label, word, context.standard.inspection.forced_bone_level + 1,
-                             std::span(words).first(levels + 1), {.what = what})) {
-    forced = word - 1;
-  }
+  context.unless_idle("forced_bone_level", [&] {
+    if (context.widgets.choose(label, word, context.standard.inspection.forced_bone_level + 1,
+                               std::span(words).first(levels + 1), {.what = what})) {
+      forced = word - 1;
+    }
+  });
 }
 
 void show_bone_lod_tab(const TabContext& context) {

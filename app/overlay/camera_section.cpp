@@ -26,9 +26,8 @@ void show_ways_to_go(const TabContext& context) {
   const bool someone = context.report.selected.has_value();
   context.commands.cameras.change_follow |=
       buttons.button(cameras.follows ? "Stop following" : "Follow",
-                     {.what = "The camera goes where the selected agent goes, from where it is now. Click at somebody "
-                              "first. Key G."},
-                     someone);
+                     {.what = "The camera goes where the selected agent goes, from where it is now. Key G."},
+                     someone ? nullptr : "Nobody is selected. Click at somebody first.");
 }
 
 // Says who has the camera, where that is not the person alone.

@@ -7,8 +7,12 @@
 
 namespace throng::app {
 
-/// Shows the strip below the crowd: the cost of the last frame, and of the frames before it.
-void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report);
+/// The reason why an agent cannot be pushed over.
+inline constexpr const char* cannot_fall = "it has fallen already, or its body is not known well enough";
+
+/// Shows the strip below the crowd: the cost of the last frame, and of the frames before it. A click at one of these
+/// looks at it.
+void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
 
 /// Shows the keys and explains every word of the panel; those that have the letters of `searched`, which the person
 /// edits there. Returns whether the person closed the card.

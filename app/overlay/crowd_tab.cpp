@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,21 +94,51 @@ void show_cast(const TabContext& context) {
   widgets.caption(counts + " agents");
 }
 
+std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
+  const auto distance = [seconds](float age) { return std::abs(static_cast<double>(age) - seconds); };
+  return static_cast<std::size_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
+}
+
+// The crowd goes back where the slider is let go, since on the way there each snapshot would take its place.
+void show_snapshots(const TabContext& context) {
+  const std::vector<float>& ages = context.report.snapshots;
+  std::optional<double>& seconds_back = context.memory.seconds_back;
+  const bool none = ages.empty();
+  double seconds = seconds_back.value_or(0);
+  context.widgets.begin_idle(none ? std::optional<std::string>("there is no snapshot yet") : std::nullopt);
+  if (context.widgets.number(
+          "Back by", seconds, 0,
+          {.highest = none ? 1 : static_cast<double>(ages.back()), .decimals = 1, .zero_word = "now", .suffix = " s"},
+          {.what =
+               "Where it is let go, the crowd goes back to the nearest of up to ten snapshots, one each half second. "
+               "From there everything happens as it did.",
+           .unit = "seconds of the crowd's clock",
+           .cost = "Memory of ten crowds; none are taken above 20,000 agents."})) {
+    seconds_back = seconds;
+  }
+  context.widgets.end_idle();
+  if (!seconds_back || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+  if (*seconds_back > 0 && !none) context.commands.rewind = nearest_snapshot(ages, *seconds_back);
+  seconds_back.reset();
+}
+
 void show_time(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const std::vector<float>& ages = report.snapshots;
   widgets.section("Time");
   context.row("paused", "Pause", {.what = "Holds the crowd; the camera still flies. Space does the same."});
   context.row("time_scale", "Speed", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
+  show_snapshots(context);
   ButtonRow buttons(widgets, 2);
-  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."}, tuning.paused);
-  commands.rewind |= buttons.button("Rewind",
-                                    {.what = "Back to the newest of up to ten snapshots, one each half second; pressed "
-                                             "again, to the one before it. From there everything happens as it did.",
-                                     .cost = "Memory of ten crowds; none are taken above 20,000 agents."},
-                                    report.snapshots > 0);
-  widgets.caption(report.snapshots == 0 ? "No snapshot yet."
-                                        : std::to_string(report.snapshots) + " snapshots, the newest " +
-                                              fixed(report.snapshot_seconds, 1) + " s ago.");
+  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
+                                  tuning.paused ? nullptr : "the crowd is not paused");
+  if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
+                     ages.empty() ? "there is no snapshot yet" : nullptr)) {
+    commands.rewind = 0;
+  }
+  widgets.caption(ages.empty()
+                      ? "No snapshot yet."
+                      : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");
 }
 
 void show_picture(const TabContext& context) {

@@ -56,22 +56,42 @@ void draw_scale(const Theme& theme, const Area& graph, float top) {
   draw_text(theme.small, {graph.to.x + theme.px(6), graph.to.y - theme.px(12)}, colour::faint, "0");
 }
 
-void show_frame_under_pointer(const Area& graph, const FrameReport& report) {
+float x_of(const Area& graph, int frames_ago) {
+  return graph.to.x - graph.width() * static_cast<float>(frames_ago) / static_cast<float>(frames_shown - 1);
+}
+
+/// Marks the frames that can be looked at with dots, and the one that is looked at with a line.
+void draw_kept_frames(const Theme& theme, const Area& graph, const FrameReport& report) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (const int number : report.kept.numbers) {
+    draw.AddCircleFilled({x_of(graph, report.frame - number), graph.to.y + theme.px(5)}, theme.px(1.5F), colour::dim,
+                         6);
+  }
+  if (!report.kept.looked_at) return;
+  const float x = x_of(graph, report.frame - report.kept.looked_at->number());
+  if (x >= graph.from.x) draw.AddLine({x, graph.from.y}, {x, graph.to.y + theme.px(5)}, colour::changed, theme.px(2));
+}
+
+void show_frame_under_pointer(const Area& graph, const FrameReport& report, OverlayCommands& commands) {
   const std::size_t count = std::min(report.frame_ms_history.size(), report.update_ms_history.size());
   const float step = graph.width() / static_cast<float>(frames_shown - 1);
   const auto frames_ago =
       static_cast<std::size_t>(std::max(0.0F, (graph.to.x - ImGui::GetIO().MousePos.x) / step + 0.5F));
   if (!graph.hovered || frames_ago >= count) return;
   const std::size_t index = count - 1 - frames_ago;
-  const float x = graph.to.x - step * static_cast<float>(frames_ago);
+  const float x = x_of(graph, static_cast<int>(frames_ago));
   ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
   tell({"frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
-        short_milliseconds(report.update_ms_history[index]) + " ms"});
+            short_milliseconds(report.update_ms_history[index]) + " ms",
+        report.kept.numbers.empty() ? "" : "click: what the slow frame nearest to it did, one with a dot"});
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    commands.look_at_frame = report.frame - static_cast<int>(frames_ago);
+  }
 }
 
 }  // namespace
 
-void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report) {
+void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
   const Theme& theme = widgets.theme();
   begin_fixed_window("Frame strip", place);
   draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
@@ -85,7 +105,8 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_line(graph, report.frame_ms_history, top, frames_shown, colour::frame, theme.px(1.5F));
   draw_line(graph, report.update_ms_history, top, frames_shown, colour::accent, theme.px(1.5F));
   draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
-  show_frame_under_pointer(graph, report);
+  draw_kept_frames(theme, graph, report);
+  show_frame_under_pointer(graph, report, commands);
   ImGui::End();
 }
 

@@ -31,6 +31,9 @@ void show_limits(const TabContext& context) {
               {.what = "All poses of a frame take no longer, over all PUs, by prediction. Those are degraded first on "
                        "whom it is seen least.",
                .unit = "milliseconds; none: as long as it takes"});
+}
+
+void show_what_binds(const TabContext& context) {
   context.widgets.fact(
       "Limited by", name_of(context.report.lod.binding),
       {.what = "error: the error limit decides. budget: the time limit does. both miss: neither can hold."});
@@ -41,14 +44,13 @@ void show_limits(const TabContext& context) {
 }
 
 void show_rule(const TabContext& context) {
-  const anim::LodRule& rule = context.tuning.lod.rule;
   context.widgets.section("Rule");
   context.row("lod", "Rule",
               {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer. "
                        "budget: as rarely as pixels and milliseconds allow.",
                .cost = "off is the full price of the crowd."});
-  ImGui::BeginDisabled(rule == anim::LodRule::off);
-  rule == anim::LodRule::budget ? show_limits(context) : show_distances(context);
+  show_limits(context);
+  show_distances(context);
   context.row("largest_interval", "Largest interval",
               {.what = "No agent waits longer for its next pose.",
                .unit = "frames, 1 to 16",
@@ -57,7 +59,7 @@ void show_rule(const TabContext& context) {
               {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                        "not stutter.",
                .cost = "A second palette slot for each skipped agent."});
-  ImGui::EndDisabled();
+  if (context.tuning.lod.rule == anim::LodRule::budget) show_what_binds(context);
 }
 
 void show_looking(const TabContext& context) {
@@ -68,33 +70,36 @@ void show_looking(const TabContext& context) {
   widgets.toggle("Freeze LOD camera", look.freeze_camera, plain.freeze_camera,
                  {.what = "Level of detail and culling go on from where the camera is now, and you fly on. What that "
                           "camera sees is drawn as lines."});
-  widgets.toggle(
-      "Thresholds", look.thresholds, plain.thresholds,
-      {.what = "Draws a ring on the ground wherever the interval changes, in that interval's colour. By the error "
-               "limit that is for the clip that most of those in view play."});
+  context.unless_idle("thresholds", [&] {
+    context.widgets.toggle(
+        "Thresholds", look.thresholds, plain.thresholds,
+        {.what = "Draws a ring on the ground wherever the interval changes, in that interval's colour. By the error "
+                 "limit that is for the clip that most of those in view play."});
+  });
   widgets.toggle("Above heads", look.figures_above_heads, plain.figures_above_heads,
                  {.what = "Writes each agent's interval above its head, and after an L its bone level where bones are "
                           "dropped. The 300 tallest on the screen.",
                   .cost = "Drawing words; the animation is the same."});
-  widgets.choice(
-      "Split", look.split, plain.split, split_words,
-      {.what = "Left of a line the exact crowd: everyone posed now, with all bones and triangles. Right of it "
-               "the crowd as it is shown, or how far its picture is from the exact one, eight times as bright.",
-       .cost = "Everyone in view is posed once more in full, and drawn twice."});
-  if (look.split == Split::off) return;
-  auto split_at = static_cast<double>(look.split_at);
-  widgets.number("Split at", split_at, static_cast<double>(plain.split_at), {.decimals = 2},
-                 {.what = "Where the line is.", .unit = "of the picture's width"});
-  look.split_at = static_cast<float>(split_at);
+  context.unless_idle("split", [&] {
+    context.widgets.choice(
+        "Split", look.split, plain.split, split_words,
+        {.what = "Left of a line the exact crowd: everyone posed now, with all bones and triangles. Right of it "
+                 "the crowd as it is shown, or how far its picture is from the exact one, eight times as bright.",
+         .cost = "Everyone in view is posed once more in full, and drawn twice."});
+  });
+  context.unless_idle("split_at", [&] {
+    auto split_at = static_cast<double>(look.split_at);
+    context.widgets.number("Split at", split_at, static_cast<double>(plain.split_at), {.decimals = 2},
+                           {.what = "Where the line is.", .unit = "of the picture's width"});
+    look.split_at = static_cast<float>(split_at);
+  });
 }
 
 void show_forcing(const TabContext& context) {
   context.widgets.section("Try");
-  ImGui::BeginDisabled(context.tuning.lod.rule == anim::LodRule::off);
   context.row("forced_interval", "Force interval",
               {.what = "Everyone in view is updated this rarely, whatever the rule says.",
                .unit = "frames, 1 to 16; rule: as the rule has it"});
-  ImGui::EndDisabled();
   show_forced_level(context, "Force level",
                     "Everyone in view keeps the bones of this level. rule: by distance; 0: all bones.");
   context.row("force_selected_only", "Selected only",
@@ -173,23 +178,6 @@ void show_budget(const TabContext& context) {
   widgets.caption(words);
 }
 
-void show_error_on_screen(const TabContext& context) {
-  const FrameReport& report = context.report;
-  if (report.error.samples == 0) return;
-  Widgets& widgets = context.widgets;
-  widgets.section("Error on the screen");
-  widgets.fact("Half below", pixels(report.error.p50),
-               {.what = "How far what is shown lies from the exact pose, the farthest point of each agent.",
-                .unit = "pixels, over the last 60 frames"});
-  widgets.fact("99% below", report.error.p99_is_known() ? pixels(report.error.p99) : "too few samples",
-               {.what = "Of all agents drawn, all but one in a hundred are nearer to their exact pose.",
-                .unit = "pixels; shown from 1,000 samples on"});
-  widgets.fact("Largest", pixels(report.error.max), {.what = "The worst of the last 60 frames.", .unit = "pixels"});
-  widgets.fact(
-      "Largest pop", pixels(report.error.pop_max),
-      {.what = "How far that error jumped from one frame to the next: what the eye notices.", .unit = "pixels"});
-}
-
 void show_who_limits(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Who limits you");
@@ -201,20 +189,22 @@ void show_who_limits(const TabContext& context) {
   widgets.toggle("No upload", away.upload, all.upload,
                  {.what = "The records of the last frame are drawn again.", .cost = cost});
   widgets.toggle("No drawing", away.drawing, all.drawing, {.what = "No draw call; the picture stays.", .cost = cost});
-  widgets.toggle("No pixels", away.pixels, all.pixels,
-                 {.what = "The crowd is drawn, and no pixel of it is filled.", .cost = cost});
+  context.unless_idle("pixels", [&] {
+    context.widgets.toggle("No pixels", away.pixels, all.pixels,
+                           {.what = "The crowd is drawn, and no pixel of it is filled.", .cost = cost});
+  });
 }
 
 }  // namespace
 
 void show_lod_skipping_tab(const TabContext& context) {
   show_rule(context);
+  show_error(context);
   show_looking(context);
   show_forcing(context);
   show_agents_by_interval(context);
   show_intervals_over_distance(context);
   show_budget(context);
-  show_error_on_screen(context);
   show_who_limits(context);
 }
 

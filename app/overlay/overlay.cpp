@@ -131,6 +131,7 @@ struct Overlay::State {
   TabMemory memory;
   ViewerPanelMemory viewer_memory;
 
+  void show_tab(const std::string& name);
   void show_header(const Area& column);
   void show_tab_bar(const Area& column);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
@@ -174,6 +175,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   State& state = *state_;
   OverlayCommands commands;
   state.map.widgets.clear();
+  state.map.idle.clear();
   commands.models = state.input.dropped;
   const auto clicked = state.click.update(state.input, !uses_pointer());
   if (!report.viewer) commands.select_at = clicked;
@@ -208,12 +210,18 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   return commands;
 }
 
+void Overlay::State::show_tab(const std::string& name) {
+  const auto* const found = std::ranges::find(tabs, name, &Tab::name);
+  if (found != tabs.end()) tab = static_cast<std::size_t>(found - tabs.begin());
+}
+
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
   const FrameReport& report = context_of_tab.report;
   show_head_labels(widgets, layout.crowd, report);
   Area below_notices = layout.crowd;
   below_notices.from.y = show_notices(context_of_tab, layout.crowd);
-  show_frame_strip(widgets, layout.strip, report);
+  show_frame_strip(widgets, layout.strip, report, context_of_tab.commands);
+  if (context_of_tab.commands.look_at_frame) show_tab("Scheduling");
   show_column(layout.column, context_of_tab);
   if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
   if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
@@ -312,10 +320,7 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 
-void Overlay::show_tab(const std::string& name) {
-  const auto* const found = std::ranges::find(tabs, name, &Tab::name);
-  if (found != tabs.end()) state_->tab = static_cast<std::size_t>(found - tabs.begin());
-}
+void Overlay::show_tab(const std::string& name) { state_->show_tab(name); }
 
 bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }
 

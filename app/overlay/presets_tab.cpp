@@ -8,6 +8,7 @@
 namespace throng::app {
 namespace {
 
+constexpr const char* no_name = "a name has letters, digits, - and _";
 constexpr std::array<const char*, 2> pair_words = {"A", "B"};
 constexpr float preset_height = 28, button_width = 66;
 
@@ -65,7 +66,7 @@ void show_saving(const TabContext& context) {
           .button(exists ? "Replace preset" : "Save preset",
                   {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
                            "preset of that name is replaced."},
-                  can_name_a_preset(name))) {
+                  can_name_a_preset(name) ? nullptr : no_name)) {
     commands.save_preset = name;
   }
   commands.copy_command_line |=
@@ -104,7 +105,7 @@ void show_crowd_files(const TabContext& context) {
                   {.what = "Writes NAME.throng: the models and their shares, roles, parts of the body and orders of "
                            "bones, all values and the camera. throng NAME.throng, a drop on the window or Open brings "
                            "all of it back."},
-                  can_name_a_preset(name))) {
+                  can_name_a_preset(name) ? nullptr : no_name)) {
     commands.save_crowd = name;
   }
   for (const std::string& each : report.crowd_names) {

@@ -190,6 +190,12 @@ bool Widgets::text(const char* label, std::string& value, const char* hint, cons
 }
 
 bool TabContext::row(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
+  bool changed = false;
+  unless_idle(key, [&] { changed = edit(key, label, scale, help); });
+  return changed;
+}
+
+bool TabContext::edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
   const TuningValue& row = tuning_value(key);
   const std::string now = row.text(tuning), before = row.text(standard);
   std::string text;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "app/overlay/tabs.h"
@@ -23,15 +25,17 @@ constexpr auto grain_choices = zero_and(grain_stops);
 // The table has it in nanoseconds, people read microseconds.
 void show_grain(const TabContext& context) {
   double microseconds = swept_value(SweptValue::grain, context.tuning);
-  if (context.widgets.number(
-          "Grain", microseconds, swept_value(SweptValue::grain, context.standard),
-          scale_of("cost_least_task_ns", grain_choices),
-          {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
-                   "then takes at a time is a tile.",
-           .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
-           .cost = "Small: waking takes longer than the work. Large: PUs stand by while others work."})) {
-    set_swept_value(SweptValue::grain, microseconds, context.tuning);
-  }
+  context.unless_idle("cost_least_task_ns", [&] {
+    if (context.widgets.number(
+            "Grain", microseconds, swept_value(SweptValue::grain, context.standard),
+            scale_of("cost_least_task_ns", grain_choices),
+            {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
+                     "then takes at a time is a tile.",
+             .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
+             .cost = "Small: waking takes longer than the work. Large: PUs stand by while others work."})) {
+      set_swept_value(SweptValue::grain, microseconds, context.tuning);
+    }
+  });
 }
 
 void show_machine(const TabContext& context) {
@@ -96,11 +100,28 @@ void draw_busy_bar(const Theme& theme, const Area& row, float busy_share) {
                      colour::accent);
 }
 
-void show_pu_table(const TabContext& context) {
-  const FrameReport& report = context.report;
+/// Shows a frame that has passed and the way back to the last ones.
+void show_looked_at(const TabContext& context, const FrameDetails& frame, float seconds_ago) {
+  Widgets& widgets = context.widgets;
+  const std::string title =
+      "Frame " + with_thousands(static_cast<std::uint64_t>(frame.number())) + ", " + fixed(seconds_ago, 1) + " s ago";
+  widgets.section(title.c_str());
+  widgets.fact("Frame, animation", fixed(frame.frame_ms, 2) + ", " + fixed(frame.update_ms, 2) + " ms",
+               {.what = "The time of the whole frame, and of crowd, level of detail and poses in it."});
+  widgets.fact("Agents updated", with_thousands(frame.work.agents_updated), {.what = "Those posed in that frame."});
+  widgets.fact("Tiles", with_thousands(frame.tiles()), {.what = "Handed to PUs in that frame."});
+  widgets.fact("Copied in, out", size_text(frame.work.copies.bytes_in) + ", " + size_text(frame.work.copies.bytes_out),
+               {.what = "Entity blocks, over all PUs.", .unit = "bytes"});
+  widgets.fact("Palettes written", size_text(frame.work.palette_bytes), {.what = "In that frame.", .unit = "bytes"});
+  context.commands.look_at_last_frames |=
+      ButtonRow(widgets, 1)
+          .button("Back to the last frames", {.what = "The table and the timeline show what happens now again."});
+}
+
+void show_pu_table(const TabContext& context, std::span<const PuReport> pus, float update_ms) {
   const Theme& theme = context.widgets.theme();
   context.widgets.section("What each PU did and moved, KiB");
-  const float pitch = report.pu.size() > 8 ? 17 : 20, height = pitch * (static_cast<float>(report.pu.size()) + 1);
+  const float pitch = pus.size() > 8 ? 17 : 20, height = pitch * (static_cast<float>(pus.size()) + 1);
   const Area table = context.widgets.area("PU table", height);
   const auto row_at = [&](std::size_t i) {
     const float y = table.from.y + theme.px(pitch) * static_cast<float>(i);
@@ -108,13 +129,13 @@ void show_pu_table(const TabContext& context) {
   };
   draw_cells(theme, row_at(0), colour::faint,
              Cells{"PU", "tiles", "agents", "busy ms", "in", "out", "transfers", "store"});
-  for (std::size_t i = 0; i < report.pu.size(); ++i) {
-    const anim::PuActivity& pu = report.pu[i].activity;
-    draw_busy_bar(theme, row_at(i + 1), static_cast<float>(pu.busy_ms) / std::max(report.update_ms, 1e-3F));
+  for (std::size_t i = 0; i < pus.size(); ++i) {
+    const anim::PuActivity& pu = pus[i].activity;
+    draw_busy_bar(theme, row_at(i + 1), static_cast<float>(pu.busy_ms) / std::max(update_ms, 1e-3F));
     draw_cells(theme, row_at(i + 1), colour::text,
                Cells{std::to_string(i), with_thousands(pu.tasks), with_thousands(pu.agents), fixed(pu.busy_ms, 2),
                      as_kib(pu.copies.bytes_in), as_kib(pu.copies.bytes_out), with_thousands(pu.copies.transfers),
-                     as_kib(report.pu[i].local_store_laid_out_bytes)});
+                     as_kib(pus[i].local_store_laid_out_bytes)});
   }
 }
 
@@ -181,15 +202,20 @@ void show_memory(const TabContext& context) {
 }  // namespace
 
 void show_scheduling_tab(const TabContext& context) {
-  show_machine(context);
-  show_sweep(context);
-  show_pu_table(context);
-  if (!context.report.timeline.empty()) {
-    context.widgets.section("Last updates, PU by PU");
+  const FrameReport& report = context.report;
+  const std::optional<FrameDetails>& looked_at = report.kept.looked_at;
+  // Whoever has just clicked at a frame looks for it here.
+  if (looked_at) show_looked_at(context, *looked_at, report.kept.seconds_ago);
+  if (!looked_at) show_machine(context);
+  if (!looked_at) show_sweep(context);
+  show_pu_table(context, looked_at ? looked_at->pu : report.pu, looked_at ? looked_at->update_ms : report.update_ms);
+  if (looked_at || !report.timeline.empty()) {
+    context.widgets.section(looked_at ? "That update, PU by PU" : "Last updates, PU by PU");
     show_timeline(context);
     show_legend(context.widgets.theme());
     context.widgets.caption("Wheel: zoom. Drag: along. Double click: all.");
   }
+  if (looked_at) return;
   show_totals(context);
   show_memory(context);
 }

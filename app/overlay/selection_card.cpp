@@ -111,11 +111,11 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
   commands.viewer.view_selected |=
       widgets.button("View", {.what = "Shows its character alone, clip by clip, while the crowd waits."}, view_width);
   ImGui::SameLine(0, gap);
-  ImGui::BeginDisabled(!selected.can_fall);
+  widgets.begin_idle(selected.can_fall ? std::nullopt : std::optional<std::string>(cannot_fall));
   commands.push_over |= widgets.button(
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
       width);
-  ImGui::EndDisabled();
+  widgets.end_idle();
   ImGui::SameLine(0, gap);
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }

@@ -159,6 +159,7 @@ std::string refusals(const SweepCurve& curve) {
 
 void show_sweep_button(const TabContext& context) {
   ButtonRow buttons(context.widgets, 1);
+  const bool stands = context.tuning.paused || context.tuning.taken_away.animation;
   if (context.report.sweep.runs) {
     context.commands.stop_sweep |= buttons.button("Stop", {.what = "The curve so far stays."});
   } else if (buttons.button(
@@ -166,7 +167,7 @@ void show_sweep_button(const TabContext& context) {
                  {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of all. "
                           "Then the value is as it was. Poses are the same throughout.",
                   .cost = "Some frames are slow meanwhile."},
-                 !context.tuning.paused && !context.tuning.taken_away.animation)) {
+                 stands ? "time stands still, so nobody is posed" : nullptr)) {
     context.commands.sweep = context.memory.swept;
   }
 }
@@ -177,11 +178,11 @@ void show_sweep(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   const SweepCurve& curve = report.sweep;
   widgets.section("Sweep: what an update takes");
-  ImGui::BeginDisabled(curve.runs);
+  widgets.begin_idle(curve.runs ? std::optional<std::string>("a sweep runs") : std::nullopt);
   widgets.choice("Vary", memory.swept, memory.swept, swept_value_words,
                  {.what = "What a sweep goes through, while all other values stay.",
                   .unit = "PUs: threads; store: KiB of each; tile: characters; grain: microseconds"});
-  ImGui::EndDisabled();
+  widgets.end_idle();
   show_sweep_button(context);
   if (curve.stops.empty()) return;
   const Theme& theme = widgets.theme();

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/overlay/notices.h"
 #include "app/overlay/widgets.h"
 #include "app/report/frame_report.h"
+#include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
@@ -50,6 +52,7 @@ struct TabMemory {
   SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
   float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
+  std::optional<double> seconds_back;        ///< where the slider over snapshots is dragged to
   TuningPair pair;                           ///< key B changes their places
   NoticeMemory notices;
   std::string searched_help;
@@ -65,10 +68,21 @@ struct TabContext {
   OverlayCommands& commands;
   TabMemory& memory;
 
-  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. Returns whether
-  /// the person changed the value.
+  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. A value that has
+  /// no effect is shown as disabled, with the reason. Returns whether the person changed the value.
   bool row(const char* key, const char* label, const Help& help) const { return row(key, label, scale_of(key), help); }
   bool row(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
+
+  /// Shows the rows of `show` as disabled, with the reason, where the value with that key has no effect (idle_reason).
+  template <typename Show>
+  void unless_idle(std::string_view key, const Show& show) const {
+    widgets.begin_idle(idle_reason(key, tuning, report.situation));
+    show();
+    widgets.end_idle();
+  }
+
+ private:
+  bool edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
 };
 
 /// Returns the number of bone levels of the character shown: four, unless it has fewer.
@@ -88,11 +102,15 @@ void show_camera_section(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
 /// them, and reads what follows from them.
 void show_body(const TabContext& context);
+/// Shows the error on the screen: figures, how many were measured for them, what chance does to them, and how they went
+/// beside the limit.
+void show_error(const TabContext& context);
 /// Shows a sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its
 /// value.
 void show_sweep(const TabContext& context);
-/// Shows the work of each PU in the last frames, side by side on one axis of milliseconds. The wheel zooms about the
-/// pointer, a drag moves along, and a double click shows all again. A span under the pointer says what it was.
+/// Shows the work of each PU in the last frames, or in the one that is looked at, side by side on one axis of
+/// milliseconds. The wheel zooms about the pointer, a drag moves along, and a double click shows all again. A span
+/// under the pointer says what it was.
 void show_timeline(const TabContext& context);
 
 }  // namespace throng::app

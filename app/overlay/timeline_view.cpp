@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include <imgui_internal.h>
@@ -76,7 +77,7 @@ float length_of(const TimelineFrame& frame) {
   return static_cast<float>(length);
 }
 
-void draw_lanes(const Theme& theme, const Area& area, const std::deque<TimelineFrame>& frames, const Axis& axis) {
+void draw_lanes(const Theme& theme, const Area& area, std::span<const TimelineFrame> frames, const Axis& axis) {
   const std::size_t lanes = frames.back().lanes.size();
   const float pitch = area.height() / static_cast<float>(lanes), gap = std::min(theme.px(3), pitch * 0.2F);
   for (std::size_t pu = 0; pu < lanes; ++pu) {
@@ -94,7 +95,7 @@ void draw_lanes(const Theme& theme, const Area& area, const std::deque<TimelineF
   }
 }
 
-void draw_borders(const Area& area, const std::deque<TimelineFrame>& frames, const Axis& axis) {
+void draw_borders(const Area& area, std::span<const TimelineFrame> frames, const Axis& axis) {
   float start = 0;
   for (const TimelineFrame& frame : frames) {
     const float x = axis.x_of(start);
@@ -120,10 +121,15 @@ void zoom_and_move(const Area& axis, float& from, float& to) {
   if (axis.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) from = 0, to = 1;
 }
 
+std::span<const TimelineFrame> shown_frames(const FrameReport& report) {
+  if (report.kept.looked_at) return {&report.kept.looked_at->timeline, 1};
+  return report.timeline;
+}
+
 }  // namespace
 
 void show_timeline(const TabContext& context) {
-  const std::deque<TimelineFrame>& frames = context.report.timeline;
+  const std::span<const TimelineFrame> frames = shown_frames(context.report);
   float length = 0;
   for (const TimelineFrame& frame : frames) length += length_of(frame);
   if (length <= 0) return;

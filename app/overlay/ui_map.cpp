@@ -72,6 +72,12 @@ Json sweep_json(const SweepCurve& sweep) {
   return {{"value", word(swept_value_words, sweep.value)}, {"runs", sweep.runs}, {"stops", stops}};
 }
 
+Json error_json(const ErrorReport& error) {
+  const anim::ErrorFigures& figures = error.figures;
+  return {{"p50", figures.p50},     {"p99", figures.p99},         {"max", figures.max},
+          {"pop", figures.pop_max}, {"samples", figures.samples}, {"history", error.p99_history.size()}};
+}
+
 Json cast_json(const std::vector<CastMember>& cast) {
   Json members = Json::array();
   for (const CastMember& member : cast) members.push_back({{"share", member.share}, {"agents", member.agents}});
@@ -129,9 +135,12 @@ Json report_json(const FrameReport& report) {
           {"pus", report.schedule.pus},
           {"local_store_kib", report.schedule.local_store_bytes / bytes_a_kib},
           {"tile", report.schedule.plan.width},
-          {"snapshots", report.snapshots},
+          {"snapshots", report.snapshots.size()},
           {"preset_names", report.preset_names},
           {"timeline_frames", report.timeline.size()},
+          {"kept_frames", report.kept.numbers},
+          {"looked_at", report.kept.looked_at ? Json(report.kept.looked_at->number()) : Json(nullptr)},
+          {"error", error_json(report.error)},
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
           {"cameras", cameras_json(report.cameras)},
@@ -152,11 +161,18 @@ const UiRectangle* UiMap::find(const std::string& name) const {
   return found == widgets.end() ? nullptr : &found->second;
 }
 
+const std::string* UiMap::why_idle(const std::string& row) const {
+  const auto found = std::ranges::find(idle, row, &std::pair<std::string, std::string>::first);
+  return found == idle.end() ? nullptr : &found->second;
+}
+
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report) {
   Json widgets = Json::object();
   for (const auto& [name, place] : map.widgets) {
     widgets[name] = {{"x", place.x}, {"y", place.y}, {"w", place.width}, {"h", place.height}};
   }
+  Json idle = Json::object();
+  for (const auto& [row, reason] : map.idle) idle[row] = reason;
   const Json document = {{"frame", report.frame},
                          {"size", Json::array({map.width, map.height})},
                          {"tab", map.tab},
@@ -167,6 +183,7 @@ std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& r
                          {"tuning", tuning_json(tuning)},
                          {"report", report_json(report)},
                          {"camera", camera_json(report.camera)},
+                         {"idle", idle},
                          {"widgets", widgets}};
   // A model's name may hold bytes that are not UTF-8.
   return document.dump(1) + "\n";

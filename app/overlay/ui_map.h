@@ -24,13 +24,17 @@ struct UiMap {
   bool shows_b = false;                                      ///< the second of two tunings is in use
   bool typing = false;                                       ///< keys go into a text field
   std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< those that can be seen, in drawing order
+  std::vector<std::pair<std::string, std::string>> idle;     ///< rows that have no effect now, and why
 
   [[nodiscard]] const UiRectangle* find(const std::string& name) const;
+  /// Returns why a row has no effect; null where it has one, or is not there.
+  [[nodiscard]] const std::string* why_idle(const std::string& row) const;
 };
 
 /// Returns the map with the figures that tests wait for, as JSON: `size` [width, height], `tab`, `hidden`, `help`,
 /// `shows_b`, `typing`, `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile,
-/// selected, ...}, `camera` {x, y, z, yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
+/// selected, ...}, `camera` {x, y, z, yaw, pitch, field_of_view}, `idle` {row: why it has no effect}, `widgets` {name:
+/// {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

@@ -102,7 +102,8 @@ void show_time(Panel& panel) {
     commands.scrub = static_cast<float>(seconds);
   }
   ButtonRow buttons(widgets, 1);
-  if (buttons.button(settings.plays ? "Pause" : "Play", {.what = "Key Space."}, !settings.bind_pose)) {
+  if (buttons.button(settings.plays ? "Pause" : "Play", {.what = "Key Space."},
+                     settings.bind_pose ? "nothing moves in the bind pose" : nullptr)) {
     settings.plays = !settings.plays;
   }
   widgets.toggle("Loop", settings.loops, true, {.what = "On: the clip begins anew at its end. Off: it stops there."});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -76,11 +77,11 @@ bool ButtonRow::marked_button(const char* words, const std::string& name, const 
   return pressed;
 }
 
-bool ButtonRow::button(const char* label, const Help& help, bool enabled) {
+bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
   go_right();
-  ImGui::BeginDisabled(!enabled);
+  widgets_.begin_idle(idle == nullptr ? std::nullopt : std::optional<std::string>(idle));
   const bool pressed = widgets_.button(label, help, width_);
-  ImGui::EndDisabled();
+  widgets_.end_idle();
   return pressed;
 }
 
@@ -110,6 +111,16 @@ Area Widgets::area(const char* name, float height) {
   return place;
 }
 
+void Widgets::begin_idle(std::optional<std::string> reason) {
+  idle_ = std::move(reason);
+  ImGui::BeginDisabled(idle_.has_value());
+}
+
+void Widgets::end_idle() {
+  ImGui::EndDisabled();
+  idle_.reset();
+}
+
 void Widgets::section(const char* title) {
   ImGui::Dummy({0, theme_.px(4)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -135,6 +146,7 @@ void Widgets::tooltip(const char* title, const Help& help, const std::string& st
   std::string measure = help.unit;
   if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
   write_paragraph(theme_.strong, colour::text, title);
+  if (idle_) write_paragraph(theme_.regular, colour::changed, "No effect: " + *idle_ + ".");
   write_paragraph(theme_.regular, colour::text, help.what);
   write_paragraph(theme_.small, colour::dim, measure);
   write_paragraph(theme_.small, colour::changed, help.cost);
@@ -154,7 +166,8 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
   ImGui::PushID(label);
   clickable(std::string(label) + ".label", words);
   row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-  if (ImGui::IsItemHovered() && resting_on(words)) tooltip(label, help, standard);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(words)) tooltip(label, help, standard);
+  if (idle_) map_.idle.emplace_back(label, *idle_);
   if (changed) {
     const float x = from.x - theme_.px(8);
     ImGui::GetWindowDrawList()->AddRectFilled({x, from.y + theme_.px(5)}, {x + theme_.px(3), bottom - theme_.px(5)},
@@ -193,10 +206,11 @@ bool Widgets::named_button(const char* words, const std::string& name, const Hel
   const Area place = rectangle(from, {from.x + width, from.y + theme_.px(26)});
   const bool clicked = clickable(name, place);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  if (idle_) map_.idle.emplace_back(name, *idle_);
   const ImU32 fill = held ? colour::accent_soft : (hovered ? colour::well_hovered : colour::well);
   ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(fill), theme_.px(4));
   draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, words, 0.5F);
-  if (hovered && resting_on(place)) tooltip(words, help, "");
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(place)) tooltip(words, help, "");
   return clicked;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,6 +36,11 @@ class Widgets {
   Widgets(const Theme& theme, UiMap& map) : theme_(theme), map_(map) {}
 
   [[nodiscard]] const Theme& theme() const { return theme_; }
+
+  /// Shows what follows, until end_idle(), as disabled if there is a reason why it has no effect. The tooltip of each
+  /// row has the reason, and the map lists it. They do not nest.
+  void begin_idle(std::optional<std::string> reason);
+  void end_idle();
 
   void section(const char* title);
   bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
@@ -92,6 +98,7 @@ class Widgets {
 
   const Theme& theme_;
   UiMap& map_;
+  std::optional<std::string> idle_;     ///< why the rows that are shown now have no effect
   std::map<ImGuiID, FieldText> typed_;  ///< text of the field that is typed into; two while one is left for another
   ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go
 };
@@ -100,8 +107,9 @@ class Widgets {
 class ButtonRow {
  public:
   ButtonRow(Widgets& widgets, int count);
-  /// Shows the next button to the right. Returns whether it was pressed.
-  bool button(const char* label, const Help& help, bool enabled = true);
+  /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
+  /// was pressed.
+  bool button(const char* label, const Help& help, const char* idle = nullptr);
   /// Shows the next one under a name of its own, with a line under its words if it is `marked`.
   bool marked_button(const char* words, const std::string& name, const Help& help, bool marked);
 

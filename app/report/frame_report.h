@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,34 +10,23 @@
 #include "app/character/roles.h"
 #include "app/lod/lod_thresholds.h"
 #include "app/report/camera_report.h"
+#include "app/report/error_report.h"
+#include "app/report/frame_details.h"
 #include "app/report/messages.h"
 #include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/report/viewer_report.h"
+#include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/character_agents.h"
 #include "engine/anim/agent/frame_work.h"
-#include "engine/anim/lod/error_window.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/anim/run/scheduler.h"
 #include "engine/anim/survey/bone_lod.h"
 #include "engine/render/crowd_draw.h"
 
 namespace throng::app {
-
-/// Each PU's spans in one frame. Tasks too short to be told apart share a span.
-struct TimelineFrame {
-  int frame = 0;
-  anim::UpdateTime time;                                 ///< makes milliseconds of the spans' ticks
-  std::vector<std::vector<anim::TraceSpan>> lanes = {};  ///< [PU]
-};
-
-/// One PU in the last frame.
-struct PuReport {
-  anim::PuActivity activity;
-  std::size_t local_store_laid_out_bytes = 0;  ///< fetch buffers and scratch, as planned
-};
 
 /// One bone of the level-of-detail order.
 struct BoneRow {
@@ -95,7 +83,7 @@ struct FrameReport {
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< [level]
   std::vector<int> level_bone_counts;     ///< [level]
-  anim::ErrorFigures error;               ///< errors of what is shown, over the last 60 frames
+  ErrorReport error;                      ///< of what is shown
   std::vector<BoneRow> bones;             ///< in level-of-detail order
   anim::LodFigures lod;
   std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
@@ -107,16 +95,17 @@ struct FrameReport {
   anim::ScheduleOptions schedule;
   std::string simd_target;
   std::vector<PuReport> pu;
-  std::deque<TimelineFrame> timeline;    ///< the last frames, oldest first
+  std::vector<TimelineFrame> timeline;   ///< the last frames, oldest first
+  KeptFrames kept;                       ///< frames to look at after they have passed
   std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
   SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
   CameraPlace camera;
   CameraReport cameras;
   std::optional<ReplayReport> replay;       ///< a recording is repeated
+  Situation situation;                      ///< says which values have no effect
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
-  int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
-  float snapshot_seconds = 0;               ///< seconds back to the newest of them
+  std::vector<float> snapshots;             ///< seconds back to each that the crowd can be taken to, newest first
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
   std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
 };
@@ -161,9 +150,9 @@ struct OverlayCommands {
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< a click at the crowd
   bool deselect = false;
-  std::optional<float> hold_at;  ///< the selected agent's clip is held at these seconds
-  bool let_go = false;           ///< the held agent plays on
-  bool rewind = false;           ///< the crowd goes back to the newest snapshot, next time to the one before it
+  std::optional<float> hold_at;       ///< the selected agent's clip is held at these seconds
+  bool let_go = false;                ///< the held agent plays on
+  std::optional<std::size_t> rewind;  ///< the crowd goes back to that snapshot, 0 the newest
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
   std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
   bool copy_command_line = false;                                      ///< models, roles and tuning as options
@@ -171,7 +160,9 @@ struct OverlayCommands {
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew
   bool stop_sweep = false;
   ViewerCommands viewer;
-  bool exact_crowd = false;  ///< key X is held: nothing is skipped or simplified
+  std::optional<int> look_at_frame;  ///< the kept frame whose number is nearest is looked at
+  bool look_at_last_frames = false;  ///< no longer
+  bool exact_crowd = false;          ///< key X is held: nothing is skipped or simplified
 };
 
 }  // namespace throng::app

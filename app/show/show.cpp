@@ -187,10 +187,12 @@ anim::Status Show::draw() {
   return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())));
 }
 
-anim::Status Show::rewind() {
-  anim::Status gone = rewind_.go_back(*stage_);
-  if (gone) recorder_.add(RecordedRewind{});
-  return gone;
+anim::Status Show::rewind(std::size_t moment) {
+  for (std::size_t step = 0; step <= moment; ++step) {
+    if (anim::Status gone = rewind_.go_back(*stage_); !gone) return gone;
+    recorder_.add(RecordedRewind{});
+  }
+  return anim::Done{};
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {

@@ -55,8 +55,9 @@ class Show {
   /// Keeps moments of the crowd from now on, but for frames in which it pauses; that takes memory. A recording and its
   /// replay keep the same ones.
   void keep_moments() { keeps_moments_ = true; }
-  /// Takes the crowd back to the newest moment, each time further. Errors: those of Rewind::go_back.
-  anim::Status rewind();
+  /// Takes the crowd back to a moment, 0 the newest, each time further, by way of all newer ones. Errors: those of
+  /// Rewind::go_back; then it is at the last moment that it came to.
+  anim::Status rewind(std::size_t moment = 0);
   const Rewind& moments() const { return rewind_; }
 
   /// Moves and poses one frame of `delta`; 0 while paused.

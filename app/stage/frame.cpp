@@ -79,8 +79,9 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   animated_->system().update(lod_.updates());
   measure(camera, size);
   const anim::ErrorFigures error = meter_.pose_figures();
-  lod_.settle(system().figures().report().predicted_nanoseconds,
-              error.p99_is_known() ? std::optional(error.p99) : std::nullopt);
+  // In the first frames nobody is skipped yet, so errors are too small to learn from.
+  const bool tells = error.p99_is_known() && error.frames >= anim::ErrorWindow::frames;
+  lod_.settle(system().figures().report().predicted_nanoseconds, tells ? std::optional(error.p99) : std::nullopt);
   animated_->let_fallen_get_up();
 }
 

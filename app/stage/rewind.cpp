@@ -25,8 +25,9 @@ anim::Status Rewind::go_back(Stage& stage) {
   return anim::Done{};
 }
 
-anim::Ticks Rewind::age(const Stage& stage) const {
-  return moments_.empty() ? anim::Ticks{} : stage.system().clock() - moments_.back()->clock;
+anim::Ticks Rewind::age(const Stage& stage, std::size_t moment) const {
+  if (moment >= moments_.size()) return anim::Ticks{};
+  return stage.system().clock() - moments_[moments_.size() - 1 - moment]->clock;
 }
 
 }  // namespace throng::app

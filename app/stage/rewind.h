@@ -28,8 +28,8 @@ class Rewind {
   void forget() { moments_.clear(); }
 
   [[nodiscard]] std::size_t count() const { return moments_.size(); }
-  /// Returns the time from the newest moment to the stage's clock; 0 if there is no moment.
-  [[nodiscard]] anim::Ticks age(const Stage& stage) const;
+  /// Returns the time from a moment, 0 the newest, to the stage's clock; 0 if there is no such moment.
+  [[nodiscard]] anim::Ticks age(const Stage& stage, std::size_t moment = 0) const;
 
  private:
   std::deque<std::unique_ptr<StageMoment>> moments_;  // oldest first

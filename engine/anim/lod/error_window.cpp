@@ -17,7 +17,16 @@ ErrorCounts::Step ErrorCounts::step_of(float pixels) {
 
 float ErrorCounts::percentile(double part) const {
   if (total_ == 0) return 0.0F;
-  const auto rank = static_cast<std::uint64_t>(std::ceil(part * static_cast<double>(total_)));
+  return at_rank(static_cast<std::uint64_t>(std::ceil(part * static_cast<double>(total_))));
+}
+
+QuantileInterval ErrorCounts::interval(double part) const {
+  const QuantileRanks ranks = quantile_ranks(total_, part);
+  return {.low = ranks.low == 0 ? 0.0F : at_rank(ranks.low),
+          .high = ranks.high ? std::optional(at_rank(*ranks.high)) : std::nullopt};
+}
+
+float ErrorCounts::at_rank(std::uint64_t rank) const {
   std::uint64_t below = 0;
   std::size_t step = 0;
   while (step + 1 < step_count && (below += counts_[step]) < std::max<std::uint64_t>(rank, 1)) ++step;
@@ -44,6 +53,7 @@ void ErrorWindow::begin_frame() {
   while (held_ == most_frames || (held_ >= frames && has_enough_without(ago(held_ - 1)))) forget(ago(held_ - 1));
   newest_ = (newest_ + 1) % most_frames;
   ++held_;
+  ++all_frames_;
   ring_[newest_].max = ring_[newest_].pop_max = 0.0F;
 }
 
@@ -61,13 +71,14 @@ void ErrorWindow::add(const ErrorSample& sample) {
 
 namespace {
 
-ErrorFigures figures_of(const ErrorCounts& counts, float max, float pop_max) {
+ErrorFigures figures_of(const ErrorCounts& counts, std::uint64_t frames, float max, float pop_max) {
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   return {.p50 = counts.percentile(0.5),
           .p99 = counts.percentile(0.99),
           .max = max,
           .pop_max = pop_max,
-          .samples = static_cast<std::uint32_t>(std::min(counts.total(), most))};
+          .samples = static_cast<std::uint32_t>(std::min(counts.total(), most)),
+          .frames = static_cast<std::uint32_t>(std::min(frames, most))};
 }
 
 }  // namespace
@@ -79,9 +90,9 @@ ErrorFigures ErrorWindow::figures() const {
     max = std::max(max, frame.max);
     pop_max = std::max(pop_max, frame.pop_max);
   }
-  return figures_of(counts_, max, pop_max);
+  return figures_of(counts_, held_, max, pop_max);
 }
 
-ErrorFigures ErrorWindow::since_start() const { return figures_of(all_counts_, all_max_, all_pop_max_); }
+ErrorFigures ErrorWindow::since_start() const { return figures_of(all_counts_, all_frames_, all_max_, all_pop_max_); }
 
 }  // namespace throng::anim

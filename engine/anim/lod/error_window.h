@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "engine/anim/lod/quantile_interval.h"
+
 /// Collects how far shown poses are off, in pixels on screen, over a crowd and some time.
 namespace throng::anim {
 
 /// Errors of the agents that were measured. All figures are 0 where none was.
 struct ErrorFigures {
-  /// The samples below which chance decides a ninety-ninth percentile.
+  /// The samples below which chance decides a ninety-ninth percentile, so that nothing is learned from it.
   static constexpr std::uint32_t samples_for_p99 = 1000;
 
   float p50 = 0.0F;
@@ -18,8 +20,15 @@ struct ErrorFigures {
   float max = 0.0F;
   float pop_max = 0.0F;  ///< the largest change of an error from one frame to the next
   std::uint32_t samples = 0;
+  std::uint32_t frames = 0;  ///< that the samples of the percentiles come from
 
   bool p99_is_known() const { return samples >= samples_for_p99; }
+};
+
+/// Where the percentiles of all agents that could have been measured lie, with a confidence of 95%
+/// (quantile_interval.h).
+struct ErrorIntervals {
+  QuantileInterval p50, p99;
 };
 
 /// The error of one agent in one frame.
@@ -46,9 +55,13 @@ class ErrorCounts {
   }
   /// Returns the error that `part` of the samples, 0 to 1, do not exceed; 0 without samples.
   float percentile(double part) const;
+  /// Returns the interval in which that percentile lies; its ends are upper ends of steps too.
+  QuantileInterval interval(double part) const;
   std::uint64_t total() const { return total_; }
 
  private:
+  float at_rank(std::uint64_t rank) const;
+
   static constexpr int least_exponent = -8, most_exponent = 14;  // powers of 2
   static constexpr int steps_an_octave = 32;
   static constexpr std::size_t step_count = (most_exponent - least_exponent) * steps_an_octave + 1;
@@ -72,7 +85,11 @@ class ErrorWindow {
   void add(const ErrorSample& sample);
 
   ErrorFigures figures() const;
+  ErrorIntervals intervals() const { return intervals_of(counts_); }
   ErrorFigures since_start() const;
+  ErrorIntervals intervals_since_start() const { return intervals_of(all_counts_); }
+  /// Returns the largest pop of the frame that was begun last.
+  float newest_pop() const { return ring_[newest_].pop_max; }
 
  private:
   struct Frame {
@@ -80,6 +97,9 @@ class ErrorWindow {
     float max = 0.0F, pop_max = 0.0F;
   };
 
+  static ErrorIntervals intervals_of(const ErrorCounts& counts) {
+    return {.p50 = counts.interval(0.5), .p99 = counts.interval(0.99)};
+  }
   Frame& ago(std::size_t frames_ago) { return ring_[(newest_ + most_frames - frames_ago) % most_frames]; }
   void forget(Frame& frame);
 
@@ -87,6 +107,7 @@ class ErrorWindow {
   std::size_t newest_ = 0;
   std::size_t held_ = 0;  // frames whose samples count
   ErrorCounts counts_, all_counts_;
+  std::uint64_t all_frames_ = 0;
   float all_max_ = 0.0F, all_pop_max_ = 0.0F;
 };
 

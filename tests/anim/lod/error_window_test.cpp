@@ -23,6 +23,20 @@ TEST(ErrorCounts, TakeWhatNobodySeesForNothingAndWhatIsHugeForTheLargest) {
   EXPECT_GT(counts.percentile(1.0), 10'000.0F);
 }
 
+TEST(ErrorCounts, SayBetweenWhichErrorsAPercentileLies) {
+  ErrorCounts counts;
+  EXPECT_EQ(counts.interval(0.99).low, 0.0F);
+  EXPECT_FALSE(counts.interval(0.99).high) << "no sample says anything";
+  for (int i = 1; i <= 300; ++i) counts.add(ErrorCounts::step_of(static_cast<float>(i) * 0.01F));
+  EXPECT_GT(counts.interval(0.99).low, 2.8F);
+  EXPECT_FALSE(counts.interval(0.99).high) << "a hundredth of the agents may be off by any length";
+  for (int i = 301; i <= 1000; ++i) counts.add(ErrorCounts::step_of(static_cast<float>(i) * 0.01F));
+  EXPECT_NEAR(counts.interval(0.99).low, 9.83F, 0.03F * 9.83F);
+  EXPECT_NEAR(*counts.interval(0.99).high, 9.97F, 0.03F * 9.97F);
+  EXPECT_LE(counts.interval(0.5).low, counts.percentile(0.5));
+  EXPECT_GE(*counts.interval(0.5).high, counts.percentile(0.5));
+}
+
 void pass_frame(ErrorWindow& window, std::uint32_t samples, const ErrorSample& sample) {
   window.begin_frame();
   for (std::uint32_t i = 0; i < samples; ++i) window.add(sample);
@@ -75,6 +89,14 @@ TEST(ErrorWindow, KnowsItsNinetyNinthPercentileFromAThousandSamplesOn) {
   EXPECT_FALSE(window.figures().p99_is_known());
   window.add({.error = 1.0F, .pop = {}});
   EXPECT_TRUE(window.figures().p99_is_known());
+}
+
+TEST(ErrorWindow, TellsTheLargestPopOfTheNewestFrame) {
+  ErrorWindow window;
+  pass_frame(window, 2, {.error = 1.0F, .pop = 3.0F});
+  pass_frame(window, 2, {.error = 1.0F, .pop = 0.5F});
+  EXPECT_EQ(window.newest_pop(), 0.5F);
+  EXPECT_EQ(window.figures().pop_max, 3.0F);
 }
 
 TEST(ErrorWindow, IsAllZeroWhereNobodyWasMeasured) {

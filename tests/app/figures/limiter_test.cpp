@@ -1,5 +1,7 @@
 #include "app/figures/limiter.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace throng::app::limiter_test {
@@ -26,6 +28,30 @@ TEST(LimiterTest, SaysItInOneSentenceWithFigures) {
   EXPECT_EQ(limit_sentence({.animation_ms = 1, .upload_ms = 0, .submission_ms = 0, .wait_ms = 9}),
             "The GPU limits you: 9.0 of 10.0 ms a frame; animation 1.0, upload 0.0, draw submission 0.0");
   EXPECT_EQ(limit_sentence({}), "");
+}
+
+TEST(SkippingSentence, SaysThatSomethingElseTakesASlowFrame) {
+  const std::vector<int> agents{100};
+  EXPECT_EQ(skipping_sentence({.animation_ms = 2, .upload_ms = 1, .submission_ms = 1, .wait_ms = 96}, agents),
+            "At 10.0 frames a second skipping does not pay: animation takes only 2.0 of 100.0 ms a frame, and no more "
+            "could be saved.");
+}
+
+TEST(SkippingSentence, SaysThatALongFrameMayNotBeMissed) {
+  const std::vector<int> agents{90, 10};
+  EXPECT_EQ(
+      skipping_sentence({.animation_ms = 80, .upload_ms = 0, .submission_ms = 0, .wait_ms = 0}, agents),
+      "At 12.5 frames a second skipping does not pay: a pose that misses one frame is 80.0 ms old, in which limbs "
+      "go far, so 95% of the poses are computed all the same.");
+}
+
+TEST(SkippingSentence, SaysNothingWhereSkippingPaysOrFramesAreShort) {
+  const FrameTimes slow{.animation_ms = 80, .upload_ms = 0, .submission_ms = 0, .wait_ms = 0};
+  EXPECT_EQ(skipping_sentence(slow, std::vector<int>{10, 0, 0, 90}), "");
+  EXPECT_EQ(skipping_sentence(slow, {}), "");
+  EXPECT_EQ(skipping_sentence({.animation_ms = 16, .upload_ms = 0, .submission_ms = 0, .wait_ms = 0}, std::vector{9}),
+            "");
+  EXPECT_EQ(skipping_sentence({}, std::vector{9}), "");
 }
 
 TEST(LimiterTest, OneSlowFrameDoesNotChangeTheAnswer) {

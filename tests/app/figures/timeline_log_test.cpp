@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,6 +86,44 @@ TEST(TraceFile, PutsTheWorkOfPusInsideTheirFrame) {
     EXPECT_LE(to, end + rounding_us);
   }
   EXPECT_EQ(frames, 3);
+}
+
+TEST(TraceFile, NumbersFramesAndHasTheirFiguresAsCurves) {
+  const nlohmann::json trace = trace_of_a_run("fused");
+  std::vector<int> frames;
+  std::map<std::string, std::vector<double>> curves;
+  for (const auto& event : trace["traceEvents"]) {
+    if (event["name"] == "update" && event["ph"] == "X") frames.push_back(event["args"]["frame"]);
+    if (event["ph"] == "C") curves[event["name"]].push_back(event["args"].items().begin().value());
+  }
+  EXPECT_THAT(frames, testing::ElementsAre(1, 2, 3));
+  EXPECT_THAT(curves["agents updated"], testing::ElementsAre(40, 40, 40));
+  EXPECT_THAT(curves["update"], testing::Each(testing::Gt(0.0)));
+  EXPECT_EQ(curves["error p99"].size(), 3U);
+  EXPECT_EQ(curves["pop"].size(), 3U);
+}
+
+TEST(TimelineLog, HasDrawingAndOverlayOnTracksOfTheirOwn) {
+  const auto character = std::make_shared<const anim::Character>(anim::bake_character(anim::synthetic_model(4, 1)));
+  auto system = anim::AnimationSystem::create(character, {.pus = 1});
+  ASSERT_TRUE(system.has_value());
+  TimelineLog log;
+  const auto start = TimelineLog::Clock::now();
+  log.add_update(**system, start, {.frame = 7});
+  log.add_drawing(start, TimelineLog::Clock::now());
+  log.add_overlay(start, TimelineLog::Clock::now());
+  std::map<std::string, int> track_of, spans;
+  const nlohmann::json trace = nlohmann::json::parse(log.to_json());
+  for (const auto& event : trace["traceEvents"]) {
+    if (event["name"] == "thread_name") track_of[event["args"]["name"]] = event["tid"];
+    if (event["ph"] == "X" && event["args"].contains("frame")) {
+      EXPECT_EQ(event["args"]["frame"], 7);
+      spans[event["name"]] = event["tid"];
+    }
+  }
+  EXPECT_EQ(spans.at("draw"), track_of.at("drawing"));
+  EXPECT_EQ(spans.at("overlay"), track_of.at("overlay"));
+  EXPECT_EQ(spans.at("update"), track_of.at("frame"));
 }
 
 TEST(TimelineLog, KeepsTheNewestFramesOnly) {

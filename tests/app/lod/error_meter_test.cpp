@@ -134,6 +134,49 @@ TEST_F(MeasuredStage, TakesFewOfManyForAsLittleAsTheyCost) {
   EXPECT_GT(stage_->error_meter().figures().pop_max, 0.0F);
 }
 
+TEST_F(MeasuredStage, KnowsItsFiguresWithinASecondForFewAsForMany) {
+  Tuning tuning;
+  tuning.system.pus = 2;
+  for (const int agents : {60, 1000}) {
+    tuning.agents = agents;
+    pass(tuning, 60);
+    EXPECT_TRUE(stage_->error_meter().figures().p99_is_known()) << agents;
+    EXPECT_TRUE(stage_->error_meter().intervals().p99.high) << agents;
+    EXPECT_LE(stage_->error_meter().intervals().p99.low, stage_->error_meter().figures().p99) << agents;
+  }
+}
+
+TEST_F(MeasuredStage, MeasuresASingleAgentToo) {
+  Tuning tuning;
+  tuning.agents = 1;
+  tuning.system.pus = 1;
+  camera_ = camera_at({.x = 0, .y = 30, .z = 60, .yaw = 0, .pitch = -25});
+  pass(tuning, 60);
+  ASSERT_EQ(stage_->selection().visible.size(), 1U);
+  EXPECT_GT(stage_->error_meter().figures().samples, 30U);
+}
+
+TEST_F(MeasuredStage, RemembersHowTheErrorWent) {
+  Tuning tuning = measured();
+  pass(tuning, 40);
+  const ErrorHistory& history = stage_->error_meter().history();
+  EXPECT_EQ(history.p99().size(), 20U);
+  EXPECT_EQ(history.p99().back(), stage_->error_meter().figures().p99);
+  EXPECT_EQ(std::ranges::max(history.pop()), stage_->error_meter().figures().pop_max);
+}
+
+TEST(ErrorHistory, KeepsTheNewestValuesAndTheLargestPopOfTwoFrames) {
+  ErrorHistory history;
+  history.add({.p99 = 1, .pop = 5});
+  history.add({.p99 = 2, .pop = 3});
+  EXPECT_EQ(history.p99().size(), 1U);
+  EXPECT_EQ(history.p99().back(), 2);
+  EXPECT_EQ(history.pop().back(), 5);
+  for (std::size_t i = 0; i < 3 * ErrorHistory::most_values; ++i) history.add({.p99 = 3, .pop = 0});
+  EXPECT_EQ(history.p99().size(), ErrorHistory::most_values);
+  EXPECT_EQ(history.p99().front(), 3);
+}
+
 /// One agent of which the meter is shown a palette that is wrong.
 class DisplacedBone : public testing::Test {
  protected:

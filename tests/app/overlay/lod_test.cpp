@@ -40,7 +40,8 @@ TEST_F(LodSkippingTab, ShowsThresholdsAndFigures) {
 }
 
 TEST_F(LodSkippingTab, SplitsThePictureAtALineThatCanBeDragged) {
-  EXPECT_FALSE(driver.sees("Split at"));
+  driver.drag("Split at", 1);
+  EXPECT_EQ(look.split_at, LodInspection().split_at) << "nothing is split";
   driver.click("Split:difference");
   EXPECT_EQ(look.split, Split::difference);
   driver.drag("Split at", 1);
@@ -89,14 +90,38 @@ TEST_F(LodSkippingTab, WritesFiguresAboveHeadsThatAreInFrontOfTheCamera) {
   EXPECT_EQ(driver.overlay.vertex_count(), without) << "behind it";
 }
 
-TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
-  driver.click("Rule:distance");
-  EXPECT_FALSE(driver.sees("Error limit"));
-  EXPECT_TRUE(driver.sees("Full rate until"));
-  EXPECT_FALSE(driver.sees("Limited by"));
-  driver.click("Rule:budget");
-  EXPECT_EQ(driver.tuning.lod.rule, anim::LodRule::budget);
-  EXPECT_FALSE(driver.sees("Full rate until"));
+TEST_F(LodSkippingTab, DisablesWhatTheRuleDoesNotReadAndSaysWhy) {
+  driver.report.situation.mesh_levels = 1;
+  const auto is_idle = [&](const char* row) { return driver.overlay.ui_map().why_idle(row) != nullptr; };
+  for (const char* const rule : {"off", "distance", "budget"}) {
+    driver.click(std::string("Rule:") + rule);
+    const bool distance = rule == std::string("distance"), budget = rule == std::string("budget");
+    EXPECT_EQ(is_idle("Full rate until"), !distance) << rule;
+    EXPECT_EQ(is_idle("One more each"), !distance) << rule;
+    EXPECT_EQ(is_idle("Error limit"), !budget) << rule;
+    EXPECT_EQ(is_idle("Time limit"), !budget) << rule;
+    EXPECT_EQ(is_idle("Smooth"), !distance && !budget) << rule;
+    EXPECT_EQ(driver.sees("Limited by"), budget) << rule;
+    const Tuning before = driver.tuning;
+    driver.drag("Full rate until", 0.9F);
+    EXPECT_EQ(driver.tuning == before, !distance) << rule;
+  }
+  EXPECT_EQ(*driver.overlay.ui_map().why_idle("Full rate until"),
+            "the rule budget goes by pixels and milliseconds, not by metres");
+}
+
+TEST_F(LodSkippingTab, TellsTheReasonWhereThePointerRestsOnADisabledRow) {
+  const auto vertices_at = [&](const char* row) {
+    const UiRectangle place = *driver.overlay.ui_map().find(row);
+    driver.point_at(place.x + 4, place.y + place.height / 2);
+    driver.frames(60);
+    return driver.overlay.vertex_count();
+  };
+  const int elsewhere = vertices_at("tab:Crowd"), there = vertices_at("Full rate until.label");
+  EXPECT_GT(there, elsewhere + 200) << "a tooltip with some words";
+}
+
+TEST_F(LodSkippingTab, TakesLimitsUnderABudget) {
   driver.click("Error limit.field");
   driver.type("0.5 px");
   driver.press(Key::enter);
@@ -105,7 +130,6 @@ TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
   driver.type("none");
   driver.press(Key::enter);
   EXPECT_EQ(driver.tuning.budget_ms, 0);
-  EXPECT_TRUE(driver.sees("Limited by"));
 }
 
 TEST_F(LodSkippingTab, ShowsIntervalsOverDistanceAndOfWhichClip) {
@@ -129,13 +153,39 @@ TEST_F(LodSkippingTab, TakesPartsOfTheFrameAwayToSeeWhatTheyCost) {
   EXPECT_FALSE(driver.tuning.taken_away.drawing);
 }
 
-TEST_F(LodSkippingTab, TellsTheErrorOnTheScreenOnceItIsMeasured) {
-  scroll_down();
-  EXPECT_FALSE(driver.sees("Largest pop"));
-  driver.report.error.samples = 20;
+TEST_F(LodSkippingTab, HasTheErrorOnTheScreenBesideTheLimitFromTheFirstFrame) {
+  for (const std::uint32_t samples : {0U, 20U, 5000U}) {
+    driver.report.error.figures.samples = samples;
+    driver.frames();
+    for (const char* const figure : {"p50", "p99", "Maximum", "Pop", "Samples", "Error history"}) {
+      EXPECT_TRUE(driver.sees(figure)) << figure << " of " << samples << " samples";
+    }
+  }
+}
+
+TEST_F(LodSkippingTab, DrawsHowTheErrorWent) {
+  const int before = driver.overlay.vertex_count();
+  driver.report.error.p99_history.assign(100, 0.5F);
   driver.frames();
-  scroll_down();
-  EXPECT_TRUE(driver.sees("Largest pop"));
+  const int with_p99 = driver.overlay.vertex_count();
+  EXPECT_GT(with_p99, before);
+  driver.report.error.pop_history.assign(100, 0.2F);
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), with_p99);
+}
+
+TEST_F(LodSkippingTab, SaysWhySkippingDoesNotPay) {
+  const int before = driver.overlay.vertex_count();
+  driver.report.error.skipping_sentence = "At 10 frames a second skipping does not pay.";
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), before);
+}
+
+TEST_F(LodSkippingTab, ChoosesWhoIsMeasured) {
+  driver.click("Measure:all");
+  EXPECT_EQ(driver.tuning.error_sample, ErrorSampling::all);
+  driver.click("Measure:off");
+  EXPECT_EQ(driver.tuning.error_sample, ErrorSampling::off);
 }
 
 TEST(ExactCrowd, IsAskedForWhileXIsHeldButNotWhileTyping) {

@@ -62,12 +62,14 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.deselect |= commands.deselect;
     all.push_over |= commands.push_over;
     all.exact_crowd |= commands.exact_crowd;
-    all.rewind |= commands.rewind;
     all.let_go |= commands.let_go;
     all.copy_command_line |= commands.copy_command_line;
     all.save_bone_lod |= commands.save_bone_lod;
     all.export_lod |= commands.export_lod;
     all.stop_sweep |= commands.stop_sweep;
+    all.look_at_last_frames |= commands.look_at_last_frames;
+    if (commands.look_at_frame) all.look_at_frame = commands.look_at_frame;
+    if (commands.rewind) all.rewind = commands.rewind;
     if (commands.sweep) all.sweep = commands.sweep;
     add(all.cameras, commands.cameras);
     add(all.replay, commands.replay);

@@ -228,9 +228,50 @@ TEST(Tabs, FitIntoAWindowOfAnySize) {
 TEST(CrowdTabTime, RewindsOnlyWhereThereIsAnEarlierMoment) {
   OverlayDriver driver;
   EXPECT_FALSE(driver.click("Rewind").rewind);
-  driver.report.snapshots = 3;
+  driver.report.snapshots = {0.2F, 0.7F, 1.2F};
   driver.frames();
-  EXPECT_TRUE(driver.click("Rewind").rewind);
+  EXPECT_EQ(driver.click("Rewind").rewind, 0U);
+}
+
+TEST(CrowdTabTime, GoesBackToTheSnapshotNearestToWhereTheSliderIsLetGo) {
+  OverlayDriver driver;
+  driver.report.snapshots = {0.2F, 0.7F, 1.2F, 1.7F};
+  driver.frames();
+  const UiRectangle track = *driver.overlay.ui_map().find("Back by");
+  driver.point_at(track.x + 2, track.y + track.height / 2);
+  const auto press = [&](bool down) { driver.input.push({.kind = InputEvent::Kind::button, .down = down}); };
+  press(true);
+  driver.point_at(track.x + 0.72F * track.width, track.y + track.height / 2);
+  EXPECT_FALSE(driver.frames().rewind) << "still dragged";
+  press(false);
+  EXPECT_EQ(driver.frames().rewind, 2U);
+  EXPECT_FALSE(driver.frames().rewind) << "once";
+}
+
+TEST(FrameGraph, LooksAtTheFrameThatIsClickedAt) {
+  OverlayDriver driver;
+  driver.report.frame = 500;
+  driver.report.kept.numbers = {390, 420};
+  driver.frames();
+  const OverlayCommands commands = driver.click("Frame graph");
+  ASSERT_TRUE(commands.look_at_frame);
+  EXPECT_NEAR(*commands.look_at_frame, 380, 2) << "the middle of 240 frames";
+  EXPECT_EQ(driver.overlay.ui_map().tab, "Scheduling");
+}
+
+TEST(FrameGraph, TheFrameThatIsLookedAtHasItsTableAndTimelineUntilOneGoesBack) {
+  OverlayDriver driver;
+  driver.click("tab:Scheduling");
+  EXPECT_FALSE(driver.sees("Agents updated"));
+  FrameDetails frame{.frame_ms = 80, .update_ms = 60, .work = {}, .pu = driver.report.pu, .timeline = {}};
+  frame.timeline = driver.report.timeline.front();
+  driver.report.kept = {.numbers = {1}, .looked_at = frame, .seconds_ago = 3.2F};
+  driver.report.timeline.clear();
+  driver.frames();
+  for (const char* const part : {"Agents updated", "Tiles", "Copied in, out", "PU table", "Timeline"}) {
+    EXPECT_TRUE(driver.sees(part)) << part;
+  }
+  EXPECT_TRUE(driver.click("Back to the last frames").look_at_last_frames);
 }
 
 TEST(DroppedFiles, AreACommandWithoutBeingHidden) {

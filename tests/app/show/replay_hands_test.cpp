@@ -99,6 +99,18 @@ TEST_F(ReplaysOfHands, GoBackNoFurtherThanToTheBeginOfTheRecording) {
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
 
+TEST_F(ReplaysOfHands, GoBackToTheMomentThatWasAskedFor) {
+  record(*plaza(), 160, [](Show& show, int frame) {
+    if (frame != 150) return;
+    ASSERT_EQ(show.moments().count(), 5U);
+    const anim::Ticks kept = show.stage().system().clock() - show.moments().age(show.stage(), 2);
+    expect_done(show.rewind(2));
+    EXPECT_EQ(show.stage().system().clock(), kept);
+    EXPECT_EQ(show.moments().count(), 2U) << "it and all newer ones are behind";
+  });
+  EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
+}
+
 TEST_F(ReplaysOfHands, OrderBonesAnew) {
   record(*plaza(), 40, [](Show& show, int frame) {
     if (frame == 10 || frame == 20) reorder_bones(show);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -318,13 +319,16 @@ void Crowd::go_back_to(const CrowdMoment& moment) {
 }
 
 CrowdSphere bounding_sphere(const Crowd& crowd) {
-  glm::vec3 lowest(0.0F);
-  glm::vec3 highest(0.0F);
-  for (const glm::vec3& position : crowd.positions()) {
-    lowest = glm::min(lowest, position);
-    highest = glm::max(highest, position);
+  glm::vec3 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    const glm::vec3& foot = crowd.positions()[agent];
+    const float beside = crowd.radii()[agent];
+    const float above = static_cast<float>(crowd.cast_.of(agent).height) * crowd.scales()[agent];
+    lowest = glm::min(lowest, foot - glm::vec3(beside, 0.0F, beside));
+    highest = glm::max(highest, foot + glm::vec3(beside, above, beside));
   }
-  return {(lowest + highest) * 0.5F, glm::distance(lowest, highest) * 0.5F};
+  constexpr float least_radius = 1e-3F;
+  return {(lowest + highest) * 0.5F, std::max(glm::distance(lowest, highest) * 0.5F, least_radius)};
 }
 
 }  // namespace throng::app

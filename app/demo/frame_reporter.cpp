@@ -4,6 +4,7 @@
 
 #include "app/demo/mesh_reporter.h"
 #include "app/demo/selection_reporter.h"
+#include "app/demo/window_camera.h"
 #include "engine/anim/base/cores.h"
 
 namespace throng::app {
@@ -158,6 +159,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (!show.is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
+  report_cameras(show, report_.cameras);
   report_.viewer = show.viewer() != nullptr ? std::optional(show.viewer()->report()) : std::nullopt;
   if (report_.viewer) return;  // the crowd waits, and so do its figures
   report_.situation = situation_of(show.stage(), mesh_levels_);

@@ -40,6 +40,10 @@ class FrameReporter {
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
   void set_crowd_names(std::vector<std::string> names) { report_.crowd_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
+  /// Reports a replay.
+  void report_replay(const ReplayReport& replay) { report_.replay = replay; }
+  /// Returns what is reported of the cameras.
+  CameraReport& cameras() { return report_.cameras; }
   /// Reports the frame that a person looks at from now on.
   void look_at(const OverlayCommands& commands);
   /// Reports the camera of the frame that begins.

@@ -26,7 +26,8 @@ std::string unused_file(const char* ending, int& number) {
 void WindowCommands::obey(const OverlayCommands& commands) {
   Show& show = session_.show;
   FrameReporter& reporter = session_.reporter;
-  if (commands.frame_crowd) frame_crowd();
+  if (commands.frame_crowd) session_.camera.frame_crowd(overlay_.crowd_area(), show);
+  session_.camera.obey(commands.cameras, show);
   if (commands.select_at) show.hands().select_at(commands.select_at->x, commands.select_at->y);
   if (commands.deselect) show.hands().select({});
   if (commands.push_over) messages().tell(show.hands().push_selected());
@@ -46,7 +47,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   obey_bone_lod(commands, character);
   if (commands.record) toggle_recording();
   if (commands.character) reporter.describe_character(show, *commands.character);
-  if (commands.copy_camera) copy(camera_option(session_.fly_camera.place()));
+  if (commands.copy_camera) copy(camera_option(session_.camera.place()));
   if (commands.reload_shaders) {
     messages().tell(show.painter().renderer().reload_shaders(), "Built the shaders again");
   }
@@ -83,7 +84,7 @@ void WindowCommands::obey_crowd_files(const OverlayCommands& commands) {
 }
 
 void WindowCommands::save_crowd(const std::filesystem::path& file) {
-  const Preset preset{session_.tuning, session_.fly_camera.place()};
+  const Preset preset{session_.tuning, session_.camera.place()};
   const anim::Status written = write_crowd_file(file, crowd_setup(session_.show.stage().people(), preset));
   messages().tell(written, "Wrote " + file.string());
   if (!written) return;
@@ -109,7 +110,7 @@ void WindowCommands::obey_sweep(const OverlayCommands& commands) {
 }
 
 void WindowCommands::obey_presets(const OverlayCommands& commands) {
-  const CameraPlace camera = session_.fly_camera.place();
+  const CameraPlace camera = session_.camera.place();
   if (commands.save_preset) {
     const std::filesystem::path file = preset_file(*commands.save_preset);
     const anim::Status written = write_preset(file, {session_.tuning, camera});
@@ -147,15 +148,6 @@ void WindowCommands::obey_bone_lod(const OverlayCommands& commands, std::size_t 
   if (commands.save_bone_lod) say_where(save_bone_lod(session_.show.stage().characters()[character]));
 }
 
-void WindowCommands::frame_crowd() {
-  Show& show = session_.show;
-  show.films = false;
-  const CrowdSphere crowd = bounding_sphere(show.stage().crowd());
-  const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
-  session_.fly_camera.set_camera(
-      render::frame_sphere(session_.fly_camera.camera(), crowd.centre, crowd.radius, aspect));
-}
-
 void WindowCommands::load_preset(const std::filesystem::path& file) {
   const anim::Result<Preset> preset = read_preset(file);
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
@@ -167,9 +159,7 @@ void WindowCommands::take(const Preset& preset) {
   session_.tuning = preset.tuning;
   session_.tuning.inspection = look;
   session_.unkept.keep(session_.tuning);
-  if (!preset.camera) return;
-  session_.show.films = false;
-  session_.fly_camera.set_camera(camera_at(*preset.camera));
+  if (preset.camera) session_.camera.put(*preset.camera, session_.show);
 }
 
 void WindowCommands::replace_models(const std::vector<std::string>& files) {
@@ -183,7 +173,7 @@ void WindowCommands::replace_models(const std::vector<std::string>& files) {
 
 void WindowCommands::copy_command_line() {
   const std::string cast = cast_options(session_.show.stage().people());
-  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.tuning, Tuning(), session_.fly_camera.place()));
+  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.tuning, Tuning(), session_.camera.place()));
 }
 
 void WindowCommands::copy(const std::string& options) {

@@ -29,7 +29,6 @@ class WindowCommands {
   void obey_presets(const OverlayCommands& commands);
   void obey_body(const OverlayCommands& commands, std::size_t character);
   void obey_bone_lod(const OverlayCommands& commands, std::size_t character);
-  void frame_crowd();
   void obey_crowd_files(const OverlayCommands& commands);
   void save_crowd(const std::filesystem::path& file);
   void open_crowd(const std::filesystem::path& file);

@@ -34,6 +34,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_D, Key::d},
     {GLFW_KEY_E, Key::e},
     {GLFW_KEY_F, Key::f},
+    {GLFW_KEY_G, Key::g},
     {GLFW_KEY_L, Key::l},
     {GLFW_KEY_P, Key::p},
     {GLFW_KEY_Q, Key::q},
@@ -44,6 +45,15 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_X, Key::x},
     {GLFW_KEY_Y, Key::y},
     {GLFW_KEY_Z, Key::z},
+    {GLFW_KEY_1, Key::digit_1},
+    {GLFW_KEY_2, Key::digit_2},
+    {GLFW_KEY_3, Key::digit_3},
+    {GLFW_KEY_4, Key::digit_4},
+    {GLFW_KEY_5, Key::digit_5},
+    {GLFW_KEY_6, Key::digit_6},
+    {GLFW_KEY_7, Key::digit_7},
+    {GLFW_KEY_8, Key::digit_8},
+    {GLFW_KEY_9, Key::digit_9},
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F12, Key::f12},
@@ -95,8 +105,9 @@ void on_pointer(GLFWwindow* window, double x, double y) {
 }
 
 void on_entered(GLFWwindow* window, int entered) {
-  const bool buttons_held = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
-                            glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+  constexpr std::array buttons{GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE};
+  const bool buttons_held =
+      std::ranges::any_of(buttons, [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; });
   if (entered == GLFW_FALSE && !buttons_held) push(window, {.kind = InputEvent::Kind::pointer, .x = -1, .y = -1});
 }
 

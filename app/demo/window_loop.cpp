@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_commands.h"
+#include "app/demo/window_replay.h"
 #include "app/demo/window_session.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
@@ -22,8 +24,8 @@ class WindowLoop {
  public:
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : session_(show, options),
-        replay_(replay),
         overlay_(fonts_folder(options), options.ui_scale, session_.tuning, session_.input.clipboard()) {
+    if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.set_preset_names(preset_names());
     session_.reporter.set_crowd_names(crowd_names("."));
@@ -39,7 +41,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    return failed_;
+    return failed_ && replay_ ? replay_->outcome() : failed_;
   }
 
  private:
@@ -65,53 +67,50 @@ class WindowLoop {
     const InputFrame& input = session_.input.next_frame();
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show.width, show.height, seconds, input);
-    if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
-    reporter.see_from(session_.fly_camera.place());
+    if (!replay_) fly(input, static_cast<float>(seconds));
+    reporter.see_from(session_.camera.place());
+    session_.camera.report(reporter.cameras());
     reporter.messages().pass(seconds);
     const OverlayCommands commands = overlay_.build(reporter.report(), session_.tuning);
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
-    if (replay_ != nullptr) {
-      repeat();
+    if (replay_) {
+      repeat(commands.replay, seconds);
     } else {
       commands_.obey(commands);
       apply_what_is_wanted(commands.exact_crowd);
-      show.camera = session_.fly_camera.camera();
+      session_.camera.hand_over(show);
       show.animate(step(seconds, commands.step));
       measure_for_sweep();
     }
-    if (show.films || replay_ != nullptr) session_.fly_camera.set_camera(show.camera);
+    session_.camera.take_back(show);
     present();
     commands_.obey_after_drawing(commands);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
-    reporter.update(show, session_.fly_camera.place(), frame_ms);
+    reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().tell(show.recording_outcome());
     done_ = done_ || (commands.quit && may_leave()) || session_.input.asked_to_close() || asked_to_stop() != 0;
   }
 
   bool may_leave() {
-    if (replay_ != nullptr || !session_.unkept.ask_about(session_.tuning)) return true;
+    if (replay_ || !session_.unkept.ask_about(session_.tuning)) return true;
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;
   }
 
   // What was recorded happens, and nothing else.
-  void repeat() {
-    const anim::Result<bool> repeated = replay_->step(session_.show);
-    if (!repeated) failed_ = repeated.error();
-    done_ = !repeated || !*repeated;
+  void repeat(const ReplayCommands& commands, double seconds) {
+    replay_->obey(commands);
+    replay_->advance(session_.show, seconds);
+    session_.reporter.report_replay(replay_->report());
     session_.tuning = session_.show.stage().tuning();
   }
 
-  // Whoever takes the camera in hand has it from then on.
   void fly(const InputFrame& input, float seconds) {
-    if (Viewer* const viewer = session_.show.viewer()) {
-      return viewer->turntable().update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()});
-    }
-    const render::Camera before = session_.fly_camera.camera();
-    session_.fly_camera.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
-    if (session_.fly_camera.camera() != before) session_.show.films = false;
+    const FlyControls free{.pointer_free = !overlay_.uses_pointer(), .keyboard_free = !overlay_.uses_keyboard()};
+    if (Viewer* const viewer = session_.show.viewer()) return viewer->turntable().update(input, free);
+    session_.camera.steer(session_.show, input, free, seconds);
   }
 
   anim::Ticks step(double seconds, bool single) const {
@@ -182,7 +181,7 @@ class WindowLoop {
   }
 
   WindowSession session_;
-  Replay* replay_;  // null: people say what happens
+  std::optional<WindowReplay> replay_;  // none: people say what happens
   Overlay overlay_;
   WindowCommands commands_{session_, overlay_};
   Clock::time_point last_frame_ = Clock::now();

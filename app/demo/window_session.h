@@ -2,11 +2,11 @@
 
 #include "app/demo/frame_reporter.h"
 #include "app/demo/unkept_values.h"
+#include "app/demo/window_camera.h"
 #include "app/demo/window_input.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/settings.h"
 #include "app/show/show.h"
-#include "app/view/fly_camera.h"
 
 namespace throng::app {
 
@@ -19,7 +19,7 @@ struct WindowSession {
         accepted(tuning),
         unkept(tuning),
         input(show.painter().context().window()),
-        fly_camera(place_of(show.camera)),
+        camera(show),
         reporter(show) {}
 
   Messages& messages() { return reporter.messages(); }
@@ -30,7 +30,7 @@ struct WindowSession {
   Tuning accepted;  ///< the last of them that could be
   UnkeptValues unkept;
   WindowInput input;
-  FlyCamera fly_camera;
+  WindowCamera camera;
   FrameReporter reporter;
   TuningSweep sweep;
 };

@@ -157,19 +157,12 @@ void show_picture(const TabContext& context) {
               {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
                        "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
   context.row("bones_as_lines", "Bones as lines",
-              {.what = "Draws the skeletons over the characters.", .cost = "One line a bone and agent in view."});
-  ButtonRow buttons(widgets, 3);
-  commands.frame_crowd |= buttons.button("Frame crowd", {.what = "Moves the camera until all are in view. Key F."});
+              {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
+               .cost = "Two draws a bone and agent in view."});
+  ButtonRow buttons(widgets, 2);
   commands.copy_camera |=
       buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});
   commands.screenshot |= buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
-  ImGui::Dummy({0, widgets.theme().px(2)});
-  const CameraPlace& camera = report.camera;
-  const auto number = [](float value) { return fixed(value, 1); };
-  widgets.fact("Camera at", number(camera.x) + ", " + number(camera.y) + ", " + number(camera.z),
-               {.what = "Where the camera stands.", .unit = "metres"});
-  widgets.fact("Looks", number(camera.yaw) + "\xC2\xB0 yaw, " + number(camera.pitch) + "\xC2\xB0 pitch",
-               {.what = "Yaw 0 looks along -Z; a positive pitch looks up.", .unit = "degrees"});
 }
 
 struct RoleRow {
@@ -235,6 +228,7 @@ void show_crowd_tab(const TabContext& context) {
   show_cast(context);
   show_time(context);
   show_picture(context);
+  show_camera_section(context);
   show_in_view(context);
   show_model(context);
   show_roles(context);

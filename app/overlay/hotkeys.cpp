@@ -23,6 +23,17 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Overla
   }
 }
 
+constexpr std::size_t place_of_digit(Key key) {
+  return static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::digit_1);
+}
+
+void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, CameraCommands& commands) {
+  commands.home |= key == Key::home;
+  commands.change_follow |= key == Key::g && open.selection;
+  if (place_of_digit(key) >= bookmark_count) return;
+  (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
+}
+
 void ask_the_crowd(Key key, const OpenThings& open, Tuning& tuning, OverlayCommands& commands) {
   if (key == Key::space) tuning.paused = !tuning.paused;
   commands.frame_crowd |= key == Key::f;
@@ -54,6 +65,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
       ask_the_viewer(key, *open.viewer, commands.viewer);
     } else {
       ask_the_crowd(key, open, tuning, commands);
+      add_camera_key(input, key, open, commands.cameras);
     }
   }
 }
@@ -61,7 +73,8 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
 std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {
   constexpr float most_movement = 4.0F;  // pixels that a hand moves while it clicks
   const bool down = input.down(MouseButton::left), was_down = std::exchange(was_down_, down);
-  if (down && !was_down && pointer_free) pressed_at_ = PicturePoint{input.pointer_x, input.pointer_y};
+  if (down && !was_down && pointer_free && !input.down(Key::alt))
+    pressed_at_ = PicturePoint{input.pointer_x, input.pointer_y};
   if (!pressed_at_) return std::nullopt;
   const float moved = std::hypot(input.pointer_x - pressed_at_->x, input.pointer_y - pressed_at_->y);
   if (moved > most_movement) pressed_at_.reset();

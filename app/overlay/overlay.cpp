@@ -13,6 +13,7 @@
 
 #include "app/overlay/cards.h"
 #include "app/overlay/hotkeys.h"
+#include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
 #include "app/overlay/viewer_panel.h"
 
@@ -183,6 +184,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
     apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
                   state.switches, tuning, commands);
+    if (report.replay) apply_replay_keys(state.input, commands.replay);
     const bool changes_places = !viewer && std::ranges::count(state.input.pressed, Key::b) > 0;
     if (changes_places) state.memory.pair.change_places(tuning);
   }
@@ -221,6 +223,7 @@ void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_
   show_frame_strip(widgets, layout.strip, report, context_of_tab.commands);
   if (context_of_tab.commands.look_at_frame) show_tab("Scheduling");
   show_column(layout.column, context_of_tab);
+  if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
   if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
 }
 

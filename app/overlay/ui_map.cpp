@@ -88,6 +88,19 @@ Json body_json(const BodyParts& body) {
   return {{"said", rig_json(body.said)}, {"follows", body.follows}, {"refusal", body.refusal}};
 }
 
+Json replay_json(const std::optional<ReplayReport>& replay) {
+  if (!replay) return nullptr;
+  return {{"frame", replay->frame},   {"frames", replay->frames},   {"sought", replay->sought.value_or(0)},
+          {"paused", replay->paused}, {"loops", replay->loops},     {"speed", replay->speed},
+          {"ended", replay->ended},   {"differs", replay->differs}, {"outcome", replay->outcome}};
+}
+
+Json cameras_json(const CameraReport& cameras) {
+  Json kept = Json::array();
+  for (const bool each : cameras.kept) kept.push_back(each);
+  return {{"films", cameras.films}, {"follows", cameras.follows}, {"fly_speed", cameras.fly_speed}, {"kept", kept}};
+}
+
 Json viewer_json(const std::optional<ViewerReport>& viewer) {
   if (!viewer) return nullptr;
   const ViewerSettings& settings = viewer->settings;
@@ -130,6 +143,8 @@ Json report_json(const FrameReport& report) {
           {"error", error_json(report.error)},
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
+          {"cameras", cameras_json(report.cameras)},
+          {"replay", replay_json(report.replay)},
           {"selected", selected_json(report.selected)},
           {"viewer", viewer_json(report.viewer)}};
 }

@@ -62,9 +62,23 @@ ButtonRow::ButtonRow(Widgets& widgets, int count)
       width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
              static_cast<float>(count)) {}
 
-bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
+void ButtonRow::go_right() {
   if (begun_) ImGui::SameLine();
   begun_ = true;
+}
+
+bool ButtonRow::marked_button(const char* words, const std::string& name, const Help& help, bool marked) {
+  go_right();
+  const bool pressed = widgets_.named_button(words, name, help, width_);
+  if (!marked) return pressed;
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  const float thick = widgets_.theme().px(2), inset = widgets_.theme().px(5);
+  ImGui::GetWindowDrawList()->AddRectFilled({from.x + inset, to.y - thick}, {to.x - inset, to.y}, colour::accent);
+  return pressed;
+}
+
+bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
+  go_right();
   widgets_.begin_idle(idle == nullptr ? std::nullopt : std::optional<std::string>(idle));
   const bool pressed = widgets_.button(label, help, width_);
   widgets_.end_idle();

@@ -110,8 +110,12 @@ class ButtonRow {
   /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
   /// was pressed.
   bool button(const char* label, const Help& help, const char* idle = nullptr);
+  /// Shows the next one under a name of its own, with a line under its words if it is `marked`.
+  bool marked_button(const char* words, const std::string& name, const Help& help, bool marked);
 
  private:
+  void go_right();
+
   Widgets& widgets_;
   float width_;
   bool begun_ = false;

@@ -41,6 +41,7 @@ std::optional<std::string> RecordingReader::read_begin() {
   if (header_bytes > most_header_bytes || !read_bytes(header_bytes, bytes)) return "is cut short in its header";
   if (const auto complaint = read_header(bytes, header_)) return "is damaged in its header: " + *complaint;
   tuning_ = header_.tuning;
+  bytes_of_items_ = bytes_left_;
   return {};
 }
 
@@ -78,6 +79,29 @@ bool RecordingReader::read_bytes(std::uint64_t count, std::string& bytes) {
   const auto read = input_.read(std::as_writable_bytes(std::span(bytes)));
   bytes_left_ -= count;
   return read && *read == count;
+}
+
+std::uint64_t RecordingReader::count_frames() {
+  const std::uint64_t left = bytes_left_, all = input_.size();
+  std::uint64_t frames = 0;
+  std::string bytes;
+  for (bytes_left_ = bytes_of_items_; input_.go_to(all - bytes_left_) && read_bytes(item_head_bytes, bytes);) {
+    NumberReader head(bytes);
+    const auto kind = static_cast<RecordKind>(head.next<std::uint8_t>());
+    const auto length = head.next<std::uint32_t>();
+    if (length > bytes_left_) break;
+    frames += kind == RecordKind::frame ? 1 : 0;
+    bytes_left_ -= length;
+  }
+  bytes_left_ = input_.go_to(all - left) ? left : 0;
+  return frames;
+}
+
+void RecordingReader::begin_anew() {
+  bytes_left_ = input_.go_to(input_.size() - bytes_of_items_) ? bytes_of_items_ : 0;
+  tuning_ = header_.tuning;
+  frames_ = 0;
+  hashes_.clear();
 }
 
 anim::Error RecordingReader::error_at(std::uint64_t frame, const std::string& what) const {

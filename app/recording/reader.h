@@ -27,6 +27,10 @@ class RecordingReader {
   /// the file is cut short, or the next item is malformed; then there is none either.
   anim::Result<RecordedItem> next();
   std::uint64_t frames_read() const { return frames_; }
+  /// Returns how many frames the file has, as far as it is whole. Reads over all of it, and goes on where it was.
+  std::uint64_t count_frames();
+  /// Goes back to before the first item.
+  void begin_anew();
   /// Returns [agent] the hashes of the last frame that was read.
   std::span<const std::uint16_t> agent_hashes() const { return hashes_; }
   /// Returns "run.rec: frame 12: " and the end of a sentence.
@@ -47,6 +51,7 @@ class RecordingReader {
   std::filesystem::path file_;
   InputFile input_;
   std::uint64_t bytes_left_;
+  std::uint64_t bytes_of_items_ = 0;
   RecordingHeader header_;
   Tuning tuning_;  // as of the items read
   std::uint64_t frames_ = 0;

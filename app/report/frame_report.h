@@ -9,11 +9,13 @@
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
 #include "app/lod/lod_thresholds.h"
+#include "app/report/camera_report.h"
 #include "app/report/error_report.h"
 #include "app/report/frame_details.h"
 #include "app/report/mesh_report.h"
 #include "app/report/messages.h"
 #include "app/report/placement_report.h"
+#include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/report/viewer_report.h"
@@ -102,6 +104,8 @@ struct FrameReport {
   std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
   SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
   CameraPlace camera;
+  CameraReport cameras;
+  std::optional<ReplayReport> replay;       ///< a recording is repeated
   Situation situation;                      ///< says which values have no effect
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
@@ -143,6 +147,8 @@ struct OverlayCommands {
   bool step = false;                      ///< one frame onwards, while paused
   bool frame_crowd = false;               ///< key F
   bool copy_camera = false;               ///< key C
+  CameraCommands cameras;
+  ReplayCommands replay;
   bool screenshot = false;                ///< key F12
   bool reload_shaders = false;            ///< key F5
   bool record = false;                    ///< key R: begins or ends a recording

@@ -98,19 +98,31 @@ Tuning Replay::with_own_scheduling(Tuning tuning) const {
 
 anim::Status Replay::begin(Show& show) const {
   show.keep_moments();
+  return become_recorded_characters(show, show.stage().people());
+}
+
+anim::Status Replay::become_recorded_characters(Show& show, std::span<const CharacterSource> people) const {
   const std::vector<RecordedCharacter>& recorded_people = reader_->header().characters;
-  const auto people = show.stage().people();
   if (people.size() != recorded_people.size()) {
     return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
                        " characters, and there are " + std::to_string(people.size())};
   }
-  if (are_equal(people, recorded_people)) return anim::Done{};
+  const bool are_on_stage = people.data() == show.stage().people().data();
+  if (are_on_stage && are_equal(people, recorded_people)) return anim::Done{};
   std::vector<CharacterSource> characters(people.begin(), people.end());
   for (std::size_t i = 0; i < characters.size(); ++i) {
     const anim::Status became = become_recorded(recorded_people[i], characters[i]);
     if (!became) return anim::Error{file_.string() + ": " + became.error().message};
   }
   return show.replace_characters(std::move(characters));
+}
+
+anim::Status Replay::begin_anew(Show& show) {
+  const auto people = first_people_.empty() ? show.stage().people() : std::span<const CharacterSource>(first_people_);
+  if (anim::Status became = become_recorded_characters(show, people); !became) return became;
+  if (anim::Status begun = show.begin_anew(with_own_scheduling(reader_->header().tuning)); !begun) return begun;
+  reader_->begin_anew();
+  return anim::Done{};
 }
 
 anim::Result<bool> Replay::step(Show& show) {
@@ -120,11 +132,19 @@ anim::Result<bool> Replay::step(Show& show) {
     if (std::holds_alternative<RecordedEnd>(*item)) return false;
     if (const auto* const frame = std::get_if<RecordedFrame>(&*item)) {
       show.animate_as(*frame);
-      agents_ = show.stage().crowd().size();
+      delta_ = frame->delta;
       if (const anim::Status equal = compare(*frame, show.stage()); !equal) return equal.error();
+      if (reader_->frames_read() > frames_equal_) {
+        frames_equal_ = reader_->frames_read();
+        agents_ = show.stage().crowd().size();
+      }
       return true;
     }
-    const anim::Status repeated = repeat(with_own_scheduling(std::get<RecordedRequest>(*item)), show);
+    const auto& request = std::get<RecordedRequest>(*item);
+    if (may_go_back_ && first_people_.empty() && std::holds_alternative<RecordedCharacters>(request)) {
+      first_people_.assign(show.stage().people().begin(), show.stage().people().end());
+    }
+    const anim::Status repeated = repeat(with_own_scheduling(request), show);
     if (!repeated) return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
   }
 }
@@ -156,7 +176,7 @@ anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) con
 }
 
 std::string Replay::summary() const {
-  return file_.string() + ": all " + std::to_string(reader_->frames_read()) + " frames are equal, the last of " +
+  return file_.string() + ": all " + std::to_string(frames_equal_) + " frames are equal, the last of " +
          std::to_string(agents_) + " agents";
 }
 

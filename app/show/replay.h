@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/recording/reader.h"
 #include "app/settings/settings.h"
@@ -30,6 +33,16 @@ class Replay {
   /// that differ; the recording is cut short or damaged.
   anim::Result<bool> step(Show& show);
 
+  /// Goes back to before the first frame, if allow_to_go_back() was called before the first. Errors: those of begin().
+  anim::Status begin_anew(Show& show);
+
+  /// Keeps what begin_anew() needs.
+  void allow_to_go_back() { may_go_back_ = true; }
+
+  std::uint64_t frame() const { return reader_->frames_read(); }    ///< that was repeated last; 0: none
+  std::uint64_t count_frames() { return reader_->count_frames(); }  ///< of the file, which it reads over
+  anim::Ticks delta() const { return delta_; }                      ///< the time of the frame that was repeated last
+
   /// Returns "run.rec: all 120 frames are equal, the last of 300 agents".
   std::string summary() const;
 
@@ -39,12 +52,17 @@ class Replay {
 
   Tuning with_own_scheduling(Tuning tuning) const;
   RecordedRequest with_own_scheduling(RecordedRequest request) const;
+  anim::Status become_recorded_characters(Show& show, std::span<const CharacterSource> people) const;
   anim::Status compare(const RecordedFrame& frame, const Stage& stage) const;
 
   std::filesystem::path file_;
   std::unique_ptr<RecordingReader> reader_;
   DemoOptions given_;
-  std::size_t agents_ = 0;  // of the last frame
+  std::uint64_t frames_equal_ = 0;  // without those that were repeated again
+  std::size_t agents_ = 0;          // of the last of them
+  anim::Ticks delta_{};
+  bool may_go_back_ = false;
+  std::vector<CharacterSource> first_people_;  // before others came; empty: none have
 };
 
 }  // namespace throng::app

@@ -12,9 +12,7 @@
 #include "app/files/nearest_names.h"
 #include "app/show/opened_crowd.h"
 #include "app/stage/memory_needs.h"
-#include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
-#include "app/view/scenes.h"
 
 namespace throng::app {
 namespace {
@@ -68,9 +66,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
 }
 
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
-  const Tuning& tuning = stage_->tuning();
-  const auto agents = static_cast<std::size_t>(tuning.agents);
-  const auto cameras = scene_cameras(tuning.scene, agents, common_roles(roles_of(stage_->characters())));
+  const auto cameras = cameras_of(*stage_);
   const NamedCamera* named = find_camera(cameras, options.camera_name);
   if (named == nullptr) {
     std::vector<std::string> names;
@@ -79,9 +75,8 @@ bool Show::place_camera(const DemoOptions& options, StartError& error) {
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
   }
   camera = camera_at(options.camera.value_or(named->place));
-  path_ = options.camera_path;
-  path_start_ = camera;
-  films = path_ != CameraPath::none || (!options.camera && options.camera_name.empty());
+  guide.take_path(options.camera_path, camera);
+  films = options.camera_path != CameraPath::none || (!options.camera && options.camera_name.empty());
   return true;
 }
 
@@ -104,7 +99,7 @@ anim::Status Show::apply(const Tuning& tuning) {
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
   if (!applied) return applied;
-  if (another_scene) films = true;
+  if (another_scene) camera = guide.begin_scene(*stage_), films = true;
   update_notice();
   recorder_.add(tuning);
   return applied;
@@ -227,6 +222,15 @@ anim::Status Show::start_recording(const std::filesystem::path& file) {
   return anim::Done{};
 }
 
+anim::Status Show::begin_anew(const Tuning& tuning) {
+  if (anim::Status applied = apply(tuning); !applied) return applied;
+  stage_->restart();
+  rewind_.forget();
+  frozen_camera_.reset();
+  if (stage_->animated().event_sums()) stage_->animated().sum_up_events();
+  return anim::Done{};
+}
+
 void Show::animate_as(const RecordedFrame& frame) {
   camera = frame.view.camera;
   films = false;
@@ -240,7 +244,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = RunFigures::Clock::now();
   stage_->move(step);
-  film();
+  camera = guide.moved(*stage_, camera, films);
   freeze_lod_camera();
   const LodView view = as_recorded != nullptr ? *as_recorded : LodView{frozen_camera_.value_or(camera), width, height};
   stage_->pose(view.camera, view.width, view.height, step, completed);
@@ -251,15 +255,6 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
-}
-
-void Show::film() {
-  if (!films) return;
-  if (path_ != CameraPath::none) {
-    camera = along(path_, path_start_, anim::to_seconds(stage_->system().clock()));
-  } else if (stage_->animated().cut_scene() != nullptr) {
-    camera = stage_->animated().cut_scene()->film(camera);
-  }
 }
 
 void Show::freeze_lod_camera() {

@@ -11,6 +11,7 @@
 #include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
+#include "app/show/camera_guide.h"
 #include "app/show/hands.h"
 #include "app/show/painter.h"
 #include "app/show/starting_characters.h"
@@ -27,7 +28,8 @@ class Show {
  public:
   static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error);
 
-  /// Takes new values at a frame boundary. Errors: they cannot be; then nothing has changed.
+  /// Takes new values at a frame boundary. Another scene brings its own camera. Errors: they cannot be; then nothing
+  /// has changed.
   anim::Status apply(const Tuning& tuning);
 
   /// Gives everyone other characters, those of files and folders that came together (load_dropped), at a frame
@@ -77,6 +79,10 @@ class Show {
   /// of the body change, and shows the first of other characters when they come.
   Viewer* viewer() const { return viewer_.get(); }
 
+  /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of apply(); then
+  /// nothing has changed.
+  anim::Status begin_anew(const Tuning& tuning);
+
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
   anim::Status start_recording(const std::filesystem::path& file);
@@ -96,6 +102,7 @@ class Show {
 
   render::Camera camera;
   bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
+  CameraGuide guide;   ///< moves `camera` where nobody flies it
   int width = 0;
   int height = 0;
   float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
@@ -109,7 +116,6 @@ class Show {
   anim::Status exchange(std::vector<CharacterSource> characters);
   bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();
-  void film();
   void freeze_lod_camera();
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
@@ -124,8 +130,6 @@ class Show {
   std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
-  CameraPath path_ = CameraPath::none;
-  render::Camera path_start_;
 };
 
 }  // namespace throng::app

@@ -5,9 +5,11 @@
 #include <span>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "app/character/cut_scene_models.h"
 #include "app/crowd/cut_scene_layout.h"
+#include "app/view/scenes.h"
 
 namespace throng::app {
 namespace {
@@ -87,13 +89,13 @@ void CutScene::put(std::uint32_t agent, const anim::AbsoluteRoot& root) {
   crowd_->put(agent, glm::vec3(root.position), {turn.w * turn.w - turn.y * turn.y, 2.0F * turn.w * turn.y});
 }
 
-render::Camera CutScene::film(const render::Camera& camera) const {
+render::Camera CutScene::film() const {
   const auto& lens = *reinterpret_cast<const anim::PaletteMatrix*>(camera_palette_.get());
   const glm::vec3 forward(-lens.rows[0][2], -lens.rows[1][2], -lens.rows[2][2]);
   return {.position = {lens.rows[0][3], lens.rows[1][3], lens.rows[2][3]},
           .yaw = std::atan2(-forward.x, -forward.z),
           .pitch = std::asin(std::clamp(forward.y, -1.0F, 1.0F)),
-          .vertical_view = camera.vertical_view};
+          .vertical_view = glm::radians(film_field_of_view)};
 }
 
 }  // namespace throng::app

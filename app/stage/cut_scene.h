@@ -34,8 +34,8 @@ class CutScene {
   Moment moment() const { return {begun_, static_cast<std::uint8_t>(act_)}; }
   void go_back_to(const Moment& moment) { begun_ = moment.begun, act_ = static_cast<Act>(moment.act); }
 
-  /// Returns the scene's camera as it stands, with the field of view of `camera`.
-  render::Camera film(const render::Camera& camera) const;
+  /// Returns the scene's camera as it stands.
+  render::Camera film() const;
 
  private:
   enum class Act : std::uint8_t { before, walk_on, let_go, wave };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float radians_a_pixel = 0.0035F;
 constexpr float faster = 4, slower = 0.25F;
-constexpr float speed_step = 1.2F, lowest_speed = 0.25F, highest_speed = 250;
+constexpr float speed_step = 1.2F;  // of the wheel
 
 float axis(const InputFrame& input, Key negative, Key positive) {
   return static_cast<float>(input.down(positive)) - static_cast<float>(input.down(negative));
@@ -28,6 +28,10 @@ float hurry(const InputFrame& input) {
 }
 
 }  // namespace
+
+bool orbits(const InputFrame& input) {
+  return input.down(MouseButton::middle) || (input.down(MouseButton::left) && input.down(Key::alt));
+}
 
 render::Camera camera_at(const CameraPlace& place) {
   return {.position = {place.x, place.y, place.z},
@@ -57,7 +61,7 @@ std::string camera_option(const CameraPlace& place) {
 void FlyCamera::update(const InputFrame& input, const FlyControls& controls, float seconds) {
   render::FlyInput flight;
   if (controls.pointer_free) {
-    speed_ = std::clamp(speed_ * std::pow(speed_step, input.wheel), lowest_speed, highest_speed);
+    set_speed(speed_ * std::pow(speed_step, input.wheel));
     if (input.down(MouseButton::right)) {
       flight.turn_left = -input.moved_x * radians_a_pixel;
       flight.turn_up = -input.moved_y * radians_a_pixel;
@@ -66,6 +70,10 @@ void FlyCamera::update(const InputFrame& input, const FlyControls& controls, flo
   if (controls.keyboard_free) flight.move = direction(input);
   flight.speed = speed_ * hurry(input);
   camera_ = render::fly(camera_, flight, seconds);
+  if (controls.pointer_free && orbits(input)) {
+    camera_ = render::orbit(camera_, controls.orbit_about, -input.moved_x * radians_a_pixel,
+                            -input.moved_y * radians_a_pixel);
+  }
   camera_.position = glm::clamp(camera_.position, glm::vec3(-farthest_camera), glm::vec3(farthest_camera));
 }
 

@@ -73,7 +73,7 @@ std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRole
 std::vector<NamedCamera> cut_scene_cameras(double spacing) {
   const auto unit = static_cast<float>(spacing);
   return {
-      {"front", {0.9F * unit, 1.5F * unit, 4.2F * unit, 10.0F, -3.0F, 50.0F}},
+      {"front", {0.9F * unit, 1.5F * unit, 4.2F * unit, 10.0F, -3.0F, film_field_of_view}},
       {"above", {0.0F, 16.0F * unit, 7.0F * unit, 0.0F, -64.0F, 50.0F}},
       {"close", {-0.9F * unit, 1.5F * unit, 2.2F * unit, -20.0F, -3.0F, 45.0F}},
       {"far", {8.0F * unit, 6.0F * unit, 13.0F * unit, 32.0F, -17.0F, 45.0F}},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -15,8 +16,13 @@ struct NamedCamera {
   CameraPlace place;
 };
 
-/// Returns the cameras of a scene: front, which is the default, above, close, far. They depend on the size of the crowd
-/// and of the character.
+/// The vertical field of view of the film's own camera, in degrees.
+inline constexpr float film_field_of_view = 50.0F;
+
+/// The names of a scene's cameras, in their order. The first is where a scene begins.
+inline constexpr std::array<const char*, 4> scene_camera_names = {"front", "above", "close", "far"};
+
+/// Returns the cameras of a scene, one a name. They depend on the size of the crowd and of the character.
 std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles);
 
 /// Returns the camera called `name`, or null where the scene has none. The empty name is the first camera's.

@@ -26,6 +26,28 @@ glm::mat4 reversed_perspective(float vertical_view, float aspect, float near_dis
   return projection;
 }
 
+glm::vec3 up(const Camera& camera) { return glm::cross(right(camera), forward(camera)); }
+
+// How far a way goes to the right, up and ahead.
+glm::vec3 seen_by(const Camera& camera, const glm::vec3& way) {
+  return {glm::dot(way, right(camera)), glm::dot(way, up(camera)), glm::dot(way, forward(camera))};
+}
+
+/// The space between two planes through the camera. Each leans to one side by so much a metre ahead.
+class Wedge {
+ public:
+  Wedge(float low, float high)
+      : low_(low), high_(high), low_length_(std::hypot(1.0F, low)), high_length_(std::hypot(1.0F, high)) {}
+
+  /// Gives how far to the side a point a metre ahead is, if it is equally far from both planes.
+  float middle() const { return (low_ * high_length_ + high_ * low_length_) / (low_length_ + high_length_); }
+  /// Gives how far ahead a point is that is one metre from both planes.
+  float distance_of_unit() const { return (low_length_ + high_length_) / (high_ - low_); }
+
+ private:
+  float low_, high_, low_length_, high_length_;
+};
+
 glm::vec4 normalized(const glm::vec4& plane) { return plane / glm::length(glm::vec3(plane)); }
 
 }  // namespace
@@ -65,11 +87,22 @@ Camera fly(const Camera& camera, const FlyInput& input, float seconds) {
   return next;
 }
 
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect) {
-  const float half_height = camera.vertical_view * 0.5F;
-  const float half_width = std::atan(std::tan(half_height) * aspect);
+Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, float turn_up) {
+  const Camera turned = fly(camera, {.turn_left = turn_left, .turn_up = turn_up}, 0.0F);
+  const glm::vec3 way = about - camera.position, seen = seen_by(camera, way);
+  Camera next = turned;
+  next.position = about - (seen.x * right(turned) + seen.y * up(turned) + seen.z * forward(turned));
+  return next;
+}
+
+Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect,
+                    const PicturePart& part) {
+  const float tall = std::tan(camera.vertical_view * 0.5F), wide = tall * aspect;
+  const Wedge across(wide * (2.0F * part.left - 1.0F), wide * (2.0F * part.right - 1.0F));
+  const Wedge along(tall * (1.0F - 2.0F * part.bottom), tall * (1.0F - 2.0F * part.top));
+  const float ahead = radius * std::max(across.distance_of_unit(), along.distance_of_unit());
   Camera framed = camera;
-  framed.position = centre - forward(camera) * (radius / std::sin(std::min(half_height, half_width)));
+  framed.position = centre - ahead * (across.middle() * right(camera) + along.middle() * up(camera) + forward(camera));
   return framed;
 }
 

@@ -51,7 +51,18 @@ struct FlyInput {
 /// Gives the camera as it is `seconds` later. It moves up along the world's axis, so that level flight stays level.
 Camera fly(const Camera& camera, const FlyInput& input, float seconds);
 
-/// Moves the camera back or forth along its own direction until the sphere just fits into the picture.
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect);
+/// Turns the camera about a point, which stays where it is in the picture. `turn_left` and `turn_up` are radians by
+/// which the camera turns; it never looks straight up or down.
+Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, float turn_up);
+
+/// A part of the picture: shares of its width and height, from the top left, each 0 to 1.
+struct PicturePart {
+  float left = 0.0F, top = 0.0F, right = 1.0F, bottom = 1.0F;
+};
+
+/// Moves the camera, which keeps its direction, until the sphere just fits into that part of the picture. `aspect` is
+/// that of the whole picture. The part has a width and a height.
+Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect,
+                    const PicturePart& part = {});
 
 }  // namespace throng::render

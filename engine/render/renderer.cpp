@@ -135,6 +135,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
     add(counts, crowd_.draw_blended(meshes_, palettes_));
     add(counts, blend_.finish(target));
   }
+  if (frame.bones_as_lines) add(counts, bones_.draw(frame, meshes_, palettes_, target.size()));
   add(counts, lines_.draw(frame.lines, target.size()));
   glDisable(GL_RASTERIZER_DISCARD);
   target.resolve();

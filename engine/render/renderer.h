@@ -19,6 +19,7 @@
 #include "engine/render/palette/frame_fences.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/blend_pass.h"
+#include "engine/render/passes/bone_pass.h"
 #include "engine/render/passes/crowd_pass.h"
 #include "engine/render/passes/ground_pass.h"
 #include "engine/render/passes/line_pass.h"
@@ -73,7 +74,7 @@ class Renderer {
 
   FrameFences& fences() { return fences_; }
 
-  /// Draws ground, shadows, crowd and lines. Keeps nothing of `frame`.
+  /// Draws ground, shadows, crowd, bones and lines. Keeps nothing of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
   /// These two functions are the parts of draw(), so that each can be timed. The last upload can be drawn again.
@@ -117,6 +118,7 @@ class Renderer {
   GroundPass ground_{shaders_};
   CrowdPass crowd_{shaders_};
   BlendPass blend_{shaders_};
+  BonePass bones_{shaders_};
   LinePass lines_{shaders_};
   SplitPass split_{shaders_};
   std::optional<OverlayRenderer> overlay_;

@@ -21,6 +21,16 @@ TEST_P(GoldenPicture, GridCloseUp) {
   expect_golden_picture("grid-close", options);
 }
 
+// Bodies hide no bones of their own, and those of others nearly.
+TEST_P(GoldenPicture, BonesOverCharacters) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.scene = Scene::grid;
+  options.tuning.agents = 9;
+  options.tuning.bones_as_lines = true;
+  options.camera_name = "close";
+  expect_golden_picture("bones", options);
+}
+
 TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
   DemoOptions options = golden_options(GetParam());
   options.tuning.lod.rule = anim::LodRule::distance;

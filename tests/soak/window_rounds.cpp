@@ -106,8 +106,8 @@ bool WindowRounds::use_a_widget(Random& random, const Json& map) {
 }
 
 bool WindowRounds::press_a_key(Random& random) {
-  static const std::vector<std::string> keys = {"space", "Tab", "F1", "f", "c", "F5", "F12", "p",
-                                                "x",     "b",   "w",  "a", "s", "d",  "q",   "e"};
+  static const std::vector<std::string> keys = {"space", "Tab", "F1", "f", "c", "F5", "F12",  "p", "x", "b",
+                                                "w",     "a",   "s",  "d", "q", "e",  "Home", "g", "1", "2"};
   const std::string& key = any_of(random, keys);
   tell("presses " + key);
   ++counts_["keys"];

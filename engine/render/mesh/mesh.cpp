@@ -1,5 +1,6 @@
 #include "engine/render/mesh/mesh.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -58,6 +59,16 @@ gl::Buffer create_packing_frames(std::vector<PackingFrameData> frames) {
   return gl::create_buffer(frames.data(), frames.size() * sizeof(PackingFrameData));
 }
 
+float longest_side(std::span<const SurfaceVertex> vertices) {
+  float longest = 0.0F;
+  for (std::size_t axis = 0; axis < 3 && !vertices.empty(); ++axis) {
+    const auto [low, high] =
+        std::ranges::minmax(vertices, {}, [axis](const SurfaceVertex& vertex) { return vertex.position[axis]; });
+    longest = std::max(longest, high.position[axis] - low.position[axis]);
+  }
+  return longest;
+}
+
 Status check_morphs(const CrowdMeshData& data) {
   const std::size_t most = gl::ask_device_limits().storage_block / sizeof(MorphEntry);
   if (data.morph_deltas.size() <= most) return Done{};
@@ -92,6 +103,7 @@ void CrowdMesh::copy_to_device(const SurfaceView& surface, std::span<const Morph
   array_ = describe_vertices(vertices_, indices_, emission_coords_);
   create_morphs(morph_deltas, surface.vertices.size());
   parts_ = surface;
+  longest_side_of_bones_ = longest_side(surface.vertices.subspan(parts_.first_bone_end, parts_.bone_end_count));
 }
 
 void CrowdMesh::create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count) {

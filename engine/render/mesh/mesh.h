@@ -40,6 +40,8 @@ class CrowdMesh {
   /// These two functions name the ends of the bones' lines, two a bone, which come last.
   std::uint32_t first_bone_end() const { return parts_.first_bone_end; }
   std::uint32_t bone_end_count() const { return parts_.bone_end_count; }
+  /// Gives the longest side of the box around them at rest, in metres; 0 without bones.
+  float longest_side_of_bones() const { return longest_side_of_bones_; }
 
  private:
   CrowdMesh() = default;
@@ -55,6 +57,7 @@ class CrowdMesh {
   gl::Buffer morph_entries_;
   gl::VertexArray array_;
   SurfaceParts parts_;
+  float longest_side_of_bones_ = 0.0F;
   MaterialSet materials_;
 };
 

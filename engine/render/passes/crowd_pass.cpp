@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/passes/crowd_runs.h"
 
 namespace throng::render {
 namespace {
@@ -18,19 +19,6 @@ constexpr float solid_alpha = 0.9F;
 constexpr float shadow_alpha = 0.5F;  // least of a blended surface that casts a shadow
 
 constexpr int all_opaque = -1;  // a group's material
-
-/// Calls `do_run` with all batches of each page and character.
-void for_each_run(std::span<const CrowdBatch> batches, const auto& do_run) {
-  while (!batches.empty()) {
-    const CrowdBatch& first = batches.front();
-    const auto other = std::ranges::find_if(batches, [&](const CrowdBatch& batch) {
-      return batch.page != first.page || batch.character != first.character;
-    });
-    const auto count = static_cast<std::size_t>(other - batches.begin());
-    do_run(batches.first(count));
-    batches = batches.subspan(count);
-  }
-}
 
 void add_runs(const CrowdMesh& mesh, std::size_t lod, const CrowdBatch& batch, IndirectDraws& draws,
               const auto& is_wanted) {
@@ -123,10 +111,7 @@ CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex,
       shadow(shaders.load({shadow_vertex, "shadow.frag"})),
       cut_out_shadow(shaders.load({shadow_vertex, "shadow_cut_out.frag"})) {}
 
-CrowdPass::CrowdPass(ShaderLibrary& shaders)
-    : shaders_(&shaders),
-      plain_(shaders, "crowd.vert", "shadow.vert"),
-      bones_(shaders.load({"crowd.vert", "bones.frag"})) {}
+CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd.vert", "shadow.vert") {}
 
 void CrowdPass::prepare_morphs() {
   if (!morphed_) morphed_.emplace(*shaders_, "crowd_morphed.vert", "shadow_morphed.vert");
@@ -134,12 +119,7 @@ void CrowdPass::prepare_morphs() {
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
-  compose_surfaces(frame.bones_as_lines ? std::span<const CrowdBatch>() : frame.batches, meshes, blended_, is_blended);
-  return frame.bones_as_lines ? draw_bones(frame, meshes, palettes) : draw_surfaces(frame, meshes, palettes);
-}
-
-DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
-                                    const PaletteBuffer& palettes) {
+  compose_surfaces(frame.batches, meshes, blended_, is_blended);
   compose_surfaces(frame.batches, meshes, surfaces_, is_any);
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
@@ -181,25 +161,6 @@ DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const Pale
   }
   unbind_samplers();
   return blended_.counts();
-}
-
-DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
-                                 const PaletteBuffer& palettes) const {
-  DrawCounts counts;
-  glUseProgram(bones_.id());
-  for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
-    const CrowdMesh& mesh = meshes[run.front().character];
-    if (mesh.bone_end_count() == 0) return;
-    mesh.bind();
-    palettes.bind(run.front().page, palette_binding);
-    const std::uint32_t first = run.front().first_instance;
-    const std::uint32_t end = run.back().first_instance + run.back().instance_count;
-    glDrawArraysInstancedBaseInstance(GL_LINES, static_cast<GLint>(mesh.first_bone_end()),
-                                      static_cast<GLsizei>(mesh.bone_end_count()), static_cast<GLsizei>(end - first),
-                                      first);
-    ++counts.draw_calls;
-  });
-  return counts;
 }
 
 DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,

@@ -25,7 +25,7 @@ class CrowdPass {
   /// it went well.
   void prepare_morphs();
 
-  /// Draws lit surfaces or, with `bones_as_lines`, only the bones.
+  /// Draws lit surfaces.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
   /// Says whether the last draw() left out parts that are seen through.
@@ -43,9 +43,6 @@ class CrowdPass {
   DrawCounts draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
  private:
-  DrawCounts draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
-  DrawCounts draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
-                        const PaletteBuffer& palettes) const;
   /// The programs that draw surfaces; all have the same uniforms.
   struct Programs {
     Programs(ShaderLibrary& shaders, const std::string& vertex, const std::string& shadow_vertex);
@@ -68,7 +65,6 @@ class CrowdPass {
   ShaderLibrary* shaders_;
   Programs plain_;
   std::optional<Programs> morphed_;
-  const gl::Program& bones_;
   bool morphs_ = false;  // an instance of the frame has weights
   IndirectDraws surfaces_;
   IndirectDraws blended_;

@@ -53,11 +53,13 @@ Result<gl::Program> ShaderLibrary::build(const ProgramFiles& files) const {
   if (!vertex) return vertex.error();
   gl::Program program(glCreateProgram());
   glAttachShader(program.id(), vertex->id());
-  Result<gl::Shader> fragment = gl::Shader();
-  if (!files.fragment.empty()) {
-    fragment = compile(GL_FRAGMENT_SHADER, files.fragment);
-    if (!fragment) return fragment.error();
-    glAttachShader(program.id(), fragment->id());
+  const std::pair<GLenum, const std::string&> others[] = {{GL_GEOMETRY_SHADER, files.geometry},
+                                                          {GL_FRAGMENT_SHADER, files.fragment}};
+  for (const auto& [stage, file] : others) {
+    if (file.empty()) continue;
+    const Result<gl::Shader> shader = compile(stage, file);
+    if (!shader) return shader.error();
+    glAttachShader(program.id(), shader->id());
   }
   declare_captured(program.id(), files.captured);
   glLinkProgram(program.id());

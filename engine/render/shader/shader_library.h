@@ -17,6 +17,7 @@ struct ProgramFiles {
   std::string vertex;
   std::string fragment;                    ///< empty: the program only captures vertices
   std::vector<std::string> captured = {};  ///< varyings that transform feedback captures, interleaved
+  std::string geometry = {};               ///< empty: none
 };
 
 /// Builds programs from a folder of GLSL files. A line `#include "name.glsl"` stands for that file of the same folder,

@@ -3,6 +3,26 @@
 #include <gtest/gtest.h>
 
 namespace throng::app {
+namespace {
+
+void add(CameraCommands& all, const CameraCommands& commands) {
+  all.home |= commands.home;
+  all.change_follow |= commands.change_follow;
+  if (commands.named) all.named = commands.named;
+  if (commands.fly_speed) all.fly_speed = commands.fly_speed;
+  if (commands.keep_bookmark) all.keep_bookmark = commands.keep_bookmark;
+  if (commands.go_to_bookmark) all.go_to_bookmark = commands.go_to_bookmark;
+}
+
+void add(ReplayCommands& all, const ReplayCommands& commands) {
+  all.change_pause |= commands.change_pause;
+  all.change_loop |= commands.change_loop;
+  if (commands.step != 0) all.step = commands.step;
+  if (commands.go_to) all.go_to = commands.go_to;
+  if (commands.speed) all.speed = commands.speed;
+}
+
+}  // namespace
 
 namespace {
 
@@ -51,6 +71,8 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.look_at_frame) all.look_at_frame = commands.look_at_frame;
     if (commands.rewind) all.rewind = commands.rewind;
     if (commands.sweep) all.sweep = commands.sweep;
+    add(all.cameras, commands.cameras);
+    add(all.replay, commands.replay);
     if (commands.bone_lod) all.bone_lod = commands.bone_lod;
     if (commands.hold_at) all.hold_at = commands.hold_at;
     if (commands.save_preset) all.save_preset = commands.save_preset;
@@ -101,10 +123,14 @@ OverlayCommands OverlayDriver::drag_to(const std::string& widget, const std::str
 }
 
 OverlayCommands OverlayDriver::press(Key key) {
-  input.push({.kind = InputEvent::Kind::key, .key = key, .down = true});
-  input.push({.kind = InputEvent::Kind::key, .key = key, .down = false});
+  hold(key);
+  let_go(key);
   return frames();
 }
+
+void OverlayDriver::hold(Key key) { input.push({.kind = InputEvent::Kind::key, .key = key, .down = true}); }
+
+void OverlayDriver::let_go(Key key) { input.push({.kind = InputEvent::Kind::key, .key = key, .down = false}); }
 
 void OverlayDriver::type(const std::string& text) {
   for (const char letter : text) {

@@ -21,6 +21,8 @@ class OverlayDriver {
   /// Presses in the middle of one and lets go in the middle of another.
   OverlayCommands drag_to(const std::string& widget, const std::string& other);
   OverlayCommands press(Key key);
+  void hold(Key key);
+  void let_go(Key key);
   void type(const std::string& text);
   void point_at(float x, float y);
   /// Points at a share of the width of a widget.

@@ -41,7 +41,7 @@ class CutSceneOnStage : public testing::Test {
   }
   void pass_until(double seconds) { pass(static_cast<int>((seconds - seconds_) * 60.0 + 0.5)); }
   glm::vec3 place(std::uint32_t agent) const { return stage_->crowd().positions()[agent]; }
-  render::Camera camera() const { return stage_->animated().cut_scene()->film({}); }
+  render::Camera camera() const { return stage_->animated().cut_scene()->film(); }
   /// Cosine of the angle between where the camera looks and where something is.
   float faces(const glm::vec3& target) const {
     return glm::dot(render::forward(camera()), glm::normalize(target - camera().position));

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "app/overlay/ui_map.h"
+#include "app/report/camera_report.h"
+#include "app/settings/settings.h"
+#include "app/show/show.h"
+#include "app/view/fly_camera.h"
+#include "app/view/input.h"
+
+namespace throng::app {
+
+/// The camera of the person at the window: flown by hand, sent to a place, or left to the show. In a frame:
+///     steer(...)  obey(...)  show.apply(...)  hand_over(...)  show.animate(...)  take_back(...)
+class WindowCamera {
+ public:
+  explicit WindowCamera(const Show& show);
+
+  /// Moves the camera as mouse and keys say. Whoever takes it in hand has it from then on. `free` says what the overlay
+  /// leaves to it.
+  void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
+  /// Does what the person asks for.
+  void obey(const CameraCommands& commands, Show& show);
+  /// Puts the camera where the person says, even if the scene changes in this frame.
+  void put(const CameraPlace& place, Show& show);
+  /// Moves the camera until the whole crowd is seen in `area` of the picture, in pixels from the top left.
+  void frame_crowd(const UiRectangle& area, Show& show);
+
+  /// Gives the show its camera for this frame. Another scene than before has brought its own.
+  void hand_over(Show& show);
+  /// Takes the camera as the show has moved it.
+  void take_back(const Show& show) { fly_.set_camera(show.camera); }
+
+  const render::Camera& camera() const { return fly_.camera(); }
+  CameraPlace place() const { return fly_.place(); }
+  /// Adds what only this camera knows.
+  void report(CameraReport& report) const;
+
+ private:
+  void go_home(Show& show);
+
+  FlyCamera fly_;
+  std::array<std::optional<CameraPlace>, bookmark_count> bookmarks_;
+  Scene scene_;
+  bool was_put_ = false;  // in this frame
+};
+
+/// Reports who moves the camera of the show.
+void report_cameras(const Show& show, CameraReport& report);
+
+}  // namespace throng::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/report/replay_report.h"
+#include "app/show/replay.h"
+#include "app/show/show.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// A replay in a window: it plays at the speed of the recording, pauses, steps, and goes to any frame. At its end, and
+/// where a frame differs, it stays and says so.
+class WindowReplay {
+ public:
+  /// Counts the frames of the recording. `replay`, which outlives this, has begun and repeated nothing yet.
+  explicit WindowReplay(Replay& replay);
+
+  /// Does what the person asks for.
+  void obey(const ReplayCommands& commands);
+  /// Repeats the frames of the next `seconds`, or some of those on the way to the frame that was asked for. A frame of
+  /// the window never waits long for them.
+  void advance(Show& show, double seconds);
+
+  const ReplayReport& report() const { return report_; }
+  /// Returns the first difference, or why the replay could not go on.
+  const anim::Status& outcome() const { return outcome_; }
+
+ private:
+  void play(Show& show, double seconds);
+  void seek(Show& show);
+  void step(Show& show);
+  void begin_anew(Show& show);
+  void end_with(const anim::Status& outcome);
+
+  Replay& replay_;
+  ReplayReport report_;
+  double due_ = 0;  // seconds of the recording that are to be repeated
+  anim::Status outcome_ = anim::Done{};
+};
+
+}  // namespace throng::app

@@ -1,0 +1,208 @@
+#include "app/demo/window_camera.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/app/overlay/overlay_driver.h"
+#include "tests/app/recording/recorded_run.h"
+
+namespace throng::app::window_camera_test {
+namespace {
+
+using test::demo;
+using test::show_of;
+using test::sixtieth;
+
+class CameraOfAWindow : public testing::Test {
+ protected:
+  /// Lets a frame pass in which the person asks for that.
+  void frame(const CameraCommands& commands = {}, const InputFrame& input = {}) {
+    camera_.steer(*show_, input, {}, 1.0F / 60);
+    camera_.obey(commands, *show_);
+    pass();
+  }
+  void pass() {
+    camera_.hand_over(*show_);
+    show_->animate(sixtieth);
+    camera_.take_back(*show_);
+  }
+  void go_to(Scene scene) {
+    test::change(*show_, [&](Tuning& tuning) { tuning.scene = scene; });
+  }
+  CameraReport report() const {
+    CameraReport report;
+    report_cameras(*show_, report);
+    camera_.report(report);
+    return report;
+  }
+  render::Camera named(std::size_t camera) const { return camera_at(cameras_of(show_->stage())[camera].place); }
+
+  const std::unique_ptr<Show> show_ = show_of(demo("--agents 12"));
+  WindowCamera camera_{*show_};
+};
+
+InputFrame flying() {
+  InputFrame input;
+  input.keys_down.set(static_cast<std::size_t>(Key::w));
+  return input;
+}
+
+InputFrame dragging(MouseButton button, bool alt) {
+  InputFrame input;
+  input.buttons_down.set(static_cast<std::size_t>(button));
+  input.keys_down[static_cast<std::size_t>(Key::alt)] = alt;
+  input.moved_x = 40;
+  input.moved_y = -10;
+  return input;
+}
+
+TEST_F(CameraOfAWindow, IsThatOfTheSceneThatWasChosen) {
+  go_to(Scene::grid);
+  frame();
+  EXPECT_EQ(camera_.camera(), named(0));
+}
+
+TEST_F(CameraOfAWindow, IsThatOfThePresetWhoseSceneWasChosen) {
+  const CameraPlace place{.x = 3, .y = 2, .z = 9, .yaw = 10, .pitch = -5, .field_of_view = 33};
+  for (const Scene scene : {Scene::grid, Scene::film}) {
+    camera_.put(place, *show_);
+    go_to(scene);
+    pass();
+    EXPECT_EQ(camera_.camera(), camera_at(place));
+  }
+  go_to(Scene::stadium);
+  pass();
+  EXPECT_EQ(camera_.camera(), named(0)) << "that was said for one scene alone";
+}
+
+TEST_F(CameraOfAWindow, IsTakenFromTheFilmByFlyingAndGivenBackAtHome) {
+  go_to(Scene::film);
+  frame();
+  EXPECT_TRUE(report().films);
+  EXPECT_EQ(camera_.camera(), show_->stage().animated().cut_scene()->film());
+  frame({}, flying());
+  EXPECT_FALSE(report().films);
+  EXPECT_TRUE(report().can_film);
+  EXPECT_NE(camera_.camera(), show_->stage().animated().cut_scene()->film());
+  frame({.named = 1});
+  frame({.home = true});
+  EXPECT_TRUE(report().films);
+  EXPECT_EQ(camera_.camera(), show_->stage().animated().cut_scene()->film()) << "its field of view too";
+}
+
+TEST_F(CameraOfAWindow, GoesHomeAndToTheNamedCamerasOfTheScene) {
+  for (std::size_t i = scene_camera_names.size(); i-- > 0;) {
+    frame({.named = i});
+    EXPECT_EQ(camera_.camera(), named(i)) << i;
+  }
+  frame({}, flying());
+  EXPECT_NE(camera_.camera(), named(0));
+  frame({.home = true});
+  EXPECT_EQ(camera_.camera(), named(0));
+}
+
+TEST_F(CameraOfAWindow, GoesBackToPlacesThatWereKept) {
+  frame({.named = 2});
+  frame({.keep_bookmark = 4});
+  EXPECT_TRUE(report().kept[4]);
+  EXPECT_FALSE(report().kept[3]);
+  frame({.home = true});
+  frame({.go_to_bookmark = 3});
+  EXPECT_EQ(camera_.camera(), named(0)) << "nothing was kept there";
+  frame({.go_to_bookmark = 4});
+  EXPECT_LT(glm::distance(camera_.camera().position, named(2).position), 1e-4F);
+  EXPECT_NEAR(camera_.camera().yaw, named(2).yaw, 1e-5F);
+}
+
+TEST_F(CameraOfAWindow, TurnsAboutTheCrowdOrTheSelectedAgent) {
+  const auto distance_to = [&](const glm::vec3& point) { return glm::distance(camera_.camera().position, point); };
+  const glm::vec3 middle = bounding_sphere(show_->stage().crowd()).centre;
+  const float before = distance_to(middle), yaw = camera_.camera().yaw;
+  camera_.steer(*show_, dragging(MouseButton::middle, false), {}, 0);
+  EXPECT_NEAR(distance_to(middle), before, 1e-3F);
+  EXPECT_LT(camera_.camera().yaw, yaw);
+
+  show_->hands().select(7);
+  const UprightBody body = show_->stage().animated().body_of(7);
+  const glm::vec3 chest = body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
+  const float from_agent = distance_to(chest);
+  camera_.steer(*show_, dragging(MouseButton::left, true), {}, 0);
+  EXPECT_NEAR(distance_to(chest), from_agent, 1e-3F);
+  EXPECT_GT(std::abs(distance_to(middle) - before), 1e-4F);
+
+  const render::Camera here = camera_.camera();
+  camera_.steer(*show_, dragging(MouseButton::left, false), {}, 0);
+  EXPECT_EQ(camera_.camera(), here) << "a drag without Alt selects";
+}
+
+TEST_F(CameraOfAWindow, FollowsTheSelectedAgentUntilAskedAgain) {
+  show_->hands().select(0);
+  frame({.change_follow = true});
+  EXPECT_TRUE(report().follows);
+  const glm::vec3 offset = camera_.camera().position - show_->stage().crowd().positions()[0];
+  for (int i = 0; i < 60; ++i) frame();
+  EXPECT_LT(glm::distance(camera_.camera().position - show_->stage().crowd().positions()[0], offset), 1e-3F);
+  frame({.change_follow = true});
+  EXPECT_FALSE(report().follows);
+}
+
+TEST_F(CameraOfAWindow, FliesAsFastAsItIsTold) {
+  frame({.fly_speed = 20.0F});
+  EXPECT_EQ(report().fly_speed, 20.0F);
+  const glm::vec3 before = camera_.camera().position;
+  camera_.steer(*show_, flying(), {}, 0.5F);
+  EXPECT_NEAR(glm::distance(camera_.camera().position, before), 10.0F, 1e-3F);
+}
+
+// The pixels of everybody's feet and heads.
+std::vector<glm::vec2> pixels_of(const Crowd& crowd, const render::Camera& camera, glm::vec2 size) {
+  const render::CameraView view = render::view_of(camera, size.x / size.y);
+  std::vector<glm::vec2> pixels;
+  for (const glm::vec3& foot : crowd.positions()) {
+    for (const float height : {0.0F, 1.8F}) {
+      const glm::vec4 clip = view.projection * view.view * glm::vec4(foot + glm::vec3(0.0F, height, 0.0F), 1.0F);
+      EXPECT_GT(clip.w, 0.0F);
+      pixels.emplace_back((0.5F + 0.5F * clip.x / clip.w) * size.x, (0.5F - 0.5F * clip.y / clip.w) * size.y);
+    }
+  }
+  return pixels;
+}
+
+TEST_F(CameraOfAWindow, FramesTheCrowdWhereTheOverlayLeavesItBeSeen) {
+  for (const bool hidden : {false, true}) {
+    for (const glm::ivec2 size : {glm::ivec2(1280, 720), {2560, 1440}, {600, 400}, {500, 1200}}) {
+      OverlayDriver person;
+      person.overlay.set_hidden(hidden);
+      person.overlay.begin_frame(size.x, size.y, 1.0 / 60, {});
+      person.overlay.build(person.report, person.tuning);
+      const UiRectangle area = person.overlay.crowd_area();
+      show_->width = size.x;
+      show_->height = size.y;
+      camera_.frame_crowd(area, *show_);
+      glm::vec2 low(1e9F), high(-1e9F);
+      for (const glm::vec2 pixel : pixels_of(show_->stage().crowd(), camera_.camera(), size)) {
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+      }
+      EXPECT_GE(low.x, area.x);
+      EXPECT_GE(low.y, area.y);
+      EXPECT_LE(high.x, area.x + area.width) << size.x << "x" << size.y << (hidden ? " without" : " with") << " panel";
+      EXPECT_LE(high.y, area.y + area.height) << size.x << "x" << size.y << (hidden ? " without" : " with") << " panel";
+      const float fills = std::max((high.x - low.x) / area.width, (high.y - low.y) / area.height);
+      EXPECT_GT(fills, 0.25F) << "a sphere around so few people is larger than they are";
+    }
+  }
+}
+
+TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {
+  test::change(*show_, [](Tuning& tuning) { tuning.agents = 1; });
+  camera_.frame_crowd({.width = 1280, .height = 720}, *show_);
+  EXPECT_GT(glm::distance(camera_.camera().position, show_->stage().crowd().positions()[0]), 1.5F);
+}
+
+}  // namespace
+}  // namespace throng::app::window_camera_test

@@ -136,10 +136,6 @@ class CastLoader {
     return anim::Done{};
   }
 
-  anim::PlacementChoice placement_of(const Member& member) const {
-    return entries_[member.entry].placement.value_or(options_.placement);
-  }
-
   anim::Status read_all() {
     for (const Member& member : members_) {
       const anim::Status read = this->read(member);
@@ -256,7 +252,6 @@ class CastLoader {
     LoadOptions options = options_;
     options.placement = placement_of(read.member);
     if (const auto& own = entries_[read.member.entry].clip_files) options.clips_from = *own;
-    options.placement = placement_of(read.member);
     return take_packed(*read.pack, character_file(file), file, &kept, options);
   }
 

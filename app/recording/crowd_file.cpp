@@ -40,7 +40,7 @@ std::string found_from(const fs::path& folder, const std::string& file) {
   return with_skin((folder / named.path).lexically_normal().string(), named.skin);
 }
 
-Json placement_json(const anim::PlacementChoice& placement) {
+Json placement_in_words(const anim::PlacementChoice& placement) {
   Json json = {{"up", up_axis_words.at(static_cast<std::size_t>(placement.up))},
                {"ground", ground_words.at(static_cast<std::size_t>(placement.ground))}};
   if (placement.scale) json["scale"] = *placement.scale;
@@ -70,7 +70,7 @@ Json character_json(const fs::path& folder, const CrowdCharacter& character) {
   Json json = {{"share", character.share},
                {"clips", clips_json(character.clips)},
                {"rig", rig_json(character.rig)},
-               {"placement", placement_json(character.placement)},
+               {"placement", placement_in_words(character.placement)},
                {"level_counts", character.level_counts},
                {"bones", character.bones}};
   if (!character.file.empty()) json["model"] = relative_to(folder, character.file);

@@ -87,7 +87,7 @@ class Seen {
     }
     stage_ = std::move(*made);
     for (std::size_t i = 0; i < stage_->characters().size(); ++i) {
-      stage_->mesh_lods().set(i, {0.0F, 0.004F, 0.02F, 0.06F});
+      stage_->mesh_lods().set(i, {{0.0F, 0.0F}, {0.004F, 0.004F}, {0.02F, 0.02F}, {0.06F, 0.06F}});
     }
     stage_->select(selected);
     for (int i = 0; i < frames; ++i) pass_frame(tuning);
@@ -146,7 +146,7 @@ class Seen {
   void add_picture(const Tuning& tuning) {
     add(tuning.bones_as_lines);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
-      add(stage_->mesh_lod(agent));
+      add(mesh_lod_of(*stage_, agent));
       render::InstanceRecord record{};
       if (!stage_->record(agent, record)) continue;
       if (tuning.taken_away.upload) record.debug_color = 0;

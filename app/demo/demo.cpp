@@ -100,7 +100,7 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
   for (int frame = 1; !last; ++frame) {
     show.animate(step);
     last = frame == options.frames || asked_to_stop() != 0;
-    tell_once(show.recording_outcome(), told);
+    tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
     if (anim::Status drawn = show.draw(); !drawn) return drawn;
   }

@@ -156,7 +156,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   }
   ++report_.frame;
   report_.notice = show.notice;
-  if (!show.is_recording()) report_.recording.file.clear();
+  if (!show.recorder().is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_cameras(show, report_.cameras);

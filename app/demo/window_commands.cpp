@@ -60,7 +60,7 @@ void WindowCommands::obey_after_drawing(const OverlayCommands& commands) {
 void WindowCommands::toggle_recording() {
   Show& show = session_.show;
   const std::string file = session_.reporter.report().recording.file;
-  if (show.is_recording()) {
+  if (show.recorder().is_recording()) {
     return messages().tell(show.stop_recording(), "Wrote " + file);
   }
   const std::string unused = unused_file(".rec", recordings_);

@@ -88,7 +88,7 @@ class WindowLoop {
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
-    reporter.messages().tell(show.recording_outcome());
+    reporter.messages().tell(show.recorder().outcome());
     done_ = done_ || (commands.quit && may_leave()) || session_.input.asked_to_close() || asked_to_stop() != 0;
   }
 

@@ -94,7 +94,7 @@ void show_levels(const TabContext& context) {
   show_band(context);
   ImGui::EndDisabled();
   widgets.caption(idle ? "These distances have no effect: " + *idle + "."
-                        : "Bones kept over 0 to 150 m. Drag a border.");
+                       : "Bones kept over 0 to 150 m. Drag a border.");
 }
 
 void show_agents_by_level(const TabContext& context) {

@@ -8,9 +8,9 @@
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
-#include "app/show/placed_anew.h"
 #include "app/files/nearest_names.h"
 #include "app/show/opened_crowd.h"
+#include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/fly_camera.h"
 

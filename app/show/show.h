@@ -88,9 +88,8 @@ class Show {
   anim::Status start_recording(const std::filesystem::path& file);
   /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
-  bool is_recording() const { return recorder_.is_recording(); }
-  /// Returns why the recording had to end, if that is so; stop_recording() returns it too.
-  const anim::Status& recording_outcome() const { return recorder_.outcome(); }
+  /// Returns what says whether a recording goes on, and why it had to end, if that is so.
+  const Recorder& recorder() const { return recorder_; }
 
   /// Returns how files of characters are read.
   const LoadOptions& load_options() const { return load_options_; }

@@ -234,6 +234,12 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   declare_run(reader, options);
   declare_files(reader, options);
   reader.footer(
+      "Examples:\n"
+      "  throng --agents 5000 --scene stadium\n"
+      "  throng fox.glb --view=Run\n"
+      "  throng --cast fox.glb*3,horse.glb --headless --screenshot animals.png\n"
+      "  throng mine.throng\n"
+      "\n"
       "Other commands, each with a --help of its own:\n"
       "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"

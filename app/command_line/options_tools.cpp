@@ -90,6 +90,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   declare_simd(reader, options.kernels);
   reader.value("--json", "FILE|-", "Where to write", any_text(options.json))->required();
   reader.parts_remover(options.remove_parts);
+  reader.footer("Example:\n  throng pose fox.glb --clip Run --time 0,0.25 --json run.json");
   if (auto stop = reader.read(arguments)) return *stop;
   options.stream = tuning.system.stream;
   return options;
@@ -104,6 +105,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reading(reader, options.reading);
   reader.flag("--json", options.json, "As one JSON object");
   declare_placement(reader, options.placement);
+  reader.footer("Example:\n  throng inspect fox.glb --strict");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }
@@ -124,6 +126,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
                file_name(options.export_file));
   reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
   reader.parts_remover(options.remove_parts);
+  reader.footer("Example:\n  throng lod fox.glb --pixels 300 --plot fox.svg");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }
@@ -144,6 +147,7 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
   clips_from(reader, options.clips_from);
   reading(reader, options.reading);
   declare_placement(reader, options.placement);
+  reader.footer("Example:\n  throng bake fox.glb horse.glb -o animals.pack");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }
@@ -201,6 +205,7 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
   declare_measured(reader, options);
   declare_scheduling(reader, options);
   declare_files(reader, options);
+  reader.footer("Example:\n  throng bench --agents 1000,10000 --pus 1,2,4 --json -");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }

@@ -92,7 +92,7 @@ std::optional<std::string> why_not_held(const SelectionReport& selected) {
 
 void show_hands(const TabContext& context, const SelectionReport& selected) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
-  widgets.section("Hands on it");
+  widgets.section("Hold its clip");
   const auto last = static_cast<double>(std::max(selected.clip_seconds, 0.01F));
   widgets.begin_idle(why_not_held(selected));
   double seconds = std::min(static_cast<double>(selected.held_at.value_or(0)), last);
@@ -134,7 +134,7 @@ void show_history(const TabContext& context, const SelectionReport& selected) {
 }
 
 void show_events(const TabContext& context, const SelectionReport& selected) {
-  context.widgets.section("What it met");
+  context.widgets.section("Events");
   if (selected.events.empty()) context.widgets.caption("Nothing since it was selected.");
   for (std::size_t i = 0; i < std::min(selected.events.size(), most_events_shown); ++i) {
     context.widgets.caption(selected.events[i]);

@@ -35,6 +35,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"1 to 9", "Go to a place of the camera; Ctrl with it keeps the place."},
     {"X", "While held: the exact crowd, nothing skipped."},
     {"B", "Bring the other of two tunings into use."},
+    {"Ctrl+Z, +Y", "Take back the last change of a value; make it again."},
     {"Space", "Pause."},
     {"Left, Right", "In a replay: a frame back, a frame on."},
     {"C", "Copy the camera as an option."},

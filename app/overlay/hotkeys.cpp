@@ -70,6 +70,18 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
   }
 }
 
+void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning) {
+  if (!input.down(Key::control)) return;
+  for (const Key key : input.pressed) {
+    const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
+    if (redoes) {
+      history.redo(tuning);
+    } else if (key == Key::z) {
+      history.undo(tuning);
+    }
+  }
+}
+
 std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {
   constexpr float most_movement = 4.0F;  // pixels that a hand moves while it clicks
   const bool down = input.down(MouseButton::left), was_down = std::exchange(was_down_, down);

@@ -4,6 +4,7 @@
 
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
+#include "app/settings/tuning_history.h"
 #include "app/view/input.h"
 
 namespace throng::app {
@@ -27,6 +28,9 @@ struct OpenThings {
 /// field has the keys.
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands);
+
+/// Takes changes of values back by Ctrl+Z, and makes them again by Ctrl+Y or Ctrl+Shift+Z.
+void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning);
 
 /// Tells a click at the crowd from a drag, and from a click at the overlay.
 class CrowdClick {

@@ -18,8 +18,8 @@ void show_distances(const TabContext& context) {
               {.what = "Nearer agents are updated in every frame.",
                .unit = "metres from the camera",
                .cost = "Agents within it cost their full price."});
-  context.row("interval_growth", "One more each",
-              {.what = "Beyond that, the interval grows by one frame with each such distance.", .unit = "metres"});
+  context.row("interval_growth", "Interval step",
+              {.what = "Beyond full rate, the interval grows by one frame with each such distance.", .unit = "metres"});
 }
 
 void show_limits(const TabContext& context) {

@@ -129,9 +129,11 @@ struct Overlay::State {
   CrowdClick click;
   std::size_t tab = 0;
   TabMemory memory;
+  bool showed_b = false;  ///< in the frame before
   ViewerPanelMemory viewer_memory;
 
   void show_tab(const std::string& name);
+  void watch_values(const FrameReport& report, const Tuning& tuning);
   void show_header(const Area& column);
   void show_tab_bar(const Area& column);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
@@ -187,6 +189,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     if (report.replay) apply_replay_keys(state.input, commands.replay);
     const bool changes_places = !viewer && std::ranges::count(state.input.pressed, Key::b) > 0;
     if (changes_places) state.memory.pair.change_places(tuning);
+    if (!viewer && !report.replay) apply_history_keys(state.input, state.memory.history, tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
@@ -201,6 +204,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
       state.switches.help = false;
     }
   }
+  state.watch_values(report, tuning);
   ImGui::Render();
   state.map.tab = tabs.at(state.tab).name;
   state.map.hidden = state.switches.hidden;
@@ -213,6 +217,13 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
 void Overlay::State::show_tab(const std::string& name) {
   const auto* const found = std::ranges::find(tabs, name, &Tab::name);
   if (found != tabs.end()) tab = static_cast<std::size_t>(found - tabs.begin());
+}
+
+// What a replay changes, and another of two tunings, is no step of the person's.
+void Overlay::State::watch_values(const FrameReport& report, const Tuning& tuning) {
+  const bool is_another = std::exchange(showed_b, memory.pair.shows_b()) != memory.pair.shows_b();
+  if (report.replay || is_another) memory.history.take(tuning);
+  memory.history.watch(tuning, ImGui::IsAnyItemActive());
 }
 
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {

@@ -12,6 +12,7 @@
 #include "app/report/frame_report.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
+#include "app/settings/tuning_history.h"
 
 namespace throng::app {
 
@@ -55,6 +56,7 @@ struct TabMemory {
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
   std::optional<double> seconds_back;        ///< where the slider over snapshots is dragged to
   TuningPair pair;                           ///< key B changes their places
+  TuningHistory history;
   NoticeMemory notices;
   std::string searched_help;
   std::string preset_name, crowd_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time

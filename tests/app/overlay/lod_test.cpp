@@ -104,7 +104,7 @@ TEST_F(LodSkippingTab, DisablesWhatTheRuleDoesNotReadAndSaysWhy) {
     driver.click(std::string("Rule:") + rule);
     const bool distance = rule == std::string("distance"), budget = rule == std::string("budget");
     EXPECT_EQ(is_idle("Full rate until"), !distance) << rule;
-    EXPECT_EQ(is_idle("One more each"), !distance) << rule;
+    EXPECT_EQ(is_idle("Interval step"), !distance) << rule;
     EXPECT_EQ(is_idle("Error limit"), !budget) << rule;
     EXPECT_EQ(is_idle("Time limit"), !budget) << rule;
     EXPECT_EQ(is_idle("Smooth"), !distance && !budget) << rule;

@@ -232,7 +232,6 @@ TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
 
 TEST(Overlay, ButtonsAreCommands) {
   OverlayDriver driver;
-  EXPECT_TRUE(driver.click("Frame crowd").frame_crowd);
   EXPECT_TRUE(driver.click("Copy camera").copy_camera);
   EXPECT_TRUE(driver.click("Screenshot").screenshot);
   EXPECT_FALSE(driver.click("Step").step) << "the crowd is not paused";

@@ -282,5 +282,25 @@ TEST(DroppedFiles, AreACommandWithoutBeingHidden) {
   EXPECT_TRUE(driver.frames(1).models.empty());
 }
 
+TEST(Values, AreTakenBackAndMadeAgainByKeys) {
+  OverlayDriver driver;
+  driver.frames();
+  const Tuning before = driver.tuning;
+  driver.drag("Agents", 1);
+  driver.frames();
+  const Tuning after = driver.tuning;
+  ASSERT_NE(after, before);
+  const auto press_with_control = [&](Key key) {
+    driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = true});
+    driver.press(key);
+    driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = false});
+    driver.frames();
+  };
+  press_with_control(Key::z);
+  EXPECT_EQ(driver.tuning, before);
+  press_with_control(Key::y);
+  EXPECT_EQ(driver.tuning, after);
+}
+
 }  // namespace
 }  // namespace throng::app::tabs_test

@@ -44,7 +44,7 @@ const std::map<std::string_view, std::string> other_values{
     {"interval_growth", "3"},
     {"largest_interval", "1"},
     {"error_sample", "all"},
-    {"error_px", "6"},
+    {"error_px", "0.1"},
     {"budget_ms", "0.02"},
     {"forced_interval", "5"},
     {"forced_bone_level", "2"},

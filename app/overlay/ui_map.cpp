@@ -143,6 +143,7 @@ Json report_json(const FrameReport& report) {
           {"error", error_json(report.error)},
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
+          {"message", report.messages.all().empty() ? "" : report.messages.all().back().words},
           {"cameras", cameras_json(report.cameras)},
           {"replay", replay_json(report.replay)},
           {"selected", selected_json(report.selected)},

@@ -118,7 +118,7 @@ TEST_F(CamerasOfAWindow, FollowWhoIsSelected) {
   press("g");
   EXPECT_FALSE(next_map()["report"]["cameras"]["follows"]) << "nobody is selected";
   const Crowd crowd(Scene::grid, 50, 1, load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "person")->roles);
-  click_at(crowd.positions()[0] + glm::vec3(0.0F, 1.2F, 0.0F));
+  click_at(crowd.positions()[25] + glm::vec3(0.0F, 1.2F, 0.0F));
   wait_for("a selection", [](const Json& map) { return !map["report"]["selected"].is_null(); });
   press("g");
   wait_for("a camera that follows", [](const Json& map) { return map["report"]["cameras"]["follows"].get<bool>(); });

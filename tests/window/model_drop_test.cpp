@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::json;
 using DroppedModel = WindowDriver;
 
-std::string notice_of(const Json& map) { return map["report"]["notice"]; }
+std::string message_of(const Json& map) { return map["report"]["message"]; }
 
 TEST_F(DroppedModel, ReplacesTheCharacterAndTheCrowdGoesOn) {
   const std::string model = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
@@ -43,7 +43,7 @@ TEST_F(DroppedModel, ABadOneChangesNothingAndSaysWhy) {
   const std::string bad = std::string(THRONG_SOURCE_DIR) + "/README.md";
   drop(bad);
   const Json map =
-      wait_for("a refusal", [&](const Json& now) { return notice_of(now).find(bad) != std::string::npos; });
+      wait_for("a refusal", [&](const Json& now) { return message_of(now).find(bad) != std::string::npos; });
   EXPECT_EQ(map["report"]["characters"], before);
   const Json later = next_map(5);
   EXPECT_EQ(later["report"]["agents"], 50);

@@ -38,7 +38,7 @@ TEST_F(ReplayInTheWindow, StaysAtItsLastFrameAndSaysThatAllWereEqual) {
   EXPECT_EQ(end["frames"], recorded_frames);
   EXPECT_EQ(end["outcome"], file() + ": all 40 frames are equal, the last of 30 agents");
   next_map(5);
-  press("Escape");
+  xdotool({"key", "Escape"});
   EXPECT_EQ(program().exit_status(soon()), 0);
 }
 

@@ -11,12 +11,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string notice_of(const Json& map) { return map["report"]["notice"]; }
+std::string message_of(const Json& map) { return map["report"]["message"]; }
 
 class WholeOverlay : public WindowDriver {
  protected:
-  Json wait_for_notice(const std::string& words) {
-    return wait_for(words, [&](const Json& map) { return notice_of(map).find(words) != std::string::npos; });
+  Json wait_for_message(const std::string& words) {
+    return wait_for(words, [&](const Json& map) { return message_of(map).find(words) != std::string::npos; });
   }
   void wait_for_bones(const Json& names) {
     wait_for("bones in that order", [&](const Json& map) { return map["report"]["bones"] == names; });
@@ -121,18 +121,18 @@ class WholeOverlay : public WindowDriver {
   }
   void begin_a_recording() {
     press("r");
-    wait_for_notice("is recorded");
+    wait_for_message("is recorded");
   }
   void end_the_recording() {
     press("r");
-    wait_for_notice("Wrote throng-1.rec");
+    wait_for_message("Wrote throng-1.rec");
   }
   void drop_files() {
     const std::string bad = std::string(THRONG_SOURCE_DIR) + "/README.md";
     const std::string good = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
     const Json before = next_map()["report"]["characters"];
     drop(bad);
-    EXPECT_EQ(wait_for_notice(bad)["report"]["characters"], before);
+    EXPECT_EQ(wait_for_message(bad)["report"]["characters"], before);
     drop(good);
     wait_for("the new character", [&](const Json& map) {
       return map["report"]["characters"] == Json::array({good}) && map["report"]["drawn"] > 0;
@@ -155,7 +155,7 @@ TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
   ASSERT_NO_FATAL_FAILURE(drop_files());
   ASSERT_NO_FATAL_FAILURE(end_the_recording());
   press("Escape");
-  wait_for_notice("The values are in no preset.");
+  wait_for_message("The values are in no preset.");
   xdotool({"key", "Escape"});
   EXPECT_EQ(program().exit_status(soon()), 0);
   ChildProcess replay({THRONG_PROGRAM, "--headless=none", "--replay", (folder() / "throng-1.rec").string()}, {});

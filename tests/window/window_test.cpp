@@ -67,9 +67,9 @@ TEST_F(Window, AValueThatCannotBeIsRefusedInWordsAndNothingChanges) {
   wait_for("the stream", [](const Json& map) { return map["tuning"]["stream"] == "keyframe"; });
   type_into("Local store.field", "16");  // a fused keyframe character needs more
   const Json map = wait_for("a refusal", [](const Json& now) {
-    return now["report"]["notice"].get<std::string>().find("--local-store") != std::string::npos;
+    return now["report"]["message"].get<std::string>().find("--local-store") != std::string::npos;
   });
-  EXPECT_EQ(map["tuning"]["local_store_kib"], 0) << map["report"]["notice"];
+  EXPECT_EQ(map["tuning"]["local_store_kib"], 0) << map["report"]["message"];
   next_map();
 }
 

@@ -47,7 +47,7 @@ void show_who(const TabContext& context) {
                .cost = "Animation grows with agents in view, memory with all of them."});
   context.row("seed", "Seed",
               {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
-               .unit = "0 to 9,999",
+               .unit = "0 to 4,294,967,295; the track reaches 9,999",
                .cost = "Changing it places all agents anew."});
   context.row("variety", "Variety",
               {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "

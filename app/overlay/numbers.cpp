@@ -70,13 +70,15 @@ NumberScale scale_of(std::string_view key, std::span<const int> stops) {
           .logarithmic = track.logarithmic,
           .zero_word = track.zero_word,
           .suffix = track.suffix,
-          .stops = stops};
+          .stops = stops,
+          .least_typed = value.least,
+          .most_typed = value.most};
 }
 
 double accepted(const NumberScale& scale, double value) {
   if (!scale.stops.empty()) return scale.stops[nearest_stop(scale, value)];
   const double parts = std::pow(10.0, scale.decimals);
-  return std::clamp(std::round(value * parts) / parts, scale.lowest, scale.highest);
+  return std::clamp(std::round(value * parts) / parts, scale.least_typed, scale.most_typed);
 }
 
 double place_of(const NumberScale& scale, double value) {

@@ -16,12 +16,14 @@ std::string as_percent(float share);              ///< "25 %", of a share of 0 t
 
 /// The numbers that a row accepts, and how it writes them.
 struct NumberScale {
-  double lowest = 0, highest = 1;
+  double lowest = 0, highest = 1;  ///< the ends of the track
   int decimals = 0;
   bool logarithmic = false;
   const char* zero_word = nullptr;  ///< written instead of 0, and may be typed
   const char* suffix = "";          ///< the unit after the number; may be left out when typing
   std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
+  double least_typed = lowest,
+         most_typed = highest;  ///< the range of what is typed, where the track shows a part of it
 };
 
 /// Returns the scale of the tuning's value with that key.

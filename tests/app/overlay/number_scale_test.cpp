@@ -41,6 +41,15 @@ TEST(NumberScale, ReadsWhatPeopleType) {
   EXPECT_EQ(meant(stepped, "30"), 32);
 }
 
+TEST(NumberScale, TakesAllThatAValueMayBeWhereTheTrackShowsAPartOfIt) {
+  const NumberScale seed = scale_of("seed");
+  EXPECT_EQ(value_at(seed, 1), 9999);
+  EXPECT_EQ(meant(seed, "4294967295"), 4'294'967'295.0);
+  EXPECT_EQ(meant(seed, "4,294,967,295"), 4'294'967'295.0);
+  EXPECT_EQ(meant(seed, "9999999999"), 4'294'967'295.0) << "the most that a seed can be";
+  EXPECT_EQ(written(seed, 4'294'967'295.0), "4294967295");
+}
+
 TEST(NumberScale, ReadsACommaAsThePointWhereItSeparatesNoThousands) {
   EXPECT_EQ(meant(metres, "3,5"), 3.5);
   EXPECT_EQ(meant(metres, "7,25 m"), 7.3);

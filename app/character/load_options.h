@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What a person asks of the size and place of one model among several; what is unset is as for all.
+/// Says the size and place of one model among several. A member that is unset is as for all.
 struct ModelPlacement {
   std::string model;  ///< the name of its file, with or without its ending, or of its character
   std::optional<double> scale = std::nullopt;

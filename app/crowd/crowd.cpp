@@ -278,7 +278,7 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
   return advance(dt, here, 1);
 }
 
-// Who marches at another speed has come to the same place, as if from another start.
+// Each marcher stays where it is. Its start moves instead, since a place follows from start, speed and time.
 void Crowd::march_at(double speed) {
   for (std::size_t marcher = 0; marcher < marchers_.size(); ++marcher) {
     marchers_[marcher].distance += (route_.speed - speed) * anim::to_seconds(state_.now - state_.behind[marcher]);

@@ -13,7 +13,8 @@ namespace throng::app {
 
 /// The share of Tuning::error_px that a coarser mesh may show at most. Poses may show the rest.
 inline constexpr float mesh_share_of_error = 0.5F;
-/// Who is this tall on screen, in pixels, keeps the face on any device: it is off by `most_face_error` pixels at most.
+/// An agent of `least_face_pixels` on the screen keeps its face on any device: the face is off by `most_face_error`
+/// pixels at most.
 inline constexpr float least_face_pixels = 100.0F, most_face_error = 0.5F;
 
 /// Returns the limit on the errors of poses alone.

@@ -123,14 +123,13 @@ std::vector<HelpLine> found_in(const HelpChapter& chapter, const std::string& se
 float meaning_width(const Theme& theme) { return theme.px(help_width - 2 * help_margin - help_word_width - 12); }
 
 float height_of_line(const Theme& theme, const HelpLine& line) {
-  const float font = theme.regular->FontSize;
-  return theme.regular->CalcTextSizeA(font, FLT_MAX, meaning_width(theme), line.meaning).y + theme.px(help_line_gap);
+  return wrapped_height(theme.regular, meaning_width(theme), line.meaning) + theme.px(help_line_gap);
 }
 
 float draw_help_line(const Theme& theme, ImVec2 at, const HelpLine& line) {
   draw_text(theme.regular, at, colour::accent, line.word);
-  ImGui::GetWindowDrawList()->AddText(theme.regular, theme.regular->FontSize, {at.x + theme.px(help_word_width), at.y},
-                                      colour::text, line.meaning, nullptr, meaning_width(theme));
+  draw_wrapped(theme.regular, {at.x + theme.px(help_word_width), at.y}, colour::text, meaning_width(theme),
+               line.meaning);
   return at.y + height_of_line(theme, line);
 }
 

@@ -15,9 +15,7 @@ std::string ago(double seconds) { return seconds < 60 ? fixed(seconds, 0) + " s"
 float log_words_width(const Theme& theme) { return theme.px(log_width - 2 * log_margin - log_age_width); }
 
 float height_of_message(const Theme& theme, const Message& message) {
-  const float font = theme.regular->FontSize;
-  return theme.regular->CalcTextSizeA(font, FLT_MAX, log_words_width(theme), message.words.c_str()).y +
-         theme.px(log_line_gap);
+  return wrapped_height(theme.regular, log_words_width(theme), message.words) + theme.px(log_line_gap);
 }
 
 }  // namespace
@@ -35,8 +33,7 @@ bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages
   for (auto message = messages.all().rbegin(); message != messages.all().rend(); ++message) {
     draw_text(theme.regular, at, colour::faint, ago(messages.age(*message)));
     const ImU32 ink = message->kind == Message::Kind::refused ? colour::changed : colour::text;
-    ImGui::GetWindowDrawList()->AddText(theme.regular, theme.regular->FontSize, {at.x + theme.px(log_age_width), at.y},
-                                        ink, message->words.c_str(), nullptr, log_words_width(theme));
+    draw_wrapped(theme.regular, {at.x + theme.px(log_age_width), at.y}, ink, log_words_width(theme), message->words);
     at.y += height_of_message(theme, *message);
   }
   return card.was_closed();

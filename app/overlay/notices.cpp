@@ -47,9 +47,8 @@ void draw_pill(const Theme& theme, const Area& crowd, const Pill& pill, bool hov
   const auto seen = [&](ImU32 ink) { return colour::with_alpha(ink, pill.presence); };
   draw.AddRectFilled(from, pill.place.to, seen(colour::panel), theme.px(13));
   draw.AddCircleFilled({from.x + theme.px(pill_pad_x), middle}, theme.px(pill_dot), seen(pill.dot));
-  draw.AddText(theme.regular, theme.regular->FontSize,
-               {from.x + theme.px(pill_pad_x + dot_room - 3), from.y + theme.px(pill_pad_y)}, seen(colour::text),
-               pill.words.c_str(), nullptr, pill_words_width(theme, crowd, pill));
+  draw_wrapped(theme.regular, {from.x + theme.px(pill_pad_x + dot_room - 3), from.y + theme.px(pill_pad_y)},
+               seen(colour::text), pill_words_width(theme, crowd, pill), pill.words);
   if (!pill.close) return;
   const ImVec2 cross(pill.place.to.x - theme.px(pill_pad_x), middle);
   const float arm = theme.px(3.5F);

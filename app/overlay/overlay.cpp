@@ -219,7 +219,7 @@ void Overlay::State::show_tab(const std::string& name) {
   if (found != tabs.end()) tab = static_cast<std::size_t>(found - tabs.begin());
 }
 
-// What a replay changes, and another of two tunings, is no step of the person's.
+// Values that a replay sets, or that B brings into use, are no step that a person takes back.
 void Overlay::State::watch_values(const FrameReport& report, const Tuning& tuning) {
   const bool is_another = std::exchange(showed_b, memory.pair.shows_b()) != memory.pair.shows_b();
   if (report.replay || is_another) memory.history.take(tuning);

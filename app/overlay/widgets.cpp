@@ -43,6 +43,14 @@ float text_width(ImFont* font, const std::string& text) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
 }
 
+float wrapped_height(ImFont* font, float width, const std::string& text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
+}
+
+void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text) {
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, text.c_str(), nullptr, width);
+}
+
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
   const float width = align == 0 ? 0 : text_width(font, text);
   const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));

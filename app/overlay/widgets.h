@@ -127,6 +127,10 @@ Area rectangle(ImVec2 from, ImVec2 to);
 float text_width(ImFont* font, const std::string& text);
 /// Draws text with its left, middle (0.5) or right edge (1) at `at`.
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
+/// Returns the height of text in lines of at most that width.
+float wrapped_height(ImFont* font, float width, const std::string& text);
+/// Draws such text with its upper left corner at `at`.
+void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text);
 /// Shows a tooltip at the pointer. Empty lines are left out.
 void tell(std::initializer_list<std::string> lines);
 

@@ -39,7 +39,7 @@ void add_models(std::span<const CharacterSource> people, std::vector<std::string
   }
 }
 
-// What a set of options can say holds for all characters.
+// These options hold for all characters, so they are left out where characters differ.
 void add_what_all_share(std::span<const CharacterSource> people, std::vector<std::string>& words) {
   const CharacterSource& first = people.front();
   const auto is_as_first = [&](const CharacterSource& person) {

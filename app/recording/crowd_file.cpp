@@ -11,6 +11,7 @@
 #include "app/files/json_file.h"
 #include "app/recording/recorded_character.h"
 #include "app/settings/choices.h"
+#include "app/settings/placement_options.h"
 #include "engine/anim/import/json/json_object.h"
 #include "engine/files/output_file.h"
 
@@ -41,20 +42,19 @@ std::string found_from(const fs::path& folder, const std::string& file) {
 }
 
 Json placement_in_words(const anim::PlacementChoice& placement) {
-  Json json = {{"up", up_axis_words.at(static_cast<std::size_t>(placement.up))},
-               {"ground", ground_words.at(static_cast<std::size_t>(placement.ground))}};
+  Json json = {{"up", up_axis_words.at(static_cast<std::size_t>(placement.up))}};
+  if (placement.ground != anim::PlacementChoice().ground) {
+    json["ground"] = ground_words.at(static_cast<std::size_t>(placement.ground));
+  }
   if (placement.scale) json["scale"] = *placement.scale;
   return json;
 }
 
-template <typename Choice, std::size_t count>
-void read_word(const JsonObject& json, const char* key, const std::array<const char*, count>& words, Choice& choice) {
+void read_word(const JsonObject& json, const std::string& key, const ValueReader& reader) {
   if (!json.has(key)) return;
   std::string word;
   json.text(key, word);
-  const auto found = std::ranges::find(words, word);
-  if (found == words.end()) return json.wrong(key, joined(words, ", ", " or "));
-  choice = static_cast<Choice>(found - words.begin());
+  if (const Complaint complaint = reader(word)) json.complain("\"" + key + "\" " + *complaint);
 }
 
 void read_placement(const std::string& name, const Json& json, std::optional<std::string>& complaint,
@@ -62,8 +62,8 @@ void read_placement(const std::string& name, const Json& json, std::optional<std
   const JsonObject object(name, json, {"scale", "up", "ground"}, complaint);
   constexpr double least_scale = 1e-6, most_scale = 1e6;
   if (object.has("scale")) object.number("scale", placement.scale.emplace(1.0), least_scale, most_scale);
-  read_word(object, "up", up_axis_words, placement.up);
-  read_word(object, "ground", ground_words, placement.ground);
+  read_word(object, "up", up_axis(placement.up));
+  read_word(object, "ground", ground_rule(placement.ground));
 }
 
 Json character_json(const fs::path& folder, const CrowdCharacter& character) {

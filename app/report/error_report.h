@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What level of detail costs the eye, as the overlay shows it.
+/// Reports the error that level of detail shows on the screen.
 struct ErrorReport {
   anim::ErrorFigures figures;      ///< over the last 60 frames, and further back where these have few samples
   anim::ErrorIntervals intervals;  ///< where the percentiles may lie by chance

@@ -15,7 +15,7 @@ struct MeshLodRow {
   int agents = 0;      ///< in view, drawn with it
 };
 
-/// What meshes the character shown is drawn with, and why.
+/// Reports the meshes that the character shown is drawn with, and what decides between them.
 struct MeshReport {
   MeshTolerance tolerance;
   bool is_spared = false;        ///< a processor draws, so all but faces may be off by more

@@ -111,17 +111,18 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
   for (CharacterSource& character : cast->characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
   }
-  if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
-  left_out_ = std::move(cast->left_out);
-  update_notice();
-  return anim::Done{};
+  return take(std::move(*cast));
 }
 
 anim::Status Show::replace_crowd(std::span<const CrowdCharacter> characters) {
   auto cast = load_crowd(characters, data_, load_options_);
   if (!cast) return cast.error();
-  if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
-  left_out_ = std::move(cast->left_out);
+  return take(std::move(*cast));
+}
+
+anim::Status Show::take(LoadedCast cast) {
+  if (anim::Status replaced = replace_characters(std::move(cast.characters)); !replaced) return replaced;
+  left_out_ = std::move(cast.left_out);
   update_notice();
   return anim::Done{};
 }

@@ -112,6 +112,7 @@ class Show {
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
+  anim::Status take(LoadedCast cast);
   anim::Status exchange(std::vector<CharacterSource> characters);
   bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();

@@ -58,6 +58,11 @@ TEST_F(AgentTabTest, ShowsEachChannelWithItsEntitiesAndWhatChangesThePose) {
   EXPECT_LT(driver.overlay.vertex_count(), half) << "a shorter figure, and no bar";
 }
 
+TEST_F(AgentTabTest, ShowsItsCharacterAlone) {
+  EXPECT_TRUE(driver.click("View alone").viewer.view_selected);
+  EXPECT_FALSE(driver.click("Layer 0").viewer.view_selected);
+}
+
 TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
   EXPECT_TRUE(driver.sees("LOD history"));
   const int with_history = driver.overlay.vertex_count();

@@ -93,7 +93,7 @@ void show_pair(const TabContext& context) {
     }
     show_differences(context);
   } else {
-    widgets.caption("Copy what is in use to B, change some values, and go to and fro by key B.");
+    widgets.caption("Copy A to B, change some values, and go to and fro by B.");
   }
   const std::string other = pair.other_letter();
   ButtonRow buttons(widgets, 2);

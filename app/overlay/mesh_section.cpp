@@ -35,9 +35,6 @@ void show_lods(const TabContext& context) {
 std::string what_holds(const TabContext& context) {
   const MeshTolerance& allowed = context.report.meshes.tolerance;
   const std::string faces = "From 100 px tall on, faces are off by " + off_by(allowed.face) + " at most.";
-  if (context.report.meshes.is_spared) {
-    return "A processor draws: bodies may be off by " + off_by(allowed.surface) + ". " + faces;
-  }
   const bool is_less = allowed.surface < context.tuning.mesh_error_px;
   return (is_less ? "The error limit leaves " + off_by(allowed.surface) + " for meshes. " : std::string()) + faces;
 }

@@ -164,7 +164,7 @@ std::string command_line(const Tuning& tuning, const Tuning& defaults, const std
   std::string line, set;
   for (const TuningValue& row : tuning_values()) {
     const std::string text = row.text(tuning);
-    if (text == row.text(expected)) continue;
+    if (text == row.text(expected) && !row.device_decides) continue;
     const bool option_says_it = !row.option.empty() && !row.option_does_more && (text != "0" || row.zero.empty());
     if (option_says_it) {
       line.append(line.empty() ? "" : " ").append(row.option_name()).append(" ").append(text);

@@ -33,6 +33,7 @@ struct TuningValue {
   double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
+  bool device_decides = false;    ///< a window on a software renderer starts with another value unless it is given
   Track track = {};
   Form form = Form::number;
   std::span<const char* const> words = {};  ///< the words of an enumeration, in its order

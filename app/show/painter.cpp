@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
-constexpr float software_mesh_error = 3.0F;  // of the usual one
+constexpr float software_error_px = 3.0F, software_mesh_error_px = 1.5F;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
@@ -71,11 +71,13 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return data.error();
   const bool modest = is_on_software() && draws_live(options);
-  const bool few = is_on_software() && options.context == ContextKind::window && !options.agents_given;
-  spared_ = {.agents = few ? software_window_agents : 0,
+  const bool in_window = is_on_software() && options.context == ContextKind::window;
+  const bool coarse = in_window && !options.error_given;
+  spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
              .shadows = modest && options.shadows && !options.shadows_given,
-             .mesh_lods = modest && options.tuning.mesh_lod < 0};
+             .error_px = coarse ? software_error_px : 0.0F,
+             .mesh_error_px = coarse ? software_mesh_error_px : 0.0F};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
@@ -114,7 +116,6 @@ anim::Status Painter::load_meshes(Stage& stage) {
   for (const CharacterSource& character : stage.characters()) loaded_.emplace_back(character.character);
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
-  if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     std::vector<render::MeshError> shares;
     for (const MeshLevel& level : mesh_levels(i)) {

@@ -31,6 +31,13 @@ class MeasuredStage : public testing::Test {
     auto made = Stage::create(mannequin(), tuning, pages_);
     ASSERT_TRUE(made);
     stage_ = std::move(*made);
+    go_on(frames);
+  }
+  void pass_on(const Tuning& tuning, int frames) {
+    ASSERT_TRUE(stage_->apply(tuning));
+    go_on(frames);
+  }
+  void go_on(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
       stage_->pose(camera_, width, height, frame, stage_->frame());
@@ -166,6 +173,20 @@ TEST_F(MeasuredStage, TellsTheErrorLimitNothingOfFewAgents) {
     ASSERT_EQ(stage_->selection().visible.size() >= 100, agents == 1000);
     EXPECT_EQ(stage_->level_of_detail().figures().error_held.has_value(), agents == 1000);
   }
+}
+
+TEST_F(MeasuredStage, ForgetsTheErrorsOfOtherValues) {
+  Tuning tuning = measured();
+  tuning.inspection.forced_interval = 16;
+  pass(tuning, 60);
+  const anim::ErrorFigures before = stage_->error_meter().figures();
+  tuning.time_scale = 0.5F;
+  pass_on(tuning, 1);
+  EXPECT_GT(stage_->error_meter().figures().samples, before.samples / 2) << "the clock decides over nothing";
+  tuning.inspection.forced_interval = 1;
+  pass_on(tuning, 20);
+  EXPECT_LT(stage_->error_meter().figures().samples, before.samples / 2);
+  EXPECT_GT(stage_->error_meter().since_start().samples, before.samples);
 }
 
 TEST_F(MeasuredStage, RemembersHowTheErrorWent) {

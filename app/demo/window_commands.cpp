@@ -46,6 +46,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   obey_body(commands, character);
   obey_bone_lod(commands, character);
   if (commands.record) toggle_recording();
+  if (!commands.hint.empty()) messages().say(commands.hint, Message::Kind::refused);
   if (commands.character) reporter.describe_character(show, *commands.character);
   if (commands.copy_camera) copy(camera_option(session_.camera.place()));
   if (commands.reload_shaders) {
@@ -84,8 +85,10 @@ void WindowCommands::obey_crowd_files(const OverlayCommands& commands) {
 }
 
 void WindowCommands::save_crowd(const std::filesystem::path& file) {
-  const Preset preset{session_.tuning, session_.camera.place()};
-  const anim::Status written = write_crowd_file(file, crowd_setup(session_.show.stage().people(), preset));
+  CrowdSetup setup = crowd_setup(session_.show.stage().people(), {session_.tuning, session_.camera.place()});
+  setup.pair = overlay_.tuning_pair();
+  setup.bookmarks = session_.camera.bookmarks();
+  const anim::Status written = write_crowd_file(file, setup);
   messages().tell(written, "Wrote " + file.string());
   if (!written) return;
   session_.unkept.keep(session_.tuning);
@@ -99,7 +102,13 @@ void WindowCommands::open_crowd(const std::filesystem::path& file) {
   if (!replaced) return messages().say(file.string() + ": " + replaced.error().message, Message::Kind::refused);
   session_.reporter.describe_characters(session_.show);
   take(setup->preset);
+  take_kept(*setup);
   messages().say("Opened " + file.string());
+}
+
+void WindowCommands::take_kept(const CrowdSetup& setup) {
+  overlay_.tuning_pair() = setup.pair;
+  session_.camera.take_bookmarks(setup.bookmarks);
 }
 
 void WindowCommands::obey_sweep(const OverlayCommands& commands) {
@@ -118,6 +127,7 @@ void WindowCommands::obey_presets(const OverlayCommands& commands) {
     if (written) session_.unkept.keep(session_.tuning);
   }
   if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
+  if (commands.load_into_other) load_into_other(*commands.load_into_other);
   if (commands.delete_preset) {
     const std::filesystem::path file = preset_file(*commands.delete_preset);
     std::error_code failed;
@@ -152,6 +162,12 @@ void WindowCommands::load_preset(const std::filesystem::path& file) {
   const anim::Result<Preset> preset = read_preset(file);
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
   take(*preset);
+}
+
+void WindowCommands::load_into_other(const std::string& name) {
+  const anim::Result<Preset> preset = read_preset(preset_file(name));
+  if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  overlay_.tuning_pair().take_other(preset->tuning, name);
 }
 
 void WindowCommands::take(const Preset& preset) {

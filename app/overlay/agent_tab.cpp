@@ -29,6 +29,7 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "Upright, or how a rag-doll is."});
   widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + size_text(selected.bytes),
                {.what = "Its entities in main memory."});
+  show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.commands);
 }
 
 /// Draws a share, 0 to 1, between the words and the figure.

@@ -1,5 +1,6 @@
 #include "app/overlay/hotkeys.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -80,6 +81,14 @@ void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning&
       history.undo(tuning);
     }
   }
+}
+
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands) {
+  if (std::ranges::count(input.pressed, Key::b) == 0) return;
+  if (!pair.has_two()) {
+    commands.hint = "There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values.";
+  }
+  pair.change_places(tuning);
 }
 
 std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {

@@ -5,6 +5,7 @@
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_history.h"
+#include "app/settings/tuning_pair.h"
 #include "app/view/input.h"
 
 namespace throng::app {
@@ -31,6 +32,9 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
 
 /// Takes changes of values back by Ctrl+Z, and makes them again by Ctrl+Y or Ctrl+Shift+Z.
 void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning);
+
+/// Brings the other of two tunings into use by B, or says how to get one.
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands);
 
 /// Tells a click at the crowd from a drag, and from a click at the overlay.
 class CrowdClick {

@@ -133,9 +133,10 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
                   state.switches, tuning, commands);
     if (report.replay) apply_replay_keys(state.input, commands.replay);
-    const bool changes_places = !viewer && std::ranges::count(state.input.pressed, Key::b) > 0;
-    if (changes_places) state.memory.pair.change_places(tuning);
-    if (!viewer && !report.replay) apply_history_keys(state.input, state.memory.history, tuning);
+    if (!viewer && !report.replay) {
+      apply_pair_key(state.input, state.memory.pair, tuning, commands);
+      apply_history_keys(state.input, state.memory.history, tuning);
+    }
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
@@ -278,6 +279,8 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 
 void Overlay::show_tab(const std::string& name) { state_->show_tab(name); }
+
+TuningPair& Overlay::tuning_pair() { return state_->memory.pair; }
 
 bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }
 

@@ -13,25 +13,9 @@
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_history.h"
+#include "app/settings/tuning_pair.h"
 
 namespace throng::app {
-
-/// Two tunings to compare, A and B: one is in use, and the other waits until they change places. The pause and the ways
-/// to look at level of detail belong to neither and stay as they are.
-class TuningPair {
- public:
-  [[nodiscard]] bool shows_b() const { return shows_b_; }
-  [[nodiscard]] bool has_two() const { return other_.has_value(); }
-
-  /// Brings the other tuning into use. The first time it is a copy of the one in use.
-  void change_places(Tuning& tuning);
-  /// Makes the other tuning a copy of the one in use.
-  void copy_to_other(const Tuning& tuning) { other_ = tuning; }
-
- private:
-  std::optional<Tuning> other_;
-  bool shows_b_ = false;
-};
 
 /// All that the list of bones remembers from frame to frame.
 struct BoneListMemory {

@@ -160,6 +160,8 @@ struct OverlayCommands {
   std::optional<std::size_t> rewind;  ///< the crowd goes back to that snapshot, 0 the newest
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
   std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
+  std::optional<std::string> load_into_other;                          ///< a preset by name, to compare with
+  std::string hint;                                                    ///< to be told to the person
   bool copy_command_line = false;                                      ///< models, roles and tuning as options
   bool push_over = false;                                              ///< key P: the selected agent falls
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew

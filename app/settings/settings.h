@@ -32,6 +32,8 @@ struct CameraPlace {
   float x = 0, y = 0, z = 0;
   float yaw = 0, pitch = 0;
   float field_of_view = 50;
+
+  friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
 };
 
 /// Leaves out parts of a frame, to show the cost of each.

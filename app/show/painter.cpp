@@ -30,6 +30,22 @@ double time_of(const auto& work) {
 // A part of the frame is taken away of the usual picture alone, so that one sees what it costs.
 bool splits(const Tuning& tuning) { return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{}; }
 
+// A character that was made anew, or whose bones are in another order, is another one. Two of a cast may be the same.
+std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
+                                                    std::vector<std::weak_ptr<const anim::Character>> loaded) {
+  std::vector<render::CharacterToLoad> meshes;
+  for (const CharacterSource& source : stage.characters()) {
+    const auto same = std::ranges::find_if(loaded, [&](const auto& each) { return each.lock() == source.character; });
+    if (same == loaded.end()) {
+      meshes.emplace_back(mesh_data(source));
+    } else {
+      same->reset();
+      meshes.emplace_back(static_cast<std::size_t>(same - loaded.begin()));
+    }
+  }
+  return meshes;
+}
+
 }  // namespace
 
 anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
@@ -95,9 +111,9 @@ void Painter::reset_palette_pages() {
 
 anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
-  std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character));
-  if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
+  if (anim::Status loaded = renderer_->load_characters(meshes_to_load(stage, loaded_)); !loaded) return loaded;
+  loaded_.clear();
+  for (const CharacterSource& character : stage.characters()) loaded_.emplace_back(character.character);
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {

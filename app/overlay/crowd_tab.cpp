@@ -21,7 +21,7 @@ void show_characters(const TabContext& context) {
   const FrameReport& report = context.report;
   if (report.characters.size() < 2) {
     context.widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
-                         {.what = "The character of every agent. Give another file, or several, on the command line."});
+                         {.what = "The character of every agent. Drop another file, or several, on the window."});
     return;
   }
   std::vector<std::string> names;
@@ -36,6 +36,10 @@ void show_characters(const TabContext& context) {
 void show_who(const TabContext& context) {
   context.widgets.section("Who");
   show_characters(context);
+  if (ButtonRow(context.widgets, 1)
+          .button("View model", {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
+    context.commands.viewer.view = {.character = context.report.character};
+  }
   context.row("scene", "Scene",
               {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
                        "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "

@@ -14,7 +14,7 @@ class PanelColumn {
  public:
   explicit PanelColumn(Widgets& widgets) : widgets_(widgets), theme_(widgets.theme()) {}
 
-  /// Shows the tabs. The words of the header change `switches`.
+  /// Shows a field to search in, and the tabs, or what is found in them. A person changes `switches` there.
   void show_tabs(const Area& place, const TabContext& context, OverlaySwitches& switches);
   /// Shows the viewer; the report must have one.
   void show_viewer(const Area& place, const TabContext& context, OverlaySwitches& switches);
@@ -27,13 +27,17 @@ class PanelColumn {
  private:
   void begin(const Area& place, OverlaySwitches& switches);
   void show_header(const Area& place, OverlaySwitches& switches);
-  void show_tab_bar(const Area& place);
+  void show_search_field(const Area& place, OverlaySwitches& switches);
+  void show_tab_bar(const Area& place, OverlaySwitches& switches);
+  void show_found(const TabContext& context, OverlaySwitches& switches);
+  void leave_search_for(const RowSearch::Place& place, OverlaySwitches& switches);
   template <class Show>
   void show_below(const Area& place, float top, const char* name, const Show& show);
 
   Widgets& widgets_;
   const Theme& theme_;
   std::size_t tab_ = 0;
+  bool wants_the_only_one_ = false;  ///< Enter was pressed in the field of the search
   ViewerPanelMemory viewer_;
 };
 

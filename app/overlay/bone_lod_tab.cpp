@@ -89,12 +89,16 @@ void show_levels(const TabContext& context) {
       keep_in_order(tuning, static_cast<std::size_t>(level) - 1);
     }
   }
-  const std::optional<std::string> idle = idle_reason("bone_level_distance_1", tuning, report.situation);
+}
+
+void show_distances_as_band(const TabContext& context) {
+  const std::optional<std::string> idle =
+      idle_reason("bone_level_distance_1", context.tuning, context.report.situation);
   ImGui::BeginDisabled(idle.has_value());
   show_band(context);
   ImGui::EndDisabled();
-  widgets.caption(idle ? "These distances have no effect: " + *idle + "."
-                       : "Bones kept over 0 to 150 m. Drag a border.");
+  context.widgets.caption(idle ? "These distances have no effect: " + *idle + "."
+                               : "Bones kept over 0 to 150 m. Drag a border.");
 }
 
 void show_agents_by_level(const TabContext& context) {
@@ -130,12 +134,13 @@ void show_forced_level(const TabContext& context, const char* label, const char*
 
 void show_bone_lod_tab(const TabContext& context) {
   show_levels(context);
+  context.when_not_searching(show_distances_as_band);
   // The same value as *Force level* of the other tab, beside the bones that it drops.
   show_forced_level(context, "Preview level",
                     "Shows everyone in view with the bones of this level, to look at what it loses.");
   show_meshes(context);
-  show_agents_by_level(context);
-  show_bone_list(context);
+  context.when_not_searching(show_agents_by_level);
+  context.when_not_searching(show_bone_list);
 }
 
 }  // namespace throng::app

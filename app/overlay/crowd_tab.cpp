@@ -233,7 +233,7 @@ void show_crowd_tab(const TabContext& context) {
   show_time(context);
   show_picture(context);
   show_camera_section(context);
-  show_in_view(context);
+  context.when_not_searching(show_in_view);
   show_model(context);
   show_roles(context);
   show_body(context);

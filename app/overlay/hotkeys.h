@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
@@ -14,11 +15,13 @@ namespace throng::app {
 struct OverlaySwitches {
   bool hidden = false;
   bool help = false;
-  bool log = false;  ///< of messages
+  bool log = false;            ///< of messages
+  std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
+  bool enters_search = false;  ///< the cursor is wanted in its field
 };
 
-/// Says what is open while keys are pressed. Esc closes it from the top down: a list, the help, the log of messages,
-/// the viewer of one character, the card of the selected agent.
+/// Says what is open while keys are pressed. Esc closes it from the top down: a list, a search, the help, the log of
+/// messages, the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;

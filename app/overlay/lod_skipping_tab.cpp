@@ -59,7 +59,7 @@ void show_rule(const TabContext& context) {
               {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                        "not stutter.",
                .cost = "A second palette slot for each skipped agent."});
-  if (context.tuning.lod.rule == anim::LodRule::budget) show_what_binds(context);
+  if (context.tuning.lod.rule == anim::LodRule::budget) context.when_not_searching(show_what_binds);
 }
 
 void show_looking(const TabContext& context) {
@@ -202,9 +202,9 @@ void show_lod_skipping_tab(const TabContext& context) {
   show_error(context);
   show_looking(context);
   show_forcing(context);
-  show_agents_by_interval(context);
-  show_intervals_over_distance(context);
-  show_budget(context);
+  context.when_not_searching(show_agents_by_interval);
+  context.when_not_searching(show_intervals_over_distance);
+  context.when_not_searching(show_budget);
   show_who_limits(context);
 }
 

@@ -58,6 +58,7 @@ void show_meshes(const TabContext& context) {
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",
                .cost = "Less: more triangles."});
+  if (widgets.is_searching()) return;
   if (by_error) widgets.caption(what_holds(context));
   show_lods(context);
 }

@@ -164,6 +164,7 @@ void show_crowd_files(const TabContext& context) {
                   can_name_a_preset(name) ? nullptr : no_name)) {
     commands.save_crowd = name;
   }
+  if (widgets.is_searching()) return;
   for (const std::string& each : report.crowd_names) {
     const NameRow row(widgets, each);
     if (row.button(0, "Open", "Open " + each, {.what = "Its characters, values and camera. The crowd begins anew."})) {
@@ -177,7 +178,7 @@ void show_crowd_files(const TabContext& context) {
 void show_presets_tab(const TabContext& context) {
   show_pair(context);
   show_saving(context);
-  show_names(context);
+  context.when_not_searching(show_names);
   show_crowd_files(context);
 }
 

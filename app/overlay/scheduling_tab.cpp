@@ -204,6 +204,11 @@ void show_memory(const TabContext& context) {
 void show_scheduling_tab(const TabContext& context) {
   const FrameReport& report = context.report;
   const std::optional<FrameDetails>& looked_at = report.kept.looked_at;
+  if (context.widgets.is_searching()) {
+    show_machine(context);
+    show_sweep(context);
+    return;
+  }
   // A click at the frame graph leads here, so its frame comes first.
   if (looked_at) show_looked_at(context, *looked_at, report.kept.seconds_ago);
   if (!looked_at) show_machine(context);

@@ -63,9 +63,14 @@ struct TabContext {
   /// Shows the rows of `show` as disabled, with the reason, where the value with that key has no effect (idle_reason).
   template <typename Show>
   void unless_idle(std::string_view key, const Show& show) const {
-    widgets.begin_idle(idle_reason(key, tuning, report.situation));
+    widgets.begin_idle(idle_reason(key, tuning, report.situation), key);
     show();
     widgets.end_idle();
+  }
+
+  /// Shows a part of a tab that has no rows, such as a plot. While values are searched it is left out.
+  void when_not_searching(void (*show)(const TabContext& context)) const {
+    if (!widgets.is_searching()) show(*this);
   }
 
  private:

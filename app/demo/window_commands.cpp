@@ -92,6 +92,7 @@ void WindowCommands::save_crowd(const std::filesystem::path& file) {
   messages().tell(written, "Wrote " + file.string());
   if (!written) return;
   session_.unkept.keep(session_.tuning);
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
   session_.reporter.set_crowd_names(crowd_names("."));
 }
 
@@ -108,6 +109,7 @@ void WindowCommands::open_crowd(const std::filesystem::path& file) {
 
 void WindowCommands::take_kept(const CrowdSetup& setup) {
   overlay_.tuning_pair() = setup.pair;
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
   session_.camera.take_bookmarks(setup.bookmarks);
 }
 
@@ -124,7 +126,7 @@ void WindowCommands::obey_presets(const OverlayCommands& commands) {
     const std::filesystem::path file = preset_file(*commands.save_preset);
     const anim::Status written = write_preset(file, {session_.tuning, camera});
     messages().tell(written, "Wrote " + file.string());
-    if (written) session_.unkept.keep(session_.tuning);
+    if (written) session_.unkept.keep(session_.tuning, overlay_.tuning_pair());
   }
   if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
   if (commands.load_into_other) load_into_other(*commands.load_into_other);
@@ -168,13 +170,14 @@ void WindowCommands::load_into_other(const std::string& name) {
   const anim::Result<Preset> preset = read_preset(preset_file(name));
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
   overlay_.tuning_pair().take_other(preset->tuning, name);
+  session_.unkept.keep_other(preset->tuning);
 }
 
 void WindowCommands::take(const Preset& preset) {
   const LodInspection look = session_.tuning.inspection;
   session_.tuning = preset.tuning;
   session_.tuning.inspection = look;
-  session_.unkept.keep(session_.tuning);
+  session_.unkept.keep(session_.tuning, overlay_.tuning_pair());
   if (preset.camera) session_.camera.put(*preset.camera, session_.show);
 }
 

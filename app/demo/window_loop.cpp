@@ -100,7 +100,7 @@ class WindowLoop {
   }
 
   bool may_leave() {
-    if (replay_ || !session_.unkept.ask_about(session_.tuning)) return true;
+    if (replay_ || !session_.unkept.ask_about(session_.tuning, overlay_.tuning_pair())) return true;
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;

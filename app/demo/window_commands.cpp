@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/character/cast_entry.h"
 #include "app/demo/placed_model.h"
 #include "app/demo/viewer_commands.h"
 #include "app/recording/cast_options.h"
@@ -19,6 +20,12 @@ std::string unused_file(const char* ending, int& number) {
   do file = "throng-" + std::to_string(++number) + ending;
   while (std::filesystem::exists(file));
   return file;
+}
+
+void give_all_places_to(std::size_t character, Show& show) {
+  for (std::size_t i = 0; i < show.stage().characters().size(); ++i) {
+    show.set_share(i, i == character ? most_share : least_share);
+  }
 }
 
 }  // namespace
@@ -39,6 +46,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   const std::size_t character = reporter.report().character;
   if (commands.placement) place_model(show, *commands.placement, messages());
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
+  if (commands.everyone) give_all_places_to(*commands.everyone, show);
   if (commands.roles) show.set_roles(character, *commands.roles);
   messages().tell(obey_viewer(show, commands.viewer));
   if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing

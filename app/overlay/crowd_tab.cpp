@@ -105,6 +105,14 @@ void show_cast(const TabContext& context) {
     counts += (counts.empty() ? "" : " + ") + with_thousands(static_cast<std::uint64_t>(member.agents));
   }
   widgets.caption(counts + " agents");
+  const std::string words = "Everyone is " + cast_label(report.characters, report.character);
+  if (ButtonRow(widgets, 1)
+          .marked_button(words.c_str(), "Everyone is this",
+                         {.what = "The model chosen above takes all places that it can stand or walk in. The others "
+                                  "stay in the cast."},
+                         false)) {
+    commands.everyone = report.character;
+  }
 }
 
 std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {

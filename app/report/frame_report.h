@@ -135,6 +135,7 @@ struct NewBody {
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
+  std::optional<std::size_t> everyone;  ///< this character takes the places of all others
   std::optional<NewPlacement> placement;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;

@@ -84,6 +84,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
+    if (commands.everyone) all.everyone = commands.everyone;
     if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
     add(all.viewer, commands.viewer);

@@ -76,16 +76,15 @@ void show_band(const TabContext& context) {
 void show_levels(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Levels");
-  context.row("bone_lod", "Per-bone LOD",
+  context.row("bone_lod",
               {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
                        "list below, and a dropped bone follows its nearest kept ancestor.",
                .cost = "off evaluates all bones of every agent."});
   for (int level = 1; level < level_count(report); ++level) {
     const std::string number = std::to_string(level), key = "bone_level_distance_" + number;
-    const std::string label = "Level " + number + " from";
     const std::string what =
         "Agents beyond it keep " + bones_of(report, level) + " bones. The next level moves with it.";
-    if (context.row(key.c_str(), label.c_str(), {.what = what.c_str(), .unit = "metres from the camera"})) {
+    if (context.row(key.c_str(), {.what = what.c_str(), .unit = "metres from the camera"})) {
       keep_in_order(tuning, static_cast<std::size_t>(level) - 1);
     }
   }

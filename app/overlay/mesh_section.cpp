@@ -46,14 +46,14 @@ void show_meshes(const TabContext& context) {
   widgets.section("Meshes");
   int mesh = tuning.mesh_lod + 1;
   context.unless_idle("mesh_lod", [&] {
-    context.widgets.choose("Mesh LOD", mesh, context.standard.mesh_lod + 1, mesh_words,
+    context.widgets.choose(tuning_value("mesh_lod").label, mesh, context.standard.mesh_lod + 1, mesh_words,
                            {.what = "auto: the coarsest mesh that keeps to the error below. A number: that one for "
                                     "everyone, 0 is the full mesh.",
                             .cost = "Triangles; on a software renderer most of the frame."});
   });
   tuning.mesh_lod = mesh - 1;
   const bool by_error = tuning.mesh_lod < 0;
-  context.row("mesh_error_px", "Mesh error",
+  context.row("mesh_error_px",
               {.what = "What a coarser mesh may be off on screen. Its surface and its colours count, as measured in "
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",

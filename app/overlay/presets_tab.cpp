@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/overlay/tabs.h"
-#include "app/overlay/value_labels.h"
 #include "app/settings/preset.h"
 
 namespace throng::app {
@@ -75,7 +74,7 @@ void show_differences(const TabContext& context) {
                               : counted(found.size(), "value") + (found.size() == 1 ? " differs:" : " differ:"));
   const std::size_t shown = std::min(found.size(), most_differences);
   for (const TuningDifference& each : std::span(found).first(shown)) {
-    context.widgets.fact(label_of(each.key).c_str(), "A " + each.first + "   B " + each.second, {});
+    context.widgets.fact(find_tuning_value(each.key)->name().c_str(), "A " + each.first + "   B " + each.second, {});
   }
   if (shown < found.size()) context.widgets.caption("and " + std::to_string(found.size() - shown) + " more.");
 }

@@ -199,14 +199,14 @@ bool Widgets::text_field(const std::string& name, std::string& value, const char
   return changed;
 }
 
-bool TabContext::row(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
+bool TabContext::row(const char* key, const NumberScale& scale, const Help& help) const {
   bool changed = false;
-  unless_idle(key, [&] { changed = edit(key, label, scale, help); });
+  unless_idle(key, [&] { changed = edit(tuning_value(key), scale, help); });
   return changed;
 }
 
-bool TabContext::edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
-  const TuningValue& row = tuning_value(key);
+bool TabContext::edit(const TuningValue& row, const NumberScale& scale, const Help& help) const {
+  const char* const label = row.label;
   const std::string now = row.text(tuning), before = row.text(standard);
   std::string text;
   if (row.form == TuningValue::Form::on_off) {

@@ -14,6 +14,7 @@
 #include "app/settings/settings.h"
 #include "app/settings/tuning_history.h"
 #include "app/settings/tuning_pair.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
 
@@ -55,10 +56,10 @@ struct TabContext {
   OverlayCommands& commands;
   TabMemory& memory;
 
-  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. A value that has
-  /// no effect is shown as disabled, with the reason. Returns whether the person changed the value.
-  bool row(const char* key, const char* label, const Help& help) const { return row(key, label, scale_of(key), help); }
-  bool row(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
+  /// Shows the tuning's value with that key. The table of values gives name, kind, range, words and default. A value
+  /// that has no effect is shown as disabled, with the reason. Returns whether the person changed the value.
+  bool row(const char* key, const Help& help) const { return row(key, scale_of(key), help); }
+  bool row(const char* key, const NumberScale& scale, const Help& help) const;
 
   /// Shows the rows of `show` as disabled, with the reason, where the value with that key has no effect (idle_reason).
   template <typename Show>
@@ -74,7 +75,7 @@ struct TabContext {
   }
 
  private:
-  bool edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
+  bool edit(const TuningValue& row, const NumberScale& scale, const Help& help) const;
 };
 
 /// Returns the number of bone levels of the character shown: four, unless it has fewer.

@@ -92,11 +92,20 @@ class WindowLoop {
     session_.camera.take_back(show);
     present();
     commands_.obey_after_drawing(commands);
+    build_saved_shaders(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().tell(show.recorder().outcome());
     done_ = done_ || (commands.quit && may_leave()) || session_.input.asked_to_close() || asked_to_stop() != 0;
+  }
+
+  // A person who writes a shader sees it as soon as it is saved.
+  void build_saved_shaders(Clock::time_point now) {
+    if (now < next_look_at_shaders_) return;
+    next_look_at_shaders_ = now + std::chrono::milliseconds(500);
+    if (!renderer().shaders_are_out_of_date()) return;
+    session_.messages().tell(renderer().reload_shaders(), "Built the shaders, which were saved");
   }
 
   bool may_leave() {
@@ -192,6 +201,7 @@ class WindowLoop {
   Overlay overlay_;
   WindowCommands commands_{session_, overlay_};
   Clock::time_point last_frame_ = Clock::now();
+  Clock::time_point next_look_at_shaders_ = last_frame_;
   anim::Status failed_ = anim::Done{};
   bool minimised_ = false;
   bool done_ = false;

@@ -41,7 +41,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"Tab", "Hide or show the overlay."},
     {"R", "Begin a recording; again, end it."},
     {"L", "Messages so far."},
-    {"F5", "Build the shaders again."},
+    {"F5", "Build the shaders again; a shader that is saved is built at once."},
     {"F12", "Write a picture."},
     {"F1", "This card."},
     {"Esc", "Close the topmost; with nothing open, quit."},

@@ -110,6 +110,8 @@ class Renderer {
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
   Status reload_shaders() { return shaders_.reload(); }
+  /// Returns whether a file of the shaders was saved since they were built last; see ShaderLibrary.
+  bool shaders_are_out_of_date() const { return shaders_.is_out_of_date(); }
 
   gl::Context& context() { return *context_; }
 

@@ -1,5 +1,6 @@
 #include "engine/render/shader/shader_library.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -52,6 +53,22 @@ TEST_F(ShaderLibraryFolder, SaysInOneSentenceWhatDoesNotLink) {
   ASSERT_FALSE(shaders.status());
   EXPECT_NE(shaders.status().error().message.find("lonely.frag"), std::string::npos);
   EXPECT_EQ(shaders.status().error().message.find('\n'), std::string::npos);
+}
+
+TEST_F(ShaderLibraryFolder, IsOutOfDateOnceAFileIsSavedUntilItIsBuiltAgain) {
+  ShaderLibrary shaders(folder_);
+  shaders.load({"any.vert", "good.frag"});
+  EXPECT_FALSE(shaders.is_out_of_date());
+  const auto later = std::filesystem::last_write_time(folder_ / "good.frag") + std::chrono::seconds(2);
+  std::filesystem::last_write_time(folder_ / "good.frag", later);
+  EXPECT_TRUE(shaders.is_out_of_date());
+  EXPECT_TRUE(shaders.reload());
+  EXPECT_FALSE(shaders.is_out_of_date());
+  write("new.glsl", "");
+  EXPECT_TRUE(shaders.is_out_of_date());
+  EXPECT_TRUE(shaders.reload());
+  std::filesystem::remove_all(folder_);
+  EXPECT_TRUE(shaders.is_out_of_date());
 }
 
 TEST_F(ShaderLibraryFolder, KeepsTheLastGoodProgramWhenAReloadFails) {

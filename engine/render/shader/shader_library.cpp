@@ -1,5 +1,7 @@
 #include "engine/render/shader/shader_library.h"
 
+#include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "engine/render/shader/shader_source.h"
@@ -26,7 +28,17 @@ void declare_captured(GLuint program, const std::vector<std::string>& captured) 
 
 }  // namespace
 
-ShaderLibrary::ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+ShaderLibrary::ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)), built_from_(state_on_disk()) {}
+
+ShaderLibrary::FolderState ShaderLibrary::state_on_disk() const {
+  FolderState state{std::filesystem::file_time_type::min(), 0};
+  std::error_code failed;  // a file that has just gone counts as old
+  for (const auto& file : std::filesystem::directory_iterator(folder_, failed)) {
+    state.first = std::max(state.first, file.last_write_time(failed));
+    ++state.second;
+  }
+  return state;
+}
 
 const gl::Program& ShaderLibrary::load(const ProgramFiles& files) {
   Result<gl::Program> program = build(files);
@@ -36,6 +48,7 @@ const gl::Program& ShaderLibrary::load(const ProgramFiles& files) {
 }
 
 Status ShaderLibrary::reload() {
+  built_from_ = state_on_disk();  // before they are read, so that a file saved meanwhile is newer
   Status status = Done{};
   for (Entry& entry : programs_) {
     Result<gl::Program> program = build(entry.files);

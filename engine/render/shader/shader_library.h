@@ -3,6 +3,7 @@
 #include <deque>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glad/gl.h>
@@ -35,6 +36,9 @@ class ShaderLibrary {
 
   /// Builds every program again from disk, and returns the first error. One that fails keeps its last good build.
   Status reload();
+  /// Returns whether a file of the folder was saved, added or removed since the programs were built last. It reads the
+  /// folder, so a few calls a second are enough.
+  bool is_out_of_date() const { return state_on_disk() != built_from_; }
 
  private:
   struct Entry {
@@ -42,10 +46,15 @@ class ShaderLibrary {
     gl::Program program;
   };
 
+  /// The newest of the files, and how many there are.
+  using FolderState = std::pair<std::filesystem::file_time_type, std::size_t>;
+
+  FolderState state_on_disk() const;
   Result<gl::Program> build(const ProgramFiles& files) const;
   Result<gl::Shader> compile(GLenum stage, const std::string& file) const;
 
   std::filesystem::path folder_;
+  FolderState built_from_;
   std::deque<Entry> programs_;  // they never move
   Status status_ = Done{};
 };

@@ -26,9 +26,10 @@ void draw_grip(const Theme& theme, const Area& crowd, float x, bool is_lively) {
 // Nobody can drag it under the panel, where it could not be grabbed again.
 void drag_line(float x, float farthest, LodInspection& look, AidsMemory& memory) {
   const float width = ImGui::GetIO().DisplaySize.x;
-  const float pointer = ImGui::GetIO().MousePos.x;
+  const bool is_left_of_window = !ImGui::IsMousePosValid();
+  const float pointer = is_left_of_window ? 0 : ImGui::GetIO().MousePos.x;
   if (ImGui::IsItemActivated()) memory.grabbed_beside = pointer - x;
-  const bool moves = ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0;
+  const bool moves = ImGui::IsItemActive() && (is_left_of_window || ImGui::GetIO().MouseDelta.x != 0);
   if (moves) look.split_at = std::clamp((pointer - memory.grabbed_beside) / width, 0.0F, farthest / width);
 }
 

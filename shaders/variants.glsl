@@ -1,6 +1,9 @@
 // Makes the bodies of instances differ, in the space of the bind pose, and their colours. Include instance_record.glsl before it.
 
-// A vertex with a share of 1 in a variation moves this many metres.
+// The character's size over that of a person, for whom the reaches below are meant.
+layout(location = 5) uniform float body_size;
+
+// A vertex with a share of 1 in a variation moves this many metres of a person.
 const float stout_reach = 0.048;
 const float broad_reach = 0.026;
 const vec3 stooped_reach = vec3(0.0, -0.016, 0.058);
@@ -13,7 +16,8 @@ vec3 varied(const InstanceRecord instance, vec3 position, vec3 normal, vec3 shap
   vec2 style = unpackSnorm4x8(instance.hair).xy;
   float outward = stout_reach * body.x * shape.x + broad_reach * body.y * shape.y;
   outward += style.x * hair.x * (style.x < 0.0 ? cropped_hair_reach : full_hair_reach);
-  return position + normal * outward + stooped_reach * (body.z * shape.z) + long_hair_reach * (style.y * hair.y);
+  return position + normal * (body_size * outward) + body_size * stooped_reach * (body.z * shape.z) +
+         body_size * long_hair_reach * (style.y * hair.y);
 }
 
 // Colours that are the file's own get a little lighter or darker, warmer or cooler; at most by this share.

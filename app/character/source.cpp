@@ -31,6 +31,12 @@ std::vector<int> preferably(const anim::Character& character, const std::vector<
   return chosen.empty() ? clips : chosen;
 }
 
+// A person of about the usual size is one exactly, so that rounding in a measured height changes no picture.
+float body_size(const CharacterRoles& roles) {
+  constexpr double least_difference = 0.02;
+  return std::abs(roles.size() - 1.0) < least_difference ? 1.0F : static_cast<float>(roles.size());
+}
+
 // A file may keep its bind pose as a clip. Clips that end where they began can be repeated in place.
 std::vector<int> to_be_repeated(const anim::Character& character, const std::vector<int>& clips) {
   const auto moves = [](const anim::BakedClip& clip) { return clip.keyframe().track_count > 0; };
@@ -305,6 +311,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
   data.morph_deltas = morph_deltas(model);
+  data.body_size = body_size(source.roles);
   if (!data.packed_surface.empty()) return data;
   data.face_entries = face_entries(model.skeleton);
   data.poses = posed_palettes(model);

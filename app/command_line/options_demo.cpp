@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 
@@ -132,6 +133,13 @@ void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
 }
 
+/// Returns whether the command line says how far from exact a picture may be.
+bool names_an_error(const OptionReader& reader) {
+  const auto given = [&reader](const char* name) { return reader.given(name); };
+  return std::ranges::any_of(
+      std::to_array({"--error-px", "--mesh-error-px", "--budget-ms", "--lod", "--mesh-lod", "--set"}), given);
+}
+
 /// Limits without the rule that holds them.
 std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
   for (const std::string limit : {"--error-px", "--budget-ms"}) {
@@ -259,8 +267,9 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
     options.given.push_back(option->get_name());
   }
   options.frames_given = reader.given("--frames");
-  options.agents_given = reader.given("--agents") || reader.given("--preset") || !options.crowd_file.empty() ||
-                         options.tuning.agents != Tuning{}.agents;
+  const bool all_given = reader.given("--preset") || !options.crowd_file.empty();
+  options.agents_given = all_given || reader.given("--agents") || options.tuning.agents != Tuning{}.agents;
+  options.error_given = all_given || names_an_error(reader);
   options.shadows_given = reader.given("--shadows");
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};

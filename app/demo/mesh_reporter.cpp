@@ -4,9 +4,7 @@ namespace throng::app {
 
 MeshReport report_meshes(const Show& show, std::size_t character) {
   const Stage& stage = show.stage();
-  MeshReport report{.tolerance = stage.mesh_lods().tolerance(stage.tuning()),
-                    .is_spared = show.painter().spared().mesh_lods,
-                    .lods = {}};
+  MeshReport report{.tolerance = mesh_tolerance(stage.tuning()), .lods = {}};
   for (const MeshLevel& level : show.painter().mesh_levels(character)) {
     const render::MeshError& share = stage.mesh_lods().shares(character)[report.lods.size()];
     report.lods.push_back({.triangles = level.triangles,

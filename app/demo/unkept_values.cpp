@@ -1,5 +1,7 @@
 #include "app/demo/unkept_values.h"
 
+#include <utility>
+
 namespace throng::app {
 namespace {
 
@@ -16,15 +18,22 @@ Tuning worth_keeping(Tuning tuning) {
 
 }  // namespace
 
-void UnkeptValues::keep(const Tuning& tuning) {
+void UnkeptValues::keep(const Tuning& tuning, const TuningPair& pair) {
+  std::optional<Tuning> other;
+  if (pair.has_two()) other = worth_keeping(pair.other());
+  kept_other_ = other && is_kept(*other) ? other : std::nullopt;
   kept_ = worth_keeping(tuning);
-  asked_about_.reset();
+  asked_about_.clear();
 }
 
-bool UnkeptValues::ask_about(const Tuning& tuning) {
-  const Tuning now = worth_keeping(tuning);
-  if (now == kept_ || now == asked_about_) return false;
-  asked_about_ = now;
+void UnkeptValues::keep_other(const Tuning& tuning) { kept_other_ = worth_keeping(tuning); }
+
+bool UnkeptValues::ask_about(const Tuning& tuning, const TuningPair& pair) {
+  std::vector<Tuning> unkept{worth_keeping(tuning)};
+  if (pair.has_two()) unkept.push_back(worth_keeping(pair.other()));
+  std::erase_if(unkept, [this](const Tuning& each) { return is_kept(each); });
+  if (unkept.empty() || unkept == asked_about_) return false;
+  asked_about_ = std::move(unkept);
   return true;
 }
 

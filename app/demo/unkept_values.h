@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "app/settings/settings.h"
+#include "app/settings/tuning_pair.h"
 
 namespace throng::app {
 
@@ -11,14 +13,21 @@ class UnkeptValues {
  public:
   /// Takes the values that a person began with, kept as a preset, or took from one.
   explicit UnkeptValues(const Tuning& begun_with) { keep(begun_with); }
-  void keep(const Tuning& tuning);
+  /// `pair` has what they are compared with. What waits there stays kept if it is.
+  void keep(const Tuning& tuning, const TuningPair& pair = {});
+  /// Takes the values that wait, kept or taken in the same way.
+  void keep_other(const Tuning& tuning);
 
-  /// Returns whether the person is to be asked before these values are left. The same values are asked about once.
-  bool ask_about(const Tuning& tuning);
+  /// Returns whether the person is to be asked before these values, and those that wait beside them, are left. The same
+  /// values are asked about once.
+  bool ask_about(const Tuning& tuning, const TuningPair& pair = {});
 
  private:
+  bool is_kept(const Tuning& worth_keeping) const { return worth_keeping == kept_ || worth_keeping == kept_other_; }
+
   Tuning kept_;
-  std::optional<Tuning> asked_about_;
+  std::optional<Tuning> kept_other_;
+  std::vector<Tuning> asked_about_;
 };
 
 }  // namespace throng::app

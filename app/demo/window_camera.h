@@ -36,6 +36,10 @@ class WindowCamera {
 
   const render::Camera& camera() const { return fly_.camera(); }
   CameraPlace place() const { return fly_.place(); }
+  /// Returns the places that the person keeps.
+  const CameraBookmarks& bookmarks() const { return bookmarks_; }
+  /// Takes other places in place of those that were kept.
+  void take_bookmarks(const CameraBookmarks& bookmarks) { bookmarks_ = bookmarks; }
   /// Adds what only this camera knows.
   void report(CameraReport& report) const;
 
@@ -43,7 +47,7 @@ class WindowCamera {
   void go_home(Show& show);
 
   FlyCamera fly_;
-  std::array<std::optional<CameraPlace>, bookmark_count> bookmarks_;
+  CameraBookmarks bookmarks_;
   Scene scene_;
   bool was_put_ = false;  // in this frame
 };

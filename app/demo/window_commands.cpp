@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/character/cast_entry.h"
 #include "app/demo/placed_model.h"
 #include "app/demo/viewer_commands.h"
 #include "app/recording/cast_options.h"
@@ -19,6 +20,12 @@ std::string unused_file(const char* ending, int& number) {
   do file = "throng-" + std::to_string(++number) + ending;
   while (std::filesystem::exists(file));
   return file;
+}
+
+void give_all_places_to(std::size_t character, Show& show) {
+  for (std::size_t i = 0; i < show.stage().characters().size(); ++i) {
+    show.set_share(i, i == character ? most_share : least_share);
+  }
 }
 
 }  // namespace
@@ -39,6 +46,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   const std::size_t character = reporter.report().character;
   if (commands.placement) place_model(show, *commands.placement, messages());
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
+  if (commands.everyone) give_all_places_to(*commands.everyone, show);
   if (commands.roles) show.set_roles(character, *commands.roles);
   messages().tell(obey_viewer(show, commands.viewer));
   if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
@@ -46,6 +54,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   obey_body(commands, character);
   obey_bone_lod(commands, character);
   if (commands.record) toggle_recording();
+  if (!commands.hint.empty()) messages().say(commands.hint, Message::Kind::refused);
   if (commands.character) reporter.describe_character(show, *commands.character);
   if (commands.copy_camera) copy(camera_option(session_.camera.place()));
   if (commands.reload_shaders) {
@@ -84,11 +93,14 @@ void WindowCommands::obey_crowd_files(const OverlayCommands& commands) {
 }
 
 void WindowCommands::save_crowd(const std::filesystem::path& file) {
-  const Preset preset{session_.tuning, session_.camera.place()};
-  const anim::Status written = write_crowd_file(file, crowd_setup(session_.show.stage().people(), preset));
+  CrowdSetup setup = crowd_setup(session_.show.stage().people(), {session_.tuning, session_.camera.place()});
+  setup.pair = overlay_.tuning_pair();
+  setup.bookmarks = session_.camera.bookmarks();
+  const anim::Status written = write_crowd_file(file, setup);
   messages().tell(written, "Wrote " + file.string());
   if (!written) return;
   session_.unkept.keep(session_.tuning);
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
   session_.reporter.set_crowd_names(crowd_names("."));
 }
 
@@ -99,7 +111,14 @@ void WindowCommands::open_crowd(const std::filesystem::path& file) {
   if (!replaced) return messages().say(file.string() + ": " + replaced.error().message, Message::Kind::refused);
   session_.reporter.describe_characters(session_.show);
   take(setup->preset);
+  take_kept(*setup);
   messages().say("Opened " + file.string());
+}
+
+void WindowCommands::take_kept(const CrowdSetup& setup) {
+  overlay_.tuning_pair() = setup.pair;
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
+  session_.camera.take_bookmarks(setup.bookmarks);
 }
 
 void WindowCommands::obey_sweep(const OverlayCommands& commands) {
@@ -115,9 +134,10 @@ void WindowCommands::obey_presets(const OverlayCommands& commands) {
     const std::filesystem::path file = preset_file(*commands.save_preset);
     const anim::Status written = write_preset(file, {session_.tuning, camera});
     messages().tell(written, "Wrote " + file.string());
-    if (written) session_.unkept.keep(session_.tuning);
+    if (written) session_.unkept.keep(session_.tuning, overlay_.tuning_pair());
   }
   if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
+  if (commands.load_into_other) load_into_other(*commands.load_into_other);
   if (commands.delete_preset) {
     const std::filesystem::path file = preset_file(*commands.delete_preset);
     std::error_code failed;
@@ -154,11 +174,18 @@ void WindowCommands::load_preset(const std::filesystem::path& file) {
   take(*preset);
 }
 
+void WindowCommands::load_into_other(const std::string& name) {
+  const anim::Result<Preset> preset = read_preset(preset_file(name));
+  if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  overlay_.tuning_pair().take_other(preset->tuning, name);
+  session_.unkept.keep_other(preset->tuning);
+}
+
 void WindowCommands::take(const Preset& preset) {
   const LodInspection look = session_.tuning.inspection;
   session_.tuning = preset.tuning;
   session_.tuning.inspection = look;
-  session_.unkept.keep(session_.tuning);
+  session_.unkept.keep(session_.tuning, overlay_.tuning_pair());
   if (preset.camera) session_.camera.put(*preset.camera, session_.show);
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/demo/window_session.h"
 #include "app/overlay/overlay.h"
+#include "app/recording/crowd_file.h"
 #include "app/settings/preset.h"
 
 namespace throng::app {
@@ -20,6 +21,9 @@ class WindowCommands {
   /// Does what is asked of the picture, once it is drawn.
   void obey_after_drawing(const OverlayCommands& commands);
 
+  /// Takes what a crowd file keeps for a window alone: what is compared, and the bookmarks of the camera.
+  void take_kept(const CrowdSetup& setup);
+
   /// Begins to record into an unused file, or ends the recording.
   void toggle_recording();
 
@@ -33,6 +37,7 @@ class WindowCommands {
   void save_crowd(const std::filesystem::path& file);
   void open_crowd(const std::filesystem::path& file);
   void take(const Preset& preset);
+  void load_into_other(const std::string& name);
   void load_preset(const std::filesystem::path& file);
   void replace_models(const std::vector<std::string>& files);
   void copy_command_line();

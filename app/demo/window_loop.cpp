@@ -11,6 +11,7 @@
 #include "app/demo/window_session.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
+#include "app/recording/crowd_file.h"
 #include "app/settings/preset.h"
 #include "engine/files/output_file.h"
 
@@ -31,6 +32,7 @@ class WindowLoop {
     session_.reporter.set_crowd_names(crowd_names("."));
     session_.reporter.report_recording(options.record);
     show.keep_moments();
+    if (!options.crowd_file.empty()) take_kept(options.crowd_file);
     overlay_.show_tab(options.ui_tab);
   }
 
@@ -50,6 +52,11 @@ class WindowLoop {
   static std::filesystem::path fonts_folder(const DemoOptions& options) {
     const auto fonts = find_data(data_folders(options.data), "assets/fonts");
     return fonts ? *fonts : std::filesystem::path();
+  }
+
+  void take_kept(const std::string& crowd_file) {
+    const auto setup = read_crowd_file(crowd_file);
+    if (setup) commands_.take_kept(*setup);  // else it has gone since the characters were read
   }
 
   // Programs that drive the window wait for this line.
@@ -93,7 +100,7 @@ class WindowLoop {
   }
 
   bool may_leave() {
-    if (replay_ || !session_.unkept.ask_about(session_.tuning)) return true;
+    if (replay_ || !session_.unkept.ask_about(session_.tuning, overlay_.tuning_pair())) return true;
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;

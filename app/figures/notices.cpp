@@ -8,6 +8,7 @@
 
 #include "app/character/skin_choice.h"
 #include "app/files/joined.h"
+#include "app/settings/option_values.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -65,7 +66,7 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
   add(spared.agents > 0, std::to_string(spared.agents) + " agents");
   add(spared.multisampling, "no multisampling");
   add(spared.shadows, "no shadows");
-  add(spared.mesh_lods, "coarser meshes");
+  add(spared.error_px > 0, "an error of " + shortest_text(spared.error_px) + " pixels");
   if (list.empty()) return {};
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
 }

@@ -1,6 +1,8 @@
 #include "app/lod/error_meter.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "engine/anim/kernel/palette/hierarchy.h"
 
@@ -22,6 +24,17 @@ glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
   const float scale = crowd.scales()[agent];
   return {glm::vec4(heading.cosine, 0.0F, -heading.sine, 0.0F) * scale, glm::vec4(0.0F, scale, 0.0F, 0.0F),
           glm::vec4(heading.sine, 0.0F, heading.cosine, 0.0F) * scale, glm::vec4(position, 1.0F)};
+}
+
+// Whether two tunings leave the eye the same errors.
+bool decide_alike(const Tuning& a, const Tuning& b) {
+  const auto forced = [](const Tuning& tuning) {
+    const LodInspection& look = tuning.inspection;
+    return std::tuple(look.forced_interval, look.forced_bone_level, look.force_selected_only);
+  };
+  const auto meshes = [](const Tuning& tuning) { return std::pair(tuning.mesh_lod, tuning.mesh_error_px); };
+  return a.lod == b.lod && a.error_px == b.error_px && a.budget_ms == b.budget_ms && meshes(a) == meshes(b) &&
+         forced(a) == forced(b);
 }
 
 }  // namespace
@@ -116,9 +129,16 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
   }
 }
 
+// A person who changes a value waits for its figures, not for those of the value before.
+void ErrorMeter::forget_other_tunings(const Tuning& tuning) {
+  if (!decide_alike(tuning, measured_with_)) window_.begin_anew();
+  measured_with_ = tuning;
+}
+
 void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame) {
   watched_.hand_over();
   if (sampling_ == ErrorSampling::off) return;
+  forget_other_tunings(frame.tuning);
   window_.begin_frame();
   pose_window_.begin_frame();
   choose_whom_to_measure(system, frame);

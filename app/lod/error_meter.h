@@ -55,7 +55,8 @@ class ErrorMeter {
   /// Hands the written poses over to their slots, and measures. Call it after the update.
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
-  /// Returns the errors of poses and meshes together, over the last 60 frames. All are 0 while nobody is measured.
+  /// Returns the errors of poses and meshes together, over the last 60 frames, or since a value that decides over level
+  /// of detail was changed. All are 0 while nobody is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
   /// Returns where the percentiles of figures() lie by chance. Nobody measured: they may lie anywhere.
   anim::ErrorIntervals intervals() const { return window_.intervals(); }
@@ -81,6 +82,7 @@ class ErrorMeter {
     double cost = 0;  // the cost of measuring one agent, in bones evaluated
   };
 
+  void forget_other_tunings(const Tuning& tuning);
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
@@ -90,6 +92,7 @@ class ErrorMeter {
   std::vector<MeasuredCharacter> characters_;
   std::size_t most_entries_ = 0;
   ErrorSampling sampling_ = ErrorSampling::off;
+  Tuning measured_with_;  // in the frame before
   WatchedAgents watched_;
   std::vector<std::uint32_t> chosen_;  // places in watched_
   std::size_t next_place_ = 0;         // the place in watched_ that was measured last

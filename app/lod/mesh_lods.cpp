@@ -17,11 +17,11 @@ float pose_error_limit(const Tuning& tuning) {
 }
 
 // A budget without a limit on the error is about poses: meshes keep to their own limit.
-MeshTolerance mesh_tolerance(const Tuning& tuning, float times) {
+MeshTolerance mesh_tolerance(const Tuning& tuning) {
   const bool is_limited = tuning.error_px > 0.0F;
   const float limit =
       is_limited ? std::min(tuning.mesh_error_px, tuning.error_px * mesh_share_of_error) : tuning.mesh_error_px;
-  return {.surface = limit * times, .face = std::min(limit, most_face_error)};
+  return {.surface = limit, .face = std::min(limit, most_face_error)};
 }
 
 render::MeshError shares_of(const render::MeshError& metres, double height) {
@@ -40,7 +40,7 @@ int MeshLods::choose(const Tuning& tuning, std::uint8_t character, float pixels_
   const std::vector<render::MeshError>& shares = shares_[character];
   if (shares.empty()) return 0;
   if (tuning.mesh_lod >= 0) return std::min(tuning.mesh_lod, static_cast<int>(shares.size()) - 1);
-  const MeshTolerance allowed = tolerance(tuning);
+  const MeshTolerance allowed = mesh_tolerance(tuning);
   const float tall = std::max(pixels_tall, 1.0F), face = tall < least_face_pixels ? allowed.surface : allowed.face;
   return render::pick_mesh_lod(shares, {.surface = allowed.surface / tall, .face = face / tall});
 }

@@ -25,8 +25,8 @@ struct MeshTolerance {
   float surface = 0.0F;
   float face = 0.0F;  ///< of those who are least_face_pixels tall or taller
 };
-/// Returns what a tuning allows. Where a processor draws, `times` as much is allowed of all but faces.
-MeshTolerance mesh_tolerance(const Tuning& tuning, float times = 1.0F);
+/// Returns what a tuning allows.
+MeshTolerance mesh_tolerance(const Tuning& tuning);
 /// Returns the errors in metres as shares of a character's height.
 render::MeshError shares_of(const render::MeshError& metres, double height);
 /// Returns the height on screen, in pixels, below which a mesh with that error is fine enough; infinity without error.
@@ -40,22 +40,17 @@ class MeshLods {
 
   /// Takes the errors of a character's mesh LODs, the full mesh first, in shares of the character's height.
   void set(std::size_t character, std::vector<render::MeshError> shares) { shares_[character] = std::move(shares); }
-  /// Allows `times` the error where there is no face, where a processor draws. 1 at first.
-  void allow_more(float times) { times_allowed_ = times; }
 
   /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
   /// fixes. 0 for a character without LODs.
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
-  /// Returns what the tuning allows here.
-  MeshTolerance tolerance(const Tuning& tuning) const { return mesh_tolerance(tuning, times_allowed_); }
   /// Returns the errors of a character's mesh LODs, as they were set.
   std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }
 
  private:
   std::vector<std::vector<render::MeshError>> shares_;  // [character][LOD]
-  float times_allowed_ = 1.0F;
 };
 
 }  // namespace throng::app

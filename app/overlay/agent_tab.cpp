@@ -29,6 +29,7 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "Upright, or how a rag-doll is."});
   widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + size_text(selected.bytes),
                {.what = "Its entities in main memory."});
+  show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.commands);
 }
 
 /// Draws a share, 0 to 1, between the words and the figure.
@@ -183,6 +184,7 @@ void show_blocks(const TabContext& context, const SelectionReport& selected) {
                    {.what = "Whose block is shown below; the last is the pose."})) {
     context.memory.entity = static_cast<std::size_t>(entity);
   }
+  if (widgets.is_searching()) return;
   const EntityRow& row = selected.entities[static_cast<std::size_t>(entity)];
   for (const BlockField& field : row.fields) widgets.fact(field.name.c_str(), field.value, {});
   widgets.caption("Bytes; the first 64 are written once, a frame changes those after them.");
@@ -198,11 +200,14 @@ void show_agent_tab(const TabContext& context) {
     return;
   }
   const SelectionReport& selected = *context.report.selected;
-  show_who(context, selected);
-  show_layers(context, selected);
+  const auto show_unless_searching = [&](const auto& show) {
+    if (!context.widgets.is_searching()) show(context, selected);
+  };
+  show_unless_searching(show_who);
+  show_unless_searching(show_layers);
   show_hands(context, selected);
-  show_history(context, selected);
-  show_events(context, selected);
+  show_unless_searching(show_history);
+  show_unless_searching(show_events);
   show_blocks(context, selected);
 }
 

@@ -46,10 +46,10 @@ std::vector<Badge> badges_of(const TabContext& context) {
           "Records " + report.recording.file + "   " + clock_text(report.messages.now() - report.recording.began_at),
           "All that happens goes into that file. A click or R ends it.",
           [](const TabContext& ended) { ended.commands.record = true; }});
-  add_if(context.memory.pair.has_two(),
-         {"pair", colour::accent, context.memory.pair.shows_b() ? "B is in use" : "A is in use",
-          "The other of two tunings waits. A click or B changes their places.",
-          [](const TabContext& ended) { ended.memory.pair.change_places(ended.tuning); }});
+  const TuningPair& pair = context.memory.pair;
+  add_if(pair.has_two(), {"pair", colour::accent, pair.title_in_use() + " is in use",
+                          pair.other_title() + " waits. A click or B changes their places. The tab Presets ends it.",
+                          [](const TabContext& ended) { ended.memory.pair.change_places(ended.tuning); }});
   add_if(tuning.paused, {"paused", colour::frame, "Paused", "A click or Space goes on.",
                          [](const TabContext& ended) { ended.tuning.paused = false; }});
   add_if(context.commands.exact_crowd,

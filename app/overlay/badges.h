@@ -14,7 +14,7 @@ struct Badge {
   const char* name;  ///< in the map of widgets, after "badge:"
   ImU32 dot;
   std::string words;
-  const char* help;
+  std::string help;
   void (*end)(const TabContext& context) = nullptr;  ///< ends the state; null: a click cannot
 };
 

@@ -46,7 +46,7 @@ void show_part(const TabContext& context, anim::BodyRole part) {
            .cost = "Changing it places all agents anew."})) {
     context.commands.body = changed_body(body, part, bone);
   }
-  if (body.refused != part) return;
+  if (body.refused != part || context.widgets.is_searching()) return;
   context.widgets.caption(body.refusal + ".");
   context.widgets.record(label + ".refusal", {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
 }
@@ -78,7 +78,7 @@ void show_body(const TabContext& context) {
                      {.what = "Which bone is which part of the body. Feet, gaze and falling go by it."})) {
     open = !open;
   }
-  if (open) show_open_list(context);
+  if (open || context.widgets.is_searching()) show_open_list(context);
 }
 
 }  // namespace throng::app

@@ -1,7 +1,6 @@
 #include "app/overlay/bone_list.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "app/overlay/tabs.h"
@@ -10,12 +9,6 @@ namespace throng::app {
 namespace {
 
 constexpr float bone_height = 18, border_height = 17, least_height = 150, scroll_a_frame = 6;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
 
 std::vector<int> parents_of(const FrameReport& report) {
   std::vector<int> parents;
@@ -52,10 +45,6 @@ void scroll_with_drag() {
   const float y = ImGui::GetIO().MousePos.y, top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
   if (y < top + bone_height) ImGui::SetScrollY(ImGui::GetScrollY() - scroll_a_frame);
   if (y > bottom - bone_height) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_a_frame);
-}
-
-bool matches(const BoneRow& bone, const std::string& search) {
-  return search.empty() || lower(bone.name).find(lower(search)) != std::string::npos;
 }
 
 void change(const TabContext& context, const BoneLodChoice& choice) {
@@ -170,7 +159,7 @@ void show_bone_list(const TabContext& context) {
   const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   widgets.record("Bone list", {.from = from, .to = {from.x + size.x, from.y + size.y}});
   for (std::size_t i = 0; i < report.bones.size(); ++i) {
-    if (matches(report.bones[i], memory.bones.search)) show_bone(context, i);
+    if (has_letters(report.bones[i].name, memory.bones.search)) show_bone(context, i);
     const int below = i + 1 < report.bones.size() ? report.bones[i + 1].lod.level : 0;
     for (int level = std::min<int>(report.bones[i].lod.level, 3); level > below; --level) {
       show_border(context, level, i + 1);

@@ -76,25 +76,28 @@ void show_band(const TabContext& context) {
 void show_levels(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Levels");
-  context.row("bone_lod", "Per-bone LOD",
+  context.row("bone_lod",
               {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
                        "list below, and a dropped bone follows its nearest kept ancestor.",
                .cost = "off evaluates all bones of every agent."});
   for (int level = 1; level < level_count(report); ++level) {
     const std::string number = std::to_string(level), key = "bone_level_distance_" + number;
-    const std::string label = "Level " + number + " from";
     const std::string what =
         "Agents beyond it keep " + bones_of(report, level) + " bones. The next level moves with it.";
-    if (context.row(key.c_str(), label.c_str(), {.what = what.c_str(), .unit = "metres from the camera"})) {
+    if (context.row(key.c_str(), {.what = what.c_str(), .unit = "metres from the camera"})) {
       keep_in_order(tuning, static_cast<std::size_t>(level) - 1);
     }
   }
-  const std::optional<std::string> idle = idle_reason("bone_level_distance_1", tuning, report.situation);
+}
+
+void show_distances_as_band(const TabContext& context) {
+  const std::optional<std::string> idle =
+      idle_reason("bone_level_distance_1", context.tuning, context.report.situation);
   ImGui::BeginDisabled(idle.has_value());
   show_band(context);
   ImGui::EndDisabled();
-  widgets.caption(idle ? "These distances have no effect: " + *idle + "."
-                       : "Bones kept over 0 to 150 m. Drag a border.");
+  context.widgets.caption(idle ? "These distances have no effect: " + *idle + "."
+                               : "Bones kept over 0 to 150 m. Drag a border.");
 }
 
 void show_agents_by_level(const TabContext& context) {
@@ -130,12 +133,13 @@ void show_forced_level(const TabContext& context, const char* label, const char*
 
 void show_bone_lod_tab(const TabContext& context) {
   show_levels(context);
+  context.when_not_searching(show_distances_as_band);
   // The same value as *Force level* of the other tab, beside the bones that it drops.
   show_forced_level(context, "Preview level",
                     "Shows everyone in view with the bones of this level, to look at what it loses.");
   show_meshes(context);
-  show_agents_by_level(context);
-  show_bone_list(context);
+  context.when_not_searching(show_agents_by_level);
+  context.when_not_searching(show_bone_list);
 }
 
 }  // namespace throng::app

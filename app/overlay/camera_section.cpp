@@ -78,6 +78,7 @@ void show_camera_section(const TabContext& context) {
                       .unit = "metres a second"})) {
     context.commands.cameras.fly_speed = static_cast<float>(speed);
   }
+  if (widgets.is_searching()) return;
   const CameraPlace& camera = context.report.camera;
   const auto number = [](float value) { return fixed(value, 1); };
   widgets.fact("Camera at", number(camera.x) + ", " + number(camera.y) + ", " + number(camera.z),

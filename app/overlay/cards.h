@@ -27,6 +27,10 @@ bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages
 void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
                          OverlayCommands& commands);
 
+/// Shows the button *View*, which asks for the selected agent's character alone, in the clip that it plays. `name`
+/// tells it apart in the map.
+void show_view_button(Widgets& widgets, const std::string& name, float width, OverlayCommands& commands);
+
 /// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);
 

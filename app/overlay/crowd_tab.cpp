@@ -21,7 +21,7 @@ void show_characters(const TabContext& context) {
   const FrameReport& report = context.report;
   if (report.characters.size() < 2) {
     context.widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
-                         {.what = "The character of every agent. Give another file, or several, on the command line."});
+                         {.what = "The character of every agent. Drop another file, or several, on the window."});
     return;
   }
   std::vector<std::string> names;
@@ -36,32 +36,32 @@ void show_characters(const TabContext& context) {
 void show_who(const TabContext& context) {
   context.widgets.section("Who");
   show_characters(context);
-  context.row("scene", "Scene",
-              {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
-                       "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
-                       "film: a cut scene with an actor, a balloon and a camera.",
-               .cost = "Changing it places all agents anew."});
-  context.row("agents", "Agents",
-              {.what = "Characters in the crowd, each in a pose of its own.",
-               .unit = "1 to 100,000",
-               .cost = "Animation grows with agents in view, memory with all of them."});
-  context.row("seed", "Seed",
-              {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
-               .unit = "0 to 4,294,967,295; the track reaches 9,999",
-               .cost = "Changing it places all agents anew."});
-  context.row("variety", "Variety",
+  if (ButtonRow(context.widgets, 1)
+          .button("View model", {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
+    context.commands.viewer.view = {.character = context.report.character};
+  }
+  context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
+                                "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
+                                "film: a cut scene with an actor, a balloon and a camera.",
+                        .cost = "Changing it places all agents anew."});
+  context.row("agents", {.what = "Characters in the crowd, each in a pose of its own.",
+                         .unit = "1 to 100,000",
+                         .cost = "Animation grows with agents in view, memory with all of them."});
+  context.row("seed", {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
+                       .unit = "0 to 4,294,967,295; the track reaches 9,999",
+                       .cost = "Changing it places all agents anew."});
+  context.row("variety",
               {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "
                        "they are all as its file has it.",
                .cost = "Changing it places all agents anew."});
-  context.row("tint", "Tint",
+  context.row("tint",
               {.what = "How much agents differ in colours: 1 as much as they can, 0 not at all. A model whose colours "
                        "are its file's own gets lighter, darker, warmer and cooler.",
                .cost = "Changing it places all agents anew."});
-  context.row("size_variety", "Size variety",
-              {.what = "How much agents differ in size, as a share of it.",
-               .unit = "0 to 0.3",
-               .cost = "Changing it places all agents anew."});
-  context.row("placed_feet", "Placed feet",
+  context.row("size_variety", {.what = "How much agents differ in size, as a share of it.",
+                               .unit = "0 to 0.3",
+                               .cost = "Changing it places all agents anew."});
+  context.row("placed_feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",
                .cost = "Some microseconds an agent."});
@@ -101,6 +101,14 @@ void show_cast(const TabContext& context) {
     counts += (counts.empty() ? "" : " + ") + with_thousands(static_cast<std::uint64_t>(member.agents));
   }
   widgets.caption(counts + " agents");
+  const std::string words = "Everyone is " + cast_label(report.characters, report.character);
+  if (ButtonRow(widgets, 1)
+          .marked_button(words.c_str(), "Everyone is this",
+                         {.what = "The model chosen above takes all places that it can stand or walk in. The others "
+                                  "stay in the cast."},
+                         false)) {
+    commands.everyone = report.character;
+  }
 }
 
 std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
@@ -135,8 +143,8 @@ void show_time(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   const std::vector<float>& ages = report.snapshots;
   widgets.section("Time");
-  context.row("paused", "Pause", {.what = "Holds the crowd; the camera still flies. Space does the same."});
-  context.row("time_scale", "Speed", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
+  context.row("paused", {.what = "Holds the crowd; the camera still flies. Space does the same."});
+  context.row("time_scale", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
   show_snapshots(context);
   ButtonRow buttons(widgets, 2);
   commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
@@ -153,10 +161,10 @@ void show_time(const TabContext& context) {
 void show_picture(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Picture");
-  context.row("debug_view", "Colours",
+  context.row("debug_view",
               {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
                        "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
-  context.row("bones_as_lines", "Bones as lines",
+  context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
                .cost = "Two draws a bone and agent in view."});
   ButtonRow buttons(widgets, 2);
@@ -229,7 +237,7 @@ void show_crowd_tab(const TabContext& context) {
   show_time(context);
   show_picture(context);
   show_camera_section(context);
-  show_in_view(context);
+  context.when_not_searching(show_in_view);
   show_model(context);
   show_roles(context);
   show_body(context);

@@ -88,10 +88,11 @@ void show_error(const TabContext& context) {
   const ErrorReport& error = context.report.error;
   context.widgets.section("Error on the screen");
   context.row(
-      "error_sample", "Measure",
+      "error_sample",
       {.what = "Whose error is measured. some: those on whom it is seen, by chance, and the more the fewer there "
                "are. all: everybody in view. off: nobody, so the error limit learns nothing.",
        .cost = "some: 5% of the animation, or four agents a frame. all: more than the animation itself."});
+  if (context.widgets.is_searching()) return;
   show_error_figures(context.widgets, error);
   if (error.figures.samples == 0) context.widgets.caption(why_no_figures(context));
   show_error_history(context.widgets, error,

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,6 +37,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"Space", "Pause."},
     {"Left, Right", "In a replay: a frame back, a frame on."},
     {"C", "Copy the camera as an option."},
+    {"/, Ctrl+F", "Search all values; Enter goes to the only one found."},
     {"Tab", "Hide or show the overlay."},
     {"R", "Begin a recording; again, end it."},
     {"L", "Messages so far."},
@@ -106,11 +105,6 @@ constexpr std::array chapters = std::to_array<HelpChapter>({{"Keys", key_lines},
 
 constexpr float help_width = 440, help_word_width = 104, help_margin = 16, help_line_gap = 5, chapter_height = 26,
                 search_height = 36;
-
-bool has_letters(std::string_view text, std::string_view searched) {
-  const auto equal = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::ranges::search(text, searched, equal).begin() != text.end() || searched.empty();
-}
 
 std::vector<HelpLine> found_in(const HelpChapter& chapter, const std::string& searched) {
   std::vector<HelpLine> lines;

@@ -1,6 +1,8 @@
 #include "app/overlay/hotkeys.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace throng::app {
@@ -10,7 +12,9 @@ namespace {
 // A list closes itself (Widgets::pick).
 void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, OverlayCommands& commands) {
   if (open.list) return;
-  if (switches.help && !switches.hidden) {
+  if (!switches.search.empty() && !switches.hidden && !open.viewer) {
+    switches.search.clear();
+  } else if (switches.help && !switches.hidden) {
     switches.help = false;
   } else if (switches.log && !switches.hidden) {
     switches.log = false;
@@ -34,9 +38,10 @@ void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Ca
   (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
 }
 
-void ask_the_crowd(Key key, const OpenThings& open, Tuning& tuning, OverlayCommands& commands) {
+void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning,
+                   OverlayCommands& commands) {
   if (key == Key::space) tuning.paused = !tuning.paused;
-  commands.frame_crowd |= key == Key::f;
+  commands.frame_crowd |= key == Key::f && !input.down(Key::control);
   commands.copy_camera |= key == Key::c;
   commands.record |= key == Key::r;
   commands.push_over |= key == Key::p && open.selection;
@@ -49,10 +54,21 @@ void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& com
   commands.settings->plays = !settings.plays;
 }
 
+// Some keyboards have it above a digit, whose key then means nothing else.
+bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
+
+void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
+  const bool by_f = input.down(Key::control) && std::ranges::count(input.pressed, Key::f) > 0;
+  if (!by_f && !types_slash(input)) return;
+  switches.hidden = false;
+  switches.enters_search = true;
+}
+
 }  // namespace
 
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
+  if (!open.viewer) ask_for_search(input, switches);
   commands.exact_crowd = input.down(Key::x) && !open.viewer;
   for (const Key key : input.pressed) {
     if (key == Key::tab) switches.hidden = !switches.hidden;
@@ -64,8 +80,8 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
     if (open.viewer) {
       ask_the_viewer(key, *open.viewer, commands.viewer);
     } else {
-      ask_the_crowd(key, open, tuning, commands);
-      add_camera_key(input, key, open, commands.cameras);
+      ask_the_crowd(input, key, open, tuning, commands);
+      if (!types_slash(input)) add_camera_key(input, key, open, commands.cameras);
     }
   }
 }
@@ -80,6 +96,14 @@ void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning&
       history.undo(tuning);
     }
   }
+}
+
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands) {
+  if (std::ranges::count(input.pressed, Key::b) == 0) return;
+  if (!pair.has_two()) {
+    commands.hint = "There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values.";
+  }
+  pair.change_places(tuning);
 }
 
 std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {

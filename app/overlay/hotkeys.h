@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_history.h"
+#include "app/settings/tuning_pair.h"
 #include "app/view/input.h"
 
 namespace throng::app {
@@ -13,11 +15,13 @@ namespace throng::app {
 struct OverlaySwitches {
   bool hidden = false;
   bool help = false;
-  bool log = false;  ///< of messages
+  bool log = false;            ///< of messages
+  std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
+  bool enters_search = false;  ///< the cursor is wanted in its field
 };
 
-/// Says what is open while keys are pressed. Esc closes it from the top down: a list, the help, the log of messages,
-/// the viewer of one character, the card of the selected agent.
+/// Says what is open while keys are pressed. Esc closes it from the top down: a list, a search, the help, the log of
+/// messages, the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
   bool selection = false;
@@ -31,6 +35,9 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
 
 /// Takes changes of values back by Ctrl+Z, and makes them again by Ctrl+Y or Ctrl+Shift+Z.
 void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning);
+
+/// Brings the other of two tunings into use by B, or says how to get one.
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands);
 
 /// Tells a click at the crowd from a drag, and from a click at the overlay.
 class CrowdClick {

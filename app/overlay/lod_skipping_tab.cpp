@@ -14,20 +14,19 @@ std::string milliseconds(float value) { return fixed(value, 2) + " ms"; }
 std::string pixels(float value) { return fixed(value, 2) + " px"; }
 
 void show_distances(const TabContext& context) {
-  context.row("full_rate_distance", "Full rate until",
-              {.what = "Nearer agents are updated in every frame.",
-               .unit = "metres from the camera",
-               .cost = "Agents within it cost their full price."});
-  context.row("interval_growth", "Interval step",
+  context.row("full_rate_distance", {.what = "Nearer agents are updated in every frame.",
+                                     .unit = "metres from the camera",
+                                     .cost = "Agents within it cost their full price."});
+  context.row("interval_growth",
               {.what = "Beyond full rate, the interval grows by one frame with each such distance.", .unit = "metres"});
 }
 
 void show_limits(const TabContext& context) {
-  context.row("error_px", "Error limit",
+  context.row("error_px",
               {.what = "99% of the agents drawn are no farther than this from their exact pose, on the screen.",
                .unit = "pixels; none: as far as the time limit asks",
                .cost = "The fewer, the more updates and bones."});
-  context.row("budget_ms", "Time limit",
+  context.row("budget_ms",
               {.what = "All poses of a frame take no longer, over all PUs, by prediction. Those are degraded first on "
                        "whom it is seen least.",
                .unit = "milliseconds; none: as long as it takes"});
@@ -45,21 +44,20 @@ void show_what_binds(const TabContext& context) {
 
 void show_rule(const TabContext& context) {
   context.widgets.section("Rule");
-  context.row("lod", "Rule",
+  context.row("lod",
               {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer. "
                        "budget: as rarely as pixels and milliseconds allow.",
                .cost = "off is the full price of the crowd."});
   show_limits(context);
   show_distances(context);
-  context.row("largest_interval", "Largest interval",
-              {.what = "No agent waits longer for its next pose.",
-               .unit = "frames, 1 to 16",
-               .cost = "Cost falls with it, until steps begin to show."});
-  context.row("smooth", "Smooth",
+  context.row("largest_interval", {.what = "No agent waits longer for its next pose.",
+                                   .unit = "frames, 1 to 16",
+                                   .cost = "Cost falls with it, until steps begin to show."});
+  context.row("smooth",
               {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                        "not stutter.",
                .cost = "A second palette slot for each skipped agent."});
-  if (context.tuning.lod.rule == anim::LodRule::budget) show_what_binds(context);
+  if (context.tuning.lod.rule == anim::LodRule::budget) context.when_not_searching(show_what_binds);
 }
 
 void show_looking(const TabContext& context) {
@@ -97,13 +95,11 @@ void show_looking(const TabContext& context) {
 
 void show_forcing(const TabContext& context) {
   context.widgets.section("Try");
-  context.row("forced_interval", "Force interval",
-              {.what = "Everyone in view is updated this rarely, whatever the rule says.",
-               .unit = "frames, 1 to 16; rule: as the rule has it"});
-  show_forced_level(context, "Force level",
+  context.row("forced_interval", {.what = "Everyone in view is updated this rarely, whatever the rule says.",
+                                  .unit = "frames, 1 to 16; rule: as the rule has it"});
+  show_forced_level(context, tuning_value("forced_bone_level").label,
                     "Everyone in view keeps the bones of this level. rule: by distance; 0: all bones.");
-  context.row("force_selected_only", "Selected only",
-              {.what = "What is forced is forced on the selected agent only. Click at one."});
+  context.row("force_selected_only", {.what = "What is forced is forced on the selected agent only. Click at one."});
   context.widgets.caption("Hold X for the exact crowd.");
 }
 
@@ -202,9 +198,9 @@ void show_lod_skipping_tab(const TabContext& context) {
   show_error(context);
   show_looking(context);
   show_forcing(context);
-  show_agents_by_interval(context);
-  show_intervals_over_distance(context);
-  show_budget(context);
+  context.when_not_searching(show_agents_by_interval);
+  context.when_not_searching(show_intervals_over_distance);
+  context.when_not_searching(show_budget);
   show_who_limits(context);
 }
 

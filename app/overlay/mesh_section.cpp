@@ -35,9 +35,6 @@ void show_lods(const TabContext& context) {
 std::string what_holds(const TabContext& context) {
   const MeshTolerance& allowed = context.report.meshes.tolerance;
   const std::string faces = "From 100 px tall on, faces are off by " + off_by(allowed.face) + " at most.";
-  if (context.report.meshes.is_spared) {
-    return "A processor draws: bodies may be off by " + off_by(allowed.surface) + ". " + faces;
-  }
   const bool is_less = allowed.surface < context.tuning.mesh_error_px;
   return (is_less ? "The error limit leaves " + off_by(allowed.surface) + " for meshes. " : std::string()) + faces;
 }
@@ -49,18 +46,19 @@ void show_meshes(const TabContext& context) {
   widgets.section("Meshes");
   int mesh = tuning.mesh_lod + 1;
   context.unless_idle("mesh_lod", [&] {
-    context.widgets.choose("Mesh LOD", mesh, context.standard.mesh_lod + 1, mesh_words,
+    context.widgets.choose(tuning_value("mesh_lod").label, mesh, context.standard.mesh_lod + 1, mesh_words,
                            {.what = "auto: the coarsest mesh that keeps to the error below. A number: that one for "
                                     "everyone, 0 is the full mesh.",
                             .cost = "Triangles; on a software renderer most of the frame."});
   });
   tuning.mesh_lod = mesh - 1;
   const bool by_error = tuning.mesh_lod < 0;
-  context.row("mesh_error_px", "Mesh error",
+  context.row("mesh_error_px",
               {.what = "What a coarser mesh may be off on screen. Its surface and its colours count, as measured in "
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",
                .cost = "Less: more triangles."});
+  if (widgets.is_searching()) return;
   if (by_error) widgets.caption(what_holds(context));
   show_lods(context);
 }

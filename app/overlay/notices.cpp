@@ -22,7 +22,7 @@ struct Pill {
   std::string name;
   ImU32 dot = 0;
   std::string words;
-  const char* help = "";
+  std::string help = {};
   float presence = 1;
   std::function<void()> close = {};  ///< empty: it cannot be closed
   Area place = {};
@@ -61,7 +61,7 @@ void show_pill(Widgets& widgets, const Area& crowd, const Pill& pill) {
   const bool clicked = widgets.clickable(pill.name, pill.place);
   const bool hovered = ImGui::IsItemHovered();
   draw_pill(widgets.theme(), crowd, pill, hovered);
-  if (hovered && *pill.help != '\0') tell({pill.help});
+  if (hovered && !pill.help.empty()) tell({pill.help});
   if (clicked && pill.close) pill.close();
 }
 

@@ -6,6 +6,7 @@
 #include "app/overlay/ui_map.h"
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
+#include "app/settings/tuning_pair.h"
 #include "app/view/input.h"
 
 struct ImDrawData;
@@ -63,6 +64,9 @@ class Overlay {
   void set_hidden(bool hidden);
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);
+
+  /// Returns the two tunings that the person compares, for the caller to keep or to exchange.
+  TuningPair& tuning_pair();
 
   /// Returns whether the fonts cannot be read; then ImGui's own font is in use.
   bool fonts_missing() const;

@@ -1,6 +1,8 @@
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "app/overlay/tabs.h"
 #include "app/settings/preset.h"
@@ -9,7 +11,7 @@ namespace throng::app {
 namespace {
 
 constexpr const char* no_name = "a name has letters, digits, - and _";
-constexpr std::array<const char*, 2> pair_words = {"A", "B"};
+constexpr std::size_t most_differences = 6;
 constexpr float preset_height = 28, button_width = 66;
 
 /// A name with buttons to its right.
@@ -42,17 +44,65 @@ class NameRow {
   float right_ = 0;
 };
 
+const char* why_alone(const TuningPair& pair) { return pair.has_two() ? nullptr : "B is empty. Copy A to B first."; }
+
+/// Shows the name of A or B, with a mark if it is in use.
+void show_tuning_name(const TabContext& context, std::size_t place) {
+  Widgets& widgets = context.widgets;
+  TuningPair& pair = context.memory.pair;
+  const char* const letter = TuningPair::letters.at(place);
+  if (pair.has_two() && pair.shows_b() == (place == 1)) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Theme& theme = widgets.theme();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - theme.px(8), at.y + theme.px(4)},
+                                              {at.x - theme.px(5), at.y + theme.px(21)}, colour::accent, theme.px(1));
+  }
+  const bool is_there = place == 0 || pair.has_two();
+  widgets.begin_idle(is_there ? std::nullopt : std::optional<std::string>(why_alone(pair)));
+  widgets.text(letter, pair.names.at(place), is_there ? "a name, if you like" : "empty",
+               {.what = "What this tuning is called. The badge over the crowd names the one in use."});
+  widgets.end_idle();
+}
+
+void show_differences(const TabContext& context) {
+  const TuningPair& pair = context.memory.pair;
+  const Tuning& a = pair.shows_b() ? pair.other() : context.tuning;
+  const Tuning& b = pair.shows_b() ? context.tuning : pair.other();
+  const std::vector<TuningDifference> found = differences(a, b);
+  context.widgets.caption(found.empty()
+                              ? "No value differs yet. Change some, then press B."
+                              : counted(found.size(), "value") + (found.size() == 1 ? " differs:" : " differ:"));
+  const std::size_t shown = std::min(found.size(), most_differences);
+  for (const TuningDifference& each : std::span(found).first(shown)) {
+    context.widgets.fact(find_tuning_value(each.key)->name().c_str(), "A " + each.first + "   B " + each.second, {});
+  }
+  if (shown < found.size()) context.widgets.caption("and " + std::to_string(found.size() - shown) + " more.");
+}
+
 void show_pair(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  TuningPair& pair = memory.pair;
   widgets.section("Compare");
-  int shown = memory.pair.shows_b() ? 1 : 0;
-  if (widgets.choose("In use", shown, shown, pair_words,
-                     {.what = "Two tunings; the other one waits. Change some values, then go to and fro. Key B."})) {
-    memory.pair.change_places(tuning);
+  for (std::size_t place = 0; place < TuningPair::letters.size(); ++place) show_tuning_name(context, place);
+  if (pair.has_two()) {
+    int shown = pair.shows_b() ? 1 : 0;
+    if (widgets.choose("In use", shown, shown, TuningPair::letters,
+                       {.what = "The tuning that the crowd has now; the other one waits. Key B."})) {
+      pair.change_places(tuning);
+    }
+    show_differences(context);
+  } else {
+    widgets.caption("Copy A to B, change some values, and go to and fro by B.");
   }
-  const char* const label = memory.pair.shows_b() ? "Copy B to A" : "Copy A to B";
-  if (ButtonRow(widgets, 1).button(label, {.what = "The other one becomes what is in use."})) {
-    memory.pair.copy_to_other(tuning);
+  const std::string other = pair.other_letter();
+  ButtonRow buttons(widgets, 2);
+  if (buttons.button((std::string("Copy ") + pair.letter_in_use() + " to " + other).c_str(),
+                     {.what = "The other one becomes what is in use."})) {
+    pair.copy_to_other(tuning);
+  }
+  if (buttons.button(("Forget " + other).c_str(), {.what = "Ends the comparison. What is in use stays, as A."},
+                     why_alone(pair))) {
+    pair.forget_other();
   }
 }
 
@@ -81,8 +131,13 @@ void show_names(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Kept");
   if (report.preset_names.empty()) widgets.caption("Nothing yet.");
+  const std::string into_other = std::string("To ") + memory.pair.other_letter();
   for (const std::string& name : report.preset_names) {
     const NameRow row(widgets, name);
+    if (row.button(2, into_other.c_str(), into_other + " " + name,
+                   {.what = "Its values become the other tuning, to compare with what is in use."})) {
+      commands.load_into_other = name;
+    }
     if (row.button(1, "Load", "Load " + name, {.what = "Its values and its camera, at the next frame."})) {
       commands.load_preset = name;
     }
@@ -108,6 +163,7 @@ void show_crowd_files(const TabContext& context) {
                   can_name_a_preset(name) ? nullptr : no_name)) {
     commands.save_crowd = name;
   }
+  if (widgets.is_searching()) return;
   for (const std::string& each : report.crowd_names) {
     const NameRow row(widgets, each);
     if (row.button(0, "Open", "Open " + each, {.what = "Its characters, values and camera. The crowd begins anew."})) {
@@ -118,18 +174,10 @@ void show_crowd_files(const TabContext& context) {
 
 }  // namespace
 
-void TuningPair::change_places(Tuning& tuning) {
-  shows_b_ = !shows_b_;
-  if (!other_) other_ = tuning;
-  other_->paused = tuning.paused;
-  other_->inspection = tuning.inspection;
-  std::swap(*other_, tuning);
-}
-
 void show_presets_tab(const TabContext& context) {
   show_pair(context);
   show_saving(context);
-  show_names(context);
+  context.when_not_searching(show_names);
   show_crowd_files(context);
 }
 

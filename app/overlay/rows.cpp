@@ -51,6 +51,7 @@ void place_list(const Theme& theme, const Area& row) {
 }  // namespace
 
 bool Widgets::number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help) {
+  if (is_left_out(label, help)) return false;
   const std::string standard_text = written(scale, standard);
   const Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
   const float field_x = row.control.to.x - theme_.px(field_width);
@@ -102,6 +103,7 @@ bool Widgets::type_field(const char* label, const Area& place, double& value, co
 }
 
 bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& help) {
+  if (is_left_out(label, help)) return false;
   const bool before = value;
   const std::string standard_word = standard ? "on" : "off";
   const Row row = begin_row(label, value != standard, help, standard_word);
@@ -124,6 +126,7 @@ bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& 
 
 bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
                      const Help& help) {
+  if (is_left_out(label, help)) return false;
   const int before = index;
   const std::string standard_word = words[static_cast<std::size_t>(standard)];
   const Row row = begin_row(label, index != standard, help, standard_word);
@@ -149,6 +152,7 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
 
 bool Widgets::pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
                    const Help& help) {
+  if (is_left_out(label, help)) return false;
   const int before = index;
   const std::string standard_word = word_of(standard, words, none);
   const Row row = begin_row(label, index != standard, help, standard_word);
@@ -176,27 +180,33 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
 }
 
 bool Widgets::text(const char* label, std::string& value, const char* hint, const Help& help) {
+  if (is_left_out(label, help)) return false;
   const Row row = begin_row(label, false, help, "");
-  std::array<char, 64> typed = {};
-  value.copy(typed.data(), typed.size() - 1);
   const Area field{.from = {row.control.from.x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
-  ImGui::SetCursorScreenPos(field.from);
-  ImGui::SetNextItemWidth(field.width());
-  const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());
-  record(std::string(label) + ".field", field);
-  if (changed) value = typed.data();
+  const bool changed = text_field(std::string(label) + ".field", value, hint, field);
   end_row(row);
   return changed;
 }
 
-bool TabContext::row(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
-  bool changed = false;
-  unless_idle(key, [&] { changed = edit(key, label, scale, help); });
+bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place) {
+  std::array<char, 64> typed = {};
+  value.copy(typed.data(), typed.size() - 1);
+  ImGui::SetCursorScreenPos(place.from);
+  ImGui::SetNextItemWidth(place.width());
+  const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());
+  record(name, place);
+  if (changed) value = typed.data();
   return changed;
 }
 
-bool TabContext::edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
-  const TuningValue& row = tuning_value(key);
+bool TabContext::row(const char* key, const NumberScale& scale, const Help& help) const {
+  bool changed = false;
+  unless_idle(key, [&] { changed = edit(tuning_value(key), scale, help); });
+  return changed;
+}
+
+bool TabContext::edit(const TuningValue& row, const NumberScale& scale, const Help& help) const {
+  const char* const label = row.label;
   const std::string now = row.text(tuning), before = row.text(standard);
   std::string text;
   if (row.form == TuningValue::Form::on_off) {

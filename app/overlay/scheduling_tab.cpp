@@ -27,7 +27,7 @@ void show_grain(const TabContext& context) {
   double microseconds = swept_value(SweptValue::grain, context.tuning);
   context.unless_idle("cost_least_task_ns", [&] {
     if (context.widgets.number(
-            "Grain", microseconds, swept_value(SweptValue::grain, context.standard),
+            tuning_value("cost_least_task_ns").label, microseconds, swept_value(SweptValue::grain, context.standard),
             scale_of("cost_least_task_ns", grain_choices),
             {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
                      "then takes at a time is a tile.",
@@ -42,34 +42,34 @@ void show_machine(const TabContext& context) {
   context.widgets.section("Processing units");
   NumberScale threads = scale_of("pus");
   threads.highest = std::max(threads.highest, static_cast<double>(context.report.hardware_threads));
-  context.row("pus", "PUs", threads,
+  context.row("pus", threads,
               {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
                .unit = "threads; all: as many as the machine has",
                .cost = "More than the machine has only take turns."});
-  context.row("local_store_kib", "Local store", scale_of("local_store_kib", local_store_choices),
+  context.row("local_store_kib", scale_of("local_store_kib", local_store_choices),
               {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
                        "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
                        "what is needed.",
                .unit = "KiB; auto: 64, or what one character needs",
                .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
-  context.row("tile", "Tile", scale_of("tile", tile_choices),
+  context.row("tile", scale_of("tile", tile_choices),
               {.what = "Characters that are handed to a PU at a time.",
                .unit = "characters; auto: as many as fit",
                .cost = "Narrow tiles leave vector lanes idle."});
   show_grain(context);
-  context.row("schedule", "Schedule",
+  context.row("schedule",
               {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
                        "memory after each. fused: a character from clips to palette in one go.",
                .cost = "levels moves more bytes and waits at barriers."});
-  context.row("double_buffer", "Double buffer",
+  context.row("double_buffer",
               {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
                        "interleaved: while it is computed, asked for in slices.",
                .cost = "A second fetch buffer in the local store."});
-  context.row("stream", "Stream",
+  context.row("stream",
               {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
                        "exact, with the paper's interpolation structures.",
                .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
-  context.row("palette", "Palette",
+  context.row("palette",
               {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
                        "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
                .cost = "packed: arithmetic for every vertex that is drawn."});
@@ -204,6 +204,11 @@ void show_memory(const TabContext& context) {
 void show_scheduling_tab(const TabContext& context) {
   const FrameReport& report = context.report;
   const std::optional<FrameDetails>& looked_at = report.kept.looked_at;
+  if (context.widgets.is_searching()) {
+    show_machine(context);
+    show_sweep(context);
+    return;
+  }
   // A click at the frame graph leads here, so its frame comes first.
   if (looked_at) show_looked_at(context, *looked_at, report.kept.seconds_ago);
   if (!looked_at) show_machine(context);

@@ -108,8 +108,7 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
   draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, blocks(selected));
   const float view_width = theme.px(60);
   ImGui::SetCursorScreenPos({right - view_width - 2 * (width + gap), y});
-  commands.viewer.view_selected |=
-      widgets.button("View", {.what = "Shows its character alone, clip by clip, while the crowd waits."}, view_width);
+  show_view_button(widgets, "View", view_width, commands);
   ImGui::SameLine(0, gap);
   widgets.begin_idle(selected.can_fall ? std::nullopt : std::optional<std::string>(cannot_fall));
   commands.push_over |= widgets.button(
@@ -121,6 +120,11 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
 }
 
 }  // namespace
+
+void show_view_button(Widgets& widgets, const std::string& name, float width, OverlayCommands& commands) {
+  commands.viewer.view_selected |= widgets.named_button(
+      "View", name, {.what = "Shows its character alone, clip by clip, while the crowd waits."}, width);
+}
 
 std::string place_in_clip(const EntityRow& row) {
   if (row.duration_seconds <= 0) return "";

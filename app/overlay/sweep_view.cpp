@@ -183,6 +183,7 @@ void show_sweep(const TabContext& context) {
                  {.what = "What a sweep goes through, while all other values stay.",
                   .unit = "PUs: threads; store: KiB of each; tile: characters; grain: microseconds"});
   widgets.end_idle();
+  if (widgets.is_searching()) return;
   show_sweep_button(context);
   if (curve.stops.empty()) return;
   const Theme& theme = widgets.theme();

@@ -13,25 +13,10 @@
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_history.h"
+#include "app/settings/tuning_pair.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
-
-/// Two tunings to compare, A and B: one is in use, and the other waits until they change places. The pause and the ways
-/// to look at level of detail belong to neither and stay as they are.
-class TuningPair {
- public:
-  [[nodiscard]] bool shows_b() const { return shows_b_; }
-  [[nodiscard]] bool has_two() const { return other_.has_value(); }
-
-  /// Brings the other tuning into use. The first time it is a copy of the one in use.
-  void change_places(Tuning& tuning);
-  /// Makes the other tuning a copy of the one in use.
-  void copy_to_other(const Tuning& tuning) { other_ = tuning; }
-
- private:
-  std::optional<Tuning> other_;
-  bool shows_b_ = false;
-};
 
 /// All that the list of bones remembers from frame to frame.
 struct BoneListMemory {
@@ -71,21 +56,26 @@ struct TabContext {
   OverlayCommands& commands;
   TabMemory& memory;
 
-  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. A value that has
-  /// no effect is shown as disabled, with the reason. Returns whether the person changed the value.
-  bool row(const char* key, const char* label, const Help& help) const { return row(key, label, scale_of(key), help); }
-  bool row(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
+  /// Shows the tuning's value with that key. The table of values gives name, kind, range, words and default. A value
+  /// that has no effect is shown as disabled, with the reason. Returns whether the person changed the value.
+  bool row(const char* key, const Help& help) const { return row(key, scale_of(key), help); }
+  bool row(const char* key, const NumberScale& scale, const Help& help) const;
 
   /// Shows the rows of `show` as disabled, with the reason, where the value with that key has no effect (idle_reason).
   template <typename Show>
   void unless_idle(std::string_view key, const Show& show) const {
-    widgets.begin_idle(idle_reason(key, tuning, report.situation));
+    widgets.begin_idle(idle_reason(key, tuning, report.situation), key);
     show();
     widgets.end_idle();
   }
 
+  /// Shows a part of a tab that has no rows, such as a plot. While values are searched it is left out.
+  void when_not_searching(void (*show)(const TabContext& context)) const {
+    if (!widgets.is_searching()) show(*this);
+  }
+
  private:
-  bool edit(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
+  bool edit(const TuningValue& row, const NumberScale& scale, const Help& help) const;
 };
 
 /// Returns the number of bone levels of the character shown: four, unless it has fewer.

@@ -1,7 +1,6 @@
 #include "app/overlay/viewer_panel.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -12,11 +11,6 @@ namespace {
 
 constexpr float joint_reach = 14;  // pixels
 constexpr float clip_height = 20, most_clips_seen = 7;
-
-bool has_part(const std::string& name, const std::string& part) {
-  const auto small = [](unsigned char letter) { return std::tolower(letter); };
-  return part.empty() || !std::ranges::search(name, part, {}, small, small).empty();
-}
 
 /// All that the parts of the panel share. They edit `settings`.
 struct Panel {
@@ -78,7 +72,7 @@ void show_clips(Panel& panel) {
   widgets.text("Search clips", panel.memory.search, "part of a name", {.what = "Shows the clips whose names have it."});
   std::vector<std::size_t> shown;
   for (std::size_t clip = 0; clip < clips.size(); ++clip) {
-    if (has_part(clips[clip].name, panel.memory.search)) shown.push_back(clip);
+    if (has_letters(clips[clip].name, panel.memory.search)) shown.push_back(clip);
   }
   const float rows = std::clamp(static_cast<float>(shown.size()), 1.0F, most_clips_seen);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

@@ -1,6 +1,7 @@
 #include "app/overlay/widgets.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -76,6 +77,7 @@ void ButtonRow::go_right() {
 }
 
 bool ButtonRow::marked_button(const char* words, const std::string& name, const Help& help, bool marked) {
+  if (widgets_.is_searching()) return false;
   go_right();
   const bool pressed = widgets_.named_button(words, name, help, width_);
   if (!marked) return pressed;
@@ -86,6 +88,7 @@ bool ButtonRow::marked_button(const char* words, const std::string& name, const 
 }
 
 bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
+  if (widgets_.is_searching()) return false;
   go_right();
   widgets_.begin_idle(idle == nullptr ? std::nullopt : std::optional<std::string>(idle));
   const bool pressed = widgets_.button(label, help, width_);
@@ -111,6 +114,7 @@ bool Widgets::clickable(const std::string& name, const Area& place) {
 }
 
 Area Widgets::area(const char* name, float height) {
+  assert(!is_searching());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, theme_.px(height));
   invisible_button(name, size);
@@ -119,27 +123,63 @@ Area Widgets::area(const char* name, float height) {
   return place;
 }
 
-void Widgets::begin_idle(std::optional<std::string> reason) {
+void Widgets::begin_idle(std::optional<std::string> reason, std::string_view key) {
   idle_ = std::move(reason);
+  key_ = key;
   ImGui::BeginDisabled(idle_.has_value());
 }
 
 void Widgets::end_idle() {
   ImGui::EndDisabled();
   idle_.reset();
+  key_ = {};
 }
 
 void Widgets::section(const char* title) {
+  if (is_searching()) return search_->begin_section(title);
   ImGui::Dummy({0, theme_.px(4)});
+  if (!wanted_section_.empty() && wanted_section_ == title) {
+    ImGui::SetScrollHereY(0);
+    wanted_section_.clear();
+  }
+  draw_title(title, 0);
+}
+
+void Widgets::draw_title(const std::string& title, float free_at_the_right) const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(theme_.strong, at, colour::text, title);
   const float left = at.x + text_width(theme_.strong, title) + theme_.px(10);
+  const float right = at.x + ImGui::GetContentRegionAvail().x - free_at_the_right;
   const float y = std::floor(at.y + theme_.strong->FontSize * 0.55F);
-  ImGui::GetWindowDrawList()->AddLine({left, y}, {at.x + ImGui::GetContentRegionAvail().x, y}, colour::grid);
+  ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, colour::grid);
   ImGui::Dummy({0, theme_.strong->FontSize + theme_.px(1)});
 }
 
+bool Widgets::is_left_out(const char* label, const Help& help) {
+  if (!is_searching()) return false;
+  if (!search_->finds(label, help.what, key_)) return true;
+  if (const auto place = search_->take_new_place()) show_found_place(*place);
+  return false;
+}
+
+// The name of the tab leads there; it is no part of the value that may be disabled.
+void Widgets::show_found_place(const RowSearch::Place& place) {
+  if (idle_) ImGui::EndDisabled();
+  ImGui::Dummy({0, theme_.px(4)});
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float right = from.x + ImGui::GetContentRegionAvail().x;
+  const float width = text_width(theme_.small, place.tab), height = theme_.strong->FontSize;
+  draw_title(place.section, width + theme_.px(10));
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const Area words{.from = {right - width, from.y}, .to = {right, from.y + height}};
+  if (clickable("found:" + place.tab + "/" + place.section, words)) search_->leave_for(place);
+  draw_text(theme_.small, words.from, ImGui::IsItemHovered() ? colour::text : colour::accent, place.tab);
+  ImGui::SetCursorScreenPos(below);
+  if (idle_) ImGui::BeginDisabled();
+}
+
 void Widgets::caption(const std::string& text) const {
+  if (is_searching()) return;
   ImGui::PushTextWrapPos(0);
   write_paragraph(theme_.small, colour::dim, text);
   ImGui::PopTextWrapPos();
@@ -210,6 +250,7 @@ bool Widgets::reset_arrow(const char* label, const Area& row) {
 }
 
 bool Widgets::named_button(const char* words, const std::string& name, const Help& help, float width) {
+  if (is_searching()) return false;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area place = rectangle(from, {from.x + width, from.y + theme_.px(26)});
   const bool clicked = clickable(name, place);
@@ -223,6 +264,7 @@ bool Widgets::named_button(const char* words, const std::string& name, const Hel
 }
 
 void Widgets::fact(const char* label, const std::string& value, const Help& help) {
+  if (is_searching()) return;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area place = rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + theme_.px(19)});
   clickable(label, place);

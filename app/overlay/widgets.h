@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "app/overlay/numbers.h"
+#include "app/overlay/row_search.h"
 #include "app/overlay/theme.h"
 #include "app/overlay/ui_map.h"
 
@@ -38,9 +40,15 @@ class Widgets {
   [[nodiscard]] const Theme& theme() const { return theme_; }
 
   /// Shows what follows, until end_idle(), as disabled if there is a reason why it has no effect. The tooltip of each
-  /// row has the reason, and the map lists it. They do not nest.
-  void begin_idle(std::optional<std::string> reason);
+  /// row has the reason, and the map lists it. They do not nest. `key` is that of the value that the rows edit.
+  void begin_idle(std::optional<std::string> reason, std::string_view key = {});
   void end_idle();
+
+  /// From now on, leaves out the rows that `search` does not find, and all that is no row. Null: shows all again.
+  void search_in(RowSearch* search) { search_ = search; }
+  [[nodiscard]] bool is_searching() const { return search_ != nullptr; }
+  /// Scrolls to the next section of that title that is shown.
+  void scroll_to_section(const std::string& title) { wanted_section_ = title; }
 
   void section(const char* title);
   bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
@@ -50,6 +58,8 @@ class Widgets {
   bool named_button(const char* words, const std::string& name, const Help& help, float width);
   /// Shows a field for a few words, at most 63 bytes. `hint` stands in it while it is empty.
   bool text(const char* label, std::string& value, const char* hint, const Help& help);
+  /// Shows such a field alone, at that place.
+  bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text) const;
 
@@ -69,7 +79,7 @@ class Widgets {
             const Help& help);
 
   /// Returns an area for a picture named `name`. It takes all of the width that is left, and `height` pixels of a plain
-  /// screen.
+  /// screen. There is no area while values are searched (TabContext::when_not_searching).
   Area area(const char* name, float height);
 
   /// Returns whether a tab or another plain word was clicked. The caller draws it into the rectangle.
@@ -90,6 +100,9 @@ class Widgets {
     bool reset = false;  ///< asked for in this frame, by the arrow or a double click on the label
   };
 
+  bool is_left_out(const char* label, const Help& help);
+  void draw_title(const std::string& title, float free_at_the_right) const;
+  void show_found_place(const RowSearch::Place& place);
   Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
   void end_row(const Row& row) const;
   bool reset_arrow(const char* label, const Area& row);
@@ -98,6 +111,9 @@ class Widgets {
 
   const Theme& theme_;
   UiMap& map_;
+  RowSearch* search_ = nullptr;         ///< null: all is shown
+  std::string wanted_section_;          ///< empty: none is scrolled to
+  std::string_view key_;                ///< of the value that the rows that are shown now edit
   std::optional<std::string> idle_;     ///< why the rows that are shown now have no effect
   std::map<ImGuiID, FieldText> typed_;  ///< text of the field that is typed into; two while one is left for another
   ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go

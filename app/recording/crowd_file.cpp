@@ -111,6 +111,24 @@ anim::Result<CrowdCharacter> read_crowd_character(const std::string& name, const
   return character;
 }
 
+// By the digits of their keys: "3" is the third.
+Json bookmarks_json(const CameraBookmarks& bookmarks) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < bookmarks.size(); ++i) {
+    if (bookmarks.at(i)) json[std::to_string(i + 1)] = camera_text(*bookmarks.at(i));
+  }
+  return json;
+}
+
+void read_bookmarks(const Json& json, std::optional<std::string>& complaint, CameraBookmarks& bookmarks) {
+  const JsonObject object("bookmarks", json, {"1", "2", "3", "4", "5", "6", "7", "8", "9"}, complaint);
+  for (std::size_t i = 0; i < bookmarks.size(); ++i) {
+    const std::string digit = std::to_string(i + 1);
+    if (!object.has(digit)) continue;
+    if (const Complaint wrong = read_camera_place(digit, object[digit], bookmarks.at(i))) object.complain(*wrong);
+  }
+}
+
 }  // namespace
 
 bool is_crowd_file(const fs::path& file) { return file.extension() == crowd_file_ending; }
@@ -145,8 +163,10 @@ anim::Status write_crowd_file(const fs::path& file, const CrowdSetup& setup) {
   for (const CrowdCharacter& character : setup.characters) {
     characters.push_back(character_json(file.parent_path(), character));
   }
-  const Json json = {
+  Json json = {
       {"version", crowd_file_version}, {"characters", std::move(characters)}, {"values", to_json(setup.preset)}};
+  if (setup.pair != TuningPair()) json["compare"] = to_json(setup.pair);
+  if (setup.bookmarks != CameraBookmarks()) json["bookmarks"] = bookmarks_json(setup.bookmarks);
   return write_whole_file(file, json.dump(2) + "\n");
 }
 
@@ -155,7 +175,7 @@ anim::Result<CrowdSetup> read_crowd_file(const fs::path& path) {
   const auto json = file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;
-  const JsonObject object("", *json, {"version", "characters", "values"}, complaint);
+  const JsonObject object("", *json, {"version", "characters", "values", "compare", "bookmarks"}, complaint);
   object.version(crowd_file_version);
   object.need({"characters"});
   const std::span<const Json> characters = object.elements("characters");
@@ -164,6 +184,8 @@ anim::Result<CrowdSetup> read_crowd_file(const fs::path& path) {
   }
   CrowdSetup setup;
   if (!complaint && json->contains("values")) complaint = from_json((*json)["values"], setup.preset);
+  if (!complaint && json->contains("compare")) complaint = from_json((*json)["compare"], setup.pair);
+  if (json->contains("bookmarks")) read_bookmarks((*json)["bookmarks"], complaint, setup.bookmarks);
   if (complaint) return file.wrong(*complaint);
   for (const Json& each : characters) {
     auto character = read_crowd_character("character " + std::to_string(setup.characters.size()), each, path);

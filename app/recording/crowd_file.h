@@ -9,7 +9,9 @@
 #include "app/character/cast_entry.h"
 #include "app/character/role_table.h"
 #include "app/character/source.h"
+#include "app/report/camera_report.h"
 #include "app/settings/preset.h"
+#include "app/settings/tuning_pair.h"
 #include "engine/anim/base/result.h"
 #include "engine/anim/survey/placement_guess.h"
 
@@ -29,10 +31,12 @@ struct CrowdCharacter {
   friend bool operator==(const CrowdCharacter&, const CrowdCharacter&) = default;
 };
 
-/// All that a person set up: who is there, the values, and the camera.
+/// All that a person set up: who is there, the values, and the cameras.
 struct CrowdSetup {
   std::vector<CrowdCharacter> characters;  ///< 1 to most_models
-  Preset preset;
+  Preset preset;                           ///< its tuning is the one in use
+  TuningPair pair = {};                    ///< what that is compared with
+  CameraBookmarks bookmarks = {};
 };
 
 inline constexpr const char* crowd_file_ending = ".throng";
@@ -42,8 +46,9 @@ std::vector<std::string> crowd_names(const std::filesystem::path& folder);
 
 CrowdSetup crowd_setup(std::span<const CharacterSource> people, const Preset& preset);
 
-/// Writes the file NAME.throng whole or not at all: one JSON object with "version", "characters" and "values", which
-/// are those of a preset. Names of files are relative to the folder of NAME.throng, so that both can move together.
+/// Writes the file NAME.throng whole or not at all: one JSON object with "version", "characters", "values", which are
+/// those of a preset, and where they are not empty "compare" and "bookmarks". Names of files are relative to the folder
+/// of NAME.throng, so that both can move together.
 anim::Status write_crowd_file(const std::filesystem::path& file, const CrowdSetup& setup);
 /// Reads such a file. Values that it does not have keep their defaults. The error is one line that names the file, what
 /// is wrong in it and what is allowed.

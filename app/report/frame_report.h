@@ -136,6 +136,7 @@ struct NewBody {
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
+  std::optional<std::size_t> everyone;  ///< this character takes the places of all others
   std::optional<NewPlacement> placement;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
@@ -161,6 +162,8 @@ struct OverlayCommands {
   std::optional<std::size_t> rewind;  ///< the crowd goes back to that snapshot, 0 the newest
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
   std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
+  std::optional<std::string> load_into_other;                          ///< a preset by name, to compare with
+  std::string hint;                                                    ///< to be told to the person
   bool copy_command_line = false;                                      ///< models, roles and tuning as options
   bool push_over = false;                                              ///< key P: the selected agent falls
   std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew

@@ -18,7 +18,6 @@ struct MeshLodRow {
 /// Reports the meshes that the character shown is drawn with, and what decides between them.
 struct MeshReport {
   MeshTolerance tolerance;
-  bool is_spared = false;        ///< a processor draws, so all but faces may be off by more
   std::vector<MeshLodRow> lods;  ///< the full mesh first; empty where nothing is drawn
 };
 

@@ -168,8 +168,7 @@ ValueReader camera(DemoOptions& options) {
     const auto numbers = numbers_in(text);
     if (!numbers || !can_be_a_camera(*numbers)) {
       return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to "
-             "90, "
-             "fov 1 to 170";
+             "90, fov 1 to 170";
     }
     options.camera = camera_from(*numbers);
     return {};

@@ -32,13 +32,7 @@ Complaint take_value(const ValueReader& reader, const std::string& key, const Js
 }
 
 Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
-  if (key == "camera") {
-    DemoOptions options;
-    Complaint complaint = take_value(camera(options), key, value);
-    if (!complaint && !options.camera) complaint = "\"camera\" must be x,y,z,yaw,pitch[,fov] in a string";
-    if (!complaint) preset.camera = options.camera;
-    return complaint;
-  }
+  if (key == "camera") return read_camera_place(key, value, preset.camera);
   const TuningValue* const row = find_tuning_value(key);
   if (row == nullptr) return "unknown key \"" + key + "\"; it knows camera, " + known_preset_keys();
   return take_value([&](const std::string& text) { return row->read(preset.tuning, text); }, key, value);
@@ -74,6 +68,14 @@ Json to_json(const Preset& preset) {
   for (const TuningValue& row : tuning_values()) json[std::string(row.key)] = json_of(row, preset.tuning);
   if (preset.camera) json["camera"] = camera_text(*preset.camera);
   return json;
+}
+
+Complaint read_camera_place(const std::string& key, const Json& json, std::optional<CameraPlace>& place) {
+  DemoOptions options;
+  Complaint complaint = take_value(camera(options), key, json);
+  if (!complaint && !options.camera) complaint = "\"" + key + "\" must be x,y,z,yaw,pitch[,fov] in a string";
+  if (!complaint) place = options.camera;
+  return complaint;
 }
 
 Complaint from_json_text(std::string_view text, Preset& preset) {
@@ -162,7 +164,7 @@ std::string command_line(const Tuning& tuning, const Tuning& defaults, const std
   std::string line, set;
   for (const TuningValue& row : tuning_values()) {
     const std::string text = row.text(tuning);
-    if (text == row.text(expected)) continue;
+    if (text == row.text(expected) && !row.device_decides) continue;
     const bool option_says_it = !row.option.empty() && !row.option_does_more && (text != "0" || row.zero.empty());
     if (option_says_it) {
       line.append(line.empty() ? "" : " ").append(row.option_name()).append(" ").append(text);

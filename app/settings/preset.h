@@ -25,6 +25,8 @@ Json to_json(const Preset& preset);
 /// Reads such an object into `preset`. Keys that are missing leave `preset` as it is. A complaint names the key and
 /// what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, Preset& preset);
+/// Reads the place of a camera, as "camera" has it. A complaint names the key.
+Complaint read_camera_place(const std::string& key, const Json& json, std::optional<CameraPlace>& place);
 /// Does what from_json() does, with a text that may not be JSON.
 Complaint from_json_text(std::string_view text, Preset& preset);
 

@@ -32,6 +32,8 @@ struct CameraPlace {
   float x = 0, y = 0, z = 0;
   float yaw = 0, pitch = 0;
   float field_of_view = 50;
+
+  friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
 };
 
 /// Leaves out parts of a frame, to show the cost of each.
@@ -152,6 +154,7 @@ struct DemoOptions {
   import::ImportOptions reading;   ///< of models: whether those that need repair are refused, and how large they are
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
+  bool error_given = false;        ///< a software renderer allows a larger error in a window unless given
   bool shadows_given = false;      ///< a software renderer draws none unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
   bool force_software = false;     ///< EGL: never the graphics card; for tests

@@ -3,249 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
-#include <utility>
-#include <vector>
 
-#include "app/settings/choices.h"
-#include "app/settings/tuning_value_kinds.h"
+#include "app/settings/tuning_value_table.h"
 
 namespace throng::app {
 namespace {
-
-using anim::CostModel;
-using anim::LodRules;
-using anim::SystemOptions;
-
-constexpr double farthest = 10'000, most_nanoseconds = 1e9, most_limit = 1e6;
-
-TuningValue level_distance(std::string_view key, std::size_t level, std::string_view help) {
-  return number(
-      {.key = key, .help = help, .most = farthest, .track = {.most = 150, .decimals = 1, .suffix = " m"}},
-      [level](auto& tuning) -> auto& { return tuning.lod.level_distances[level - 1]; });
-}
-
-TuningValue local_store(TuningValue value) {
-  const int most = static_cast<int>(value.most);
-  value.read = [most](Tuning& tuning, const std::string& text) {
-    int kib = 0;
-    Complaint complaint = read_number(text, 0, most, kib);
-    if (!complaint) set_local_store_kib(tuning, kib);
-    return complaint;
-  };
-  value.read_option = [most](Tuning& tuning, const std::string& text) -> Complaint {
-    int kib = 0;
-    if (text != "auto" && read_number(text, 1, most, kib)) {
-      return "must be auto or " + range_text<int>(1, most) + " KiB";
-    }
-    set_local_store_kib(tuning, kib);
-    return {};
-  };
-  value.text = [](const Tuning& tuning) { return std::to_string(local_store_kib(tuning)); };
-  return value;
-}
-
-TuningValue cost(std::string_view key, double CostModel::*member, std::string_view help) {
-  return number({.key = key, .help = help, .most = most_nanoseconds},
-                at(&Tuning::system, &SystemOptions::cost, member));
-}
-
-// Presets have their values in the order of these functions.
-std::vector<TuningValue> crowd_values() {
-  return {
-      word({.key = "scene", .option = "--scene NAME", .help = "{values} ({default})"}, at(&Tuning::scene), scene_words),
-      number({.key = "agents",
-              .option = "--agents N",
-              .help = "Agents, {values} ({default})",
-              .least = 1,
-              .most = 100'000,
-              .track = {.logarithmic = true}},
-             at(&Tuning::agents)),
-      number({.key = "seed",
-              .option = "--seed S",
-              .help = "Another seed, another crowd, {values} ({default})",
-              .most = 4'294'967'295.0,
-              .track = {.most = 9999}},
-             at(&Tuning::seed)),
-      on_off({.key = "variety",
-              .option = "--variety on|off",
-              .help = "Agents of one character differ in size and colours ({default})"},
-             at(&Tuning::variety)),
-      number({.key = "tint",
-              .option = "--tint X",
-              .help = "How much they differ in colours, also in those of their file: {values} ({default})",
-              .most = 1,
-              .track = {.decimals = 2}},
-             at(&Tuning::tint)),
-      number({.key = "size_variety",
-              .option = "--size-variety X",
-              .help = "How much they differ in size, as a share: {values} ({default})",
-              .most = 0.3,
-              .track = {.decimals = 2}},
-             at(&Tuning::size_variety)),
-      on_off({.key = "paused", .help = "The crowd stands still ({default})"}, at(&Tuning::paused)),
-      number({.key = "time_scale",
-              .help = "Speed of the clock in a window, {values} ({default})",
-              .most = most_time_scale,
-              .track = {.decimals = 2, .suffix = " x"}},
-             at(&Tuning::time_scale)),
-      on_off({.key = "placed_feet", .help = "Feet near by stand where they came down ({default})"},
-             at(&Tuning::placed_feet)),
-  };
-}
-
-std::vector<TuningValue> update_values() {
-  return {
-      word({.key = "lod",
-            .option = "--lod RULE",
-            .help = "{values} ({default}); off also turns off bone LOD, smoothing and mesh LOD, unless they are given"},
-           at(&Tuning::lod, &LodRules::rule), lod_rule_words),
-      number({.key = "full_rate_distance",
-              .help = "With the rule `distance`, nearer agents are updated in each frame: metres, {values} ({default})",
-              .most = farthest,
-              .track = {.most = 100, .decimals = 1, .suffix = " m"}},
-             at(&Tuning::lod, &LodRules::full_rate_distance)),
-      number({.key = "interval_growth",
-              .help = "Metres a further frame of the interval, {values} ({default})",
-              .least = 0.01,
-              .most = farthest,
-              .track = {.least = 1, .most = 60, .decimals = 1, .suffix = " m"}},
-             at(&Tuning::lod, &LodRules::interval_growth)),
-      number({.key = "largest_interval",
-              .help = "Frames between two updates at most, {values} ({default})",
-              .least = 1,
-              .most = anim::longest_interval},
-             at(&Tuning::lod, &LodRules::largest_interval)),
-      word({.key = "error_sample",
-            .option = "--error-sample WHICH",
-            .help = "Whose error on screen is measured: some of those in view, all, or off for nobody ({default})"},
-           at(&Tuning::error_sample), error_sampling_words),
-      limit({.key = "error_px",
-             .option = "--error-px X",
-             .help = "Pixels that 99% of what is shown are off at most ({default} without --budget-ms)",
-             .most = most_limit,
-             .option_does_more = true,
-             .track = {.most = 8, .decimals = 2, .zero_word = "none", .suffix = " px"}},
-            "pixels", at(&Tuning::error_px)),
-      limit({.key = "budget_ms",
-             .option = "--budget-ms X",
-             .help = "Predicted milliseconds of all PUs that posing may cost a frame ({default})",
-             .most = most_limit,
-             .zero = "no limit",
-             .option_does_more = true,
-             .track = {.most = 20, .decimals = 2, .zero_word = "none", .suffix = " ms"}},
-            "milliseconds", at(&Tuning::budget_ms)),
-  };
-}
-
-std::vector<TuningValue> detail_values() {
-  return {
-      number({.key = "forced_interval",
-              .help = "Frames between two updates in place of the rule's, {values} ({default})",
-              .most = anim::longest_interval,
-              .zero = "as the rule has it",
-              .track = {.zero_word = "rule"}},
-             at(&Tuning::inspection, &LodInspection::forced_interval)),
-      number({.key = "forced_bone_level",
-              .help = "The bone level in place of the rule's, {values} ({default}: as the rule has it)",
-              .least = -1,
-              .most = anim::max_bone_levels - 1},
-             at(&Tuning::inspection, &LodInspection::forced_bone_level)),
-      on_off({.key = "force_selected_only", .help = "The forced values are for the selected agent alone ({default})"},
-             at(&Tuning::inspection, &LodInspection::force_selected_only)),
-      on_off({.key = "smooth", .option = "--smooth on|off", .help = "Blend between skipped updates ({default})"},
-             at(&Tuning::lod, &LodRules::smooth)),
-      on_off({.key = "bone_lod", .option = "--bone-lod on|off", .help = "Fewer bones far away ({default})"},
-             at(&Tuning::lod, &LodRules::bone_lod)),
-      level_distance("bone_level_distance_1", 1, "Metres from which bone level 1 is shown, {values} ({default})"),
-      level_distance("bone_level_distance_2", 2, "Metres from which bone level 2 is shown, {values} ({default})"),
-      level_distance("bone_level_distance_3", 3, "Metres from which bone level 3 is shown, {values} ({default})"),
-      one_of<int>({.key = "mesh_lod",
-                   .option = "--mesh-lod on|off|N",
-                   .help = "By error on screen, the finest, or always number 0 to 3 ({default})"},
-                  at(&Tuning::mesh_lod), {{"on", -1}, {"off", 0}, {"0", 0}, {"1", 1}, {"2", 2}, {"3", 3}}),
-      number({.key = "mesh_error_px",
-              .option = "--mesh-error-px X",
-              .help = "Pixels that a coarser mesh is off at most, and half of --error-px at most: {values} ({default})",
-              .most = 64,
-              .track = {.most = 4, .decimals = 2, .suffix = " px"}},
-             at(&Tuning::mesh_error_px)),
-  };
-}
-
-std::vector<TuningValue> scheduling_values() {
-  return {
-      number({.key = "pus",
-              .option = "--pus N",
-              .help = "PUs, the calling thread among them, {values} ({default})",
-              .most = anim::max_pus,
-              .zero = "all cores",
-              .track = {.most = 16, .zero_word = "all"}},
-             at(&Tuning::system, &SystemOptions::pus)),
-      local_store({.key = "local_store_kib",
-                   .option = "--local-store auto|KIB",
-                   .help = "A PU's local store: what a character needs, or just so much ({default})",
-                   .most = 65'536,
-                   .zero = "auto",
-                   .track = {.zero_word = "auto", .suffix = " KiB"}}),
-      one_of<int>({.key = "tile",
-                   .option = "--tile N",
-                   .help = "Characters a tile: {values} ({default})",
-                   .zero = "what fits",
-                   .track = {.zero_word = "auto"}},
-                  at(&Tuning::system, &SystemOptions::tile),
-                  {{"0", 0}, {"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}}),
-      word({.key = "schedule", .option = "--schedule NAME", .help = "{values} ({default})"},
-           at(&Tuning::system, &SystemOptions::schedule), schedule_words),
-      word({.key = "double_buffer", .option = "--double-buffer MODE", .help = "{values} ({default})"},
-           at(&Tuning::system, &SystemOptions::double_buffering), double_buffer_words),
-      word({.key = "stream", .option = "--stream NAME", .help = "{values} ({default})"},
-           at(&Tuning::system, &SystemOptions::stream), stream_words),
-      word({.key = "palette",
-            .option = "--palette FORMAT",
-            .help = "float, 48 bytes a bone, or packed, 16, where a skeleton is rigid ({default})"},
-           at(&Tuning::system, &SystemOptions::palettes), palette_words),
-  };
-}
-
-std::vector<TuningValue> view_values() {
-  return {
-      word({.key = "debug_view", .help = "Colours over the characters: {values} ({default})"}, at(&Tuning::debug_view),
-           debug_view_words),
-      on_off({.key = "bones_as_lines", .help = "Skeletons are drawn over the characters ({default})"},
-             at(&Tuning::bones_as_lines)),
-  };
-}
-
-std::vector<TuningValue> cost_values() {
-  return {
-      cost("cost_tile_ns", &CostModel::tile, "Nanoseconds of a strip of a tile ({default})"),
-      cost("cost_tile_packet_ns", &CostModel::tile_packet, "The same for each 16 bones ({default})"),
-      cost("cost_agent_ns", &CostModel::agent, "Nanoseconds of an agent ({default})"),
-      cost("cost_player_packet_ns", &CostModel::player_packet, "The same for 16 bones of a player ({default})"),
-      cost("cost_blender_packet_ns", &CostModel::blender_packet, "The same for 16 bones of a blender ({default})"),
-      cost("cost_post_process_ns", &CostModel::post_process, "The same for work on a whole pose ({default})"),
-      number({.key = "cost_least_task_ns",
-              .option = "--grain NS",
-              .help = "Work that another PU is woken for, in nanoseconds of one PU ({default})",
-              .most = most_nanoseconds,
-              .track = {.zero_word = "any", .suffix = " \xC2\xB5s"}},
-             at(&Tuning::system, &SystemOptions::cost, &CostModel::least_task)),
-  };
-}
-
-std::vector<TuningValue> all_values() {
-  std::vector<TuningValue> all;
-  const auto add = [&all](std::string_view group, std::vector<TuningValue> values) {
-    for (TuningValue& value : values) all.emplace_back(std::move(value)).group = group;
-  };
-  add("Crowd", crowd_values());
-  add("Level of detail", update_values());
-  add("Level of detail", detail_values());
-  add("Scheduling", scheduling_values());
-  add("View", view_values());
-  add("Scheduling", cost_values());
-  return all;
-}
 
 void replace(std::string& text, std::string_view what, const std::string& by) {
   const std::size_t place = text.find(what);
@@ -255,13 +17,19 @@ void replace(std::string& text, std::string_view what, const std::string& by) {
 }  // namespace
 
 std::span<const TuningValue> tuning_values() {
-  static const std::vector<TuningValue> values = all_values();
+  static const std::vector<TuningValue> values = tuning_value_table();
   return values;
 }
 
 const TuningValue* find_tuning_value(std::string_view key) {
   const auto found = std::ranges::find(tuning_values(), key, &TuningValue::key);
   return found == tuning_values().end() ? nullptr : &*found;
+}
+
+std::string TuningValue::name() const {
+  std::string words = *label != '\0' ? label : std::string(key);
+  if (*label == '\0') std::ranges::replace(words, '_', ' ');
+  return words;
 }
 
 const TuningValue& tuning_value(std::string_view key_or_option) {

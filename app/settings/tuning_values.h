@@ -27,12 +27,14 @@ struct TuningValue {
   enum class Form : std::uint8_t { number, on_off, word };
 
   std::string_view key = {};      ///< the key in JSON and of `--set`
+  const char* label = "";         ///< the name in the panel; empty: the panel has no row of it
   std::string_view group = {};    ///< the heading above the option in the help
   std::string_view option = {};   ///< the option in the help, "--agents N"; empty: the command line has none
   std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
   double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
+  bool device_decides = false;    ///< a window on a software renderer starts with another value unless it is given
   Track track = {};
   Form form = Form::number;
   std::span<const char* const> words = {};  ///< the words of an enumeration, in its order
@@ -42,12 +44,13 @@ struct TuningValue {
   std::function<Complaint(Tuning&, const std::string&)> read = {}, read_option = {};
   std::function<std::string(const Tuning&)> text = {};  ///< it reads back as the same value to the bit
 
+  /// Returns the name in the panel, or else the key in words.
+  [[nodiscard]] std::string name() const;
   [[nodiscard]] std::string_view option_name() const { return option.substr(0, option.find(' ')); }
   [[nodiscard]] std::string_view hint() const { return option.substr(std::min(option.size(), option.find(' ') + 1)); }
 };
 
-/// Returns every value of Tuning that is worth keeping, in the order of presets. A new member of Tuning gets a row
-/// here.
+/// Returns every value of Tuning that is worth keeping, in the order of presets.
 std::span<const TuningValue> tuning_values();
 
 /// Returns the row with that key or option, which must be there.

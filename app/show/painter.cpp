@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
-constexpr float software_mesh_error = 3.0F;  // of the usual one
+constexpr float software_error_px = 3.0F, software_mesh_error_px = 1.5F;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
@@ -29,6 +29,22 @@ double time_of(const auto& work) {
 
 // A part of the frame is taken away of the usual picture alone, so that one sees what it costs.
 bool splits(const Tuning& tuning) { return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{}; }
+
+// A character that was made anew, or whose bones are in another order, is another one. Two of a cast may be the same.
+std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
+                                                    std::vector<std::weak_ptr<const anim::Character>> loaded) {
+  std::vector<render::CharacterToLoad> meshes;
+  for (const CharacterSource& source : stage.characters()) {
+    const auto same = std::ranges::find_if(loaded, [&](const auto& each) { return each.lock() == source.character; });
+    if (same == loaded.end()) {
+      meshes.emplace_back(mesh_data(source));
+    } else {
+      same->reset();
+      meshes.emplace_back(static_cast<std::size_t>(same - loaded.begin()));
+    }
+  }
+  return meshes;
+}
 
 }  // namespace
 
@@ -55,11 +71,13 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return data.error();
   const bool modest = is_on_software() && draws_live(options);
-  const bool few = is_on_software() && options.context == ContextKind::window && !options.agents_given;
-  spared_ = {.agents = few ? software_window_agents : 0,
+  const bool in_window = is_on_software() && options.context == ContextKind::window;
+  const bool coarse = in_window && !options.error_given;
+  spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
              .shadows = modest && options.shadows && !options.shadows_given,
-             .mesh_lods = modest && options.tuning.mesh_lod < 0};
+             .error_px = coarse ? software_error_px : 0.0F,
+             .mesh_error_px = coarse ? software_mesh_error_px : 0.0F};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
@@ -93,12 +111,11 @@ void Painter::reset_palette_pages() {
 
 anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
-  std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character));
-  if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
+  if (anim::Status loaded = renderer_->load_characters(meshes_to_load(stage, loaded_)); !loaded) return loaded;
+  loaded_.clear();
+  for (const CharacterSource& character : stage.characters()) loaded_.emplace_back(character.character);
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
-  if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     std::vector<render::MeshError> shares;
     for (const MeshLevel& level : mesh_levels(i)) {

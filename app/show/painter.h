@@ -49,7 +49,8 @@ class Painter {
   render::PalettePageSource& palette_pages();
   /// Takes back every palette page, once the stage that had them goes.
   void reset_palette_pages();
-  /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs.
+  /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs. Characters that were
+  /// loaded before, and have not changed since, keep theirs.
   anim::Status load_meshes(Stage& stage);
   /// Returns nothing where nothing is drawn.
   std::vector<MeshLevel> mesh_levels(std::size_t character) const;
@@ -83,7 +84,8 @@ class Painter {
   SceneLines lines_;
   ThresholdsInView thresholds_;
   Spared spared_;
-  float distance_scale_ = 1.0F;  // of the characters whose meshes are loaded
+  std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] whose it is
+  float distance_scale_ = 1.0F;                               // of the characters whose meshes are loaded
   render::DrawCounts draw_counts_;
 };
 

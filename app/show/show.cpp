@@ -21,6 +21,12 @@ double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
 
+Tuning with_savings(Tuning tuning, const Spared& spared) {
+  if (spared.agents > 0) tuning.agents = spared.agents;
+  if (spared.error_px > 0.0F) tuning.error_px = spared.error_px, tuning.mesh_error_px = spared.mesh_error_px;
+  return tuning;
+}
+
 }  // namespace
 
 std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
@@ -47,8 +53,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
 }
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
-  Tuning tuning = options.tuning;
-  if (painter_->spared().agents > 0) tuning.agents = painter_->spared().agents;
+  const Tuning tuning = with_savings(options.tuning, painter_->spared());
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }

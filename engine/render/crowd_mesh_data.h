@@ -94,6 +94,7 @@ struct CrowdMeshData {
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
   std::vector<MorphDeltaData> morph_deltas;      ///< ascending by vertex; empty: the surface does not morph
   PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them
+  float body_size = 1.0F;  ///< over a person's; what makes bodies differ (SurfaceVertex::shape) reaches as much farther
   std::vector<BoneEndData> bone_ends;  ///< joint and parent of each bone, for CrowdFrame::bones_as_lines; or empty
   /// A surface that pack_surface made of all this. Where it is given, LODs, poses and bone ends are not read.
   std::span<const std::byte> packed_surface;

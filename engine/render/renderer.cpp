@@ -57,18 +57,30 @@ Renderer::Renderer(gl::Context& context, const RendererOptions& options, TiledTa
     : context_(&context), shaders_(options.data / "shaders"), target_(std::move(target)), options_(options) {}
 
 Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
+  return load_characters(std::vector<CharacterToLoad>(characters.begin(), characters.end()));
+}
+
+Status Renderer::load_characters(std::span<const CharacterToLoad> characters) {
   assert(!characters.empty() && characters.size() <= most_characters);
-  std::vector<CrowdMesh> meshes;
-  for (const CrowdMeshData& data : characters) {
-    Result<CrowdMesh> mesh = CrowdMesh::create(data);
+  std::vector<CrowdMesh> made;
+  for (const CharacterToLoad& character : characters) {
+    const auto* const data = std::get_if<CrowdMeshData>(&character);
+    if (data == nullptr) continue;
+    Result<CrowdMesh> mesh = CrowdMesh::create(*data);
     if (!mesh) return mesh.error();
-    meshes.push_back(std::move(*mesh));
+    made.push_back(std::move(*mesh));
   }
-  if (std::ranges::any_of(meshes, &CrowdMesh::has_morphs)) {
+  if (std::ranges::any_of(made, &CrowdMesh::has_morphs)) {
     crowd_.prepare_morphs();
     if (!shaders_.status()) return shaders_.status().error();
   }
   if (Status copied = gl::take_errors("the characters; ask for fewer or smaller models"); !copied) return copied;
+  std::vector<CrowdMesh> meshes;
+  auto next = made.begin();
+  for (const CharacterToLoad& character : characters) {
+    const auto* const before = std::get_if<std::size_t>(&character);
+    meshes.push_back(std::move(before != nullptr ? meshes_[*before] : *next++));
+  }
   meshes_ = std::move(meshes);
   return Done{};
 }

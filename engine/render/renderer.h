@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -40,6 +41,8 @@ struct RendererOptions {
 };
 
 inline constexpr std::size_t most_characters = 256;  ///< the most in one picture
+/// What a character's mesh is made of, or where in Renderer::meshes() a mesh stands that is the same.
+using CharacterToLoad = std::variant<CrowdMeshData, std::size_t>;
 
 /// Draws pictures of a crowd: this is all that app/ calls. It works on the thread on which `context` is current.
 ///
@@ -59,6 +62,8 @@ class Renderer {
   /// CrowdMesh::create, and of the shaders that morphs need, and that the device has no memory for them; then the
   /// former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
+  /// Does the same where some meshes are there already, each for one character.
+  Status load_characters(std::span<const CharacterToLoad> characters);
 
   /// Gives the meshes of the loaded characters.
   std::span<const CrowdMesh> meshes() const { return meshes_; }

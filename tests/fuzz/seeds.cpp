@@ -11,6 +11,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
+#include "app/recording/crowd_file.h"
 #include "app/recording/writer.h"
 #include "app/settings/preset.h"
 #include "engine/anim/asset/synthetic_model.h"
@@ -83,13 +84,41 @@ anim::Status write_kept(const std::filesystem::path& folder) {
   return order ? anim::Status(anim::Done{}) : order.error();
 }
 
+/// Writes a crowd file with one of everything, and one of the built-in character alone.
+anim::Status write_crowd_files(const std::filesystem::path& folder) {
+  const anim::Skeleton skeleton = anim::synthetic_model(5, 3).skeleton;
+  app::CrowdCharacter plain;
+  plain.file = (folder / "horse.glb").string();
+  const app::CrowdCharacter person{
+      .file = (folder / "models" / "person.glb#tall").string(),
+      .share = 3,
+      .clip_files = {(folder / "walk.glb").string()},
+      .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet},
+      .clips = {{app::Role::walk, "clip_1"}, {app::Role::cheer, app::no_clip_name}},
+      .bones = app::bone_keys(skeleton),
+      .level_counts = {5, 2},
+      .rig = {{anim::BodyRole::hips, skeleton.bones[0].name}}};
+  app::CrowdSetup setup{.characters = {person, plain, person}, .preset = {.tuning = {}, .camera = app::CameraPlace{}}};
+  setup.preset.tuning.agents = 30;
+  app::Tuning other;
+  other.error_px = 4;
+  setup.pair.take_other(other, "loose");
+  setup.pair.change_places(setup.preset.tuning);
+  setup.pair.names.front() = "baseline";
+  setup.bookmarks.front() = app::CameraPlace{.x = 1, .y = 2, .z = 3};
+  setup.bookmarks.back() = app::CameraPlace{.pitch = -20};
+  if (anim::Status written = app::write_crowd_file(folder / "everything.throng", setup); !written) return written;
+  return app::write_crowd_file(folder / "built-in.throng", {.characters = {{}}, .preset = {}});
+}
+
 anim::Status write_all(const std::filesystem::path& folder) {
-  for (const char* const target : {"pack", "recording", "preset", "roles", "bone_order"}) {
+  for (const char* const target : {"pack", "recording", "preset", "roles", "bone_order", "crowd_file"}) {
     std::filesystem::create_directories(folder / target);
   }
   if (anim::Status written = write_pack_of(folder / "pack" / "small.pack", 3, 1); !written) return written;
   if (anim::Status written = write_pack_of(folder / "pack" / "two-clips.pack", 7, 2); !written) return written;
   if (anim::Status written = write_recording(folder / "recording" / "everything.rec"); !written) return written;
+  if (anim::Status written = write_crowd_files(folder / "crowd_file"); !written) return written;
   return write_kept(folder);
 }
 

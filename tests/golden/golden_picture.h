@@ -25,4 +25,8 @@ DemoOptions golden_options(ContextKind context);
 /// THRONG_UPDATE_GOLDEN is set, the picture is replaced.
 void expect_golden_picture(const std::string& name, const DemoOptions& options);
 
+/// Holds a picture that was drawn in another way against `tests/golden/pictures/NAME.png` in the same way. `run` tells
+/// it from others of that name.
+void expect_golden_image(const std::string& name, const std::string& run, const render::Image& drawn);
+
 }  // namespace throng::app::test

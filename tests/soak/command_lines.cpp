@@ -7,6 +7,7 @@
 
 #include "app/command_line/options.h"
 #include "app/command_line/options_commands.h"
+#include "app/recording/crowd_file.h"
 #include "app/settings/preset.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
@@ -52,6 +53,24 @@ std::string any_preset(const Maker& maker) {
   change_some_values(preset.tuning, maker.random);
   const fs::path file = maker.folder / "some.json";
   static_cast<void>(app::write_preset(file, preset));
+  return file.string();
+}
+
+// Some of its models are refused, and some have another clip than it says.
+std::string any_crowd_file(const Maker& maker) {
+  app::CrowdSetup setup;
+  for (std::uint32_t left = 1 + maker.random.below(3); left > 0; --left) {
+    app::CrowdCharacter& character = setup.characters.emplace_back();
+    character.file = any_model(maker.models, maker.random);
+    character.share = static_cast<double>(1 + maker.random.below(9));
+    if (maker.random.chance(0.2F)) character.placement.scale = any_number(maker.random, 1e-3, 100.0);
+    if (maker.random.chance(0.2F)) character.clips = {{app::Role::stand, app::no_clip_name}};
+  }
+  change_some_values(setup.preset.tuning, maker.random);
+  if (maker.random.chance(0.5F)) setup.pair.take_other(app::Tuning(), "other");
+  if (maker.random.chance(0.5F)) setup.bookmarks.at(maker.random.below(app::bookmark_count)) = app::CameraPlace{};
+  const fs::path file = maker.folder / "some.throng";
+  static_cast<void>(app::write_crowd_file(file, setup));
   return file.string();
 }
 
@@ -118,7 +137,7 @@ const std::vector<Option>& other_options() {
       {"--ui-tab", 0.2F, word_of({"crowd", "skipping", "bones", "scheduling", "agent", "presets"})},
       {"--ui-scale", 0.1F, word_of({"0.5", "1", "1.5", "4"})},
       {"--select", 0.2F, word_of({"0"})},
-      {"--view", 0.0F, text("")},
+      {"--view", 0.1F, word_of({"", "", "=walk"})},
       {"--hide-ui", 0.0F, text("")},
       {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
@@ -149,7 +168,9 @@ void add(std::vector<std::string>& words, const std::string& name, const std::st
 /// Words that may contradict each other.
 std::vector<std::string> any_words(const Maker& maker) {
   std::vector<std::string> words;
-  if (maker.random.chance(0.5F)) {
+  if (maker.random.chance(0.15F)) {
+    words.push_back(any_crowd_file(maker));
+  } else if (maker.random.chance(0.5F)) {
     for (std::uint32_t left = 1 + maker.random.below(3); left > 0; --left) {
       words.push_back(any_model(maker.models, maker.random));
     }

@@ -21,7 +21,7 @@ std::string pixels(double place) { return std::to_string(std::lround(place)); }
 }  // namespace
 
 DrivenWindow::DrivenWindow(const std::vector<std::string>& words, const std::filesystem::path& folder)
-    : folder_(folder), display_(folder, deadline()) {
+    : folder_(folder), display_(folder, app::usual_screen, deadline()) {
   std::vector<std::string> command = {THRONG_PROGRAM, "--ui-map", (folder_ / "ui.json").string()};
   command.insert(command.end(), words.begin(), words.end());
   program_ = std::make_unique<ChildProcess>(command, display_.environment(), folder_.string());

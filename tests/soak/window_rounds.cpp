@@ -36,10 +36,10 @@ fs::path file_that_ends_in(const fs::path& folder, const std::string& ending) {
   return {};
 }
 
-/// Widgets that would make the round long, or the rest preset another one.
+/// Widgets that would make the round long, or the rest preset another one, or end the recording of the round.
 bool is_left_alone(const std::string& widget) {
   return widget.starts_with("Agents") || widget.starts_with("Delete") || widget.find("preset") != std::string::npos ||
-         widget == "Name" || widget == "Sweep";
+         widget == "Name" || widget == "Sweep" || widget == "badge:recording";
 }
 
 }  // namespace

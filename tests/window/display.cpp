@@ -1,10 +1,15 @@
 #include "tests/window/display.h"
 
 namespace throng::app {
+namespace {
+
+std::string screen_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y) + "x24"; }
+
+}  // namespace
 
 // Xvfb looks for a free number by itself and writes it where -displayfd says: to its standard output.
-Display::Display(const std::filesystem::path& folder, Deadline deadline)
-    : folder_(folder), server_({"Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp"}, {}) {
+Display::Display(const std::filesystem::path& folder, glm::ivec2 size, Deadline deadline)
+    : folder_(folder), server_({"Xvfb", "-displayfd", "1", "-screen", "0", screen_of(size), "-nolisten", "tcp"}, {}) {
   const auto number = server_.started() ? server_.read_line(deadline) : std::nullopt;
   if (number) name_ = ":" + *number;
 }

@@ -4,15 +4,20 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "tests/window/child_process.h"
 
 namespace throng::app {
 
+/// The pixels of a display, where nothing asks for others.
+inline constexpr glm::ivec2 usual_screen{1400, 900};
+
 /// A display of its own that nobody sees (Xvfb), and what a person does at it (xdotool). It ends with its owner.
 class Display {
  public:
-  /// Starts Xvfb with a free number. Programs at it keep in `folder` what a person keeps.
-  Display(const std::filesystem::path& folder, Deadline deadline);
+  /// Starts Xvfb of that size with a free number. Programs at it keep in `folder` what a person keeps.
+  Display(const std::filesystem::path& folder, glm::ivec2 size, Deadline deadline);
 
   bool is_there() const { return !name_.empty(); }
   /// Returns what DISPLAY says, such as ":1".

@@ -30,19 +30,21 @@ std::string contents(const std::filesystem::path& file) {
 
 void WindowDriver::SetUp() {
   ASSERT_NO_FATAL_FAILURE(start_display());
-  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(start_program(options()));
   ASSERT_NO_FATAL_FAILURE(wait_for("a first ui map", [](const Json& map) { return !map["widgets"].empty(); }));
 }
 
 void WindowDriver::start_display() {
-  display_ = std::make_unique<Display>(folder_.path(), soon());
+  display_ = std::make_unique<Display>(folder_.path(), screen(), soon());
   ASSERT_TRUE(display_->is_there()) << "Xvfb does not start: install xvfb";
 }
 
-void WindowDriver::start_program() {
-  std::vector<std::string> words{THRONG_PROGRAM, "--ui-map", (folder_.path() / "ui.json").string()};
-  const std::vector<std::string> others = options();
-  words.insert(words.end(), others.begin(), others.end());
+void WindowDriver::start_program(const std::vector<std::string>& options) {
+  const std::filesystem::path map = folder_.path() / "ui.json";
+  program_.reset();
+  std::filesystem::remove(map);
+  std::vector<std::string> words{THRONG_PROGRAM, "--ui-map", map.string()};
+  words.insert(words.end(), options.begin(), options.end());
   program_ = std::make_unique<ChildProcess>(words, display_->environment(), folder_.path());
   ASSERT_TRUE(program_->started());
   while (const auto line = program_->read_line(soon())) {
@@ -113,6 +115,19 @@ void WindowDriver::scroll_down_at(double x, double y, int steps) {
   next_map();
   xdotool({"click", "--repeat", std::to_string(steps), "5"});
   next_map();
+}
+
+void WindowDriver::bring_into_sight(const std::string& widget) {
+  constexpr int to_the_top = 60, most_turns = 60;
+  Json map = next_map();
+  const Json size = map["size"], tab = map["widgets"]["tab:Crowd"];
+  point_at(tab["x"].get<double>() + 2 * tab["w"].get<double>(), size[1].get<double>() / 2);
+  if (!map["widgets"].contains(widget)) xdotool({"click", "--repeat", std::to_string(to_the_top), "4"});
+  for (int turns = 0; turns < most_turns && !map["widgets"].contains(widget); ++turns) {
+    map = next_map();
+    if (!map["widgets"].contains(widget)) xdotool({"click", "--repeat", "2", "5"});
+  }
+  EXPECT_TRUE(map["widgets"].contains(widget)) << widget << " is nowhere in tab " << map["tab"];
 }
 
 void WindowDriver::click_at(const glm::vec3& point) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,8 +52,15 @@ class WindowDriver : public testing::Test {
   void button(int number, bool down);
   void xdotool(const std::vector<std::string>& words);
 
+  /// Turns the wheel over the panel until a widget of the tab is in sight.
+  void bring_into_sight(const std::string& widget);
+
   /// Returns the options that the program is started with.
   virtual std::vector<std::string> options() const { return {"--agents", "50", "--size", "1280x720"}; }
+  /// Returns the pixels of the display.
+  virtual glm::ivec2 screen() const { return usual_screen; }
+  /// Starts the program with other options, after the end of the one that ran.
+  void start_program(const std::vector<std::string>& options);
 
   ChildProcess& program() { return *program_; }
   /// Returns what DISPLAY says.
@@ -62,7 +70,6 @@ class WindowDriver : public testing::Test {
 
  private:
   void start_display();
-  void start_program();
 
   throng::test::OwnFolder folder_;
   std::unique_ptr<Display> display_;

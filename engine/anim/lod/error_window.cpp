@@ -46,6 +46,10 @@ void ErrorWindow::forget(Frame& frame) {
   --held_;
 }
 
+void ErrorWindow::begin_anew() {
+  while (held_ > 0) forget(ago(held_ - 1));
+}
+
 void ErrorWindow::begin_frame() {
   const auto has_enough_without = [this](const Frame& frame) {
     return counts_.total() - frame.steps.size() >= ErrorFigures::samples_for_p99;

@@ -79,6 +79,8 @@ class ErrorWindow {
 
   /// Makes room for so many samples a frame, so that add() does not allocate.
   void reserve(std::size_t samples_a_frame);
+  /// Forgets all frames so far; those since the start still count.
+  void begin_anew();
   /// Begins a frame and forgets the oldest ones that are not needed.
   void begin_frame();
   /// Adds a sample to the frame that was begun last.

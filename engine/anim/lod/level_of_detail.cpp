@@ -10,7 +10,8 @@ namespace throng::anim {
 namespace {
 
 constexpr double usual_frame_seconds = 1.0 / 60.0;
-constexpr double longer_frame = 1.25;  // than the one that choices were built for, or shorter: they are built anew
+constexpr double longer_frame = 1.25;  // on the average than a turn, or shorter: choices are built anew
+constexpr int frames_of_mean = 16;
 constexpr double nanoseconds_a_millisecond = 1e6;
 constexpr std::uint64_t never_shown = UINT64_MAX;
 
@@ -61,7 +62,8 @@ void LevelOfDetail::reset(std::size_t agents, const LodLimits& limits) {
 
 // Choices are built for the length of the first frame, so they are forgotten too.
 void LevelOfDetail::restart() {
-  number_ = 0;
+  turn_ = 0;
+  turn_length_ = into_turn_ = mean_frame_ = {};
   choices_ = {};
   figures_ = {};
 }
@@ -72,12 +74,31 @@ void LevelOfDetail::forget_shown() {
 }
 
 void LevelOfDetail::build_choices(const LodRequest& request) {
-  const double ratio = request.frame_step == Ticks{} ? 1.0 : to_seconds(request.frame_step) / built_seconds_;
-  const bool same_frames = ratio <= longer_frame && ratio >= 1.0 / longer_frame;
+  const double ratio = turn_length_ == Ticks{} ? 0.0 : to_seconds(mean_frame_) / to_seconds(turn_length_);
+  const bool same_frames = mean_frame_ == Ticks{} || (ratio <= longer_frame && ratio >= 1.0 / longer_frame);
   if (!choices_.empty() && same_but_tolerance(request.rules, built_for_) && same_frames) return;
-  built_seconds_ = request.frame_step > Ticks{} ? to_seconds(request.frame_step) : usual_frame_seconds;
+  if (!same_frames) set_turn_length(mean_frame_);
   built_for_ = request.rules;
-  choices_.build(characters_, request.rules, static_cast<float>(built_seconds_));
+  const double seconds = turn_length_ > Ticks{} ? to_seconds(turn_length_) : usual_frame_seconds;
+  choices_.build(characters_, request.rules, static_cast<float>(seconds));
+}
+
+// Agents that are on their way stay due when their blends end, to the nearest turn.
+void LevelOfDetail::set_turn_length(Ticks length) {
+  for (std::uint64_t& due : state_.next_update) {
+    if (due <= turn_ || turn_length_ == Ticks{}) continue;
+    const Ticks left = static_cast<std::int64_t>(due - turn_) * turn_length_ - into_turn_;
+    due = turn_ + static_cast<std::uint64_t>((left + length / 2) / length);
+  }
+  turn_length_ = length;
+  into_turn_ = {};
+}
+
+void LevelOfDetail::pass_time(Ticks frame_step) {
+  if (turn_length_ == Ticks{}) return;
+  into_turn_ += frame_step;
+  turn_ += static_cast<std::uint64_t>(into_turn_ / turn_length_);
+  into_turn_ %= turn_length_;
 }
 
 LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
@@ -92,7 +113,8 @@ LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
                  .camera = request_.camera,
                  .rules = request_.rules,
                  .force = request_.force,
-                 .number = number_};
+                 .number = turn_,
+                 .stands_still = request_.frame_step == Ticks{}};
   frame.rules.tolerance_pixels = controller_.tolerance_pixels();
   frame.rules.counts_cost = request_.rules.rule == LodRule::budget;
   return frame;
@@ -103,8 +125,12 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Exe
   assert(!request.selected || *request.selected < shown_in_.size());
   request_ = request;
   ++frame_;
-  if (request.frame_step > Ticks{}) ++number_;
+  if (request.frame_step > Ticks{}) {
+    mean_frame_ =
+        mean_frame_ == Ticks{} ? request.frame_step : mean_frame_ + (request.frame_step - mean_frame_) / frames_of_mean;
+  }
   build_choices(request);
+  pass_time(request.frame_step);
   importance_.weigh(request.now, request.selected);
   select_for_update(frame(crowd), state_, selection_, executor, jobs);
   if (find_first_tolerance()) {
@@ -134,7 +160,7 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
     const bool ahead = request_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
     updates_.push_back({.agent = {due.agent},
                         .level = bones.level,
-                        .look_ahead = ahead ? due.look_ahead * request_.frame_step : Ticks{},
+                        .look_ahead = ahead ? due.look_ahead * turn_length_ - into_turn_ : Ticks{},
                         .palette = nullptr,
                         .fade_level = bones.fade_level,
                         .fade_halves = bones.fade_halves});

@@ -39,7 +39,7 @@ struct LodRequest {
   LodForce force = {};
   std::optional<std::uint32_t> selected = {};  ///< an agent of the crowd that shows a quarter of the others' error
   Ticks now{};
-  Ticks frame_step{};  ///< the length of a frame; 0: time stands still
+  Ticks frame_step{};  ///< the time since the frame before; 0: time stands still
 };
 
 /// The outcome of a frame.
@@ -108,6 +108,8 @@ class LevelOfDetail {
 
  private:
   void build_choices(const LodRequest& request);
+  void set_turn_length(Ticks length);
+  void pass_time(Ticks frame_step);
   LodFrame frame(const LodCrowd& crowd) const;
   bool find_first_tolerance();
   void list_updates(const LodCrowd& crowd);
@@ -117,13 +119,14 @@ class LevelOfDetail {
   LodImportance importance_;
   LodChoices choices_;
   LodRules built_for_;
-  double built_seconds_ = 0.0;  // the length of a frame for which choices_ were built
   LodController controller_;
   LodState state_;
   LodSelection selection_;
-  LodRequest request_;                   // the request of this frame
-  std::uint64_t frame_ = 0;              // selections so far
-  std::uint64_t number_ = 0;             // selections in which time passed
+  LodRequest request_;       // the request of this frame
+  std::uint64_t frame_ = 0;  // selections so far
+  // A turn is as long as frames are on the average, so that poses are due in time where frames differ in length.
+  std::uint64_t turn_ = 0;
+  Ticks turn_length_{}, into_turn_{}, mean_frame_{};
   std::vector<std::uint64_t> shown_in_;  // [agent] the last frame in which it was shown
   std::vector<BoneStep> bone_steps_;     // [agent] the step of its last update
   std::vector<AgentUpdate> updates_;

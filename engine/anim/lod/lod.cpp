@@ -117,7 +117,8 @@ Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState
 void update(LodState& state, std::size_t agent, std::uint64_t frame, const Decision& decision) {
   state.interval[agent] = static_cast<std::uint8_t>(decision.interval);
   state.bone_level[agent] = static_cast<std::uint8_t>(decision.bone_level);
-  state.next_update[agent] = frame + static_cast<std::uint64_t>(decision.look_ahead);
+  // The next frame may be of the same turn, where it is shorter than others.
+  state.next_update[agent] = decision.look_ahead == 1 ? frame : frame + static_cast<std::uint64_t>(decision.look_ahead);
 }
 
 void check(const LodFrame& frame, const LodState& state) {
@@ -215,7 +216,7 @@ struct LodTile {
     if (is_visible && frame.rules.rule == LodRule::budget) {
       seen.metres_a_pixel = metres_a_pixel(frame, cosine_of_centre, agent, from_camera, distance);
     }
-    const bool turn_has_come = seen.fresh || frame.number >= state.next_update[agent];
+    const bool turn_has_come = seen.fresh || (!frame.stands_still && frame.number >= state.next_update[agent]);
     const bool is_due = frame.rules.rule == LodRule::off || (is_visible && turn_has_come);
     if (is_due) {
       const Decision decision = decide(frame, squares, state, agent, character.level_count, seen);

@@ -89,7 +89,7 @@ struct VisibleAgent {
 /// An agent to be posed this frame. Lists of them ascend by `agent`.
 struct DueAgent {
   std::uint32_t agent;
-  std::uint8_t look_ahead;  ///< frames until its next update, 1 to longest_interval
+  std::uint8_t look_ahead;  ///< turns until its next update, 1 to longest_interval; 1: the next frame
   std::uint8_t bone_level;
 };
 
@@ -109,7 +109,7 @@ struct LodSelection {
 
 /// Keeps what the rule remembers of each agent between frames.
 struct LodState {
-  std::vector<std::uint64_t> next_update;  ///< frame number
+  std::vector<std::uint64_t> next_update;  ///< turn
   std::vector<std::uint8_t> interval;      ///< frames
   std::vector<std::uint8_t> bone_level;
   std::vector<std::uint8_t> frames_seen;  ///< frames in a row: 0, 1, or 2 for more
@@ -137,14 +137,15 @@ struct LodFrame {
   const LodChoices* choices = nullptr;     ///< of `characters`; null: counts no cost, and forbids LodRule::budget
   LodCamera camera;
   LodRules rules;
-  LodForce force = {};       ///< LodRule::off ignores its interval
-  std::uint64_t number = 0;  ///< grows by one each frame in which time passes
+  LodForce force = {};        ///< LodRule::off ignores its interval
+  std::uint64_t number = 0;   ///< the turn: it grows with time, by one a frame where frames are of one length
+  bool stands_still = false;  ///< no time has passed since the frame before
 };
 
 /// Decides for every agent. An agent that comes into view or was made due is due at once, for the pose of this very
-/// frame, and again in the next frame, from where it looks ahead. Interval and bone level change at updates only. After
-/// a change the first update comes early, at a frame where `number % interval` equals `agent % interval`, so that all
-/// frames have about the same work. Allocates nothing. No agent's decision depends on another's.
+/// frame, and again in the next frame in which time passes, from where it looks ahead. Interval and bone level change
+/// at updates only. After a change the first update comes early, at a turn where `number % interval` equals `agent %
+/// interval`, so that all frames have about the same work. Allocates nothing. No agent's decision depends on another's.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
 
 /// Does the same with tiles of agents, in up to `jobs` jobs.

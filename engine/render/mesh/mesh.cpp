@@ -12,7 +12,7 @@
 namespace throng::render {
 namespace {
 
-constexpr GLint vertex_count_location = 0;  // the same in every program of the crowd
+constexpr GLint vertex_count_location = 0, body_size_location = 5;  // the same in every program of the crowd
 
 // In the order of their locations in `shaders/crowd_vertex.glsl`; the region has the next location.
 constexpr gl::FloatAttribute surface_attributes[] = {{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
@@ -84,6 +84,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   Result<MaterialSet> materials = MaterialSet::create(data);
   if (!materials) return materials.error();
   mesh.materials_ = std::move(*materials);
+  mesh.body_size_ = data.body_size;
   mesh.packing_frames_ = create_packing_frames(data.packing_frames);
   if (data.packed_surface.empty()) {
     mesh.copy_to_device(view_of(build_surface(data)), data.morph_deltas);
@@ -122,6 +123,7 @@ void CrowdMesh::bind() const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_entries_binding, morph_entries_.id());
   }
   glUniform1ui(vertex_count_location, parts_.first_bone_end + parts_.bone_end_count);
+  glUniform1f(body_size_location, body_size_);
 }
 
 }  // namespace throng::render

@@ -58,6 +58,7 @@ class CrowdMesh {
   gl::VertexArray array_;
   SurfaceParts parts_;
   float longest_side_of_bones_ = 0.0F;
+  float body_size_ = 1.0F;
   MaterialSet materials_;
 };
 

@@ -99,6 +99,20 @@ TEST(ErrorWindow, TellsTheLargestPopOfTheNewestFrame) {
   EXPECT_EQ(window.figures().pop_max, 3.0F);
 }
 
+TEST(ErrorWindow, BegunAnewKnowsTheOldOnesOnlySinceTheStart) {
+  ErrorWindow window;
+  window.begin_frame();
+  window.add({.error = 8.0F, .pop = {}});
+  window.begin_anew();
+  EXPECT_EQ(window.figures().samples, 0U);
+  EXPECT_EQ(window.figures().max, 0.0F);
+  window.begin_frame();
+  window.add({.error = 1.0F, .pop = {}});
+  EXPECT_EQ(window.figures().max, 1.0F);
+  EXPECT_EQ(window.since_start().max, 8.0F);
+  EXPECT_EQ(window.since_start().samples, 2U);
+}
+
 TEST(ErrorWindow, IsAllZeroWhereNobodyWasMeasured) {
   ErrorWindow window;
   window.begin_frame();

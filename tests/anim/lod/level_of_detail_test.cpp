@@ -89,6 +89,26 @@ TEST_F(Row, ComesIntoViewAtOnceAndLooksAheadFromThere) {
   EXPECT_EQ(next_update_of(1).look_ahead, Ticks{}) << "near by, posed in each frame";
 }
 
+TEST_F(Row, IsDueInTheFirstFrameAtTheEndOfItsBlendHoweverLongFramesAre) {
+  constexpr std::array<int, 7> parts{10, 4, 16, 10, 7, 14, 9};  // tenths of a frame
+  std::vector<Ticks> ends(positions.size());
+  int blends = 0;
+  for (int i = 0; i < 400; ++i) {
+    request.frame_step = frame_step * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
+    pass_frame();
+    for (std::size_t agent = 0; agent < ends.size(); ++agent) {
+      const AgentUpdate* const update = update_of(static_cast<std::uint32_t>(agent));
+      if (ends[agent] > Ticks{}) {
+        ASSERT_EQ(update != nullptr, request.now >= ends[agent]) << "agent " << agent << " in frame " << i;
+      }
+      if (update == nullptr) continue;
+      blends += ends[agent] > Ticks{} ? 1 : 0;
+      ends[agent] = update->look_ahead > Ticks{} ? request.now + update->look_ahead : Ticks{};
+    }
+  }
+  EXPECT_GT(blends, 1000);
+}
+
 TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
   for (int i = 0; i < 40; ++i) {
     pass_frame(90);

@@ -171,6 +171,7 @@ TEST_F(LodTest, WhileTimeStandsStillNobodyIsDueTwiceUnlessAllAreMadeDue) {
   spawn(8, 100.0F);
   select();
   EXPECT_EQ(selection.due.size(), 8U);
+  frame.stands_still = true;
   select();
   EXPECT_TRUE(selection.due.empty());
   frame.rules.largest_interval = 2;

@@ -157,6 +157,13 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
               ElementsAre("a.png", "b.json", "c.json", "."));
 }
 
+TEST(DemoOptions, SayWhetherAnErrorIsGiven) {
+  EXPECT_FALSE(demo("--agents 5").error_given);
+  for (const char* const line : {"--error-px 1", "--set error_px=1", "--lod off", "--mesh-lod on", "--budget-ms 2"}) {
+    EXPECT_TRUE(demo(line).error_given) << line;
+  }
+}
+
 TEST(DemoOptions, TakeUpToSixteenModelsInOneCrowd) {
   EXPECT_THAT(demo("a.glb --agents 5 b.glb c.glb").models, ElementsAre("a.glb", "b.glb", "c.glb"));
   EXPECT_EQ(demo("1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30").models.size(),

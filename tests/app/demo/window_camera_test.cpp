@@ -162,5 +162,16 @@ TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {
   EXPECT_GT(glm::distance(camera_.camera().position, show_->stage().crowd().positions()[0]), 1.5F);
 }
 
+TEST_F(CameraOfAWindow, TakesThePlacesThatAFileHasKept) {
+  frame({.keep_bookmark = 0});
+  CameraBookmarks kept;
+  kept[2] = CameraPlace{.x = 7};
+  camera_.take_bookmarks(kept);
+  EXPECT_FALSE(report().kept[0]) << "that of the crowd before";
+  frame({.go_to_bookmark = 2});
+  EXPECT_EQ(camera_.place().x, 7);
+  EXPECT_EQ(camera_.bookmarks(), kept);
+}
+
 }  // namespace
 }  // namespace throng::app::window_camera_test

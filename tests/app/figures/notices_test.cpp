@@ -22,8 +22,9 @@ std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOp
 }
 
 TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
-  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_lods = true}),
-            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarser meshes unless asked otherwise.");
+  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .error_px = 3}),
+            "Drawn on the processor (llvmpipe): no multisampling, no shadows, an error of 3 pixels unless asked "
+            "otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .shadows = true}),
             "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {}), "");

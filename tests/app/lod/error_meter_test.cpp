@@ -3,6 +3,7 @@
 #include "app/lod/error_meter.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,6 +32,13 @@ class MeasuredStage : public testing::Test {
     auto made = Stage::create(mannequin(), tuning, pages_);
     ASSERT_TRUE(made);
     stage_ = std::move(*made);
+    go_on(frames);
+  }
+  void pass_on(const Tuning& tuning, int frames) {
+    ASSERT_TRUE(stage_->apply(tuning));
+    go_on(frames);
+  }
+  void go_on(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
       stage_->pose(camera_, width, height, frame, stage_->frame());
@@ -166,6 +174,37 @@ TEST_F(MeasuredStage, TellsTheErrorLimitNothingOfFewAgents) {
     ASSERT_EQ(stage_->selection().visible.size() >= 100, agents == 1000);
     EXPECT_EQ(stage_->level_of_detail().figures().error_held.has_value(), agents == 1000);
   }
+}
+
+// Poses that are shown past their time would be off by so much that the limit left nothing to skip.
+TEST_F(MeasuredStage, UsesItsLimitWhereFramesDifferInLengthToo) {
+  Tuning tuning = measured();
+  tuning.lod.rule = anim::LodRule::budget;
+  tuning.mesh_lod = 0;
+  tuning.error_px = 3.0F;
+  pass(tuning, 0);
+  constexpr std::array<int, 7> parts{10, 4, 16, 10, 7, 14, 9};  // tenths
+  for (int i = 0; i < 200; ++i) {
+    const anim::Ticks step = frame * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
+    stage_->move(step);
+    stage_->pose(camera_, width, height, step, stage_->frame());
+  }
+  EXPECT_LE(stage_->error_meter().figures().p99, tuning.error_px);
+  EXPECT_GE(stage_->level_of_detail().figures().tolerance_px, tuning.error_px / 2);
+}
+
+TEST_F(MeasuredStage, ForgetsTheErrorsOfOtherValues) {
+  Tuning tuning = measured();
+  tuning.inspection.forced_interval = 16;
+  pass(tuning, 60);
+  const anim::ErrorFigures before = stage_->error_meter().figures();
+  tuning.time_scale = 0.5F;
+  pass_on(tuning, 1);
+  EXPECT_GT(stage_->error_meter().figures().samples, before.samples / 2) << "the clock decides over nothing";
+  tuning.inspection.forced_interval = 1;
+  pass_on(tuning, 20);
+  EXPECT_LT(stage_->error_meter().figures().samples, before.samples / 2);
+  EXPECT_GT(stage_->error_meter().since_start().samples, before.samples);
 }
 
 TEST_F(MeasuredStage, RemembersHowTheErrorWent) {

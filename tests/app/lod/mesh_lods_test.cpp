@@ -46,25 +46,16 @@ TEST_F(ChosenMeshes, AreTheFixedOneWhereTheTuningHasOne) {
   EXPECT_EQ(lods_.choose(tuning_, 0, 1000.0F), 2) << "the coarsest that there is";
 }
 
-TEST_F(ChosenMeshes, MayBeOffByMoreWhereAProcessorDrawsButForTheFace) {
-  lods_.allow_more(3.0F);
-  EXPECT_EQ(lods_.choose(tuning_, 0, 99.0F), 1);
-  EXPECT_EQ(lods_.choose(tuning_, 0, 74.0F), 2);
-  EXPECT_EQ(lods_.choose(tuning_, 0, 249.0F), 1);
-  EXPECT_EQ(lods_.choose(tuning_, 0, 251.0F), 0) << "the face would be off by more than half a pixel";
-}
-
 TEST_F(ChosenMeshes, KeepTheFaceOfWhoIsAHundredPixelsTallUnderAnyLimit) {
   tuning_ = {.error_px = 100.0F, .mesh_error_px = 50.0F};
-  lods_.allow_more(3.0F);
   EXPECT_EQ(lods_.choose(tuning_, 0, 99.0F), 2);
   EXPECT_EQ(lods_.choose(tuning_, 0, 100.0F), 1);
 }
 
 TEST_F(ChosenMeshes, AreSaidByTheHeightBelowWhichTheyAreFineEnough) {
-  for (const float times : {1.0F, 3.0F, 100.0F}) {
-    lods_.allow_more(times);
-    const MeshTolerance tolerance = lods_.tolerance(tuning_);
+  for (const float limit : {1.0F, 3.0F, 100.0F}) {
+    tuning_ = {.error_px = limit, .mesh_error_px = limit};
+    const MeshTolerance tolerance = mesh_tolerance(tuning_);
     for (float tall = 2.0F; tall < 2000.0F; tall *= 1.01F) {
       const auto lod = static_cast<std::size_t>(lods_.choose(tuning_, 0, tall));
       EXPECT_LE(tall, fine_below(lods_.shares(0)[lod], tolerance) * 1.0001F);

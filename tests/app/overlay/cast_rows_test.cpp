@@ -22,6 +22,15 @@ TEST(CastRows, ShowAndChangeTheShareOfEachCharacter) {
   EXPECT_NEAR(dragged.share->share, 1.0, 0.1);
 }
 
+TEST(CastRows, GiveAllPlacesToTheModelThatIsShown) {
+  OverlayDriver driver;
+  driver.report.characters = {"person.glb", "knight.glb"};
+  driver.report.cast.resize(2);
+  driver.report.character = 1;
+  driver.frames();
+  EXPECT_EQ(driver.click("Everyone is this").everyone, 1U);
+}
+
 TEST(CastRows, GoBackToTheShareThatTheCastWasLoadedWith) {
   OverlayDriver driver;
   driver.report.characters = {"person.glb", "knight.glb"};

@@ -182,6 +182,7 @@ TEST_F(LodSkippingTab, DrawsHowTheErrorWent) {
 }
 
 TEST_F(LodSkippingTab, SaysWhySkippingDoesNotPay) {
+  scroll_to_ways_to_look();
   const int before = driver.overlay.vertex_count();
   driver.report.error.skipping_sentence = "At 10 frames a second skipping does not pay.";
   driver.frames();

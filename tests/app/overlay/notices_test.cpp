@@ -54,11 +54,16 @@ TEST(Notices, TheTuningInUseIsNamedOnceThereAreTwo) {
   OverlayDriver driver;
   driver.frames();
   EXPECT_FALSE(driver.sees("badge:pair"));
-  driver.press(Key::b);
-  EXPECT_TRUE(driver.sees("badge:pair"));
-  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
-  driver.click("badge:pair");
+  driver.overlay.tuning_pair().copy_to_other(driver.tuning);
+  driver.frames();
+  ASSERT_TRUE(driver.sees("badge:pair"));
   EXPECT_FALSE(driver.overlay.ui_map().shows_b);
+  const float unnamed = driver.overlay.ui_map().find("badge:pair")->width;
+  driver.overlay.tuning_pair().names[0] = "baseline";
+  driver.frames();
+  EXPECT_GT(driver.overlay.ui_map().find("badge:pair")->width, unnamed) << "it has room for the name";
+  driver.click("badge:pair");
+  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
 }
 
 TEST(Notices, TheExactCrowdIsNamedWhileXIsHeld) {

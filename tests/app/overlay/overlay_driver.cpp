@@ -77,11 +77,14 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.hold_at) all.hold_at = commands.hold_at;
     if (commands.save_preset) all.save_preset = commands.save_preset;
     if (commands.load_preset) all.load_preset = commands.load_preset;
+    if (commands.load_into_other) all.load_into_other = commands.load_into_other;
+    if (!commands.hint.empty()) all.hint = commands.hint;
     if (commands.delete_preset) all.delete_preset = commands.delete_preset;
     if (!commands.models.empty()) all.models = commands.models;
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
+    if (commands.everyone) all.everyone = commands.everyone;
     if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
     add(all.viewer, commands.viewer);

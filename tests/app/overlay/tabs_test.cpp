@@ -58,6 +58,11 @@ TEST_F(AgentTabTest, ShowsEachChannelWithItsEntitiesAndWhatChangesThePose) {
   EXPECT_LT(driver.overlay.vertex_count(), half) << "a shorter figure, and no bar";
 }
 
+TEST_F(AgentTabTest, ShowsItsCharacterAlone) {
+  EXPECT_TRUE(driver.click("View alone").viewer.view_selected);
+  EXPECT_FALSE(driver.click("Layer 0").viewer.view_selected);
+}
+
 TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
   EXPECT_TRUE(driver.sees("LOD history"));
   const int with_history = driver.overlay.vertex_count();
@@ -153,35 +158,6 @@ struct PresetsTabTest : testing::Test {
   OverlayDriver driver;
 };
 
-TEST_F(PresetsTabTest, TwoTuningsChangePlacesByKeyAndByChoice) {
-  driver.press(Key::b);
-  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
-  driver.tuning.agents = 77;
-  driver.press(Key::b);
-  EXPECT_EQ(driver.tuning.agents, Tuning().agents);
-  driver.click("In use:B");
-  EXPECT_EQ(driver.tuning.agents, 77);
-  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
-}
-
-TEST_F(PresetsTabTest, WhatIsPausedStaysPausedAndWhatIsLookedAtStaysWhenTheyChangePlaces) {
-  driver.press(Key::b);
-  driver.tuning.paused = true;
-  driver.tuning.inspection.thresholds = true;
-  driver.press(Key::b);
-  EXPECT_TRUE(driver.tuning.paused);
-  EXPECT_TRUE(driver.tuning.inspection.thresholds);
-}
-
-TEST_F(PresetsTabTest, OneIsCopiedToTheOther) {
-  driver.press(Key::b);
-  driver.tuning.agents = 77;
-  driver.frames();
-  driver.click("Copy B to A");
-  driver.press(Key::b);
-  EXPECT_EQ(driver.tuning.agents, 77);
-}
-
 TEST_F(PresetsTabTest, KeepsThemUnderNamesThatAFileCanHave) {
   EXPECT_FALSE(driver.click("Save preset").save_preset) << "no name yet";
   driver.click("Name.field");
@@ -204,12 +180,6 @@ TEST_F(PresetsTabTest, LoadsAndAfterAskingDeletes) {
 }
 
 TEST_F(PresetsTabTest, CopiesTheCommandLine) { EXPECT_TRUE(driver.click("Copy as command line").copy_command_line); }
-
-TEST_F(PresetsTabTest, BIsALetterWhileTyping) {
-  driver.click("Name.field");
-  driver.press(Key::b);
-  EXPECT_FALSE(driver.overlay.ui_map().shows_b);
-}
 
 TEST(Tabs, FitIntoAWindowOfAnySize) {
   OverlayDriver driver;

@@ -95,6 +95,16 @@ TEST_F(ViewerPanel, OfAClipForARoleAsksBeforeTheCrowdPlaysIt) {
   EXPECT_TRUE(driver.click("Apply to the crowd").viewer.apply_preview);
 }
 
+TEST(CharacterOfTheCrowd, IsViewedWithoutASelection) {
+  OverlayDriver driver;
+  driver.report.character = 1;
+  driver.report.characters = {"a.glb", "b.glb"};
+  driver.frames();
+  const auto view = driver.click("View model").viewer.view;
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->character, 1U);
+}
+
 TEST(SelectedAgent, IsViewedByAButtonOfItsCard) {
   OverlayDriver driver;
   driver.report.selected = SelectionReport{.entities = {}};

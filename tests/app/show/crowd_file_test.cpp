@@ -113,6 +113,21 @@ TEST_F(CrowdFile, HoldsEveryValue) {
   }
 }
 
+TEST_F(CrowdFile, HoldsWhatIsComparedAndThePlacesOfTheCamera) {
+  CrowdSetup setup{.characters = {{}}, .preset = {}};
+  Tuning other;
+  other.agents = 12;
+  setup.pair.take_other(other, "far");
+  setup.pair.names[0] = "near";
+  setup.bookmarks[0] = CameraPlace{.x = 1, .y = 2.5F, .z = -3, .yaw = 4, .pitch = 5, .field_of_view = 60};
+  setup.bookmarks[8] = CameraPlace{.x = 0.1F};
+  ASSERT_TRUE(write_crowd_file(folder_ / "mine.throng", setup));
+  const auto read = read_crowd_file(folder_ / "mine.throng");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->pair, setup.pair);
+  EXPECT_EQ(read->bookmarks, setup.bookmarks);
+}
+
 TEST_F(CrowdFile, OptionsBesideItWinOverItsValues) {
   CrowdSetup setup{.characters = {{}}, .preset = {}};
   setup.preset.tuning.agents = 9;
@@ -139,6 +154,12 @@ TEST_F(CrowdFile, RefusesWhatItDoesNotUnderstandInOneLine) {
       {R"({"version": 1, "characters": [{"placement": {"up": "w"}}]})", "-z"},
       {R"({"version": 1, "characters": [{}], "values": {"agents": "many"}})", "agents"},
       {R"({"version": 1, "characters": [{"colour": 1}]})", "colour"},
+      {R"({"version": 1, "characters": [{}], "compare": {"in_use": "B"}})", "\"other\" is missing"},
+      {R"({"version": 1, "characters": [{}], "bookmarks": []})", "bookmarks must be an object"},
+      {R"({"version": 1, "characters": [{}], "bookmarks": {"0": "1,2,3,4,5"}})", "it knows 1, 2"},
+      {R"({"version": 1, "characters": [{}], "bookmarks": {"2": "home"}})", "bookmarks: \"2\" must be x,y,z"},
+      {R"({"version": 1, "characters": [{}], "bookmarks": {"2": "1,2,3,4,500"}})", "pitch -90 to 90"},
+      {R"({"version": 1, "characters": [{}], "bookmarks": {"2": [1]}})", "\"2\" must be"},
   };
   const std::string file = (folder_ / "bad.throng").string();
   for (const Case& bad : cases) {

@@ -46,7 +46,7 @@ struct LodFrame {
   std::span<const float> scales{};    ///< empty: all 1
   Camera camera{};
   LodRules rules{};
-  Ticks frame_step{};  ///< the length of a frame
+  Ticks frame_step{};  ///< the time since the frame before
 };
 
 /// Decides who is posed now, how far ahead, and with how many bones (paper 3.2). It allocates only when agents or

@@ -1,0 +1,49 @@
+// What a crowd file keeps for a window: two tunings to compare, and the places of the camera.
+#include "tests/window/window_driver.h"
+
+namespace throng::app {
+namespace {
+
+class KeptCrowd : public WindowDriver {
+ protected:
+  void keep_camera_at(const std::string& digit) {
+    hold("Control_L");
+    press(digit);
+    let_go("Control_L");
+    wait_for("a place at " + digit, [&](const Json& map) { return is_kept(map, digit); });
+  }
+  static bool is_kept(const Json& map, const std::string& digit) {
+    return map["report"]["cameras"]["kept"][std::stoul(digit) - 1] == true;
+  }
+  void wait_for_all_of_it() {
+    wait_for("both tunings", [](const Json& map) { return map["widgets"].contains("badge:pair"); });
+    wait_for("the places", [](const Json& map) { return is_kept(map, "3") && !is_kept(map, "4"); });
+    press("b");
+    wait_for("the other tuning", [](const Json& map) { return map["shows_b"] == true; });
+  }
+};
+
+TEST_F(KeptCrowd, BringsBackBothTuningsAndThePlacesOfTheCamera) {
+  keep_camera_at("3");
+  click("tab:Presets");
+  press("b");
+  wait_for("what to do", [](const Json& map) {
+    return map["report"]["message"].get<std::string>().find("Copy A to B") != std::string::npos;
+  });
+  click("Copy A to B");
+  wait_for("a badge", [](const Json& map) { return map["widgets"].contains("badge:pair"); });
+  bring_into_sight("Crowd name.field");
+  type_into("Crowd name.field", "mine");
+  click("Save crowd");
+  wait_for("the file", [](const Json& map) { return map["widgets"].contains("Open mine"); });
+  keep_camera_at("4");
+  click("Forget B");
+  wait_for("A alone", [](const Json& map) { return !map["widgets"].contains("badge:pair"); });
+  click("Open mine");
+  wait_for_all_of_it();
+  start_program({"mine.throng", "--size", "1280x720"});
+  wait_for_all_of_it();
+}
+
+}  // namespace
+}  // namespace throng::app

@@ -223,21 +223,28 @@ void FrameReporter::add_error(const Stage& stage) {
   report_.error.skipping_sentence = skips ? skipping_sentence(limit_.mean(), report_.agents_by_interval) : "";
 }
 
+// Those that are tallest on the screen, and the selected one, however small it is.
 void FrameReporter::add_heads(const Stage& stage) {
   report_.heads.clear();
   if (!stage.tuning().inspection.figures_above_heads) return;
   std::vector<anim::VisibleAgent> near(stage.selection().visible.begin(), stage.selection().visible.end());
   const auto shown = near.begin() + static_cast<std::ptrdiff_t>(std::min(near.size(), most_heads));
   std::ranges::partial_sort(near, shown, std::ranges::greater(), &anim::VisibleAgent::pixels_tall);
-  for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) {
-    const glm::vec3 foot = stage.crowd().positions()[agent.agent];
-    const auto height = static_cast<float>(stage.character_of(agent.agent).character->bounds.height);
-    report_.heads.push_back({.x = foot.x,
-                             .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
-                             .z = foot.z,
-                             .interval = agent.interval,
-                             .bone_level = agent.bone_level});
-  }
+  for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) add_head(stage, agent);
+  if (!stage.selected()) return;
+  const auto selected = std::ranges::find(shown, near.end(), *stage.selected(), &anim::VisibleAgent::agent);
+  if (selected != near.end()) add_head(stage, *selected);
+}
+
+void FrameReporter::add_head(const Stage& stage, const anim::VisibleAgent& agent) {
+  const glm::vec3 foot = stage.crowd().positions()[agent.agent];
+  const auto height = static_cast<float>(stage.character_of(agent.agent).character->bounds.height);
+  report_.heads.push_back({.agent = agent.agent,
+                           .x = foot.x,
+                           .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
+                           .z = foot.z,
+                           .interval = agent.interval,
+                           .bone_level = agent.bone_level});
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system) {

@@ -63,6 +63,7 @@ class FrameReporter {
   void add_level_of_detail(const Stage& stage);
   void add_error(const Stage& stage);
   void add_heads(const Stage& stage);
+  void add_head(const Stage& stage, const anim::VisibleAgent& agent);
   void add_units(const anim::AnimationSystem& system);
 
   FrameReport report_;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/crowd/crowd.h"
+#include "app/show/crowd_framing.h"
 
 namespace throng::app {
 namespace {
@@ -64,10 +65,10 @@ void WindowCamera::put(const CameraPlace& place, Show& show) {
 }
 
 void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
-  const CrowdSphere crowd = bounding_sphere(show.stage().crowd());
+  const std::vector<FramedBox> boxes = boxes_of(show.stage());
+  if (boxes.empty()) return;
   const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
-  fly_.set_camera(
-      render::frame_sphere(fly_.camera(), crowd.centre, crowd.radius, aspect, part_of(area, show.width, show.height)));
+  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.width, show.height)));
   show.films = false;
 }
 

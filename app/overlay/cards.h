@@ -34,11 +34,10 @@ void show_view_button(Widgets& widgets, const std::string& name, float width, Ov
 /// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);
 
-/// Writes the level of detail of each agent in the report above its head: the interval in frames, and after it the bone
-/// level where bones are dropped.
-void show_head_labels(Widgets& widgets, const Area& crowd, const FrameReport& report);
-
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);
+
+/// Begins a window that lets the pointer through, for words over the crowd; end it with ImGui::End().
+void begin_clear_window(const char* name, const Area& place);
 
 }  // namespace throng::app

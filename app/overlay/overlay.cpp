@@ -14,6 +14,7 @@
 #include "app/overlay/hotkeys.h"
 #include "app/overlay/imgui_input.h"
 #include "app/overlay/panel_column.h"
+#include "app/overlay/picture_aids.h"
 #include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
 #include "app/overlay/viewer_panel.h"
@@ -66,6 +67,7 @@ struct Overlay::State {
   TabMemory memory;
   bool showed_b = false;  ///< in the frame before
   PanelColumn column{widgets};
+  AidsMemory aids;
 
   void watch_values(const FrameReport& report, const Tuning& tuning);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
@@ -132,6 +134,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     if (state.switches.help && show_help_card(state.widgets, layout.crowd, state.memory.searched_help)) {
       state.switches.help = false;
     }
+    show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
   state.watch_values(report, tuning);
   ImGui::Render();
@@ -152,7 +155,6 @@ void Overlay::State::watch_values(const FrameReport& report, const Tuning& tunin
 
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
   const FrameReport& report = context_of_tab.report;
-  show_head_labels(widgets, layout.crowd, report);
   Area below_notices = layout.crowd;
   below_notices.from.y = show_notices(context_of_tab, layout.crowd);
   show_frame_strip(widgets, layout.strip, report, context_of_tab.commands);

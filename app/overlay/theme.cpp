@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/settings/agent_colors.h"
-#include "engine/anim/asset/skeleton.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -104,9 +103,8 @@ void set_shapes(ImGuiStyle& style, float scale) {
 
 }  // namespace
 
-ImU32 colour::step(int place, int steps) { return step_color(place, steps) | IM_COL32_A_MASK; }
-ImU32 colour::interval(int frames) { return step(frames - 1, 8); }
-ImU32 colour::bone_level(int level) { return step(level, anim::max_bone_levels); }
+ImU32 colour::interval(int frames) { return interval_color(frames) | IM_COL32_A_MASK; }
+ImU32 colour::bone_level(int level) { return bone_level_color(level) | IM_COL32_A_MASK; }
 
 ImU32 colour::with_alpha(ImU32 colour, float alpha) {
   const auto scaled = static_cast<ImU32>(alpha * static_cast<float>(colour >> IM_COL32_A_SHIFT));

@@ -29,9 +29,7 @@ inline constexpr ImU32 wait = IM_COL32(72, 79, 90, 255);
 inline constexpr ImU32 frame = IM_COL32(122, 178, 232, 255);
 
 ImU32 with_alpha(ImU32 colour, float alpha);
-/// Returns the colour that debug views lay over an agent, opaque. `place` 0 of `steps` is full detail.
-ImU32 step(int place, int steps);
-/// Returns the colour of an agent that is updated every so many frames. The longest intervals share one colour.
+/// Returns the colour that debug views lay over an agent that is updated every so many frames, opaque.
 ImU32 interval(int frames);
 ImU32 bone_level(int level);
 }  // namespace colour

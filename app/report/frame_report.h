@@ -40,6 +40,7 @@ struct BoneRow {
 
 /// The interval and the bone level of an agent, to be written above its head.
 struct HeadFigures {
+  std::uint32_t agent = 0;
   float x = 0, y = 0, z = 0;  ///< metres, just above the head
   int interval = 1;
   int bone_level = 0;

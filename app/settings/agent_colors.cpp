@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/anim/lod/lod.h"
 
 namespace throng::app {
 namespace {
 
+constexpr int interval_steps = 8;
+constexpr float first_error_limit = 0.25F;  // pixels; each further step ends at twice as many
+
 constexpr std::uint32_t rgba(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t alpha) {
   return red | green << 8U | blue << 16U | alpha << 24U;
 }
 
-}  // namespace
-
+// From green (full detail) to red. People tell these colours apart at a glance.
 std::uint32_t step_color(int step, int steps) {
   constexpr std::array<std::uint32_t, 6> row = {rgba(70, 200, 120, 200), rgba(150, 205, 80, 200),
                                                 rgba(235, 205, 70, 200), rgba(240, 150, 60, 200),
@@ -23,25 +26,51 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
+std::uint32_t srgb_byte(float linear) {
+  const float encoded = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+  return static_cast<std::uint32_t>(std::lround(255.0F * std::clamp(encoded, 0.0F, 1.0F)));
+}
+
+}  // namespace
+
+std::uint32_t interval_color(int frames) { return step_color(frames - 1, interval_steps); }
+std::uint32_t bone_level_color(int level) { return step_color(level, anim::max_bone_levels); }
+std::uint32_t mesh_lod_color(int lod) { return step_color(lod, mesh_lod_steps); }
+
+float error_limit(int step) { return std::ldexp(first_error_limit, step); }
+
 int error_step(float pixels) {
   int step = 0;
-  for (float limit = 0.25F; step + 1 < error_steps && pixels >= limit; limit *= 2.0F) ++step;
+  while (step + 1 < error_steps && pixels >= error_limit(step)) ++step;
   return step;
 }
 
 std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
   switch (view) {
     case DebugView::interval:
-      return step_color(detail.interval - 1, 8);
+      return interval_color(detail.interval);
     case DebugView::bone_level:
-      return step_color(detail.bone_level, anim::max_bone_levels);
+      return bone_level_color(detail.bone_level);
+    case DebugView::mesh_lod:
+      return detail.mesh_lod < 0 ? 0 : mesh_lod_color(detail.mesh_lod);
     case DebugView::error:
       return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
     case DebugView::none:
-    case DebugView::mesh_lod:
       return 0;
   }
   return 0;
+}
+
+// The colours and their order are those of color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.
+std::uint32_t weight_color(float weight) {
+  constexpr std::array<std::array<float, 3>, 3> ramp = {
+      {{0.02F, 0.04F, 0.2F}, {0.05F, 0.6F, 0.1F}, {1.0F, 0.08F, 0.02F}}};
+  const float place = 2.0F * std::clamp(weight, 0.0F, 1.0F);
+  const std::size_t from = place < 1.0F ? 0 : 1;
+  const auto mixed = [&](std::size_t part) {
+    return srgb_byte(std::lerp(ramp.at(from).at(part), ramp.at(from + 1).at(part), place - static_cast<float>(from)));
+  };
+  return rgba(mixed(0), mixed(1), mixed(2), 255);
 }
 
 }  // namespace throng::app

@@ -6,24 +6,39 @@
 
 namespace throng::app {
 
+// Every colour that stands for a value, once. What is drawn, plots, legends and lines in the scene take it from here.
+
 /// The figures of an agent that debug views show.
 struct AgentDetail {
   int interval = 1;        ///< frames
   int bone_level = 0;      ///< the level of the pose shown
   float error_px = -1.0F;  ///< the error on screen; below 0: not measured
+  int mesh_lod = -1;       ///< below 0: not chosen yet
 };
 
 /// Returns the colour (RGBA8, sRGB, red in the lowest byte) that a debug view lays over an agent; 0: none.
 std::uint32_t debug_color(DebugView view, const AgentDetail& detail);
 
+/// Returns the colour of an interval. Neighbours may share one, and so do all beyond the last that has its own.
+std::uint32_t interval_color(int frames);
+std::uint32_t bone_level_color(int level);
+
+inline constexpr int mesh_lod_steps = 4;
+std::uint32_t mesh_lod_color(int lod);
+
 /// Returns the step of an error on screen, 0 to 5: below a quarter of a pixel, a half, 1, 2, 4, and more.
 int error_step(float pixels);
 inline constexpr int error_steps = 6;
+/// Returns the pixels below which an error is of a step before the last.
+float error_limit(int step);
 
 /// The colour of the selected agent, which is the overlay's own, so that card and character seem to belong together.
 inline constexpr std::uint32_t selected_color = 0xB0AEBF48;
 
-/// Returns the colour of a step, from green (full detail) to red. People tell these colours apart at a glance.
-std::uint32_t step_color(int step, int steps);
+/// The colour of the lines that show the bounds of a character in the viewer.
+inline constexpr std::uint32_t bounds_color = 0xFF54B2F0;
+
+/// Returns the colour of a part of the surface that follows a bone by `weight`, 0 to 1, as the viewer shows it, opaque.
+std::uint32_t weight_color(float weight);
 
 }  // namespace throng::app

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t frustum_color = 0xFFF2F0E8, opaque = 0xFF000000;
 constexpr float ground = 0.03F;  // metres: just above, so that paving does not cover it
-constexpr int ring_corners = 96, interval_colors = 8;
+constexpr int ring_corners = 96;
 
 glm::vec3 crossing(const glm::vec3& from, const glm::vec3& to) {
   return glm::mix(from, to, (ground - from.y) / (to.y - from.y));
@@ -74,7 +74,7 @@ void add_threshold_rings(SceneLines& lines, std::span<const IntervalThreshold> t
       return glm::vec3(camera.position.x + radius * std::sin(angle), ground,
                        camera.position.z + radius * std::cos(angle));
     };
-    const std::uint32_t color = step_color(threshold.interval - 1, interval_colors) | opaque;
+    const std::uint32_t color = interval_color(threshold.interval) | opaque;
     for (int i = 0; i < ring_corners; ++i) lines.push_back({corner(i), corner(i + 1), color});
   }
 }

@@ -7,7 +7,7 @@
 namespace throng::app {
 namespace {
 
-constexpr std::uint32_t lods = 4;
+constexpr std::uint32_t lods = mesh_lod_steps;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void Picture::compose(const Stage& stage, Poses poses) {
     const int lod = poses == Poses::exact ? 0 : mesh_lod_of(stage, agent);
     entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
     if (lod_as_color && agent.agent != stage.selected())
-      entry.record.debug_color = step_color(lod, static_cast<int>(lods));
+      entry.record.debug_color = debug_color(DebugView::mesh_lod, {.mesh_lod = lod});
     entries_.push_back(entry);
   }
   sort_into_runs(characters);

@@ -8,12 +8,13 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/settings/agent_colors.h"
+
 namespace throng::app {
 namespace {
 
 constexpr float view_radius = 1.0F;     // metres, of the sphere that a character is drawn to fill
 constexpr double shortest_clip = 1e-6;  // seconds
-constexpr std::uint32_t bounds_color = 0xFF54B2F0;
 constexpr int ring_corners = 64;
 constexpr std::uint32_t entry_of_none = 65536;
 

@@ -52,11 +52,13 @@ struct CrowdFrame {
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 
+/// The difference of two pictures is shown so many times as bright.
+inline constexpr float difference_amplification = 8.0F;
+
 /// Says how two pictures share one.
 struct SplitView {
-  float divider = 0.5F;  ///< the left picture fills this share of the width
-  bool difference =
-      false;  ///< beyond it, show the difference of the two, eight times as bright, instead of the right one
+  float divider = 0.5F;     ///< the left picture fills this share of the width
+  bool difference = false;  ///< beyond it, show the amplified difference of the two instead of the right one
 };
 
 struct DrawCounts {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include "tests/window/window_driver.h"
@@ -52,6 +53,27 @@ TEST_F(LookAtLod, AForcedIntervalIsEveryones) {
 TEST_F(LookAtLod, FiguresStandAboveHeads) {
   click("Above heads");
   wait_for("figures", [](const Json& map) { return map["report"]["heads"] > 0 && map["widgets"].contains("Heads"); });
+}
+
+TEST_F(LookAtLod, TheSplitLineFollowsTheMouseAndNothingElseDoes) {
+  press("space");
+  click("Split:exact | LOD");
+  const Json before = wait_for("the line", [](const Json& map) { return map["widgets"].contains("split line"); });
+  const Json line = before["widgets"]["split line"];
+  const double x = line["x"].get<double>() + line["w"].get<double>() / 2;
+  point_at(x, 400);
+  button(1, true);
+  for (const double way : {-40.0, -128.0}) {
+    point_at(x + way, 410);
+    wait_for("the line at the pointer", [&](const Json& map) {
+      const double now = map["tuning"]["inspection"]["split_at"];
+      return std::abs(now - (x + way) / 1280) < 0.002;
+    });
+  }
+  button(1, false);
+  const Json after = next_map();
+  EXPECT_EQ(after["camera"], before["camera"]);
+  EXPECT_TRUE(after["report"]["selected"].is_null());
 }
 
 TEST_F(LookAtLod, TheCrowdIsTakenBackInTime) {

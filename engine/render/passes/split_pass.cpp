@@ -8,7 +8,6 @@ namespace {
 constexpr GLuint left_unit = 0, right_unit = 1;
 constexpr GLint divider_location = 0, amplification_location = 1;
 constexpr GLsizei corners_of_the_picture = 3;
-constexpr float amplification = 8.0F;
 
 }  // namespace
 
@@ -28,7 +27,7 @@ DrawCounts SplitPass::draw(const ImageTarget& target, const SplitView& split) co
   glDisable(GL_BLEND);
   glUseProgram(program_.id());
   glUniform1f(divider_location, split.divider * static_cast<float>(target.size().x));
-  glUniform1f(amplification_location, split.difference ? amplification : 0.0F);
+  glUniform1f(amplification_location, split.difference ? difference_amplification : 0.0F);
   glBindTextureUnit(left_unit, left_.pixels.id());
   glBindTextureUnit(right_unit, right_.pixels.id());
   glBindVertexArray(no_vertices_.id());

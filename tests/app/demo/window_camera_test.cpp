@@ -3,11 +3,9 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "tests/app/overlay/overlay_driver.h"
 #include "tests/app/recording/recorded_run.h"
 
 namespace throng::app::window_camera_test {
@@ -156,46 +154,6 @@ TEST_F(CameraOfAWindow, FliesAsFastAsItIsTold) {
   const glm::vec3 before = camera_.camera().position;
   camera_.steer(*show_, flying(), {}, 0.5F);
   EXPECT_NEAR(glm::distance(camera_.camera().position, before), 10.0F, 1e-3F);
-}
-
-// The pixels of everybody's feet and heads.
-std::vector<glm::vec2> pixels_of(const Crowd& crowd, const render::Camera& camera, glm::vec2 size) {
-  const render::CameraView view = render::view_of(camera, size.x / size.y);
-  std::vector<glm::vec2> pixels;
-  for (const glm::vec3& foot : crowd.positions()) {
-    for (const float height : {0.0F, 1.8F}) {
-      const glm::vec4 clip = view.projection * view.view * glm::vec4(foot + glm::vec3(0.0F, height, 0.0F), 1.0F);
-      EXPECT_GT(clip.w, 0.0F);
-      pixels.emplace_back((0.5F + 0.5F * clip.x / clip.w) * size.x, (0.5F - 0.5F * clip.y / clip.w) * size.y);
-    }
-  }
-  return pixels;
-}
-
-TEST_F(CameraOfAWindow, FramesTheCrowdWhereTheOverlayLeavesItBeSeen) {
-  for (const bool hidden : {false, true}) {
-    for (const glm::ivec2 size : {glm::ivec2(1280, 720), {2560, 1440}, {600, 400}, {500, 1200}}) {
-      OverlayDriver person;
-      person.overlay.set_hidden(hidden);
-      person.overlay.begin_frame(size.x, size.y, 1.0 / 60, {});
-      person.overlay.build(person.report, person.tuning);
-      const UiRectangle area = person.overlay.crowd_area();
-      show_->width = size.x;
-      show_->height = size.y;
-      camera_.frame_crowd(area, *show_);
-      glm::vec2 low(1e9F), high(-1e9F);
-      for (const glm::vec2 pixel : pixels_of(show_->stage().crowd(), camera_.camera(), size)) {
-        low = glm::min(low, pixel);
-        high = glm::max(high, pixel);
-      }
-      EXPECT_GE(low.x, area.x);
-      EXPECT_GE(low.y, area.y);
-      EXPECT_LE(high.x, area.x + area.width) << size.x << "x" << size.y << (hidden ? " without" : " with") << " panel";
-      EXPECT_LE(high.y, area.y + area.height) << size.x << "x" << size.y << (hidden ? " without" : " with") << " panel";
-      const float fills = std::max((high.x - low.x) / area.width, (high.y - low.y) / area.height);
-      EXPECT_GT(fills, 0.25F) << "a sphere around so few people is larger than they are";
-    }
-  }
 }
 
 TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/report/frame_report.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// A colour of the picture and what it means.
+struct LegendStep {
+  std::uint32_t color = 0;    ///< as it is drawn (app/settings/agent_colors.h); 0: nothing is laid over the agent
+  std::string words;          ///< the values in force that have it
+  std::optional<int> agents;  ///< in view, that have it now; nothing: not counted
+};
+
+/// The meaning of the colours of one scale.
+struct LegendPart {
+  std::string title;
+  std::vector<LegendStep> steps;
+  std::string note = {};  ///< what holds for all of it; may be empty
+};
+
+/// Returns what the colours in the picture mean, with the numbers in force; nothing while there are none. Values that
+/// share a colour share a step. `heads_shown` is how many figures above heads had room.
+std::vector<LegendPart> legend_of(const FrameReport& report, const Tuning& tuning, std::size_t heads_shown = 0);
+
+}  // namespace throng::app

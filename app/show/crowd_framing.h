@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "app/stage/stage.h"
+#include "engine/render/camera.h"
+
+namespace throng::app {
+
+/// An upright box, metres.
+struct FramedBox {
+  glm::vec3 low{0.0F}, high{0.0F};
+};
+
+/// The share of the free part's width and height that stays empty at each of its edges.
+inline constexpr float framing_margin = 0.05F;
+
+/// Moves the camera, which keeps its direction, as near as all boxes, of which there is at least one, are seen in that
+/// part of the picture with a margin. `aspect` is that of the whole picture.
+render::Camera framed(const render::Camera& camera, std::span<const FramedBox> boxes, float aspect,
+                      const render::PicturePart& part);
+
+/// Returns a box around each agent.
+std::vector<FramedBox> boxes_of(const Stage& stage);
+
+}  // namespace throng::app

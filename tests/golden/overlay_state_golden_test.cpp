@@ -1,4 +1,5 @@
 // Cards, lists and states of the overlay, which a person brings about, with nothing but sky behind them.
+#include <cstdint>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,27 @@ TEST_F(OverlayState, TwoTuningsAndWhereTheyDiffer) {
   person.tuning.error_px = 4;
   person.tuning.lod.largest_interval = 16;
   looks_as_it_did("state-compare");
+}
+
+TEST_F(OverlayState, LegendOfIntervalsAndOfTheSplit) {
+  person.tuning.debug_view = DebugView::interval;
+  person.tuning.inspection.split = Split::difference;
+  looks_as_it_did("state-legend");
+}
+
+TEST_F(OverlayState, FiguresAboveHeadsThatDoNotPileUp) {
+  person.tuning.inspection.figures_above_heads = true;
+  person.report.camera = {.y = 2, .z = 5, .pitch = 35};
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const auto place = static_cast<float>(i);
+    person.report.heads.push_back({.agent = i,
+                                   .x = 0.11F * (place - 30),
+                                   .y = 6 + 0.03F * static_cast<float>(i % 7),
+                                   .z = -2 - 0.02F * place,
+                                   .interval = 1 + static_cast<int>(i) % 8,
+                                   .bone_level = static_cast<int>(i) % 3});
+  }
+  looks_as_it_did("state-heads");
 }
 
 TEST_F(OverlayState, ReplayWithItsControls) {

@@ -79,7 +79,14 @@ TEST_F(PictureAids, TheLegendIsUnderNoCard) {
   driver.report.replay.emplace();
   driver.press(Key::f1);
   driver.press(Key::l);
+  driver.point_at("Help.title", 0.5F);
+  driver.button(true);
   driver.frames();
+  driver.point_at(150, 500);  // to the lower left, where the legend would be
+  driver.frames();
+  driver.button(false);
+  driver.frames();
+  ASSERT_GT(place("Help").y, 300);
   for (const char* const card : {"Selected", "Help", "Messages", "Replay"}) {
     EXPECT_FALSE(overlap(place("legend"), place(card))) << card;
   }

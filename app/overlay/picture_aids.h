@@ -30,7 +30,7 @@ void show_picture_aids(const TabContext& context, const UiMap& map, const Area& 
 // Their parts. `taken` are the places over the crowd that must stay free.
 
 /// Shows the grip of the line that splits the picture, and says what is on either side. A drag moves the line. Returns
-/// the places of the words.
+/// the places of the grip and the words.
 std::vector<Area> show_split_line(const TabContext& context, const Area& crowd, std::span<const Area> taken,
                                   AidsMemory& memory);
 /// Writes the level of detail of agents near by above their heads: the interval in frames, and after it the bone level

@@ -12,14 +12,20 @@ namespace {
 constexpr float grip_reach = 5;  // pixels to either side of the line at which it can be grabbed
 constexpr float grip_half_width = 4, grip_height = 40;
 
+Area place_of_grip(const Theme& theme, const Area& crowd, float x) {
+  const float y = (crowd.from.y + crowd.to.y) / 2, half = theme.px(grip_half_width), tall = theme.px(grip_height) / 2;
+  return {.from = {x - half, y - tall}, .to = {x + half, y + tall}};
+}
+
 void draw_grip(const Theme& theme, const Area& crowd, float x, bool is_lively) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float y = (crowd.from.y + crowd.to.y) / 2, half = theme.px(grip_half_width), tall = theme.px(grip_height) / 2;
+  const Area grip = place_of_grip(theme, crowd, x);
+  const float y = (grip.from.y + grip.to.y) / 2, quarter = grip.height() / 4;
   if (is_lively) draw.AddLine({x, crowd.from.y}, {x, crowd.to.y}, colour::accent, theme.px(2));
-  draw.AddRectFilled({x - half, y - tall}, {x + half, y + tall}, is_lively ? colour::accent : colour::text, half);
+  draw.AddRectFilled(grip.from, grip.to, is_lively ? colour::accent : colour::text, grip.width() / 2);
   for (const float side : {-1.0F, 1.0F}) {
     const float line = x + side * theme.px(1.5F);
-    draw.AddLine({line, y - tall / 2}, {line, y + tall / 2}, colour::on_accent, theme.px(1));
+    draw.AddLine({line, y - quarter}, {line, y + quarter}, colour::on_accent, theme.px(1));
   }
 }
 
@@ -72,9 +78,11 @@ std::vector<Area> show_split_line(const TabContext& context, const Area& crowd, 
   if (idle_reason("split_at", context.tuning, context.report.situation)) return {};
   const Theme& theme = context.widgets.theme();
   const float x = context.tuning.inspection.split_at * ImGui::GetIO().DisplaySize.x;
-  const bool is_in_sight = x <= crowd.to.x;
-  if (is_in_sight && !context.report.replay) show_grip(context, crowd, x, memory);
   std::vector<Area> places;
+  if (x <= crowd.to.x && !context.report.replay) {
+    show_grip(context, crowd, x, memory);
+    places.push_back(place_of_grip(theme, crowd, x));
+  }
   const std::array<std::string, 2> sides = {"exact", words_right_of_line(context.tuning.inspection)};
   begin_clear_window("Split words", crowd);
   for (std::size_t side = 0; side < sides.size(); ++side) {

@@ -9,7 +9,6 @@
 namespace throng::app {
 namespace {
 
-constexpr int interval_steps = 8;
 constexpr float first_error_limit = 0.25F;  // pixels; each further step ends at twice as many
 
 constexpr std::uint32_t rgba(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t alpha) {
@@ -33,7 +32,13 @@ std::uint32_t srgb_byte(float linear) {
 
 }  // namespace
 
-std::uint32_t interval_color(int frames) { return step_color(frames - 1, interval_steps); }
+std::uint32_t interval_color(int frames) {
+  constexpr std::array<std::uint32_t, 8> row = {
+      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
+      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
+  return row[static_cast<std::size_t>(std::clamp(frames, 1, static_cast<int>(row.size())) - 1)];
+}
+
 std::uint32_t bone_level_color(int level) { return step_color(level, anim::max_bone_levels); }
 std::uint32_t mesh_lod_color(int lod) { return step_color(lod, mesh_lod_steps); }
 

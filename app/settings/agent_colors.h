@@ -19,7 +19,7 @@ struct AgentDetail {
 /// Returns the colour (RGBA8, sRGB, red in the lowest byte) that a debug view lays over an agent; 0: none.
 std::uint32_t debug_color(DebugView view, const AgentDetail& detail);
 
-/// Returns the colour of an interval. Neighbours may share one, and so do all beyond the last that has its own.
+/// Returns the colour of an interval. Those beyond eight frames share the last.
 std::uint32_t interval_color(int frames);
 std::uint32_t bone_level_color(int level);
 

@@ -66,16 +66,16 @@ TEST_F(Legends, HaveAllColoursThatAnyWayToColourGives) {
   }
 }
 
-TEST_F(Legends, SayWhichIntervalsShareAColour) {
+TEST_F(Legends, TellEightIntervalsApartAndSayWhichShareTheLastColour) {
   const LegendPart part = legend_of_view(DebugView::interval);
-  EXPECT_THAT(words_of(part),
-              ElementsAre("1 and 2 frames", "3 frames", "4 and 5 frames", "6 frames", "7 frames", "8 frames"));
-  EXPECT_EQ(part.steps.front().agents, 500);
-  EXPECT_EQ(part.steps.front().color, debug_color(DebugView::interval, {.interval = 2}));
+  EXPECT_THAT(words_of(part), ElementsAre("1 frame", "2 frames", "3 frames", "4 frames", "5 frames", "6 frames",
+                                          "7 frames", "8 frames"));
+  EXPECT_EQ(part.steps.front().agents, 300);
+  EXPECT_EQ(part.steps[1].color, debug_color(DebugView::interval, {.interval = 2}));
   tuning.lod.largest_interval = 16;
   EXPECT_EQ(words_of(legend_of_view(DebugView::interval)).back(), "8 to 16 frames");
   tuning.lod.largest_interval = 3;
-  EXPECT_THAT(words_of(legend_of_view(DebugView::interval)), ElementsAre("1 and 2 frames", "3 frames"));
+  EXPECT_THAT(words_of(legend_of_view(DebugView::interval)), ElementsAre("1 frame", "2 frames", "3 frames"));
   tuning.lod.rule = anim::LodRule::off;
   EXPECT_THAT(words_of(legend_of_view(DebugView::interval)), ElementsAre("1 frame"));
 }

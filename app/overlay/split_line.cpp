@@ -9,7 +9,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float grip_reach = 5;  // pixels to either side of the line at which it can be grabbed
+constexpr float grip_reach = 6;  // pixels to either side of the line at which it can be grabbed
 constexpr float grip_half_width = 4, grip_height = 40;
 
 Area place_of_grip(const Theme& theme, const Area& crowd, float x) {

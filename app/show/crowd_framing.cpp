@@ -10,6 +10,8 @@
 namespace throng::app {
 namespace {
 
+constexpr float least_ahead = 1.05F * render::Camera::near_distance;  // what is nearer is not drawn
+
 /// What a camera sees along one axis of the picture, between two planes through it. Each leans to the side by so much a
 /// metre ahead. A point is inside when it lies between them, which gives two bounds for the place of the camera.
 class SeenAcross {
@@ -63,8 +65,7 @@ render::Camera framed(const render::Camera& camera, std::span<const FramedBox> b
       nearest = std::min(nearest, depth);
     }
   }
-  const float depth =
-      std::min({across.farthest_ahead(), along.farthest_ahead(), nearest - 2.0F * render::Camera::near_distance});
+  const float depth = std::min({across.farthest_ahead(), along.farthest_ahead(), nearest - least_ahead});
   render::Camera moved = camera;
   moved.position = origin + across.aside(depth) * right + along.aside(depth) * up + depth * ahead;
   return moved;

@@ -106,7 +106,7 @@ class AnimatedCrowd {
   const Crowd& crowd() const { return *crowd_; }
   /// Returns the camera of the cut scene; null in the other scenes.
   const CutScene* cut_scene() const { return cut_scene_.get(); }
-  /// Returns the cylinder at which the agent can be clicked.
+  /// Returns the cylinder around the agent, as wide as its body without the arms.
   UprightBody body_of(std::uint32_t agent) const;
 
  private:

@@ -14,7 +14,6 @@ namespace {
 constexpr double fade_after_holding = 0.3;  // seconds
 constexpr float push_impulse = 60.0F;       // kg m/s: a hard shove
 constexpr double push_height = 0.75;        // of the character's, where it is met
-constexpr float least_body_radius = 0.2F;   // metres, to click at
 
 }  // namespace
 
@@ -90,7 +89,7 @@ UprightBody AnimatedCrowd::body_of(std::uint32_t agent) const {
   const float scale = crowd_->scales()[agent];
   const anim::CharacterBounds& bounds = character_of(agent).character->bounds;
   const float height = static_cast<float>(bounds.height) * scale;
-  const float radius = std::max(static_cast<float>(bounds.body_radius), least_body_radius) * scale;
+  const float radius = static_cast<float>(bounds.body_radius) * scale;
   UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
   const std::optional<glm::vec3> hips = fallen_->hips(agent);
   if (!hips || hips->y * scale > height / 4.0F) return body;

@@ -21,7 +21,7 @@ struct PickRay {
 /// picture are above 0.
 PickRay ray_through(const render::Camera& camera, const glm::vec2& pixel, const glm::vec2& size);
 
-/// An upright cylinder around an agent, at which it can be clicked.
+/// An upright cylinder around an agent.
 struct UprightBody {
   std::uint32_t agent = 0;
   glm::vec3 foot{0.0F};  ///< middle of its lower end, metres, world space

@@ -12,6 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr double nanoseconds_a_millisecond = 1e6;
+constexpr float least_clicked_radius = 0.2F;  // metres: a smaller body could hardly be hit
 
 constexpr auto cost_of_placed_feet =
     static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
@@ -170,7 +171,8 @@ std::vector<UprightBody> bodies_in_view(const Stage& stage) {
   std::vector<UprightBody> bodies;
   bodies.reserve(stage.selection().visible.size());
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
-    bodies.push_back(stage.animated().body_of(agent.agent));
+    UprightBody& body = bodies.emplace_back(stage.animated().body_of(agent.agent));
+    body.radius = std::max(body.radius, least_clicked_radius);
   }
   return bodies;
 }

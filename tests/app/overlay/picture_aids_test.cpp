@@ -128,6 +128,17 @@ TEST_F(PictureAids, TheSplitLineStaysOverTheCrowd) {
   EXPECT_TRUE(driver.sees("split line"));
 }
 
+TEST_F(PictureAids, TheSplitLineIsGrabbedSixPixelsBesideIt) {
+  look.split = Split::shown;
+  driver.frames();
+  const float line = look.split_at * 1280;
+  for (const float beside : {-6.5F, -5.5F, 5.5F, 6.5F}) {
+    driver.point_at(line + beside, 300);
+    driver.frames();
+    EXPECT_EQ(driver.overlay.uses_pointer(), beside > -6 && beside < 6) << beside;
+  }
+}
+
 TEST_F(PictureAids, AClickAtTheSplitLineMovesNothing) {
   look.split = Split::shown;
   driver.frames();

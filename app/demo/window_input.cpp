@@ -56,6 +56,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_9, Key::digit_9},
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F5, Key::f5},
+    {GLFW_KEY_F6, Key::f6},
     {GLFW_KEY_F12, Key::f12},
     {GLFW_KEY_LEFT_SHIFT, Key::shift},
     {GLFW_KEY_RIGHT_SHIFT, Key::shift},

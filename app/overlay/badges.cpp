@@ -50,6 +50,10 @@ std::vector<Badge> badges_of(const TabContext& context) {
   add_if(pair.has_two(), {"pair", colour::accent, pair.title_in_use() + " is in use",
                           pair.other_title() + " waits. A click or B changes their places. The tab Presets ends it.",
                           [](const TabContext& ended) { ended.memory.pair.change_places(ended.tuning); }});
+  add_if(context.widgets.focus().has_keys(),
+         {"keys", colour::accent, "The keyboard is in the panel",
+          "Arrows go from widget to widget and change values, Enter acts. A click, F6 or Esc gives the keyboard back.",
+          [](const TabContext& ended) { ended.widgets.focus().give_back(); }});
   add_if(tuning.paused, {"paused", colour::frame, "Paused", "A click or Space goes on.",
                          [](const TabContext& ended) { ended.tuning.paused = false; }});
   add_if(context.commands.exact_crowd,

@@ -68,14 +68,35 @@ void show_bone_buttons(const TabContext& context) {
       "Export LOD", {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."});
 }
 
+std::string name_of_bone_row(std::size_t place) { return "Bone " + std::to_string(place); }
+
+// The focus goes along with the bone.
+void move_bone_by_keys(const TabContext& context, std::size_t place) {
+  PanelFocus& focus = context.widgets.focus();
+  const int step = context.memory.bones.search.empty() ? focus.take_step() : 0;
+  if (step == 0) return;
+  const auto last = static_cast<int>(context.report.bones.size()) - 1;
+  const auto to = static_cast<std::size_t>(std::clamp(static_cast<int>(place) + step, 0, last));
+  const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
+  change(context, with_bone_moved(parents_of(context.report), now, place, to));
+  focus.go_to(ImGui::GetID(name_of_bone_row(to).c_str()));
+}
+
+void move_border_by_keys(const TabContext& context, int level, std::size_t bones) {
+  const int step = context.widgets.focus().take_step();
+  if (step == 0) return;
+  const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
+  change(context, with_border_moved(now, static_cast<std::size_t>(level), static_cast<int>(bones) + step));
+}
+
 void show_bone(const TabContext& context, std::size_t place) {
   std::optional<BoneListMemory::Drag>& drag = context.memory.bones.drag;
   const Theme& theme = context.widgets.theme();
   const BoneRow& bone = context.report.bones[place];
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area row{.from = from, .to = {from.x + ImGui::GetContentRegionAvail().x, from.y + theme.px(bone_height)}};
-  const std::string name = "Bone " + std::to_string(place);
-  context.widgets.clickable(name, row);
+  context.widgets.clickable(name_of_bone_row(place), row);
+  move_bone_by_keys(context, place);
   const bool hovered = ImGui::IsMouseHoveringRect(row.from, row.to);
   if (ImGui::IsItemActivated() && context.memory.bones.search.empty())
     drag = {.from = place, .border = false, .over = place};
@@ -102,6 +123,7 @@ void show_border(const TabContext& context, int level, std::size_t bones) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area row{.from = from, .to = {from.x + ImGui::GetContentRegionAvail().x, from.y + theme.px(border_height)}};
   context.widgets.clickable("Border " + std::to_string(level), row);
+  move_border_by_keys(context, level, bones);
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   if (ImGui::IsItemActivated()) drag = {.from = static_cast<std::size_t>(level), .border = true, .over = bones - 1};
   const ImU32 ink = ImGui::GetColorU32(colour::bone_level(level));

@@ -18,14 +18,20 @@ ImVec2 inside_of(const Area& crowd, ImVec2 at, ImVec2 size) {
           std::clamp(at.y, crowd.from.y, std::max(crowd.from.y, crowd.to.y - size.y))};
 }
 
-void record_card(Widgets& widgets, const std::string& name, const ImGuiWindow& window) {
+/// Notes the parts of its title. Returns whether the keyboard closes it; it folds it here.
+bool record_card(Widgets& widgets, const std::string& name, const ImGuiWindow& window) {
   const ImRect title = window.TitleBarRect();
   const float button = title.GetHeight();
-  widgets.record_whole(name + ".fold", {.from = title.Min, .to = {title.Min.x + button, title.Max.y}});
-  widgets.record_whole(name + ".close", {.from = {title.Max.x - button, title.Min.y}, .to = title.Max});
+  const Area fold{.from = title.Min, .to = {title.Min.x + button, title.Max.y}};
+  const Area close{.from = {title.Max.x - button, title.Min.y}, .to = title.Max};
+  widgets.record_whole(name + ".fold", fold, true);
+  widgets.record_whole(name + ".close", close, true);
+  if (widgets.stop(name + ".fold", fold).take_activation()) ImGui::SetWindowCollapsed(!window.Collapsed);
+  const bool closes = widgets.stop(name + ".close", close).take_activation();
   widgets.record_whole(name + ".title",
                        {.from = {title.Min.x + button, title.Min.y}, .to = {title.Max.x - button, title.Max.y}});
   widgets.record_whole(name, {.from = window.Pos, .to = {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}});
+  return closes;
 }
 
 }  // namespace
@@ -49,7 +55,7 @@ Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& 
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   const ImVec2 kept = inside_of(crowd, window.Pos, window.Size);
   if (kept.x != window.Pos.x || kept.y != window.Pos.y) ImGui::SetWindowPos(kept);
-  record_card(widgets, name, window);
+  if (record_card(widgets, name, window)) stays_open_ = false;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Dummy({1, layout.size.y});  // which says how far it scrolls
   ImGui::SetCursorScreenPos(from);

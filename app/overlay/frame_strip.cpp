@@ -72,6 +72,20 @@ void draw_kept_frames(const Theme& theme, const Area& graph, const FrameReport& 
   if (x >= graph.from.x) draw.AddLine({x, graph.from.y}, {x, graph.to.y + theme.px(5)}, colour::changed, theme.px(2));
 }
 
+// Enter looks at the newest of the frames that are kept; left and right go to the one before and after.
+void look_by_keys(PanelFocus& focus, const FrameReport& report, OverlayCommands& commands) {
+  const std::vector<int>& kept = report.kept.numbers;
+  const bool enters = focus.take_activation();
+  const int step = focus.take_step();
+  if (kept.empty() || (!enters && step == 0)) return;
+  const auto last = static_cast<int>(kept.size()) - 1;
+  int place = last;
+  if (report.kept.looked_at && !enters) {
+    place = static_cast<int>(std::ranges::lower_bound(kept, report.kept.looked_at->number()) - kept.begin()) + step;
+  }
+  commands.look_at_frame = kept[static_cast<std::size_t>(std::clamp(place, 0, last))];
+}
+
 void show_frame_under_pointer(const Area& graph, const FrameReport& report, OverlayCommands& commands) {
   const std::size_t count = std::min(report.frame_ms_history.size(), report.update_ms_history.size());
   const float step = graph.width() / static_cast<float>(frames_shown - 1);
@@ -97,8 +111,9 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
   Area graph{.from = {place.from.x + theme.px(16 + numbers_width), place.from.y + theme.px(16)},
              .to = {place.to.x - theme.px(58), place.to.y - theme.px(16)}};
-  widgets.clickable("Frame graph", graph);
+  widgets.pressable("Frame graph", graph);
   graph.hovered = ImGui::IsItemHovered();
+  look_by_keys(widgets.stop("Frame graph", graph), report, commands);
   draw_well(theme, graph);
   const float top = graph_top(report);
   draw_scale(theme, graph, top);

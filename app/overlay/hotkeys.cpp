@@ -57,6 +57,12 @@ void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& com
 // Some keyboards have it above a digit, whose key then means nothing else.
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
 
+int tabs_further(const InputFrame& input, Key key) {
+  if (!input.down(Key::control)) return 0;
+  if (key == Key::tab) return input.down(Key::shift) ? -1 : 1;
+  return (key == Key::page_down ? 1 : 0) - (key == Key::page_up ? 1 : 0);
+}
+
 void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
   const bool by_f = input.down(Key::control) && std::ranges::count(input.pressed, Key::f) > 0;
   if (!by_f && !types_slash(input)) return;
@@ -71,7 +77,8 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
   if (!open.viewer) ask_for_search(input, switches);
   commands.exact_crowd = input.down(Key::x) && !open.viewer;
   for (const Key key : input.pressed) {
-    if (key == Key::tab) switches.hidden = !switches.hidden;
+    if (key == Key::tab && !input.down(Key::control)) switches.hidden = !switches.hidden;
+    switches.tabs_further += tabs_further(input, key);
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
     commands.reload_shaders |= key == Key::f5;

@@ -18,6 +18,7 @@ struct OverlaySwitches {
   bool log = false;            ///< of messages
   std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
   bool enters_search = false;  ///< the cursor is wanted in its field
+  int tabs_further = 0;        ///< to the right; negative: to the left
 };
 
 /// Says what is open while keys are pressed. Esc closes it from the top down: a list, a search, the help, the log of

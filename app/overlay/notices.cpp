@@ -58,7 +58,7 @@ void draw_pill(const Theme& theme, const Area& crowd, const Pill& pill, bool hov
 }
 
 void show_pill(Widgets& widgets, const Area& crowd, const Pill& pill) {
-  const bool clicked = widgets.clickable(pill.name, pill.place);
+  const bool clicked = pill.close ? widgets.clickable(pill.name, pill.place) : widgets.hoverable(pill.name, pill.place);
   const bool hovered = ImGui::IsItemHovered();
   draw_pill(widgets.theme(), crowd, pill, hovered);
   if (hovered && !pill.help.empty()) tell({pill.help});

@@ -98,6 +98,19 @@ double value_at(const NumberScale& scale, double place) {
   return accepted(scale, scale.logarithmic ? std::exp(between) : between);
 }
 
+double stepped(const NumberScale& scale, double value, int steps) {
+  if (!scale.stops.empty()) {
+    const auto last = static_cast<int>(scale.stops.size()) - 1;
+    const int place = static_cast<int>(nearest_stop(scale, value)) + steps;
+    return scale.stops[static_cast<std::size_t>(std::clamp(place, 0, last))];
+  }
+  constexpr double share_of_track = 0.01;
+  const double least = value + steps * std::pow(10.0, -scale.decimals);
+  if (!scale.logarithmic || value < scale.lowest || value > scale.highest) return accepted(scale, least);
+  const double further = value_at(scale, place_of(scale, value) + steps * share_of_track);
+  return accepted(scale, steps > 0 ? std::max(further, least) : std::min(further, least));
+}
+
 std::string written(const NumberScale& scale, double value) {
   if (value == 0 && scale.zero_word != nullptr) return scale.zero_word;
   return fixed(value, scale.decimals) + scale.suffix;

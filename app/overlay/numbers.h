@@ -35,6 +35,9 @@ double accepted(const NumberScale& scale, double value);
 double place_of(const NumberScale& scale, double value);
 /// Returns the number at a place of the track.
 double value_at(const NumberScale& scale, double place);
+/// Returns the number so many steps further. A step is one of the last digit that is written, the next stop, or a
+/// hundredth of a logarithmic track.
+double stepped(const NumberScale& scale, double value, int steps);
 /// Returns the text of a number.
 std::string written(const NumberScale& scale, double value);
 /// Returns the number that a text means; nothing if it is no number.

@@ -69,6 +69,7 @@ struct Overlay::State {
   PanelColumn column{widgets};
   AidsMemory aids;
 
+  void take_keys_of_panel(const FrameReport& report);
   void watch_values(const FrameReport& report, const Tuning& tuning);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
   void show_viewer(const Layout& layout, const TabContext& context_of_tab);
@@ -109,6 +110,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   state.map.widgets.clear();
   state.map.idle.clear();
   commands.models = state.input.dropped;
+  state.take_keys_of_panel(report);
   const auto clicked = state.click.update(state.input, !uses_pointer());
   if (!report.viewer) commands.select_at = clicked;
   if (!uses_keyboard()) {
@@ -137,20 +139,30 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
   state.watch_values(report, tuning);
+  state.widgets.focus().end_frame(state.theme);
   ImGui::Render();
   state.map.tab = state.column.tab();
   state.map.hidden = state.switches.hidden;
   state.map.help = state.switches.help;
   state.map.shows_b = state.memory.pair.shows_b();
+  state.map.focus = state.widgets.focus().name();
   state.map.typing = ImGui::GetIO().WantTextInput;
   return commands;
+}
+
+void Overlay::State::take_keys_of_panel(const FrameReport& report) {
+  if (std::ranges::count(input.pressed, Key::f6) > 0) switches.hidden = false;
+  if (switches.hidden) widgets.focus().give_back();
+  widgets.focus().begin_frame(input, {.typing = ImGui::GetIO().WantTextInput,
+                                      .list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+                                      .search = !switches.search.empty() && !report.viewer});
 }
 
 // Values that a replay sets, or that B brings into use, are no step that a person takes back.
 void Overlay::State::watch_values(const FrameReport& report, const Tuning& tuning) {
   const bool is_another = std::exchange(showed_b, memory.pair.shows_b()) != memory.pair.shows_b();
   if (report.replay || is_another) memory.history.take(tuning);
-  memory.history.watch(tuning, ImGui::IsAnyItemActive());
+  memory.history.watch(tuning, ImGui::IsAnyItemActive() || widgets.focus().is_stepping());
 }
 
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {

@@ -37,6 +37,7 @@ void PanelColumn::go_to(const std::string& tab) {
 const char* PanelColumn::tab() const { return tabs.at(tab_).name; }
 
 void PanelColumn::show_tabs(const Area& place, const TabContext& context, OverlaySwitches& switches) {
+  if (const int further = std::exchange(switches.tabs_further, 0)) change_tab(further, switches);
   begin(place, switches);
   show_search_field(place, switches);
   show_tab_bar(place, switches);
@@ -69,19 +70,22 @@ void PanelColumn::begin(const Area& place, OverlaySwitches& switches) {
 void PanelColumn::show_header(const Area& place, OverlaySwitches& switches) {
   const float y = place.from.y + theme_.px(11);
   draw_text(theme_.strong, {place.from.x + theme_.px(16), y}, colour::text, "Throng");
-  float right = place.to.x - theme_.px(16);
-  const auto word = [&](const char* words) {
-    const float width = text_width(theme_.small, words);
-    const Area area{.from = {right - width, place.from.y + theme_.px(6)}, .to = {right, place.from.y + theme_.px(32)}};
-    const bool clicked = widgets_.clickable(std::string("header:") + words, area);
+  constexpr std::array words = {"Messages (L)", "Help (F1)", "Hide (Tab)"};
+  const float between = theme_.px(14);
+  float left = place.to.x - theme_.px(16) + between;
+  for (const char* const word : words) left -= text_width(theme_.small, word) + between;
+  const auto is_clicked = [&](const char* word) {
+    const Area area{.from = {left, place.from.y + theme_.px(6)},
+                    .to = {left + text_width(theme_.small, word), place.from.y + theme_.px(32)}};
+    const bool clicked = widgets_.clickable(std::string("header:") + word, area);
     draw_text(theme_.small, {area.from.x, y + theme_.px(1)}, ImGui::IsItemHovered() ? colour::text : colour::faint,
-              words);
-    right = area.from.x - theme_.px(14);
+              word);
+    left = area.to.x + between;
     return clicked;
   };
-  if (word("Hide (Tab)")) switches.hidden = true;
-  if (word("Help (F1)")) switches.help = !switches.help;
-  if (word("Messages (L)")) switches.log = !switches.log;
+  if (is_clicked(words[0])) switches.log = !switches.log;
+  if (is_clicked(words[1])) switches.help = !switches.help;
+  if (is_clicked(words[2])) switches.hidden = true;
 }
 
 void PanelColumn::show_search_field(const Area& place, OverlaySwitches& switches) {
@@ -89,6 +93,10 @@ void PanelColumn::show_search_field(const Area& place, OverlaySwitches& switches
   if (std::exchange(switches.enters_search, false)) ImGui::SetKeyboardFocusHere();
   widgets_.text_field("search", switches.search, "Search all values  (/)",
                       {.from = {place.from.x + margin, top}, .to = {place.to.x - margin, top + theme_.px(22)}});
+  const bool was_active = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+  if (was_active && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) {
+    widgets_.focus().go_to_first_row();
+  }
   if (!ImGui::IsItemDeactivated()) return;
   wants_the_only_one_ = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) switches.search.clear();
@@ -116,6 +124,13 @@ void PanelColumn::show_found(const TabContext& context, OverlaySwitches& switche
   const bool goes_to_the_only_one = std::exchange(wants_the_only_one_, false) && search.found() == 1;
   if (goes_to_the_only_one) search.leave_for(search.last_place());
   if (search.wanted_place()) leave_search_for(*search.wanted_place(), switches);
+}
+
+void PanelColumn::change_tab(int further, OverlaySwitches& switches) {
+  const int count = static_cast<int>(tabs.size());
+  tab_ = static_cast<std::size_t>(((static_cast<int>(tab_) + further) % count + count) % count);
+  switches.search.clear();
+  if (widgets_.focus().has_keys()) widgets_.focus().go_to_first_row();
 }
 
 void PanelColumn::leave_search_for(const RowSearch::Place& place, OverlaySwitches& switches) {

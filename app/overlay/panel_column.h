@@ -30,6 +30,7 @@ class PanelColumn {
   void show_search_field(const Area& place, OverlaySwitches& switches);
   void show_tab_bar(const Area& place, OverlaySwitches& switches);
   void show_found(const TabContext& context, OverlaySwitches& switches);
+  void change_tab(int further, OverlaySwitches& switches);
   void leave_search_for(const RowSearch::Place& place, OverlaySwitches& switches);
   template <class Show>
   void show_below(const Area& place, float top, const char* name, const Show& show);

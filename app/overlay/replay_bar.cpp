@@ -123,7 +123,7 @@ void show_speeds(Controls& controls, const ReplayReport& replay, ReplayCommands&
 // A press anywhere on the track goes to the frame there, and a drag goes along.
 void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay, ReplayCommands& commands) {
   const Theme& theme = widgets.theme();
-  widgets.clickable("Replay.track", place);
+  widgets.pressable("Replay.track", place);
   const float from = place.from.x + theme.px(7), to = place.to.x - theme.px(7);
   const float frames = static_cast<float>(std::max<std::uint64_t>(replay.frames, 2) - 1);
   std::uint64_t shown = replay.sought.value_or(replay.frame);
@@ -132,6 +132,11 @@ void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay,
     const auto wanted = 1 + static_cast<std::uint64_t>(std::lround(share * frames));
     if (wanted != shown) commands.go_to = wanted;
     shown = wanted;
+  }
+  if (const int step = widgets.stop("Replay.track", place).take_step()) {
+    const auto last = static_cast<std::int64_t>(std::max<std::uint64_t>(replay.frames, 1));
+    commands.go_to =
+        static_cast<std::uint64_t>(std::clamp(static_cast<std::int64_t>(shown) + step, std::int64_t{1}, last));
   }
   const auto x_of = [&](std::uint64_t frame) {
     return std::lerp(from, to, static_cast<float>(std::max<std::uint64_t>(frame, 1) - 1) / frames);

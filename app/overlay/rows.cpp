@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -39,6 +40,16 @@ void draw_closed(const Theme& theme, const Area& place, const std::string& word,
                          colour::dim);
 }
 
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+// The place in an open list after the keys of this frame.
+int walked(int place, int first, int last) {
+  place += (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
+  if (is_pressed(ImGuiKey_Home)) place = first;
+  if (is_pressed(ImGuiKey_End)) place = last;
+  return std::clamp(place, first, std::max(first, last));
+}
+
 // The list of a row at the foot of the screen opens upwards, where it has more room.
 void place_list(const Theme& theme, const Area& row) {
   const float below = ImGui::GetIO().DisplaySize.y - row.to.y, longest = theme.px(longest_list);
@@ -53,23 +64,25 @@ void place_list(const Theme& theme, const Area& row) {
 bool Widgets::number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help) {
   if (is_left_out(label, help)) return false;
   const std::string standard_text = written(scale, standard);
-  const Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
+  Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
   const float field_x = row.control.to.x - theme_.px(field_width);
   const Area track{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
   const Area field{.from = {field_x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
   bool changed = drag_track(label, track, value, standard, scale);
-  changed = type_field(label, field, value, scale) || changed;
-  if (row.reset) {
-    value = standard;
-    changed = true;
+  stop_at(row, label);
+  if (const int steps = focus_.take_step()) {
+    const double before = std::exchange(value, stepped(scale, value, steps));
+    changed |= value != before;
   }
-  end_row(row);
-  return changed;
+  changed |= type_field(label, field, value, scale, focus_.take_activation());
+  if (!end_row(row)) return changed;
+  value = standard;
+  return true;
 }
 
 bool Widgets::drag_track(const char* label, const Area& place, double& value, double standard,
                          const NumberScale& scale) {
-  clickable(label, place);
+  pressable(label, place);
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   const ImGuiID id = ImGui::GetItemID();
   const double before = value;
@@ -85,7 +98,7 @@ bool Widgets::drag_track(const char* label, const Area& place, double& value, do
   return value != before;
 }
 
-bool Widgets::type_field(const char* label, const Area& place, double& value, const NumberScale& scale) {
+bool Widgets::type_field(const char* label, const Area& place, double& value, const NumberScale& scale, bool begins) {
   ImGui::SetCursorScreenPos(place.from);
   ImGui::SetNextItemWidth(place.width());
   const ImGuiID id = ImGui::GetID("field");
@@ -93,8 +106,9 @@ bool Widgets::type_field(const char* label, const Area& place, double& value, co
   written(scale, value).copy(shown.data(), shown.size() - 1);
   const auto typing = typed_.find(id);
   FieldText& text = typing == typed_.end() ? shown : typing->second;
+  if (begins) ImGui::SetKeyboardFocusHere();
   ImGui::InputText("##field", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
-  record(std::string(label) + ".field", place);
+  record(std::string(label) + ".field", place, true);
   if (ImGui::IsItemActivated()) typed_[id] = text;
   const double before = value;
   if (ImGui::IsItemDeactivatedAfterEdit()) value = meant(scale, text.data()).value_or(value);
@@ -106,21 +120,24 @@ bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& 
   if (is_left_out(label, help)) return false;
   const bool before = value;
   const std::string standard_word = standard ? "on" : "off";
-  const Row row = begin_row(label, value != standard, help, standard_word);
+  Row row = begin_row(label, value != standard, help, standard_word);
   const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(4));
   const ImVec2 size(theme_.px(34), theme_.px(17));
-  if (clickable(label, rectangle(from, {from.x + size.x, from.y + size.y}))) value = !value;
-  if (row.reset) value = standard;
+  const bool clicked = pressable(label, rectangle(from, {from.x + size.x, from.y + size.y}));
+  const bool hovered = ImGui::IsItemHovered();
+  stop_at(row, label);
+  if (focus_.take_activation() || clicked) value = !value;
+  if (const int step = focus_.take_step()) value = step > 0;
   const float radius = size.y / 2;
   const float knob_x = value ? from.x + size.x - radius : from.x + radius;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImU32 off = ImGui::IsItemHovered() ? colour::well_hovered : colour::well;
+  const ImU32 off = hovered ? colour::well_hovered : colour::well;
   draw.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(value ? colour::accent : off),
                      radius);
   draw.AddCircleFilled({knob_x, from.y + radius}, radius - theme_.px(3),
                        ImGui::GetColorU32(value ? colour::on_accent : colour::dim));
   draw_text(theme_.small, {from.x + size.x + theme_.px(8), from.y + theme_.px(1)}, colour::dim, value ? "on" : "off");
-  end_row(row);
+  if (end_row(row)) value = standard;
   return value != before;
 }
 
@@ -129,7 +146,7 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   if (is_left_out(label, help)) return false;
   const int before = index;
   const std::string standard_word = words[static_cast<std::size_t>(standard)];
-  const Row row = begin_row(label, index != standard, help, standard_word);
+  Row row = begin_row(label, index != standard, help, standard_word);
   const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(1));
   const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -139,14 +156,19 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
     const char* const word = words[static_cast<std::size_t>(i)];
     const float x = std::floor(from.x + width * static_cast<float>(i));
     const Area place = rectangle({x, from.y}, {std::floor(x + width), to.y});
-    if (clickable(std::string(label) + ":" + word, place)) index = i;
+    if (pressable(std::string(label) + ":" + word, place)) index = i;
     const bool hovered = ImGui::IsItemHovered();
     if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
     const ImU32 ink = i == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
     draw_text(theme_.small, {(place.from.x + place.to.x) / 2, from.y + theme_.px(4)}, ink, word, 0.5F);
   }
-  if (row.reset) index = standard;
-  end_row(row);
+  if (focus_.has_keys()) {
+    const auto last = static_cast<int>(words.size()) - 1;
+    stop_at(row, std::string(label) + ":" + words[static_cast<std::size_t>(before)]);
+    if (const int step = focus_.take_step()) index = std::clamp(index + step, 0, last);
+    if (focus_.take_activation()) index = index == last ? 0 : index + 1;
+  }
+  if (end_row(row)) index = standard;
   return index != before;
 }
 
@@ -155,33 +177,48 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
   if (is_left_out(label, help)) return false;
   const int before = index;
   const std::string standard_word = word_of(standard, words, none);
-  const Row row = begin_row(label, index != standard, help, standard_word);
+  Row row = begin_row(label, index != standard, help, standard_word);
   Area place = row.control;
   place.from.y += theme_.px(1);
   place.to.y -= theme_.px(2);
-  if (clickable(label, place)) ImGui::OpenPopup("list");
-  draw_closed(theme_, place, word_of(index, words, none), ImGui::IsItemHovered() || ImGui::IsPopupOpen("list"));
+  const bool clicked = pressable(label, place), hovered = ImGui::IsItemHovered();
+  stop_at(row, label);
+  if (focus_.take_activation() || clicked) {
+    ImGui::OpenPopup("list");
+    list_place_ = index;
+  }
+  draw_closed(theme_, place, word_of(index, words, none), hovered || ImGui::IsPopupOpen("list"));
   place_list(theme_, place);
   if (ImGui::BeginPopup("list")) {
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
-    for (int i = none == nullptr ? 0 : -1; i < static_cast<int>(words.size()); ++i) {
-      const std::string word = word_of(i, words, none);
-      ImGui::PushID(i);
-      if (ImGui::Selectable(word.c_str(), i == index)) index = i;
-      if (i == before && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
-      ImGui::PopID();
-      record(std::string(label) + ":" + word, {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
-    }
+    show_list(label, index, words, none);
     ImGui::EndPopup();
   }
-  if (row.reset) index = standard;
-  end_row(row);
+  if (end_row(row)) index = standard;
   return index != before;
+}
+
+void Widgets::show_list(const char* label, int& index, std::span<const std::string> words, const char* none) {
+  const int first = none == nullptr ? 0 : -1, last = static_cast<int>(words.size()) - 1;
+  const bool appears = ImGui::IsWindowAppearing();
+  const int place_before = list_place_;
+  if (!appears) list_place_ = walked(list_place_, first, last);
+  const bool takes = !appears && is_pressed(ImGuiKey_Enter) && list_place_ <= last;
+  if (takes) index = list_place_;
+  if (takes || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  for (int i = first; i <= last; ++i) {
+    const std::string word = word_of(i, words, none);
+    ImGui::PushID(i);
+    if (ImGui::Selectable(word.c_str(), i == list_place_)) index = i;
+    const bool comes_into_view = i == list_place_ && (appears || list_place_ != place_before);
+    if (comes_into_view) ImGui::SetScrollHereY();
+    ImGui::PopID();
+    record(std::string(label) + ":" + word, {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
+  }
 }
 
 bool Widgets::text(const char* label, std::string& value, const char* hint, const Help& help) {
   if (is_left_out(label, help)) return false;
-  const Row row = begin_row(label, false, help, "");
+  Row row = begin_row(label, false, help, "");
   const Area field{.from = {row.control.from.x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
   const bool changed = text_field(std::string(label) + ".field", value, hint, field);
   end_row(row);
@@ -191,10 +228,11 @@ bool Widgets::text(const char* label, std::string& value, const char* hint, cons
 bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place) {
   std::array<char, 64> typed = {};
   value.copy(typed.data(), typed.size() - 1);
+  if (focus_.has_keys() && stop(name, place).take_activation()) ImGui::SetKeyboardFocusHere();
   ImGui::SetCursorScreenPos(place.from);
   ImGui::SetNextItemWidth(place.width());
   const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());
-  record(name, place);
+  record(name, place, true);
   if (changed) value = typed.data();
   return changed;
 }

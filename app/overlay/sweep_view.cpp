@@ -131,6 +131,19 @@ const SweepStop* stop_under_pointer(const Axes& axes, const SweepCurve& curve) {
   return stop.known && !stop.refused ? &stop : nullptr;
 }
 
+// Enter takes the value of the lowest stop; left and right go to the stop before and after the one in force.
+void take_by_keys(PanelFocus& focus, const SweepCurve& curve, Tuning& tuning) {
+  const bool enters = focus.take_activation();
+  const int step = focus.take_step();
+  if (curve.runs || (!enters && step == 0)) return;
+  const auto now = std::ranges::lower_bound(curve.stops, swept_value(curve.value, tuning), {}, &SweepStop::value);
+  const auto last = static_cast<std::ptrdiff_t>(curve.stops.size()) - 1;
+  const SweepStop* wanted = enters ? curve.lowest()
+                                   : &curve.stops[static_cast<std::size_t>(
+                                         std::clamp<std::ptrdiff_t>(now - curve.stops.begin() + step, 0, last))];
+  if (wanted != nullptr && wanted->known && !wanted->refused) set_swept_value(curve.value, wanted->value, tuning);
+}
+
 void tell_of(const SweepCurve& curve, const SweepStop& stop) {
   tell({with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds),
         with_thousands(stop.cost.tasks) + " tasks, " + size_text(stop.cost.bytes) + " copied an update",
@@ -192,6 +205,7 @@ void show_sweep(const TabContext& context) {
   draw_axes(theme, axes);
   draw_in_force(theme, axes, x_between(axes, curve, in_force(curve.value, report, tuning)));
   draw_curve(theme, axes, curve);
+  take_by_keys(widgets.stop("Sweep curve", area), curve, tuning);
   if (const SweepStop* const stop = stop_under_pointer(axes, curve)) {
     tell_of(curve, *stop);
     if (!curve.runs && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) set_swept_value(curve.value, stop->value, tuning);

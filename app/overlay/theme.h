@@ -20,6 +20,7 @@ inline constexpr ImU32 grid = IM_COL32(255, 255, 255, 16);
 inline constexpr ImU32 accent = IM_COL32(72, 191, 174, 255);
 inline constexpr ImU32 accent_soft = IM_COL32(72, 191, 174, 64);
 inline constexpr ImU32 on_accent = IM_COL32(9, 26, 24, 255);
+inline constexpr ImU32 focus = IM_COL32(255, 255, 255, 210);
 inline constexpr ImU32 changed = IM_COL32(240, 178, 84, 255);
 inline constexpr ImU32 recording = IM_COL32(232, 84, 84, 255);
 inline constexpr ImU32 fetch = IM_COL32(88, 140, 236, 255);

@@ -121,6 +121,20 @@ void zoom_and_move(const Area& axis, float& from, float& to) {
   if (axis.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) from = 0, to = 1;
 }
 
+// Left and right go along; with Shift they zoom out and in; Enter shows all.
+void zoom_and_move_by_keys(PanelFocus& focus, float& from, float& to) {
+  constexpr float share_of_width = 0.1F;
+  const float width = to - from;
+  if (focus.take_activation()) from = 0, to = 1;
+  const int step = focus.take_step();
+  if (step == 0) return;
+  const bool zooms = std::abs(step) > 1;
+  const float wanted = zooms ? std::clamp(width * (step > 0 ? zoom_a_step : 1 / zoom_a_step), closest, 1.0F) : width;
+  const float moved = zooms ? (width - wanted) / 2 : static_cast<float>(step) * share_of_width * width;
+  from = std::clamp(from + moved, 0.0F, 1.0F - wanted);
+  to = from + wanted;
+}
+
 std::span<const TimelineFrame> shown_frames(const FrameReport& report) {
   if (report.kept.looked_at) return {&report.kept.looked_at->timeline, 1};
   return report.timeline;
@@ -143,6 +157,7 @@ void show_timeline(const TabContext& context) {
                   .hovered = all.hovered};
   float &from = context.memory.timeline_from, &to = context.memory.timeline_to;
   zoom_and_move(area, from, to);
+  zoom_and_move_by_keys(widgets.stop("Timeline", all), from, to);
   const Axis axis{from * length, to * length, area.from.x, area.to.x};
   draw_lanes(theme, area, frames, axis);
   draw_borders(area, frames, axis);

@@ -181,6 +181,7 @@ std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& r
                          {"help", map.help},
                          {"shows_b", map.shows_b},
                          {"typing", map.typing},
+                         {"focus", map.focus},
                          {"tuning", tuning_json(tuning)},
                          {"report", report_json(report)},
                          {"camera", camera_json(report.camera)},

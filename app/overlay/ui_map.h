@@ -11,6 +11,7 @@ namespace throng::app {
 /// The place of a widget, in pixels from the top left of the window.
 struct UiRectangle {
   float x = 0, y = 0, width = 0, height = 0;
+  bool takes_clicks = false;  ///< a click, a drag or typing does something there, unless it is idle
 };
 
 /// The places of all widgets and the state of the overlay, so that a program can drive it as a person would. Names are
@@ -23,6 +24,7 @@ struct UiMap {
   bool help = false;                                         ///< the help card is open, by F1
   bool shows_b = false;                                      ///< the second of two tunings is in use
   bool typing = false;                                       ///< keys go into a text field
+  std::string focus;                                         ///< the widget that has the keyboard; empty: none
   std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< those that can be seen, in drawing order
   std::vector<std::pair<std::string, std::string>> idle;     ///< rows that have no effect now, and why
 
@@ -32,9 +34,9 @@ struct UiMap {
 };
 
 /// Returns the map with the figures that tests wait for, as JSON: `size` [width, height], `tab`, `hidden`, `help`,
-/// `shows_b`, `typing`, `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile,
-/// selected, ...}, `camera` {x, y, z, yaw, pitch, field_of_view}, `idle` {row: why it has no effect}, `widgets` {name:
-/// {x, y, w, h}}.
+/// `shows_b`, `typing`, `focus`, `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus,
+/// tile, selected, ...}, `camera` {x, y, z, yaw, pitch, field_of_view}, `idle` {row: why it has no effect}, `widgets`
+/// {name: {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

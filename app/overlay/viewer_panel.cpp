@@ -55,9 +55,12 @@ void show_clip_rows(Panel& panel, const std::vector<std::size_t>& shown) {
   const Theme& theme = widgets.theme();
   for (const std::size_t clip : shown) {
     ImGui::PushID(static_cast<int>(clip));  // names may be alike
-    const Area row = widgets.area(("Clip:" + panel.report.clips[clip].name).c_str(), clip_height);
+    const std::string name = "Clip:" + panel.report.clips[clip].name;
+    const Area row = widgets.area(name.c_str(), clip_height);
+    const bool clicked = ImGui::IsItemClicked();
+    const bool taken = widgets.stop(name, row).take_activation();
     ImGui::PopID();
-    if (ImGui::IsItemClicked()) {
+    if (clicked || taken) {
       panel.settings.clip = static_cast<int>(clip);
       panel.settings.bind_pose = false;
     }

@@ -96,20 +96,32 @@ bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
   return pressed;
 }
 
-void Widgets::record(const std::string& name, const Area& place) {
+void Widgets::record(const std::string& name, const Area& place, bool takes_clicks) {
   ImRect seen(place.from, place.to);
   seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
-  if (seen.GetWidth() > 0 && seen.GetHeight() > 0) record_whole(name, {.from = seen.Min, .to = seen.Max});
+  if (seen.GetWidth() > 0 && seen.GetHeight() > 0) record_whole(name, {.from = seen.Min, .to = seen.Max}, takes_clicks);
 }
 
-void Widgets::record_whole(const std::string& name, const Area& place) {
-  map_.widgets.emplace_back(name, UiRectangle{place.from.x, place.from.y, place.width(), place.height()});
+void Widgets::record_whole(const std::string& name, const Area& place, bool takes_clicks) {
+  map_.widgets.emplace_back(name, UiRectangle{place.from.x, place.from.y, place.width(), place.height(), takes_clicks});
+}
+
+PanelFocus& Widgets::stop(const std::string& name, const Area& place) {
+  if (focus_.has_keys()) {
+    focus_.add(ImGui::GetID(name.c_str()), name, place.from, place.to, PanelFocus::Stop::plain);
+  }
+  return focus_;
 }
 
 bool Widgets::clickable(const std::string& name, const Area& place) {
+  const bool clicked = pressable(name, place);
+  return focus_.has_keys() ? stop(name, place).take_activation() || clicked : clicked;
+}
+
+bool Widgets::invisible(const std::string& name, const Area& place, bool takes_clicks) {
   ImGui::SetCursorScreenPos(place.from);
   const bool clicked = invisible_button(name.c_str(), {place.width(), place.height()});
-  record(name, place);
+  record(name, place, takes_clicks);
   return clicked;
 }
 
@@ -141,6 +153,7 @@ void Widgets::section(const char* title) {
   if (!wanted_section_.empty() && wanted_section_ == title) {
     ImGui::SetScrollHereY(0);
     wanted_section_.clear();
+    focus_.go_to_next_row();
   }
   draw_title(title, 0);
 }
@@ -186,8 +199,12 @@ void Widgets::caption(const std::string& text) const {
 }
 
 void Widgets::tooltip(const char* title, const Help& help, const std::string& standard) const {
+  tooltip_at(ImGui::GetMousePos().y, title, help, standard);
+}
+
+void Widgets::tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const {
   // It lies beside the column, so that the value it explains stays in sight, and follows the pointer down the screen.
-  const float x = ImGui::GetWindowPos().x - theme_.px(10), y = ImGui::GetMousePos().y;
+  const float x = ImGui::GetWindowPos().x - theme_.px(10);
   ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme_.px(tooltip_width));
@@ -210,9 +227,10 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
           .help = help,
           .standard = standard,
           .all = rectangle(from, {right, bottom}),
-          .control = rectangle({words.to.x, from.y}, {right - theme_.px(reset_width), bottom})};
+          .control = rectangle({words.to.x, from.y}, {right - theme_.px(reset_width), bottom}),
+          .changed = changed};
   ImGui::PushID(label);
-  clickable(std::string(label) + ".label", words);
+  hoverable(std::string(label) + ".label", words);
   row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(words)) tooltip(label, help, standard);
   if (idle_) map_.idle.emplace_back(label, *idle_);
@@ -220,18 +238,27 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
     const float x = from.x - theme_.px(8);
     ImGui::GetWindowDrawList()->AddRectFilled({x, from.y + theme_.px(5)}, {x + theme_.px(3), bottom - theme_.px(5)},
                                               colour::changed, theme_.px(1));
-    row.reset = reset_arrow(label, row.all) || row.reset;
   }
   const ImU32 ink = words.hovered || changed ? colour::text : colour::dim;
   draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink, label);
   return row;
 }
 
-void Widgets::end_row(const Row& row) const {
+void Widgets::stop_at(Row& row, const std::string& name) {
+  if (!focus_.has_keys()) return;
+  focus_.add(ImGui::GetID(row.label), name, row.all.from, row.control.to, PanelFocus::Stop::row);
+  row.reset |= row.changed && focus_.take_reset();
+  row.explains = focus_.is_at_last_added() && focus_.rests() && !ImGui::IsPopupOpen("list");
+}
+
+bool Widgets::end_row(Row& row) {
+  if (row.changed) row.reset |= reset_arrow(row.label, row.all);
   if (resting_on(row.control) && typed_.empty()) tooltip(row.label, row.help, row.standard);
+  if (row.explains && typed_.empty()) tooltip_at(row.all.from.y, row.label, row.help, row.standard);
   ImGui::PopID();
   ImGui::SetCursorScreenPos(row.all.from);
   ImGui::Dummy({row.all.width(), row.all.height()});
+  return row.reset;
 }
 
 bool Widgets::reset_arrow(const char* label, const Area& row) {
@@ -267,7 +294,7 @@ void Widgets::fact(const char* label, const std::string& value, const Help& help
   if (is_searching()) return;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area place = rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + theme_.px(19)});
-  clickable(label, place);
+  hoverable(label, place);
   if (ImGui::IsItemHovered() && resting_on(place) && *help.what != '\0') tooltip(label, help, "");
   draw_text(theme_.regular, from, colour::dim, label);
   draw_text(theme_.regular, {place.to.x - theme_.px(reset_width), from.y}, colour::text, value, 1);

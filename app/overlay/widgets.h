@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/overlay/numbers.h"
+#include "app/overlay/panel_focus.h"
 #include "app/overlay/row_search.h"
 #include "app/overlay/theme.h"
 #include "app/overlay/ui_map.h"
@@ -82,13 +83,23 @@ class Widgets {
   /// screen. There is no area while values are searched (TabContext::when_not_searching).
   Area area(const char* name, float height);
 
-  /// Returns whether a tab or another plain word was clicked. The caller draws it into the rectangle.
+  /// Returns whether a tab or another plain word was clicked, or activated by the keyboard. The caller draws it into
+  /// the rectangle.
   bool clickable(const std::string& name, const Area& place);
+  /// Notes a place that explains itself under the pointer; returns whether it was clicked. The keyboard passes it by.
+  bool hoverable(const std::string& name, const Area& place) { return invisible(name, place, false); }
+  /// Notes a place that takes clicks, where the keyboard stops at something else, such as its row. Returns whether it
+  /// was clicked.
+  bool pressable(const std::string& name, const Area& place) { return invisible(name, place, true); }
+  /// Lets the keyboard stop at what was shown under that name. Returns the focus, to take what keys ask for.
+  PanelFocus& stop(const std::string& name, const Area& place);
+  [[nodiscard]] PanelFocus& focus() { return focus_; }
+  /// Explains something at the height of the pointer, beside the column.
   void tooltip(const char* title, const Help& help, const std::string& standard) const;
   /// Notes a place in the map, as far as the window shows it.
-  void record(const std::string& name, const Area& place);
+  void record(const std::string& name, const Area& place, bool takes_clicks = false);
   /// Notes a place in the map that nothing cuts off.
-  void record_whole(const std::string& name, const Area& place);
+  void record_whole(const std::string& name, const Area& place, bool takes_clicks = false);
 
  private:
   using FieldText = std::array<char, 32>;
@@ -97,21 +108,30 @@ class Widgets {
     Help help;
     std::string standard;
     Area all, control;
-    bool reset = false;  ///< asked for in this frame, by the arrow or a double click on the label
+    bool changed = false;   ///< it is not the default
+    bool reset = false;     ///< asked for in this frame, by the arrow, a double click on the label or a key
+    bool explains = false;  ///< the keyboard rests on it
   };
 
+  bool invisible(const std::string& name, const Area& place, bool takes_clicks);
+  void tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const;
   bool is_left_out(const char* label, const Help& help);
   void draw_title(const std::string& title, float free_at_the_right) const;
   void show_found_place(const RowSearch::Place& place);
   Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
-  void end_row(const Row& row) const;
+  void stop_at(Row& row, const std::string& name);
+  /// Returns whether the value has to go back to its default.
+  bool end_row(Row& row);
   bool reset_arrow(const char* label, const Area& row);
   bool drag_track(const char* label, const Area& place, double& value, double standard, const NumberScale& scale);
-  bool type_field(const char* label, const Area& place, double& value, const NumberScale& scale);
+  bool type_field(const char* label, const Area& place, double& value, const NumberScale& scale, bool begins);
+  void show_list(const char* label, int& index, std::span<const std::string> words, const char* none);
 
   const Theme& theme_;
   UiMap& map_;
-  RowSearch* search_ = nullptr;         ///< null: all is shown
+  RowSearch* search_ = nullptr;  ///< null: all is shown
+  PanelFocus focus_;
+  int list_place_ = -1;                 ///< the word of the open list that keys have come to
   std::string wanted_section_;          ///< empty: none is scrolled to
   std::string_view key_;                ///< of the value that the rows that are shown now edit
   std::optional<std::string> idle_;     ///< why the rows that are shown now have no effect

@@ -58,6 +58,7 @@ enum class Key : std::uint8_t {
   digit_9,
   f1,
   f5,
+  f6,
   f12,
   shift,
   control,

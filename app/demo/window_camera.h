@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/overlay/ui_map.h"
+#include "app/overlay/controls/ui_map.h"
 #include "app/report/camera_report.h"
 #include "app/settings/settings.h"
 #include "app/show/show.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/overlay/cards.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 #include "engine/anim/lod/lod.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 
 namespace throng::app {
 namespace {

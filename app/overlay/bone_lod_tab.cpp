@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/overlay/bone_list.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {

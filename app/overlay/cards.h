@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/overlay/widgets.h"
+#include "app/overlay/controls/widgets.h"
 #include "app/report/frame_report.h"
 
 namespace throng::app {

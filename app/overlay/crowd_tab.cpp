@@ -7,7 +7,7 @@
 
 #include "app/character/cast_entry.h"
 #include "app/files/joined.h"
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/lod/error_history.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/overlay/cards.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 
 namespace throng::app {
 namespace {

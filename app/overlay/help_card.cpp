@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/overlay/card.h"
 #include "app/overlay/cards.h"
+#include "app/overlay/controls/card.h"
 
 namespace throng::app {
 namespace {

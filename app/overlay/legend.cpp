@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/files/joined.h"
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 #include "app/settings/agent_colors.h"
 #include "engine/render/crowd_draw.h"
 

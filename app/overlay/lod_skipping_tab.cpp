@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 

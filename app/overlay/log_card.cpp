@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <string>
 
-#include "app/overlay/card.h"
 #include "app/overlay/cards.h"
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/card.h"
+#include "app/overlay/controls/numbers.h"
 
 namespace throng::app {
 namespace {

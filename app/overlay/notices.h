@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "app/overlay/widgets.h"
+#include "app/overlay/controls/widgets.h"
 
 namespace throng::app {
 

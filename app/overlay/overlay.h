@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/overlay/ui_map.h"
+#include "app/overlay/controls/ui_map.h"
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_pair.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/overlay/widgets.h"
+#include "app/overlay/controls/widgets.h"
 #include "app/report/replay_report.h"
 #include "app/view/input.h"
 

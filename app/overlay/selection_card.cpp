@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/overlay/card.h"
 #include "app/overlay/cards.h"
+#include "app/overlay/controls/card.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 #include "engine/files/size_text.h"

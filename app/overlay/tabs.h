@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/overlay/controls/widgets.h"
 #include "app/overlay/notices.h"
-#include "app/overlay/widgets.h"
 #include "app/report/frame_report.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"

@@ -6,7 +6,7 @@
 
 #include <imgui_internal.h>
 
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"
 #include "engine/files/size_text.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 
 namespace throng::app {
 namespace {

@@ -64,6 +64,7 @@ const std::vector<House>& houses() {
         {"view"},
         {"lod"},
         {"report"},
+        {"overlay/controls"},
         {"overlay"},
         {"stage"},
         {"viewer"},

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 
 namespace throng::app::number_scale_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/overlay/row_search.h"
+#include "app/overlay/controls/row_search.h"
 
 #include <algorithm>
 #include <cctype>

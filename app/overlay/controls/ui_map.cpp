@@ -1,4 +1,4 @@
-#include "app/overlay/ui_map.h"
+#include "app/overlay/controls/ui_map.h"
 
 #include <algorithm>
 #include <cstddef>

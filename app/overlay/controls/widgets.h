@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/overlay/numbers.h"
-#include "app/overlay/panel_focus.h"
-#include "app/overlay/row_search.h"
-#include "app/overlay/theme.h"
-#include "app/overlay/ui_map.h"
+#include "app/overlay/controls/numbers.h"
+#include "app/overlay/controls/panel_focus.h"
+#include "app/overlay/controls/row_search.h"
+#include "app/overlay/controls/theme.h"
+#include "app/overlay/controls/ui_map.h"
 
 namespace throng::app {
 

@@ -1,4 +1,4 @@
-#include "app/overlay/card.h"
+#include "app/overlay/controls/card.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "app/overlay/theme.h"
+#include "app/overlay/controls/theme.h"
 
 #include <algorithm>
 #include <array>

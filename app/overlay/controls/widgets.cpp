@@ -1,4 +1,4 @@
-#include "app/overlay/widgets.h"
+#include "app/overlay/controls/widgets.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "app/overlay/numbers.h"
+#include "app/overlay/controls/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/overlay/widgets.h"
+#include "app/overlay/controls/widgets.h"
 
 namespace throng::app {
 

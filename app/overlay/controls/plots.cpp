@@ -1,4 +1,4 @@
-#include "app/overlay/plots.h"
+#include "app/overlay/controls/plots.h"
 
 #include <algorithm>
 #include <cmath>

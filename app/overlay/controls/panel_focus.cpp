@@ -1,4 +1,4 @@
-#include "app/overlay/panel_focus.h"
+#include "app/overlay/controls/panel_focus.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include <imgui.h>
 
-#include "app/overlay/theme.h"
+#include "app/overlay/controls/theme.h"
 #include "app/view/input.h"
 
 namespace throng::app {

@@ -6,8 +6,7 @@
 
 #include <imgui_internal.h>
 
-#include "app/overlay/tabs.h"
-#include "app/settings/tuning_values.h"
+#include "app/overlay/controls/widgets.h"
 
 namespace throng::app {
 namespace {
@@ -235,37 +234,6 @@ bool Widgets::text_field(const std::string& name, std::string& value, const char
   record(name, place, true);
   if (changed) value = typed.data();
   return changed;
-}
-
-bool TabContext::row(const char* key, const NumberScale& scale, const Help& help) const {
-  bool changed = false;
-  unless_idle(key, [&] { changed = edit(tuning_value(key), scale, help); });
-  return changed;
-}
-
-bool TabContext::edit(const TuningValue& row, const NumberScale& scale, const Help& help) const {
-  const char* const label = row.label;
-  const std::string now = row.text(tuning), before = row.text(standard);
-  std::string text;
-  if (row.form == TuningValue::Form::on_off) {
-    bool on = now == "on";
-    if (!widgets.toggle(label, on, before == "on", help)) return false;
-    text = on ? "on" : "off";
-  } else if (row.form == TuningValue::Form::word) {
-    const auto index_of = [&](const std::string& word) {
-      return static_cast<int>(std::ranges::find(row.words, word) - row.words.begin());
-    };
-    int index = index_of(now);
-    if (!widgets.choose(label, index, index_of(before), row.words, help)) return false;
-    text = row.words[static_cast<std::size_t>(index)];
-  } else {
-    double number = std::strtod(now.c_str(), nullptr);
-    const double usual = std::strtod(before.c_str(), nullptr);
-    if (!widgets.number(label, number, usual, scale, help)) return false;
-    text = number == usual ? before : fixed(number, scale.decimals);
-  }
-  row.read(tuning, text);
-  return true;
 }
 
 }  // namespace throng::app

@@ -49,6 +49,12 @@ int walked(int place, int first, int last) {
   return std::clamp(place, first, std::max(first, last));
 }
 
+// What is left of a width is shared evenly, so that long words have as much room around them as short ones.
+float margins_of_words(const Theme& theme, float width, std::span<const char* const> words) {
+  for (const char* const word : words) width -= text_width(theme.small, word);
+  return width / static_cast<float>(words.size());
+}
+
 // The list of a row at the foot of the screen opens upwards, where it has more room.
 void place_list(const Theme& theme, const Area& row) {
   const float below = ImGui::GetIO().DisplaySize.y - row.to.y, longest = theme.px(longest_list);
@@ -150,11 +156,13 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(from, to, ImGui::GetColorU32(colour::well), theme_.px(4));
-  const float width = (to.x - from.x) / static_cast<float>(words.size());
+  const float margins = margins_of_words(theme_, to.x - from.x, words);
+  float x = from.x;
   for (int i = 0; i < static_cast<int>(words.size()); ++i) {
     const char* const word = words[static_cast<std::size_t>(i)];
-    const float x = std::floor(from.x + width * static_cast<float>(i));
-    const Area place = rectangle({x, from.y}, {std::floor(x + width), to.y});
+    const float next = x + text_width(theme_.small, word) + margins;
+    const Area place = rectangle({std::floor(x), from.y}, {std::floor(next), to.y});
+    x = next;
     if (pressable(std::string(label) + ":" + word, place)) index = i;
     const bool hovered = ImGui::IsItemHovered();
     if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));

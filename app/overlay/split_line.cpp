@@ -49,6 +49,10 @@ void show_grip(const TabContext& context, const Area& crowd, float x, AidsMemory
   ImGui::PopStyleVar(2);
   context.widgets.clickable("split line", place);
   const bool is_lively = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  float& split_at = context.tuning.inspection.split_at;
+  if (const int step = context.widgets.focus().take_step()) {
+    split_at = std::clamp(split_at + 0.01F * static_cast<float>(step), 0.0F, 1.0F);
+  }
   drag_line(x, crowd.to.x - reach, context.tuning.inspection, memory);
   draw_grip(theme, crowd, x, is_lively);
   ImGui::End();

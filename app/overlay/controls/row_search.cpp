@@ -8,7 +8,7 @@ namespace throng::app {
 
 bool has_letters(std::string_view text, std::string_view letters) {
   const auto equal = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return letters.empty() || !std::ranges::search(text, letters, equal).empty();
+  return letters.empty() || std::search(text.begin(), text.end(), letters.begin(), letters.end(), equal) != text.end();
 }
 
 RowSearch::RowSearch(std::string_view text) {

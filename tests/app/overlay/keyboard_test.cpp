@@ -303,6 +303,15 @@ TEST_F(Keyboard, LooksAtSlowFramesAndSweepsAndTheTimeline) {
   EXPECT_NE(driver.overlay.vertex_count(), all);
 }
 
+TEST_F(Keyboard, MovesTheSplitLine) {
+  driver.tuning.inspection.split = Split::shown;
+  driver.frames();
+  const float before = driver.tuning.inspection.split_at;
+  go_to("split line");
+  driver.press(Key::right);
+  EXPECT_NEAR(driver.tuning.inspection.split_at, before + 0.01F, 1e-4F);
+}
+
 TEST_F(Keyboard, SeesEveryKeyOfASlowFrame) {
   go_to("Seed");
   for (const Key key : {Key::right, Key::down, Key::del}) driver.hold(key);  // in one frame

@@ -66,7 +66,7 @@ void show_camera_section(const TabContext& context) {
   say_who_moves_it(context);
   widgets.caption("Bookmarks");
   show_bookmarks(context);
-  double speed = static_cast<double>(context.report.cameras.fly_speed);
+  auto speed = static_cast<double>(context.report.cameras.fly_speed);
   const NumberScale scale{.lowest = static_cast<double>(lowest_fly_speed),
                           .highest = static_cast<double>(highest_fly_speed),
                           .decimals = 2,

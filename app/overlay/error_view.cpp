@@ -94,10 +94,11 @@ void show_error(const TabContext& context) {
        .cost = "some: 5% of the animation, or four agents a frame. all: more than the animation itself."});
   if (context.widgets.is_searching()) return;
   show_error_figures(context.widgets, error);
-  if (error.figures.samples == 0) context.widgets.caption(why_no_figures(context));
   show_error_history(context.widgets, error,
                      context.tuning.lod.rule == anim::LodRule::budget ? context.tuning.error_px : 0);
-  if (!error.skipping_sentence.empty()) context.widgets.caption(error.skipping_sentence);
+  constexpr int most_lines = 3;
+  context.widgets.steady_caption(error.figures.samples == 0 ? why_no_figures(context) : error.skipping_sentence,
+                                 most_lines);
 }
 
 }  // namespace throng::app

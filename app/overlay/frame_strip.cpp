@@ -8,7 +8,7 @@ namespace throng::app {
 namespace {
 
 constexpr float display_interval_ms = 16.7F;
-constexpr float numbers_width = 232;
+constexpr float numbers_width = 232, least_graph_width = 40;
 
 std::string short_milliseconds(float value) { return fixed(value, value < 9.995F ? 2 : 1); }
 
@@ -111,6 +111,7 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
   Area graph{.from = {place.from.x + theme.px(16 + numbers_width), place.from.y + theme.px(16)},
              .to = {place.to.x - theme.px(58), place.to.y - theme.px(16)}};
+  if (graph.width() < theme.px(least_graph_width)) return ImGui::End();
   widgets.pressable("Frame graph", graph);
   graph.hovered = ImGui::IsItemHovered();
   look_by_keys(widgets.stop("Frame graph", graph), report, commands);

@@ -207,7 +207,8 @@ void Widgets::tooltip_at(float y, const char* title, const Help& help, const std
   const float x = ImGui::GetWindowPos().x - theme_.px(10);
   ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(theme_.px(tooltip_width));
+  const float margins = 2 * ImGui::GetStyle().WindowPadding.x;
+  ImGui::PushTextWrapPos(std::clamp(x - margins, 1.0F, theme_.px(tooltip_width)));
   std::string measure = help.unit;
   if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
   write_paragraph(theme_.strong, colour::text, title);
@@ -217,6 +218,15 @@ void Widgets::tooltip_at(float y, const char* title, const Help& help, const std
   write_paragraph(theme_.small, colour::changed, help.cost);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+void Widgets::steady_caption(const std::string& text, int lines) const {
+  if (is_searching()) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_wrapped(theme_.small, at, colour::dim, width, text);
+  const float kept_free = static_cast<float>(lines) * theme_.small->FontSize;
+  ImGui::Dummy({width, std::max(kept_free, wrapped_height(theme_.small, width, text))});
 }
 
 Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& help, const std::string& standard) {

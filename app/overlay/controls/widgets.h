@@ -63,6 +63,8 @@ class Widgets {
   bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text) const;
+  /// Shows a caption that comes and goes, in the room of so many lines, so that nothing below it moves.
+  void steady_caption(const std::string& text, int lines) const;
 
   /// Offers one of several words. The enumerators count from 0 in the order of `words`.
   template <class Choice>

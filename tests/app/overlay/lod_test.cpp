@@ -183,10 +183,15 @@ TEST_F(LodSkippingTab, DrawsHowTheErrorWent) {
 
 TEST_F(LodSkippingTab, SaysWhySkippingDoesNotPay) {
   scroll_to_ways_to_look();
+  driver.report.error.figures.samples = 1;
+  driver.frames();
   const int before = driver.overlay.vertex_count();
+  const float place = driver.overlay.ui_map().find("Freeze LOD camera")->y;
   driver.report.error.skipping_sentence = "At 10 frames a second skipping does not pay.";
   driver.frames();
   EXPECT_GT(driver.overlay.vertex_count(), before);
+  EXPECT_EQ(driver.overlay.ui_map().find("Freeze LOD camera")->y, place)
+      << "nothing below moves while one clicks at it";
 }
 
 TEST_F(LodSkippingTab, ChoosesWhoIsMeasured) {

@@ -318,7 +318,7 @@ void Crowd::go_back_to(const CrowdMoment& moment) {
   state_ = *moment;
 }
 
-CrowdSphere bounding_sphere(const Crowd& crowd) {
+glm::vec3 middle_of(const Crowd& crowd) {
   glm::vec3 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     const glm::vec3& foot = crowd.positions()[agent];
@@ -327,8 +327,7 @@ CrowdSphere bounding_sphere(const Crowd& crowd) {
     lowest = glm::min(lowest, foot - glm::vec3(beside, 0.0F, beside));
     highest = glm::max(highest, foot + glm::vec3(beside, above, beside));
   }
-  constexpr float least_radius = 1e-3F;
-  return {(lowest + highest) * 0.5F, std::max(glm::distance(lowest, highest) * 0.5F, least_radius)};
+  return (lowest + highest) * 0.5F;
 }
 
 }  // namespace throng::app

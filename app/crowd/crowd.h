@@ -112,7 +112,7 @@ class Crowd {
   std::size_t marchers() const { return marchers_.size(); }       ///< those after them: rank and file; all others stay
 
  private:
-  friend struct CrowdSphere bounding_sphere(const Crowd& crowd);
+  friend glm::vec3 middle_of(const Crowd& crowd);
   Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety);
   void place(const CrowdLayout& layout);
@@ -133,11 +133,7 @@ class Crowd {
   anim::Ticks wave_period_{};
 };
 
-/// A sphere around all agents, as tall as they stand.
-struct CrowdSphere {
-  glm::vec3 centre{0.0F};
-  float radius = 0.0F;  ///< metres, above 0
-};
-CrowdSphere bounding_sphere(const Crowd& crowd);
+/// Returns the middle of a box around all agents, as tall as they stand.
+glm::vec3 middle_of(const Crowd& crowd);
 
 }  // namespace throng::app

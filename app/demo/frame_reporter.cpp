@@ -223,7 +223,7 @@ void FrameReporter::add_error(const Stage& stage) {
   report_.error.skipping_sentence = skips ? skipping_sentence(limit_.mean(), report_.agents_by_interval) : "";
 }
 
-// Those that are tallest on the screen, and the selected one, however small it is.
+// Reports the agents that are tallest on the screen, and the selected one even where it is small.
 void FrameReporter::add_heads(const Stage& stage) {
   report_.heads.clear();
   if (!stage.tuning().inspection.figures_above_heads) return;

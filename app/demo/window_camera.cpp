@@ -11,12 +11,12 @@ namespace {
 // The middle of the selected agent, or of the crowd.
 glm::vec3 middle_of_interest(const Stage& stage) {
   const std::optional<std::uint32_t> agent = stage.selected();
-  if (!agent) return bounding_sphere(stage.crowd()).centre;
+  if (!agent) return middle_of(stage.crowd());
   const UprightBody body = stage.animated().body_of(*agent);
   return body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
 }
 
-render::PicturePart part_of(const UiRectangle& area, int width, int height) {
+PicturePart part_of(const UiRectangle& area, int width, int height) {
   const auto across = static_cast<float>(width), along = static_cast<float>(height);
   return {.left = area.x / across,
           .top = area.y / along,

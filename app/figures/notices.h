@@ -14,7 +14,7 @@ namespace throng::app {
 struct Spared {
   int agents = 0;  ///< the number that is animated instead of the one asked for; 0: the one asked for
   bool multisampling = false, shadows = false;
-  float error_px = 0, mesh_error_px = 0;  ///< the limits on errors instead of those asked for; 0: those asked for
+  float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: the one asked for
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 

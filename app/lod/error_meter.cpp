@@ -26,7 +26,7 @@ glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
           glm::vec4(heading.sine, 0.0F, heading.cosine, 0.0F) * scale, glm::vec4(position, 1.0F)};
 }
 
-// Whether two tunings leave the eye the same errors.
+// Returns whether two tunings leave the eye the same errors.
 bool decide_alike(const Tuning& a, const Tuning& b) {
   const auto forced = [](const Tuning& tuning) {
     const LodInspection& look = tuning.inspection;

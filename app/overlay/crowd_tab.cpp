@@ -102,11 +102,10 @@ void show_cast(const TabContext& context) {
   }
   widgets.caption(counts + " agents");
   const std::string words = "Everyone is " + cast_label(report.characters, report.character);
-  if (ButtonRow(widgets, 1)
-          .marked_button(words.c_str(), "Everyone is this",
-                         {.what = "The model chosen above takes all places that it can stand or walk in. The others "
-                                  "stay in the cast."},
-                         false)) {
+  const Help help{.what =
+                      "The model chosen above takes all places that it can stand or walk in. The others stay in the "
+                      "cast."};
+  if (widgets.named_button(words.c_str(), "Everyone is this", help, ImGui::GetContentRegionAvail().x)) {
     commands.everyone = report.character;
   }
 }

@@ -96,9 +96,7 @@ void show_error(const TabContext& context) {
   show_error_figures(context.widgets, error);
   show_error_history(context.widgets, error,
                      context.tuning.lod.rule == anim::LodRule::budget ? context.tuning.error_px : 0);
-  constexpr int most_lines = 3;
-  context.widgets.steady_caption(error.figures.samples == 0 ? why_no_figures(context) : error.skipping_sentence,
-                                 most_lines);
+  context.widgets.steady_caption(error.figures.samples == 0 ? why_no_figures(context) : error.skipping_sentence);
 }
 
 }  // namespace throng::app

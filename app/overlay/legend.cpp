@@ -6,6 +6,7 @@
 #include "app/files/joined.h"
 #include "app/overlay/controls/numbers.h"
 #include "app/settings/agent_colors.h"
+#include "app/settings/option_values.h"
 #include "engine/render/crowd_draw.h"
 
 namespace throng::app {
@@ -29,8 +30,8 @@ std::string frames_words(int from, int to) {
   return std::to_string(from) + between + std::to_string(to) + " frames";
 }
 
-LegendPart intervals_legend(const FrameReport& report, const Tuning& tuning, const std::string& title) {
-  LegendPart part{.title = title, .steps = {}};
+LegendPart intervals_legend(const FrameReport& report, const Tuning& tuning) {
+  LegendPart part{.title = "Interval", .steps = {}};
   const int largest = largest_interval_in_force(tuning);
   for (int from = 1; from <= largest;) {
     int to = from;
@@ -45,13 +46,13 @@ LegendPart intervals_legend(const FrameReport& report, const Tuning& tuning, con
   return part;
 }
 
-std::string of_shown_character(const FrameReport& report, const char* what) {
-  if (report.characters.size() < 2 || report.character >= report.characters.size()) return "";
-  return std::string(what) + " of " + report.characters[report.character];
+std::vector<std::string> of_shown_character(const FrameReport& report, const char* what) {
+  if (report.characters.size() < 2 || report.character >= report.characters.size()) return {};
+  return {std::string(what) + " of " + report.characters[report.character]};
 }
 
 LegendPart bones_legend(const FrameReport& report) {
-  LegendPart part{.title = "Bones", .steps = {}, .note = of_shown_character(report, "Bones")};
+  LegendPart part{.title = "Bones", .steps = {}, .notes = of_shown_character(report, "Bones")};
   const auto own = static_cast<int>(report.level_bone_counts.size());
   for (int level = 0; level < std::max(own, report.situation.bone_levels); ++level) {
     std::string words = "level " + std::to_string(level);
@@ -65,7 +66,7 @@ LegendPart bones_legend(const FrameReport& report) {
 }
 
 LegendPart meshes_legend(const FrameReport& report) {
-  LegendPart part{.title = "Mesh", .steps = {}, .note = of_shown_character(report, "Triangles and agents")};
+  LegendPart part{.title = "Mesh", .steps = {}, .notes = of_shown_character(report, "Triangles and agents")};
   const auto own = static_cast<int>(report.meshes.lods.size());
   for (int lod = 0; lod < std::max(own, report.situation.mesh_levels); ++lod) {
     LegendStep step{mesh_lod_color(lod), "LOD " + std::to_string(lod), std::nullopt};
@@ -79,21 +80,14 @@ LegendPart meshes_legend(const FrameReport& report) {
   return part;
 }
 
-std::string short_number(float value) {
-  std::string text = fixed(value, 2);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 LegendPart error_legend() {
   LegendPart part{.title = "Error on screen", .steps = {}};
   for (int step = 0; step < error_steps; ++step) {
     const bool is_last = step + 1 == error_steps;
-    const std::string from = step > 0 ? short_number(error_limit(step - 1)) : "";
-    const std::string words = step == 0 ? "below " + short_number(error_limit(0)) + " px"
+    const std::string from = step > 0 ? shortest_text(error_limit(step - 1)) : "";
+    const std::string words = step == 0 ? "below " + shortest_text(error_limit(0)) + " px"
                               : is_last ? from + " px or more"
-                                        : from + " to " + short_number(error_limit(step)) + " px";
+                                        : from + " to " + shortest_text(error_limit(step)) + " px";
     const float inside = is_last ? error_limit(step - 1) : 0.75F * error_limit(step);
     part.steps.push_back({debug_color(DebugView::error, {.error_px = inside}), words, std::nullopt});
   }
@@ -109,7 +103,7 @@ std::optional<LegendPart> characters_legend(const FrameReport& report, const Tun
     case DebugView::none:
       return std::nullopt;
     case DebugView::interval:
-      part = intervals_legend(report, tuning, "Interval");
+      part = intervals_legend(report, tuning);
       break;
     case DebugView::bone_level:
       part = bones_legend(report);
@@ -132,14 +126,14 @@ void add_interval_marks(std::vector<LegendPart>& parts, const FrameReport& repor
   const bool heads = tuning.inspection.figures_above_heads;
   if (!rings && !heads) return;
   const bool has_intervals = !parts.empty() && tuning.debug_view == DebugView::interval;
-  if (!has_intervals) parts.push_back(intervals_legend(report, tuning, "Interval"));
+  if (!has_intervals) parts.push_back(intervals_legend(report, tuning));
   LegendPart& part = parts.back();
   if (rings) part.title += heads ? ", rings" : " and rings";
   if (heads) part.title += " and heads";
-  if (rings) part.note = "A ring: from here on outwards";
+  if (rings) part.notes.emplace_back("A ring: from here on outwards");
   if (!heads) return;
-  part.note += (part.note.empty() ? "" : "\n") + std::to_string(heads_shown) + " of " +
-               std::to_string(report.heads.size()) + " figures have room";
+  part.notes.push_back(std::to_string(heads_shown) + " of " + std::to_string(report.heads.size()) +
+                       " figures have room");
 }
 
 LegendPart difference_legend() {

@@ -21,7 +21,7 @@ struct LegendStep {
 struct LegendPart {
   std::string title;
   std::vector<LegendStep> steps;
-  std::string note = {};  ///< what holds for all of it; may be empty
+  std::vector<std::string> notes = {};  ///< lines about all of it
 };
 
 /// Returns what the colours in the picture mean, with the numbers in force; nothing while there are none. Values that

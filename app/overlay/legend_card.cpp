@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <sstream>
 
 #include "app/overlay/cards.h"
 #include "app/overlay/picture_aids.h"
@@ -12,13 +11,6 @@ constexpr float legend_title_room = 20;  // for the sign that folds it
 
 std::string agents_words(const LegendStep& step) {
   return step.agents ? with_thousands(static_cast<std::uint64_t>(std::max(*step.agents, 0))) : "";
-}
-
-std::vector<std::string> note_lines(const LegendPart& part) {
-  std::vector<std::string> lines;
-  std::istringstream words(part.note);
-  for (std::string line; std::getline(words, line);) lines.push_back(line);
-  return lines;
 }
 
 constexpr const char* counted_words = "in view";
@@ -39,7 +31,7 @@ ImVec2 legend_size(const Theme& theme, const std::vector<LegendPart>& parts, boo
       const float room = agents.empty() ? 0 : text_width(theme.small, agents) + theme.px(legend_gap);
       width = std::max(width, theme.px(legend_swatch + 8) + text_width(theme.small, step.words) + room);
     }
-    for (const std::string& line : note_lines(part)) {
+    for (const std::string& line : part.notes) {
       width = std::max(width, text_width(theme.small, line));
       ++rows;
     }
@@ -92,7 +84,7 @@ class LegendDrawing {
                 1);
     write(colour::text, part.title);
     for (const LegendStep& step : part.steps) draw(step);
-    for (const std::string& line : note_lines(part)) write(colour::dim, line);
+    for (const std::string& line : part.notes) write(colour::dim, line);
     y_ += theme_.px(6);
   }
 

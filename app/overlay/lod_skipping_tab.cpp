@@ -177,8 +177,7 @@ void show_budget(const TabContext& context) {
 void show_who_limits(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Who limits you");
-  constexpr int most_lines = 3;
-  widgets.steady_caption(report.limit_sentence, most_lines);
+  widgets.steady_caption(report.limit_sentence);
   TakenAway& away = tuning.taken_away;
   const TakenAway& all = standard.taken_away;
   const char* const cost = "Only to see what it costs: the frame rate without it.";

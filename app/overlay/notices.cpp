@@ -140,6 +140,7 @@ void show_pills(Widgets& widgets, const Area& crowd, const char* window, const s
   for (std::size_t i = 0; i < pills.size(); ++i) {
     begin_fixed_window((window + std::to_string(i)).c_str(), pills[i].place, 0, ImGuiWindowFlags_NoBackground);
     show_pill(widgets, crowd, pills[i]);
+    widgets.cover(pills[i].place);
     ImGui::End();
   }
   ImGui::PopStyleVar();

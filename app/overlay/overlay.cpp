@@ -109,6 +109,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   OverlayCommands commands;
   state.map.widgets.clear();
   state.map.idle.clear();
+  state.map.over_crowd.clear();
   commands.models = state.input.dropped;
   state.take_keys_of_panel(report);
   const auto clicked = state.click.update(state.input, !uses_pointer());

@@ -164,6 +164,7 @@ void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& re
                    .to = {crowd.to.x - theme.px(bar::margin), crowd.to.y - theme.px(bar::margin)}};
   begin_fixed_window("Replay", place, theme.px(10));
   widgets.record("Replay", place);
+  widgets.cover(place);
   const float left = place.from.x + theme.px(bar::padding), right = place.to.x - theme.px(bar::padding);
   const float top = place.from.y + theme.px(9);
   const std::string count = "frame " + std::to_string(replay.frame) + " of " + std::to_string(replay.frames);

@@ -111,7 +111,7 @@ anim::Result<CrowdCharacter> read_crowd_character(const std::string& name, const
   return character;
 }
 
-// By the digits of their keys: "3" is the third.
+// The keys are digits: "3" is the third bookmark.
 Json bookmarks_json(const CameraBookmarks& bookmarks) {
   Json json = Json::object();
   for (std::size_t i = 0; i < bookmarks.size(); ++i) {

@@ -15,7 +15,7 @@ constexpr std::uint32_t rgba(std::uint32_t red, std::uint32_t green, std::uint32
   return red | green << 8U | blue << 16U | alpha << 24U;
 }
 
-// From green (full detail) to red. People tell these colours apart at a glance.
+// Goes from green (full detail) to red. People tell these colours apart at a glance.
 std::uint32_t step_color(int step, int steps) {
   constexpr std::array<std::uint32_t, 6> row = {rgba(70, 200, 120, 200), rgba(150, 205, 80, 200),
                                                 rgba(235, 205, 70, 200), rgba(240, 150, 60, 200),

@@ -12,8 +12,9 @@ namespace {
 
 constexpr float least_ahead = 1.05F * render::Camera::near_distance;  // what is nearer is not drawn
 
-/// What a camera sees along one axis of the picture, between two planes through it. Each leans to the side by so much a
-/// metre ahead. A point is inside when it lies between them, which gives two bounds for the place of the camera.
+/// Finds where a camera sees all points along one axis of the picture. It sees between two planes through it; each
+/// leans to the side by so much a metre ahead. Each point must lie between them, which bounds the place of the camera
+/// twice.
 class SeenAcross {
  public:
   SeenAcross(float low, float high) : low_(low), high_(high) {}
@@ -32,7 +33,7 @@ class SeenAcross {
   float most_ = std::numeric_limits<float>::max(), least_ = std::numeric_limits<float>::lowest();
 };
 
-render::PicturePart without_margin(const render::PicturePart& part) {
+PicturePart without_margin(const PicturePart& part) {
   const float across = framing_margin * (part.right - part.left), along = framing_margin * (part.bottom - part.top);
   return {
       .left = part.left + across, .top = part.top + along, .right = part.right - across, .bottom = part.bottom - along};
@@ -46,11 +47,11 @@ glm::vec3 corner_of(const FramedBox& box, unsigned corner) {
 }  // namespace
 
 render::Camera framed(const render::Camera& camera, std::span<const FramedBox> boxes, float aspect,
-                      const render::PicturePart& part) {
+                      const PicturePart& part) {
   constexpr unsigned corners = 8;
   const glm::vec3 ahead = render::forward(camera), right = render::right(camera), up = glm::cross(right, ahead);
   const float tall = std::tan(camera.vertical_view * 0.5F), wide = tall * aspect;
-  const render::PicturePart free = without_margin(part);
+  const PicturePart free = without_margin(part);
   SeenAcross across(wide * (2.0F * free.left - 1.0F), wide * (2.0F * free.right - 1.0F));
   SeenAcross along(tall * (1.0F - 2.0F * free.bottom), tall * (1.0F - 2.0F * free.top));
   // Distances from the middle of a box, so that they keep their precision far from the origin.

@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
-constexpr float software_error_px = 3.0F, software_mesh_error_px = 1.5F;
+constexpr float software_error_px = 3.0F;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
@@ -76,8 +76,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
              .shadows = modest && options.shadows && !options.shadows_given,
-             .error_px = coarse ? software_error_px : 0.0F,
-             .mesh_error_px = coarse ? software_mesh_error_px : 0.0F};
+             .error_px = coarse ? software_error_px : 0.0F};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},

@@ -9,6 +9,7 @@
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/nearest_names.h"
+#include "app/lod/mesh_lods.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
@@ -23,7 +24,9 @@ double milliseconds_since(RunFigures::Clock::time_point start) {
 
 Tuning with_savings(Tuning tuning, const Spared& spared) {
   if (spared.agents > 0) tuning.agents = spared.agents;
-  if (spared.error_px > 0.0F) tuning.error_px = spared.error_px, tuning.mesh_error_px = spared.mesh_error_px;
+  if (spared.error_px == 0.0F) return tuning;
+  tuning.error_px = spared.error_px;
+  tuning.mesh_error_px = spared.error_px * mesh_share_of_error;
   return tuning;
 }
 

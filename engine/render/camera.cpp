@@ -33,20 +33,9 @@ glm::vec3 seen_by(const Camera& camera, const glm::vec3& way) {
   return {glm::dot(way, right(camera)), glm::dot(way, up(camera)), glm::dot(way, forward(camera))};
 }
 
-/// The space between two planes through the camera. Each leans to one side by so much a metre ahead.
-class Wedge {
- public:
-  Wedge(float low, float high)
-      : low_(low), high_(high), low_length_(std::hypot(1.0F, low)), high_length_(std::hypot(1.0F, high)) {}
-
-  /// Gives how far to the side a point a metre ahead is, if it is equally far from both planes.
-  float middle() const { return (low_ * high_length_ + high_ * low_length_) / (low_length_ + high_length_); }
-  /// Gives how far ahead a point is that is one metre from both planes.
-  float distance_of_unit() const { return (low_length_ + high_length_) / (high_ - low_); }
-
- private:
-  float low_, high_, low_length_, high_length_;
-};
+// Returns how far ahead a point lies that is one metre from two planes through the camera. Each leans to its own side,
+// by `lean` metres a metre.
+float distance_of_unit(float lean) { return std::hypot(1.0F, lean) / lean; }
 
 glm::vec4 normalized(const glm::vec4& plane) { return plane / glm::length(glm::vec3(plane)); }
 
@@ -95,14 +84,11 @@ Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, floa
   return next;
 }
 
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect,
-                    const PicturePart& part) {
+Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect) {
   const float tall = std::tan(camera.vertical_view * 0.5F), wide = tall * aspect;
-  const Wedge across(wide * (2.0F * part.left - 1.0F), wide * (2.0F * part.right - 1.0F));
-  const Wedge along(tall * (1.0F - 2.0F * part.bottom), tall * (1.0F - 2.0F * part.top));
-  const float ahead = radius * std::max(across.distance_of_unit(), along.distance_of_unit());
+  const float ahead = radius * std::max(distance_of_unit(wide), distance_of_unit(tall));
   Camera framed = camera;
-  framed.position = centre - ahead * (across.middle() * right(camera) + along.middle() * up(camera) + forward(camera));
+  framed.position = centre - ahead * forward(camera);
   return framed;
 }
 

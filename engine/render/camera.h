@@ -55,14 +55,7 @@ Camera fly(const Camera& camera, const FlyInput& input, float seconds);
 /// which the camera turns; it never looks straight up or down.
 Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, float turn_up);
 
-/// A part of the picture: shares of its width and height, from the top left, each 0 to 1.
-struct PicturePart {
-  float left = 0.0F, top = 0.0F, right = 1.0F, bottom = 1.0F;
-};
-
-/// Moves the camera, which keeps its direction, until the sphere just fits into that part of the picture. `aspect` is
-/// that of the whole picture. The part has a width and a height.
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect,
-                    const PicturePart& part = {});
+/// Moves the camera, which keeps its direction, until the sphere just fits into the picture.
+Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect);
 
 }  // namespace throng::render

@@ -41,7 +41,7 @@ struct RendererOptions {
 };
 
 inline constexpr std::size_t most_characters = 256;  ///< the most in one picture
-/// What a character's mesh is made of, or where in Renderer::meshes() a mesh stands that is the same.
+/// Holds the data to make a character's mesh of, or the index in Renderer::meshes() of a mesh to keep for it.
 using CharacterToLoad = std::variant<CrowdMeshData, std::size_t>;
 
 /// Draws pictures of a crowd: this is all that app/ calls. It works on the thread on which `context` is current.

@@ -122,44 +122,6 @@ TEST(FrameSphere, JustFitsItKeepingTheDirection) {
   }
 }
 
-// Whatever covers a picture leaves a part of it: the sphere touches that part's nearer pair of edges, and is in its
-// middle between the others.
-TEST(FrameSphere, JustFitsItIntoAPartOfThePicture) {
-  Camera camera = at_origin();
-  camera.yaw = -1.1F;
-  camera.pitch = -0.3F;
-  const glm::vec3 centre{-4.0F, 2.0F, 9.0F};
-  for (const PicturePart part : {PicturePart{0.0F, 0.0F, 0.7F, 0.8F}, PicturePart{0.5F, 0.6F, 1.0F, 1.0F},
-                                 PicturePart{0.1F, 0.0F, 0.3F, 1.0F}, PicturePart{0.0F, 0.2F, 0.4F, 0.3F}}) {
-    const float aspect = 16.0F / 9.0F;
-    const Camera framed = frame_sphere(camera, centre, 5.0F, aspect, part);
-    const CameraView view = view_of(framed, aspect);
-    const glm::vec3 towards = glm::normalize(centre - framed.position);
-    const glm::vec3 side = glm::normalize(glm::cross(towards, glm::vec3(0.0F, 1.0F, 0.0F)));
-    const glm::vec3 above = glm::cross(side, towards);
-    // The outline that the camera sees is a circle around the axis to the centre.
-    const float distance = glm::distance(centre, framed.position);
-    const float radius = 5.0F * std::sqrt(1.0F - 25.0F / (distance * distance));
-    const glm::vec3 middle = centre - towards * (25.0F / distance);
-    float left = 1.0F, right = 0.0F, top = 1.0F, bottom = 0.0F;
-    for (float angle = 0.0F; angle < 4 * quarter_turn; angle += 0.001F) {
-      const glm::vec3 at = projected(view, middle + radius * (std::cos(angle) * side + std::sin(angle) * above));
-      left = std::min(left, 0.5F + 0.5F * at.x);
-      right = std::max(right, 0.5F + 0.5F * at.x);
-      top = std::min(top, 0.5F - 0.5F * at.y);
-      bottom = std::max(bottom, 0.5F - 0.5F * at.y);
-    }
-    constexpr float tolerance = 1e-4F;
-    EXPECT_GT(left, part.left - tolerance);
-    EXPECT_LT(right, part.right + tolerance);
-    EXPECT_GT(top, part.top - tolerance);
-    EXPECT_LT(bottom, part.bottom + tolerance);
-    const bool fills_width = left < part.left + tolerance && right > part.right - tolerance;
-    const bool fills_height = top < part.top + tolerance && bottom > part.bottom - tolerance;
-    EXPECT_TRUE(fills_width || fills_height) << left << ' ' << right << ' ' << top << ' ' << bottom;
-  }
-}
-
 TEST(Orbit, KeepsThePointInItsPlaceInThePicture) {
   Camera camera = at_origin();
   camera.position = {3.0F, 2.0F, 7.0F};

@@ -22,12 +22,7 @@ TEST_F(DroppedModel, ReplacesTheCharacterAndTheCrowdGoesOn) {
 }
 
 TEST_F(DroppedModel, MayBeAFolderWhoseSharesAreDragged) {
-  const std::filesystem::path people = folder() / "people";
-  std::filesystem::create_directories(people);
-  for (const char* const name : {"a.glb", "b.glb"}) {
-    std::filesystem::copy_file(THRONG_SOURCE_DIR "/tests/data/features/plain.glb", people / name);
-  }
-  drop(people.string());
+  drop(folder_of_models({"a.glb", "b.glb"}));
   const Json map = wait_for("both characters", [](const Json& now) {
     return now["report"]["cast"].size() == 2 && now["report"]["drawn"] > 0;
   });

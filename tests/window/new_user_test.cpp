@@ -12,14 +12,6 @@ using Json = nlohmann::json;
 class NewUser : public WindowDriver {
  protected:
   std::vector<std::string> options() const override { return {"--agents", "60", "--size", "1280x720"}; }
-  void open_tab(const std::string& name) {
-    click("tab:" + name);
-    wait_for("tab " + name, [&](const Json& map) { return map["tab"] == name; });
-  }
-  void click_in_tab(const std::string& widget) {
-    bring_into_sight(widget);
-    click(widget);
-  }
   void select_one_of_the_crowd() {
     open_tab("Crowd");
     click("Scene:grid");
@@ -32,12 +24,7 @@ class NewUser : public WindowDriver {
 
 // Drop both files. Crowd: Model, the one that is wanted. Everyone is this.
 TEST_F(NewUser, MakesEveryoneOneModel) {
-  const std::filesystem::path people = folder() / "people";
-  std::filesystem::create_directories(people);
-  for (const char* const name : {"a.glb", "b.glb"}) {
-    std::filesystem::copy_file(THRONG_SOURCE_DIR "/tests/data/features/plain.glb", people / name);
-  }
-  drop(people.string());
+  drop(folder_of_models({"a.glb", "b.glb"}));
   wait_for("both", [](const Json& map) { return map["report"]["cast"].size() == 2 && map["report"]["drawn"] > 0; });
   click("Model");
   click("Model:b.glb");

@@ -11,13 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string message_of(const Json& map) { return map["report"]["message"]; }
-
 class WholeOverlay : public WindowDriver {
  protected:
-  Json wait_for_message(const std::string& words) {
-    return wait_for(words, [&](const Json& map) { return message_of(map).find(words) != std::string::npos; });
-  }
   void wait_for_bones(const Json& names) {
     wait_for("bones in that order", [&](const Json& map) { return map["report"]["bones"] == names; });
   }

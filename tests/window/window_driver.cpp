@@ -117,6 +117,36 @@ void WindowDriver::scroll_down_at(double x, double y, int steps) {
   next_map();
 }
 
+WindowDriver::Json WindowDriver::wait_for_message(const std::string& words) {
+  return wait_for(words, [&](const Json& map) {
+    return map["report"]["message"].get<std::string>().find(words) != std::string::npos;
+  });
+}
+
+std::string WindowDriver::folder_of_models(const std::vector<std::string>& names) {
+  const std::filesystem::path models = folder() / "models";
+  std::filesystem::create_directories(models);
+  for (const std::string& name : names) {
+    std::filesystem::copy_file(THRONG_SOURCE_DIR "/tests/data/features/plain.glb", models / name);
+  }
+  return models.string();
+}
+
+void WindowDriver::open_tab(const std::string& name) {
+  click("tab:" + name);
+  wait_for("tab " + name, [&](const Json& map) { return map["tab"] == name; });
+}
+
+void WindowDriver::click_in_tab(const std::string& widget) {
+  bring_into_sight(widget);
+  click(widget);
+}
+
+void WindowDriver::type_in_tab(const std::string& widget, const std::string& text) {
+  bring_into_sight(widget);
+  type_into(widget, text);
+}
+
 void WindowDriver::bring_into_sight(const std::string& widget) {
   constexpr int to_the_top = 60, most_turns = 60;
   Json map = next_map();

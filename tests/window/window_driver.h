@@ -53,8 +53,17 @@ class WindowDriver : public testing::Test {
   void button(int number, bool down);
   void xdotool(const std::vector<std::string>& words);
 
+  /// Waits for a message that has these words.
+  Json wait_for_message(const std::string& words);
+  /// Fills a folder with plain models of these names, and returns its path.
+  std::string folder_of_models(const std::vector<std::string>& names);
+
+  void open_tab(const std::string& name);
   /// Turns the wheel over the panel until a widget of the tab is in sight.
   void bring_into_sight(const std::string& widget);
+  /// Does the same, and clicks at the widget or types into it.
+  void click_in_tab(const std::string& widget);
+  void type_in_tab(const std::string& widget, const std::string& text);
 
   /// Returns the options that the program is started with.
   virtual std::vector<std::string> options() const { return {"--agents", "50", "--size", "1280x720"}; }

@@ -39,24 +39,6 @@ class Workday : public WindowDriver, public testing::WithParamInterface<Desk> {
   }
   glm::ivec2 screen() const override { return GetParam().screen; }
 
-  void wait_for_message(const std::string& words) {
-    wait_for(words, [&](const Json& map) {
-      return map["report"]["message"].get<std::string>().find(words) != std::string::npos;
-    });
-  }
-  void open_tab(const std::string& name) {
-    click("tab:" + name);
-    wait_for("tab " + name, [&](const Json& map) { return map["tab"] == name; });
-  }
-  void click_in_tab(const std::string& widget) {
-    bring_into_sight(widget);
-    click(widget);
-  }
-  void type_in_tab(const std::string& widget, const std::string& text) {
-    bring_into_sight(widget);
-    type_into(widget, text);
-  }
-
   void open_a_model(const std::string& name, double times) {
     const std::string file = (folder() / name).string();
     write_scaled_mannequin(file, times);

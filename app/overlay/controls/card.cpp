@@ -27,11 +27,12 @@ bool record_card(Widgets& widgets, const std::string& name, const ImGuiWindow& w
   widgets.record_whole(name + ".fold", fold, true);
   widgets.record_whole(name + ".close", close, true);
   if (widgets.stop(name + ".fold", fold).take_activation()) ImGui::SetWindowCollapsed(!window.Collapsed);
-  const bool closes = widgets.stop(name + ".close", close).take_activation();
   widgets.record_whole(name + ".title",
                        {.from = {title.Min.x + button, title.Min.y}, .to = {title.Max.x - button, title.Max.y}});
-  widgets.record_whole(name, {.from = window.Pos, .to = {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}});
-  return closes;
+  const Area all{.from = window.Pos, .to = {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}};
+  widgets.record_whole(name, all);
+  widgets.cover(all);
+  return widgets.stop(name + ".close", close).take_activation();
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ void draw_closed(const Theme& theme, const Area& place, const std::string& word,
 
 bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
-// The place in an open list after the keys of this frame.
+// Returns the place in an open list after the keys of this frame.
 int walked(int place, int first, int last) {
   place += (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
   if (is_pressed(ImGuiKey_Home)) place = first;
@@ -49,7 +49,7 @@ int walked(int place, int first, int last) {
   return std::clamp(place, first, std::max(first, last));
 }
 
-// What is left of a width is shared evenly, so that long words have as much room around them as short ones.
+// Shares the rest of a width evenly, so that long words have as much room around them as short ones.
 float margins_of_words(const Theme& theme, float width, std::span<const char* const> words) {
   for (const char* const word : words) width -= text_width(theme.small, word);
   return width / static_cast<float>(words.size());

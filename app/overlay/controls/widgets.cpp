@@ -106,6 +106,10 @@ void Widgets::record_whole(const std::string& name, const Area& place, bool take
   map_.widgets.emplace_back(name, UiRectangle{place.from.x, place.from.y, place.width(), place.height(), takes_clicks});
 }
 
+void Widgets::cover(const Area& place) {
+  map_.over_crowd.push_back({place.from.x, place.from.y, place.width(), place.height()});
+}
+
 PanelFocus& Widgets::stop(const std::string& name, const Area& place) {
   if (focus_.has_keys()) {
     focus_.add(ImGui::GetID(name.c_str()), name, place.from, place.to, PanelFocus::Stop::plain);
@@ -220,12 +224,13 @@ void Widgets::tooltip_at(float y, const char* title, const Help& help, const std
   ImGui::EndTooltip();
 }
 
-void Widgets::steady_caption(const std::string& text, int lines) const {
+void Widgets::steady_caption(const std::string& text) const {
+  constexpr float lines = 3;
   if (is_searching()) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   draw_wrapped(theme_.small, at, colour::dim, width, text);
-  const float kept_free = static_cast<float>(lines) * theme_.small->FontSize;
+  const float kept_free = lines * theme_.small->FontSize;
   ImGui::Dummy({width, std::max(kept_free, wrapped_height(theme_.small, width, text))});
 }
 

@@ -63,8 +63,8 @@ class Widgets {
   bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text) const;
-  /// Shows a caption that comes and goes, in the room of so many lines, so that nothing below it moves.
-  void steady_caption(const std::string& text, int lines) const;
+  /// Shows a sentence that comes and goes. It always takes the room of three lines, so that nothing below it moves.
+  void steady_caption(const std::string& text) const;
 
   /// Offers one of several words. The enumerators count from 0 in the order of `words`.
   template <class Choice>
@@ -100,6 +100,8 @@ class Widgets {
   void tooltip(const char* title, const Help& help, const std::string& standard) const;
   /// Notes a place in the map, as far as the window shows it.
   void record(const std::string& name, const Area& place, bool takes_clicks = false);
+  /// Notes a place over the crowd that other things over the crowd keep clear of.
+  void cover(const Area& place);
   /// Notes a place in the map that nothing cuts off.
   void record_whole(const std::string& name, const Area& place, bool takes_clicks = false);
 

@@ -60,7 +60,7 @@ void LevelOfDetail::reset(std::size_t agents, const LodLimits& limits) {
   updates_.reserve(agents);
 }
 
-// Choices are built for the length of the first frame, so they are forgotten too.
+// Choices are built for the length of the frames so far, so they are forgotten too.
 void LevelOfDetail::restart() {
   turn_ = 0;
   turn_length_ = into_turn_ = mean_frame_ = {};

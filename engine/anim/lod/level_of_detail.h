@@ -54,7 +54,7 @@ struct LodFigures {
 
 /// Decides level of detail for a crowd from frame to frame. It lists the agents to be posed, with bone level and
 /// look-ahead, and keeps what that needs of each agent. It allocates in set_characters(), reset() and in the first
-/// select() after the rules, or the length of a frame by more than a quarter, have changed.
+/// select() after the rules, or the mean length of frames by more than a quarter, have changed.
 ///
 ///     select(crowd, request, executor, jobs)   lists updates()
 ///     updates()[i].palette = ...            the program says where palettes go; null: the agent is not drawn

@@ -118,7 +118,7 @@ TEST_F(CameraOfAWindow, GoesBackToPlacesThatWereKept) {
 
 TEST_F(CameraOfAWindow, TurnsAboutTheCrowdOrTheSelectedAgent) {
   const auto distance_to = [&](const glm::vec3& point) { return glm::distance(camera_.camera().position, point); };
-  const glm::vec3 middle = bounding_sphere(show_->stage().crowd()).centre;
+  const glm::vec3 middle = middle_of(show_->stage().crowd());
   const float before = distance_to(middle), yaw = camera_.camera().yaw;
   camera_.steer(*show_, dragging(MouseButton::middle, false), {}, 0);
   EXPECT_NEAR(distance_to(middle), before, 1e-3F);

@@ -1,4 +1,4 @@
-// What the colours in the picture mean, in words.
+// The legend says in words what the colours in the picture mean.
 #include "app/overlay/legend.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ TEST_F(Legends, OfRingsAndFiguresSayHowManyHaveRoom) {
   const std::vector<LegendPart> parts = legend_of(report, tuning, 42);
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts.front().title, "Interval, rings and heads");
-  EXPECT_THAT(parts.front().note, testing::HasSubstr("42 of 300 figures have room"));
+  EXPECT_THAT(parts.front().notes, testing::Contains("42 of 300 figures have room"));
 }
 
 TEST_F(Legends, OfTheDifferenceSayHowBrightItIs) {

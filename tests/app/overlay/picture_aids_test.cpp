@@ -1,4 +1,4 @@
-// What helps to read the picture of the crowd: the legend, the line of a split, figures above heads.
+// The legend, the line of a split and figures above heads help to read the picture of the crowd.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -178,7 +178,7 @@ TEST_F(Search, SaysWhatToDoWhereNothingIsFound) {
   EXPECT_TRUE(driver.sees("Scene.label"));
 }
 
-// What a tab draws by hand costs nothing while values are searched.
+// Plots and lists that a tab draws by hand cost nothing while values are searched.
 TEST_F(Search, DrawsNothingThatIsNoRow) {
   search("xyzzy");
   const int with_little = driver.overlay.vertex_count();

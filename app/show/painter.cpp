@@ -75,13 +75,12 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   const bool coarse = in_window && !options.error_given;
   spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
-             .shadows = modest && options.shadows && !options.shadows_given,
+             .shadows = modest && !options.shadows_given,
              .error_px = coarse ? software_error_px : 0.0F};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
-                  .shadows = options.shadows && !spared_.shadows,
                   .longest_tile = options.longest_tile,
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
@@ -146,7 +145,10 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .fill_pixels = !stage.tuning().taken_away.pixels,
           .lines = lines_,
           .morph_weights = picture.morph_weights(),
-          .distance_scale = distance_scale_};
+          .distance_scale = distance_scale_,
+          .light = stage.tuning().light,
+          .shadows = stage.tuning().shadows,
+          .crowd_shade = stage.tuning().crowd_shade};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {

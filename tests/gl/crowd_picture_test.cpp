@@ -131,8 +131,9 @@ TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
 }
 
 TEST_F(CrowdPicture, CountsNoTriangleTwice) {
-  crowd().renderer().set_shadows(false);
-  const DrawCounts counts = crowd().renderer().draw(crowd().frame());
+  CrowdFrame frame = crowd().frame();
+  frame.shadows = frame.crowd_shade = false;
+  const DrawCounts counts = crowd().renderer().draw(frame);
   const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
   constexpr std::uint64_t ground = 1, contact_spot = 2;
   EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));

@@ -85,7 +85,7 @@ struct Tuning {
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // Light
-  render::SceneLight light;
+  render::SceneLight light = {};
   bool shadows = true;      ///< everything casts shadows on everything
   bool crowd_shade = true;  ///< bodies keep the light of the sky from each other and from the ground
   // What is shown

@@ -260,8 +260,8 @@ void show_crowd_tab(const TabContext& context) {
   show_cast(context);
   show_time(context);
   show_picture(context);
-  show_light(context);
   show_camera_section(context);
+  show_light(context);
   context.when_not_searching(show_in_view);
   show_model(context);
   show_roles(context);

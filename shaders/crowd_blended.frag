@@ -4,6 +4,7 @@
 // Order-Independent Transparency", 2013). crowd_cut_out.frag draws what has at least the alpha `solid_alpha`.
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "shadows.glsl"
 #include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
 #include "crowd_emission.glsl"

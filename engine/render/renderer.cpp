@@ -137,6 +137,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   target.bind_scene();
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
+  sky_.bind(frame.light);
   crowd_.begin(frame);
   DrawCounts counts = ground_.draw();
   if (options_.shadows) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));

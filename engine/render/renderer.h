@@ -16,6 +16,7 @@
 #include "engine/render/frame/tiled_target.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
+#include "engine/render/light/sky_light.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/frame_fences.h"
 #include "engine/render/palette/palette_buffer.h"
@@ -132,6 +133,7 @@ class Renderer {
   TiledTarget target_;
   RendererOptions options_;
   FrameData frame_data_;
+  SkyLight sky_;
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;

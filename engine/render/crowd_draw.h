@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/render/instance_record.h"
+#include "engine/render/scene_ground.h"
 #include "engine/render/scene_light.h"
 
 namespace throng::render {
@@ -51,6 +52,8 @@ struct CrowdFrame {
   std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   SceneLight light = {};
+  SceneGround ground = {};
+  bool scenery = false;  ///< what Renderer::place_scenery() placed is drawn
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 

@@ -139,7 +139,10 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   sky_.bind(frame.light);
   crowd_.begin(frame);
-  DrawCounts counts = ground_.draw();
+  DrawCounts counts;
+  // Scenery goes before the ground, which then costs nothing where it is hidden.
+  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y)));
+  add(counts, ground_.draw());
   if (options_.shadows) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !options_.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));

@@ -55,7 +55,7 @@ const std::vector<House>& houses() {
         {"door"},
         {"door/c"},
         {"examples"}}},
-      {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh", "light"}, {"passes"}}},
+      {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh", "light"}, {"passes"}, {"scenery"}}},
       {"app/",
        {{"files"},
         {"character"},

@@ -53,7 +53,7 @@ struct CrowdFrame {
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   SceneLight light = {};
   SceneGround ground = {};
-  bool scenery = false;  ///< what Renderer::place_scenery() placed is drawn
+  bool scenery = false;         ///< what Renderer::place_scenery() placed is drawn
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 

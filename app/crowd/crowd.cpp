@@ -140,13 +140,15 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety) {
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety,
+            common_roles(characters)) {
   assert(size() == agents);
 }
 
 Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
-             const Variety& variety)
-    : cast_(characters, layout, seed),
+             const Variety& variety, CharacterRoles common)
+    : laid_out_for_(std::move(common)),
+      cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
       looks_(looks_of(layout, habits_of(layout), seed, cast_, variety)),

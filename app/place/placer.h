@@ -15,6 +15,8 @@ namespace throng::app {
 /// The width of a bay of a house, in metres.
 inline constexpr double bay_width = 6.0;
 
+inline constexpr glm::dvec2 towards_x{1.0, 0.0}, towards_z{0.0, 1.0};
+
 /// The tint of sRGB bytes.
 constexpr std::uint32_t tint_of(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
   return red | (green << 8U) | (blue << 16U) | 0xFF000000U;

@@ -15,7 +15,6 @@ constexpr double open_corner = 12.0;   // of the sides, where the camera stands
 constexpr double tower_beyond = 78.0;  // the end of that street
 constexpr double tower_aside = 13.0;
 
-constexpr glm::dvec2 towards_x{1.0, 0.0}, towards_z{0.0, 1.0};
 
 void put_fixture(const Fixture& fixture, Placer& placer) {
   switch (fixture.kind) {

@@ -23,7 +23,6 @@ constexpr double bunting_width = 6.0;
 constexpr double least_island = 0.9;  // free of people, for trees in the middle
 constexpr double island_pitch = 7.5;
 
-constexpr glm::dvec2 towards_x{1.0, 0.0}, towards_z{0.0, 1.0};
 
 constexpr std::array<std::uint32_t, 5> colors{tint_of(200, 40, 44), tint_of(242, 190, 60), tint_of(38, 86, 160),
                                               tint_of(240, 238, 230), tint_of(44, 128, 92)};

@@ -142,6 +142,10 @@ Reason of_what_is_drawn(const Tuning& tuning, const Situation&) {
   return tuning.taken_away.drawing ? nothing_drawn : nullptr;
 }
 
+Reason of_scenery(const Tuning& tuning, const Situation& situation) {
+  return tuning.scene == Scene::grid ? "nothing stands around the grid" : of_what_is_drawn(tuning, situation);
+}
+
 Reason of_thresholds(const Tuning& tuning, const Situation& situation) {
   if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
   return of_what_is_drawn(tuning, situation);
@@ -186,6 +190,7 @@ constexpr std::array rules = std::to_array<Rule>({
     {"palette", of_palette},
     {"debug_view", of_colours},
     {"bones_as_lines", of_what_is_drawn},
+    {"scenery", of_scenery},
     {"thresholds", of_thresholds},
     {"split", of_split},
     {"split_at", of_split_line},

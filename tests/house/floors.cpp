@@ -61,6 +61,7 @@ const std::vector<House>& houses() {
         {"character"},
         {"settings"},
         {"crowd"},
+        {"place"},
         {"view"},
         {"lod"},
         {"report"},

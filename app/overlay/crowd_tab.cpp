@@ -167,6 +167,8 @@ void show_picture(const TabContext& context) {
   context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
                .cost = "Two draws a bone and agent in view."});
+  context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
+                          .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
   commands.copy_camera |=
       buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});

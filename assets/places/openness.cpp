@@ -94,7 +94,8 @@ std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& face
       const Corner& corner = face.corners[c];
       const dvec3 inwards = middle - corner.position;
       const double far = glm::length(inwards);
-      const dvec3 origin = corner.position + inwards * std::min(0.3, 0.06 / std::max(far, 1e-6)) + corner.normal * clearance;
+      const dvec3 origin =
+          corner.position + inwards * std::min(0.3, 0.06 / std::max(far, 1e-6)) + corner.normal * clearance;
       open[f][c] = openness_at(origin, corner.normal, triangles, reach);
     }
   }

@@ -92,10 +92,13 @@ void ball(MeshBuilder& builder, const Species& species, const Bounds& bounds, co
 void clump(MeshBuilder& builder, const Species& species, const Bounds& bounds, const Lobe& lobe, int i, int count,
            std::uint32_t seed, double size) {
   const auto n = static_cast<std::uint32_t>(i);
-  const dvec3 way = glm::normalize(spiral(i, count) + 0.25 * dvec3(chance(seed, n + 1000) - 0.5, chance(seed, n + 2000) - 0.5, chance(seed, n + 3000) - 0.5));
+  const dvec3 way =
+      glm::normalize(spiral(i, count) + 0.25 * dvec3(chance(seed, n + 1000) - 0.5, chance(seed, n + 2000) - 0.5,
+                                                     chance(seed, n + 3000) - 0.5));
   const double out = 0.86 + 0.24 * chance(seed, n + 5000);
   const dvec3 at = lobe.centre + lobe.radius * way * out;
-  const dvec3 facing = glm::normalize(way + 0.9 * dvec3(chance(seed, n + 11) - 0.5, chance(seed, n + 4111) - 0.3, chance(seed, n + 6111) - 0.5));
+  const dvec3 facing = glm::normalize(
+      way + 0.9 * dvec3(chance(seed, n + 11) - 0.5, chance(seed, n + 4111) - 0.3, chance(seed, n + 6111) - 0.5));
   const double turn = chance(seed, n + 7000);
   const dvec3 helper = facing.y > 0.9 || facing.y < -0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
   const dvec3 u0 = glm::normalize(glm::cross(helper, facing));
@@ -107,7 +110,9 @@ void clump(MeshBuilder& builder, const Species& species, const Bounds& bounds, c
   const dvec3 normal = glm::normalize(way / lobe.radius * 0.75 / glm::length(way / lobe.radius) + facing * 0.4);
   const auto corner = [&](dvec3 place, double shade) { return Corner{place, shaded(paint, shade), normal}; };
   const dvec3 bend = -facing * (0.22 * length);
-  builder.add({{corner(at - u * length + bend, 0.8), corner(at - v * (length * 0.62), 0.95), corner(at + u * length + bend, 1.1), corner(at + v * (length * 0.62), 1.0)}, 4});
+  builder.add({{corner(at - u * length + bend, 0.8), corner(at - v * (length * 0.62), 0.95),
+                corner(at + u * length + bend, 1.1), corner(at + v * (length * 0.62), 1.0)},
+               4});
 }
 
 void trunk(MeshBuilder& builder, const Species& species, int lod) {
@@ -139,9 +144,11 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
       ball(builder, species, bounds, lobe, 5, 3, 1.08, 0.0, seed);
       continue;
     }
-    ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, lod == 0 ? 0.84 : 0.92, lod == 0 ? 0.55 : 0.3, seed);
+    ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, lod == 0 ? 0.84 : 0.92,
+         lod == 0 ? 0.55 : 0.3, seed);
     const int count = static_cast<int>((lod == 0 ? 52 : 14) * area);
-    for (int i = 0; i < count; ++i) clump(builder, species, bounds, lobe, i, count, seed, species.leaf * (lod == 0 ? 1.0 : 1.55));
+    for (int i = 0; i < count; ++i)
+      clump(builder, species, bounds, lobe, i, count, seed, species.leaf * (lod == 0 ? 1.0 : 1.55));
   }
   if (lod < 3) return;
   dvec3 low(1e9), high(-1e9);
@@ -154,22 +161,49 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
 
 /// A broad crown, as of a plane tree.
 void tree_a(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 3.2, .trunk_radius = 0.2, .bark = rgb(0x8A7B66), .light = rgb(0x9DB45A), .dark = rgb(0x33491F), .leaf = 0.3, .seed = 1};
-  s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}}, {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}}, {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}}, {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}}, {{-0.2, 5.2, 1.6}, {1.25, 1.0, 1.15}}, {{1.0, 4.5, -0.7}, {1.2, 0.85, 1.2}}, {{-0.9, 4.4, -0.5}, {1.2, 0.85, 1.2}}};
+  Species s{.trunk_height = 3.2,
+            .trunk_radius = 0.2,
+            .bark = rgb(0x8A7B66),
+            .light = rgb(0x9DB45A),
+            .dark = rgb(0x33491F),
+            .leaf = 0.3,
+            .seed = 1};
+  s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}},      {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}},
+             {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}},  {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}},
+             {{-0.2, 5.2, 1.6}, {1.25, 1.0, 1.15}}, {{1.0, 4.5, -0.7}, {1.2, 0.85, 1.2}},
+             {{-0.9, 4.4, -0.5}, {1.2, 0.85, 1.2}}};
   grow(builder, s, lod);
 }
 
 /// A tall oval crown, as of a lime tree.
 void tree_b(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 2.7, .trunk_radius = 0.15, .bark = rgb(0x6B5B49), .light = rgb(0x7FA04A), .dark = rgb(0x2A4420), .leaf = 0.26, .seed = 2};
-  s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}}, {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}}, {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}}, {{-0.3, 4.6, 0.45}, {1.3, 1.05, 1.3}}, {{0.25, 3.8, 0.1}, {1.15, 0.8, 1.15}}};
+  Species s{.trunk_height = 2.7,
+            .trunk_radius = 0.15,
+            .bark = rgb(0x6B5B49),
+            .light = rgb(0x7FA04A),
+            .dark = rgb(0x2A4420),
+            .leaf = 0.26,
+            .seed = 2};
+  s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}},       {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}},
+             {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}},
+             {{-0.3, 4.6, 0.45}, {1.3, 1.05, 1.3}},  {{0.25, 3.8, 0.1}, {1.15, 0.8, 1.15}}};
   grow(builder, s, lod);
 }
 
 /// A small, round tree of warm leaves, as of a maple in its pot or its square of earth.
 void tree_c(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 2.2, .trunk_radius = 0.12, .bark = rgb(0x5F5146), .light = rgb(0xC7B04C), .dark = rgb(0x5C6022), .leaf = 0.25, .seed = 3};
-  s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}}, {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}}, {{-0.75, 4.3, 0.35}, {1.0, 0.85, 1.0}}, {{0.05, 4.1, -0.8}, {1.0, 0.85, 1.0}}, {{0, 3.5, 0.4}, {1.0, 0.7, 1.0}}};
+  Species s{.trunk_height = 2.2,
+            .trunk_radius = 0.12,
+            .bark = rgb(0x5F5146),
+            .light = rgb(0xC7B04C),
+            .dark = rgb(0x5C6022),
+            .leaf = 0.25,
+            .seed = 3};
+  s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}},
+             {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}},
+             {{-0.75, 4.3, 0.35}, {1.0, 0.85, 1.0}},
+             {{0.05, 4.1, -0.8}, {1.0, 0.85, 1.0}},
+             {{0, 3.5, 0.4}, {1.0, 0.7, 1.0}}};
   grow(builder, s, lod);
 }
 

@@ -13,8 +13,7 @@ vec3 reflected(vec3 albedo) {
   vec3 direction = from_eye / length(from_eye);
   vec3 normal = facing_normal();
   float facing = sun_share(normal);
-  // Feet see less of the sky than heads, because a crowd and the ground surround them.
-  float open = openness(world_position) * (0.62 + 0.38 * smoothstep(0.0, 1.1, world_position.y));
+  float open = openness_on_body(world_position);
   vec3 light = sun_light() * (sun_visibility(world_position, normal) * facing * facing) + ambient_light(normal) * open;
 
   float edge = 1.0 - max(-dot(normal, direction), 0.0);

@@ -19,7 +19,13 @@ uvec4 entries_at(uint bone_level) {
   return uvec4(pairs.x & 0xFFFFu, pairs.x >> 16, pairs.y & 0xFFFFu, pairs.y >> 16);
 }
 
-InstanceRecord drawn_instance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
+InstanceRecord drawn_instance() {
+#ifdef OF_A_LIST
+  return instances[casters[gl_BaseInstanceARB + gl_InstanceID]];
+#else
+  return instances[gl_BaseInstanceARB + gl_InstanceID];
+#endif
+}
 
 SkinnedVertex skinned(const InstanceRecord instance) {
   vec3 own_position = position, own_normal = normal;

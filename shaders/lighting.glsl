@@ -54,16 +54,19 @@ vec3 sky_color(vec3 direction) {
   return seen.rgb + disc * seen.a;
 }
 
-// Bends bright colours towards white as film does (Narkowicz 2015, an approximation of ACES).
+// Bends bright colours towards white and keeps dark ones apart, as film does: a curve of the form that Narkowicz fits to
+// ACES (2015), with less of a toe, because most of a crowd is in its own shade.
 const float film_speed = 0.62;
+const vec2 film_bright = vec2(2.51, 0.12);
+const vec3 film_dark = vec3(2.43, 0.68, 0.16);
 
 vec3 exposed(vec3 light) {
   vec3 x = light * film_speed;
-  return (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
+  return (x * (film_bright.x * x + film_bright.y)) / (x * (film_dark.x * x + film_dark.y) + film_dark.z);
 }
 
 // Gives the light that exposed() turns into `color`: the positive root of its quadratic equation.
 vec3 light_that_shows(vec3 color) {
-  vec3 a = 2.51 - 2.43 * color, b = 0.03 - 0.59 * color;
-  return (sqrt(b * b + 0.56 * a * color) - b) / (2.0 * film_speed * a);
+  vec3 a = film_bright.x - film_dark.x * color, b = film_bright.y - film_dark.y * color;
+  return (sqrt(b * b + 4.0 * film_dark.z * a * color) - b) / (2.0 * film_speed * a);
 }

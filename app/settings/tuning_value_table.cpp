@@ -294,6 +294,7 @@ std::vector<TuningValue> tuning_value_table() {
   add("Level of detail", update_values());
   add("Level of detail", detail_values());
   add("Scheduling", scheduling_values());
+  add("Light", light_values());
   add("View", view_values());
   add("Scheduling", cost_values());
   return all;

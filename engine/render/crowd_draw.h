@@ -54,6 +54,8 @@ struct CrowdFrame {
   SceneLight light = {};
   SceneGround ground = {};
   bool scenery = false;         ///< what Renderer::place_scenery() placed is drawn
+  bool shadows = true;          ///< everything casts shadows on everything
+  bool crowd_shade = true;      ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 

@@ -72,6 +72,7 @@ Status Renderer::load_characters(std::span<const CharacterToLoad> characters) {
   }
   if (std::ranges::any_of(made, &CrowdMesh::has_morphs)) {
     crowd_.prepare_morphs();
+    shadows_.prepare_morphs();
     if (!shaders_.status()) return shaders_.status().error();
   }
   if (Status copied = gl::take_errors("the characters; ask for fewer or smaller models"); !copied) return copied;
@@ -105,7 +106,7 @@ DrawCounts Renderer::draw(const CrowdFrame& frame) {
 }
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
-  DrawCounts counts;
+  DrawCounts counts = draw_light(frame);
   target_.draw_tiles([&](const PixelRect& drawn) {
     const CrowdFrame tile = part_of(frame, size(), drawn);
     if (target_.is_tiled()) frame_data_.upload_view(tile);
@@ -119,6 +120,7 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
   const auto draw_side = [&](const CrowdFrame& side, const PixelRect& drawn) {
     const CrowdFrame tile = part_of(side, size(), drawn);
     upload(tile);
+    add(counts, draw_light(side));
     add(counts, draw_scene(tile));
   };
   target_.draw_tiles([&](const PixelRect& drawn) {
@@ -131,20 +133,37 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
   return counts;
 }
 
+DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
+  if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
+  sky_.bind(frame.light);
+  ShadowUniforms uniforms{};
+  DrawCounts counts;
+  if (frame.shadows) {
+    add(counts, shadows_.draw(frame, meshes_, palettes_, sky_.uniforms().to_sun, context_->window() != nullptr));
+    shadows_.describe(frame, uniforms);
+  }
+  if (frame.crowd_shade) {
+    add(counts, crowd_shade_.draw(frame, depths_of(frame).farthest));
+    crowd_shade_.describe(uniforms);
+  }
+  glNamedBufferSubData(shadow_uniforms_.id(), 0, sizeof uniforms, &uniforms);
+  glBindBufferBase(GL_UNIFORM_BUFFER, shadow_uniforms_binding, shadow_uniforms_.id());
+  glDisable(GL_RASTERIZER_DISCARD);
+  return counts;
+}
+
 DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   assert(!meshes_.empty());
   const ImageTarget& target = target_.tile();
   target.bind_scene();
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
-  sky_.bind(frame.light);
   crowd_.begin(frame);
   DrawCounts counts;
   // Scenery goes before the ground, which then costs nothing where it is hidden.
   if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y)));
   add(counts, ground_.draw());
-  if (options_.shadows) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
-  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !options_.shadows));
+  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {
     blend_.begin(target);

@@ -23,9 +23,11 @@
 #include "engine/render/passes/blend_pass.h"
 #include "engine/render/passes/bone_pass.h"
 #include "engine/render/passes/crowd_pass.h"
+#include "engine/render/passes/crowd_shade_pass.h"
 #include "engine/render/passes/ground_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/overlay_renderer.h"
+#include "engine/render/passes/shadow_pass.h"
 #include "engine/render/passes/split_pass.h"
 #include "engine/render/scenery/scenery_pass.h"
 #include "engine/render/scenery_data.h"
@@ -38,8 +40,7 @@ struct RendererOptions {
   std::filesystem::path data;  ///< folder that has `shaders`
   glm::ivec2 size{1280, 720};  ///< pixels of the picture
   int samples = 0;             ///< 0 or 4
-  bool shadows = true;
-  int longest_tile = 4096;  ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
   std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
 
@@ -113,7 +114,6 @@ class Renderer {
 
   /// Changes the size of pictures. Errors: those of create(); then it is as it was.
   Status set_size(glm::ivec2 size);
-  void set_shadows(bool shadows) { options_.shadows = shadows; }
   glm::ivec2 size() const { return target_.size(); }
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
@@ -126,6 +126,7 @@ class Renderer {
  private:
   Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
 
+  DrawCounts draw_light(const CrowdFrame& frame);
   DrawCounts draw_scene(const CrowdFrame& frame);
 
   gl::Context* context_;
@@ -133,6 +134,8 @@ class Renderer {
   GroundPass ground_{shaders_};
   CrowdPass crowd_{shaders_};
   SceneryPass scenery_{shaders_};
+  ShadowPass shadows_{shaders_};
+  CrowdShadePass crowd_shade_{shaders_};
   BlendPass blend_{shaders_};
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
@@ -142,6 +145,7 @@ class Renderer {
   RendererOptions options_;
   FrameData frame_data_;
   SkyLight sky_;
+  gl::Buffer shadow_uniforms_ = gl::create_buffer(nullptr, sizeof(ShadowUniforms), GL_DYNAMIC_STORAGE_BIT);
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;

@@ -60,6 +60,7 @@ const std::vector<House>& houses() {
        {{"files"},
         {"character"},
         {"settings"},
+        {"place"},
         {"crowd"},
         {"place"},
         {"view"},

@@ -14,7 +14,7 @@
 namespace throng::render {
 
 /// The bindings of the blocks, which are the same in every program.
-enum UniformBinding : unsigned { frame_uniforms_binding = 0 };
+enum UniformBinding : unsigned { frame_uniforms_binding = 0, light_uniforms_binding = 1, shadow_uniforms_binding = 2 };
 enum StorageBinding : unsigned {
   instances_binding = 0,
   palette_binding = 1,

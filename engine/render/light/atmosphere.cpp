@@ -147,12 +147,13 @@ glm::vec3 compute_scattered_again(float radius, float sun_rise) {
     once += gather(radius, rise, length, steps, [&](const Air& air, float there, float way) {
       return (air.rayleigh + air.haze) * clearness(there, sun_rise_at(there, way)) / (4.0F * pi_v<float>);
     });
-    share += gather(radius, rise, length, steps,
-                    [](const Air& air, float, float) { return (air.rayleigh + air.haze); });
+    share +=
+        gather(radius, rise, length, steps, [](const Air& air, float, float) { return (air.rayleigh + air.haze); });
     if (!down) continue;
     const float sun = std::max(sun_rise_at(ground, length), 0.0F);
-    once += clearness(ground, sun) * (sun * albedo_below / pi_v<float>) *
-            (clearness(ground, -rise) / glm::max(clearness(radius, -rise), glm::vec3(1e-4F)));
+    once +=
+        clearness(ground, sun) * (sun * albedo_below / pi_v<float>)*(
+                                     clearness(ground, -rise) / glm::max(clearness(radius, -rise), glm::vec3(1e-4F)));
   }
   once /= directions;
   share /= directions;
@@ -164,21 +165,16 @@ glm::vec3 scattered_again(float radius, float sun_rise) {
   return table.at(radius, sun_rise);
 }
 
-float rayleigh_phase(float cosine) { return 3.0F / (16.0F * pi_v<float>) * (1.0F + cosine * cosine); }
+float rayleigh_phase(float cosine) { return 3.0F / (16.0F * pi_v<float>)*(1.0F + cosine * cosine); }
 
 // Cornette and Shanks 1992.
 float haze_phase(float cosine) {
   constexpr float g = haze_forwardness;
-  return 3.0F / (8.0F * pi_v<float>) * (1.0F - g * g) * (1.0F + cosine * cosine) /
+  return 3.0F / (8.0F * pi_v<float>)*(1.0F - g * g) * (1.0F + cosine * cosine) /
          ((2.0F + g * g) * std::pow(1.0F + g * g - 2.0F * g * cosine, 1.5F));
 }
 
 }  // namespace
-
-glm::vec3 direction_at(float elevation, float azimuth) {
-  const float up = glm::radians(elevation), around = glm::radians(azimuth);
-  return {std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around)};
-}
 
 glm::vec3 Atmosphere::radiance(const glm::vec3& direction) const {
   constexpr int steps = 28;

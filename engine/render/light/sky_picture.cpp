@@ -15,16 +15,15 @@ namespace throng::render {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float daylight_exposure = 6.6F;
+constexpr float daylight_exposure = 7.0F;
 constexpr float adaptation = 0.8F;  // the share, in stops, of a darker scene that the eye makes up for
 constexpr float brightest_adaptation = 60.0F;
-constexpr float ground_albedo = 0.22F;
+constexpr float ground_albedo = 0.25F;
 constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
 
 // Once the sun is down, the moon and a city give light. Exposed colours.
-constexpr float moon_elevation = 38.0F;
-constexpr glm::vec3 moonlight{0.085F, 0.105F, 0.150F};
-constexpr glm::vec3 night_zenith{0.006F, 0.010F, 0.022F}, night_horizon{0.045F, 0.040F, 0.046F};
+constexpr glm::vec3 moonlight{0.30F, 0.36F, 0.50F};
+constexpr glm::vec3 night_zenith{0.016F, 0.028F, 0.070F}, night_horizon{0.130F, 0.105F, 0.110F};
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F)); }
 
@@ -125,9 +124,9 @@ void SkyPicture::light_air(const SceneLight& light) {
     const glm::vec3 at_night = glm::mix(night_horizon, night_zenith, height) * (night * as_said);
     coarse_[pixel] = glm::vec4(glm::vec3(coarse_[pixel]) * exposure + at_night, 1.0F);
   });
-  const bool moon = light.sun_elevation < -2.0F;
+  const bool moon = is_moonlit(light);
   const glm::vec3 sunlight = air.sunlight() * (exposure / pi);
-  uniforms_.to_sun = moon ? direction_at(moon_elevation, light.sun_azimuth + 150.0F) : to_sun;
+  uniforms_.to_sun = to_brightest(light);
   uniforms_.night = night;
   uniforms_.sun_light = glm::vec4(moon ? moonlight * (night * as_said) : sunlight, 0.0F);
   cloud_sun_ = glm::vec3(uniforms_.sun_light);
@@ -207,8 +206,8 @@ void SkyPicture::sum_up() {
   });
   // The cosine of a surface that scatters evenly keeps 1, 2/3 and 1/4 of the bands; the shader's polynomial leaves
   // out the factors of the basis.
-  constexpr float kept[sky_harmonics] = {zero,        one * 2 / 3, one * 2 / 3, one * 2 / 3, two / 4,
-                                         two / 4,     polar / 4,   two / 4,     square / 4};
+  constexpr float kept[sky_harmonics] = {zero,    one * 2 / 3, one * 2 / 3, one * 2 / 3, two / 4,
+                                         two / 4, polar / 4,   two / 4,     square / 4};
   for (int i = 0; i < sky_harmonics; ++i) uniforms_.harmonics[i] *= kept[i];
 }
 

@@ -49,7 +49,7 @@ class SkyPicture {
   LightUniforms uniforms_{};
   std::vector<glm::vec4> coarse_;  // the map without clouds at first, then with them
   std::vector<glm::vec4> map_;
-  glm::vec3 cloud_sun_{0.0F};      // what the sun gives to clouds
+  glm::vec3 cloud_sun_{0.0F};  // what the sun gives to clouds
   glm::vec3 ground_{0.0F};
 };
 

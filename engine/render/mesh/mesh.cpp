@@ -1,6 +1,7 @@
 #include "engine/render/mesh/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -69,6 +70,17 @@ float longest_side(std::span<const SurfaceVertex> vertices) {
   return longest;
 }
 
+constexpr float stretch_of_poses = 1.4F;
+
+float farthest_from_origin(std::span<const SurfaceVertex> vertices) {
+  float farthest = 0.0F;
+  for (const SurfaceVertex& vertex : vertices) {
+    const auto& [x, y, z] = vertex.position;
+    farthest = std::max(farthest, x * x + y * y + z * z);
+  }
+  return std::sqrt(farthest);
+}
+
 Status check_morphs(const CrowdMeshData& data) {
   const std::size_t most = gl::ask_device_limits().storage_block / sizeof(MorphEntry);
   if (data.morph_deltas.size() <= most) return Done{};
@@ -104,6 +116,7 @@ void CrowdMesh::copy_to_device(const SurfaceView& surface, std::span<const Morph
   array_ = describe_vertices(vertices_, indices_, emission_coords_);
   create_morphs(morph_deltas, surface.vertices.size());
   parts_ = surface;
+  reach_ = stretch_of_poses * farthest_from_origin(surface.vertices);
   longest_side_of_bones_ = longest_side(surface.vertices.subspan(parts_.first_bone_end, parts_.bone_end_count));
 }
 

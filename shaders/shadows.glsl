@@ -57,7 +57,7 @@ const float body_width = 0.44, body_height = 1.7;  // metres
 
 float sky_share(float people, float height) {
   float crowding = people * body_width * max(body_height - height, 0.0);
-  return 1.0 / (1.0 + 1.57 * crowding);
+  return 1.0 / (1.0 + crowding * (1.57 + 0.15 * crowding));
 }
 
 float people_at(vec3 position) {

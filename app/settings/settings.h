@@ -85,12 +85,13 @@ struct Tuning {
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // Light
-  render::SceneLight light;
+  render::SceneLight light = {};
   bool shadows = true;      ///< everything casts shadows on everything
   bool crowd_shade = true;  ///< bodies keep the light of the sky from each other and from the ground
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
+  bool scenery = true;  ///< what stands around the crowd
   TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;

@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/place/props.h"
 #include "app/show/contexts.h"
 
 namespace throng::app {
@@ -85,7 +86,13 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
-  return anim::Done{};
+  return load_scenery(options.data);
+}
+
+anim::Status Painter::load_scenery(const std::string& data_option) {
+  auto props = load_props(data_option);
+  if (!props) return props.error();
+  return scenery_.load(*props, *renderer_);
 }
 
 DrawnBy Painter::drawn_by() const {
@@ -147,6 +154,8 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .morph_weights = picture.morph_weights(),
           .distance_scale = distance_scale_,
           .light = stage.tuning().light,
+          .ground = scenery_.ground(),
+          .scenery = stage.tuning().scenery,
           .shadows = stage.tuning().shadows,
           .crowd_shade = stage.tuning().crowd_shade};
 }
@@ -162,6 +171,7 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
 
 void Painter::upload(Stage& stage, const PaintedView& view) {
   picture_.compose(stage);
+  scenery_.follow(stage.tuning(), stage.crowd(), *renderer_);
   gather_lines(stage, view);
   if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
   stage.pose_exactly();

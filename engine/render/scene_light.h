@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+
 namespace throng::render {
 
 /// Says where the sun stands, what the sky is like, and how bright the picture is.
@@ -11,5 +13,14 @@ struct SceneLight {
 
   friend bool operator==(const SceneLight&, const SceneLight&) = default;
 };
+
+/// Gives the unit vector to a place in the sky; degrees as above.
+glm::vec3 direction_at(float elevation, float azimuth);
+
+/// Says whether the moon casts the shadows, because the sun has set.
+inline bool is_moonlit(const SceneLight& light) { return light.sun_elevation < -2.0F; }
+
+/// Gives the unit vector to the sun, or to the moon once that shines instead. It is always above the horizon.
+glm::vec3 to_brightest(const SceneLight& light);
 
 }  // namespace throng::render

@@ -191,7 +191,8 @@ TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
   const ImageDifference difference = *compare(meant(), crowd().renderer().read_image());
   EXPECT_EQ(difference.worst_block, 0.0);
   const DrawCounts one = crowd().renderer().draw(crowd().frame());
-  EXPECT_EQ(two.draw_calls, one.draw_calls + 2) << "one call more for its surface, one for its shadow";
+  EXPECT_GT(two.draw_calls, one.draw_calls);
+  EXPECT_LE(two.draw_calls, one.draw_calls + 1 + cascade_count) << "one call more for its surface, one a shadow map";
   EXPECT_EQ(two.triangles, one.triangles);
 }
 

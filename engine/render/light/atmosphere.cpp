@@ -176,11 +176,6 @@ float haze_phase(float cosine) {
 
 }  // namespace
 
-glm::vec3 direction_at(float elevation, float azimuth) {
-  const float up = glm::radians(elevation), around = glm::radians(azimuth);
-  return {std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around)};
-}
-
 glm::vec3 Atmosphere::radiance(const glm::vec3& direction) const {
   constexpr int steps = 28;
   const float cosine = glm::dot(direction, to_sun_), rise = std::max(direction.y, 0.0F);

@@ -4,9 +4,6 @@
 
 namespace throng::render {
 
-/// Gives the unit vector to a place in the sky; degrees as in SceneLight.
-glm::vec3 direction_at(float elevation, float azimuth);
-
 /// The air of the earth as a camera on the ground sees it by day and in twilight: light is scattered by molecules, haze
 /// and ozone, many times (Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", 2020).
 /// Light is linear; the sun outside of the air shines with 1.

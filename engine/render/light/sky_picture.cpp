@@ -22,7 +22,6 @@ constexpr float ground_albedo = 0.25F;
 constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
 
 // Once the sun is down, the moon and a city give light. Exposed colours.
-constexpr float moon_elevation = 38.0F;
 constexpr glm::vec3 moonlight{0.30F, 0.36F, 0.50F};
 constexpr glm::vec3 night_zenith{0.016F, 0.028F, 0.070F}, night_horizon{0.130F, 0.105F, 0.110F};
 
@@ -125,9 +124,9 @@ void SkyPicture::light_air(const SceneLight& light) {
     const glm::vec3 at_night = glm::mix(night_horizon, night_zenith, height) * (night * as_said);
     coarse_[pixel] = glm::vec4(glm::vec3(coarse_[pixel]) * exposure + at_night, 1.0F);
   });
-  const bool moon = light.sun_elevation < -2.0F;
+  const bool moon = is_moonlit(light);
   const glm::vec3 sunlight = air.sunlight() * (exposure / pi);
-  uniforms_.to_sun = moon ? direction_at(moon_elevation, light.sun_azimuth + 150.0F) : to_sun;
+  uniforms_.to_sun = to_brightest(light);
   uniforms_.night = night;
   uniforms_.sun_light = glm::vec4(moon ? moonlight * (night * as_said) : sunlight, 0.0F);
   cloud_sun_ = glm::vec3(uniforms_.sun_light);

@@ -162,9 +162,10 @@ TEST_F(SurfaceLight, ReadsEachTextureAtCoordinatesOfItsOwn) {
   sheet().tangents = {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1};
   sheet().read_at(0.25F, 0.5F);
   const TextureData texture = show(two, 2);
-  const auto differs = [&](TextureData MaterialData::* property, std::vector<float> Sheet::* coords) {
-    sheet().material = {.metallic = 0.5F};
-    sheet().material.*property = texture;
+  const auto differs = [&](TextureData MaterialData::*property, std::vector<float> Sheet::*coords) {
+    material() = {};
+    material().metallic = 0.5F;
+    material().*property = texture;
     const double shared = middle();
     sheet().*coords = Sheet::all_at(0.75F, 0.5F);
     const double own = middle();

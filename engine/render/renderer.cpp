@@ -139,7 +139,11 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
   ShadowUniforms uniforms{};
   DrawCounts counts;
   if (frame.shadows) {
-    add(counts, shadows_.draw(frame, meshes_, palettes_, sky_.uniforms().to_sun, context_->window() != nullptr));
+    ShadowPass::OtherCasters scenery;
+    if (frame.scenery)
+      scenery = [this](const glm::mat4& to_clip, float texel) { return scenery_.draw_depth(to_clip, texel); };
+    add(counts,
+        shadows_.draw(frame, meshes_, palettes_, sky_.uniforms().to_sun, context_->window() != nullptr, scenery));
     shadows_.describe(frame, uniforms);
   }
   if (frame.crowd_shade) {

@@ -92,7 +92,7 @@ void ShadowPass::plan(const CrowdFrame& frame, const glm::vec3& to_sun, bool in_
 }
 
 DrawCounts ShadowPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
-                            const glm::vec3& to_sun, bool in_turns) {
+                            const glm::vec3& to_sun, bool in_turns, const OtherCasters& others) {
   if (!maps_) {
     maps_ = create_maps();
     for (int i = 0; i < cascade_count; ++i) targets_.at(static_cast<std::size_t>(i)) = create_target(maps_, i);
@@ -104,11 +104,19 @@ DrawCounts ShadowPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> 
   caster_buffer_.upload(casters_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, casters_binding, caster_buffer_.id());
   draws_.upload();
+  DrawCounts counts = draws_.counts();
   for (int i = 0; i < cascade_count; ++i) {
-    if (drawn_now_.at(static_cast<std::size_t>(i))) draw_cascade(i, meshes, palettes);
+    const auto at = static_cast<std::size_t>(i);
+    if (!drawn_now_.at(at)) continue;
+    draws_.bind();
+    draw_cascade(i, meshes, palettes);
+    if (!others) continue;
+    const DrawCounts more = others(cascades_.at(at).to_clip, cascades_.at(at).texel);
+    counts.draw_calls += more.draw_calls;
+    counts.triangles += more.triangles;
   }
   restore_state();
-  return draws_.counts();
+  return counts;
 }
 
 void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,10 +31,13 @@ class ShadowPass {
   /// Makes ready for meshes that morph.
   void prepare_morphs();
 
+  /// Draws what else casts shadows, given the matrix of a map and the metres of a texel.
+  using OtherCasters = std::function<DrawCounts(const glm::mat4& to_clip, float texel)>;
+
   /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture. `in_turns`: the
   /// cascades far away are drawn in every second and fourth frame only.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
-                  const glm::vec3& to_sun, bool in_turns);
+                  const glm::vec3& to_sun, bool in_turns, const OtherCasters& others = {});
 
   /// Binds the maps and says in `uniforms` where they lie.
   void describe(const CrowdFrame& frame, ShadowUniforms& uniforms) const;

@@ -155,8 +155,8 @@ TEST_F(Scenery, HidesTheCrowdBehindIt) {
   frame.instances = {};
   frame.batches = {};
   const Image alone = drawn(frame);
-  EXPECT_TRUE(std::ranges::equal(hidden.pixels, alone.pixels)) << "somebody shows through the wall";
-  EXPECT_FALSE(std::ranges::equal(hidden.pixels, without.pixels));
+  EXPECT_TRUE(std::ranges::equal(hidden.rgba, alone.rgba)) << "somebody shows through the wall";
+  EXPECT_FALSE(std::ranges::equal(hidden.rgba, without.rgba));
 }
 
 TEST_F(Scenery, OutOfViewCostsNoTriangle) {

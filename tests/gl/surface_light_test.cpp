@@ -146,6 +146,15 @@ TEST_F(SurfaceLight, ReadsNumbersOfAnImageAsTheyAreAndItsColorsAsSrgb) {
   EXPECT_GT(compare(by_texture, sheet().picture())->mean, 2.0) << "as if decoded from sRGB";
 }
 
+TEST_F(SurfaceLight, TurnsNoOrangeIntoYellow) {
+  paint(0.72F, 0.24F, 0.02F);  // 220, 134, 39 in sRGB
+  sheet().face(glm::normalize(glm::vec3(0.0F, 1.0F, 1.0F)));
+  const Image image = sheet().picture();
+  const double red = Sheet::brightness(image, 0.5F, 0.5F, 0), green = Sheet::brightness(image, 0.5F, 0.5F, 1);
+  EXPECT_GT(red, 200.0);
+  EXPECT_LT(green / red, 0.68) << "134 of 220 is 0.61";
+}
+
 TEST_F(SurfaceLight, TakesTheColorsOfVertices) {
   material().roughness = 0.5F;
   paint(1.0F, 0.5F, 0.5F);

@@ -131,10 +131,26 @@ vec3 pitch(vec2 ground, vec2 footprint) {
   return mix(color, grass, inside(edge, wide));
 }
 
-// Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.
-vec3 paving(vec2 metres, vec2 metres_a_pixel) {
-  vec2 ground = metres / ground_unit, footprint = metres_a_pixel / ground_unit;
+// Gives meadows and fields, each of a colour of its own.
+vec3 fields(vec2 ground, float wide) {
+  vec2 field = floor((ground + 25.0 * smooth_noise(ground * 0.01)) / vec2(95.0, 70.0));
+  vec3 color = mix(vec3(0.075, 0.125, 0.030), vec3(0.165, 0.150, 0.045), random_of(field));
+  return color * (0.9 + 0.3 * (smooth_noise(ground * 0.07) - 0.5) + 0.25 * (smooth_noise(ground * 1.3) - 0.5) *
+                                                                      clamp(1.0 - wide, 0.0, 1.0));
+}
+
+vec3 town_ground(vec2 ground, vec2 footprint) {
   if (ground_style == 1u) return street(ground, footprint);
   if (ground_style == 2u) return pitch(ground, footprint);
   return slabs(ground, footprint);
+}
+
+// Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.
+vec3 paving(vec2 metres, vec2 metres_a_pixel) {
+  vec2 ground = metres / ground_unit, footprint = metres_a_pixel / ground_unit;
+  if (ground_paved == 0.0) return town_ground(ground, footprint);
+  float wide = max(max(footprint.x, footprint.y), 1e-4);
+  float beyond = loop_distance(ground, (ground_shape.z + ground_paved) / ground_unit);
+  if (beyond > wide) return fields(ground, wide);
+  return mix(town_ground(ground, footprint), fields(ground, wide), 1.0 - inside(beyond, wide));
 }

@@ -11,10 +11,11 @@ namespace {
 constexpr double street_corner = 8.0;  // of the sides, cut off for the street that leaves at the far corner
 constexpr double street_length = 60.0;
 constexpr double side_street = 9.0;
+constexpr double house_depth = 9.1;    // behind the front; the houses of a street begin behind those of the square
 constexpr double open_corner = 12.0;   // of the sides, where the camera stands
 constexpr double tower_beyond = 78.0;  // the end of that street
 constexpr double tower_aside = 13.0;
-
+constexpr double paved_around = 70.0;  // of the square, until fields begin
 
 void put_fixture(const Fixture& fixture, Placer& placer) {
   switch (fixture.kind) {
@@ -40,11 +41,11 @@ void put_side_with_street(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, dou
                           Placer::Houses houses) {
   const glm::dvec2 along = (to - from) / glm::distance(from, to);
   const glm::dvec2 gap = glm::mix(from, to, gap_at), half = 0.5 * side_street * placer.unit() * along;
-  const glm::dvec2 out = -street_length * placer.unit() * facing;
+  const glm::dvec2 back = -house_depth * placer.unit() * facing, out = -street_length * placer.unit() * facing;
   placer.put_houses(from, gap - half, facing, houses);
   placer.put_houses(gap + half, to, facing, houses);
-  placer.put_houses(gap - half, gap - half + out, along, Placer::Houses::mixed);
-  placer.put_houses(gap + half, gap + half + out, -along, Placer::Houses::mixed);
+  placer.put_houses(gap - half + back, gap - half + out, along, Placer::Houses::mixed);
+  placer.put_houses(gap + half + back, gap + half + out, -along, Placer::Houses::mixed);
 }
 
 // A street along the diagonal, from the far corner to the tower that stands a little beside its end.
@@ -68,6 +69,12 @@ void put_steps(double edge, Placer& placer) {
 }
 
 }  // namespace
+
+render::SceneGround plaza_ground(const PlacedCrowd& crowd) {
+  const double unit = crowd.roles.spacing();
+  const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit));
+  return {.unit = static_cast<float>(unit), .core = {edge, edge}, .paved = static_cast<float>(paved_around * unit)};
+}
 
 void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit);

@@ -19,7 +19,7 @@ constexpr double eaves_y = 16.2;
 constexpr double arcade_house = 9.0;
 const std::vector<double> arcade_errors{0, 0.06, 0.25, 0.6};
 
-Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 12 : lod == 1 ? 8 : 4}; }
+Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 10 : lod == 1 ? 6 : 4}; }
 
 /// A pier with plinth and capital, from x0 to x1.
 void pier(MeshBuilder& builder, double x0, double x1, int lod) {
@@ -129,9 +129,9 @@ void arcade_bay(MeshBuilder& builder, int lod) {
   upper_front(builder, lod, 81);
   if (lod < 3) walk_back(builder, lod);
   if (lod == 3) panel(builder, -arcade_half, 0, arcade_half, arcade_spring + 2.1, -2.5, paints::matt(0x5B5142));
-  if (lod < 3) vault(builder, lod == 0 ? 8 : lod == 1 ? 4 : 2);
+  if (lod < 3) vault(builder, lod == 0 ? 6 : lod == 1 ? 4 : 2);
   const Paint side = shaded(paints::tinted(0xE6D2AC), 0.85);
-  closed_box(builder, 6, first_floor, eaves_y + 0.6, arcade_house, side, shaded(side, 0.95));
+  closed_box(builder, 6, first_floor, eaves_y + 0.75, arcade_house, side, shaded(side, 0.95));
   {
     const Moved behind(builder, {0, 0, -walk_depth});
     closed_box(builder, 6, 0, first_floor, arcade_house - walk_depth, side, shaded(side, 0.95));
@@ -147,10 +147,11 @@ void arcade_corner(MeshBuilder& builder, int lod) {
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
     if (side == 2) {
-      panel(builder, -half, 0, half, first_floor, 0, paints::limestone);
-    } else {
-      open_front(builder, lod);
+      panel(builder, -half, 0, half, eaves_y + 2.2, 0, shaded(paints::limestone, 0.85));
+      cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, false);
+      continue;
     }
+    open_front(builder, lod);
     Front front{.windows = {-1.5, 1.5}, .top = eaves_y + 2.2, .wall = paints::limestone, .seed = 91U + static_cast<std::uint32_t>(side)};
     front.storeys = {{first_floor, 3.9, 0.7, palace_window(2.4, WindowStyle::Head::pediment)},
                      {10.0, 3.8, 0.8, palace_window(2.2, WindowStyle::Head::pediment)},

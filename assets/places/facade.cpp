@@ -44,7 +44,12 @@ void facade_a(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, 4.1, 0.3, 0.16, paints::pale_stone, lod);
   if (lod < 3) band(builder, -bay, bay, 7.9, 0.2, 0.1, paints::pale_stone, lod);
   if (lod == 0) {
-    for (const double x : {-bay, bay - 0.4}) rusticated(builder, x, x + 0.4, 4.5, 14.3, 14, paints::pale_stone, lod, 5);
+    for (int i = 0; i < 10; ++i) {
+      const double y = 4.5 + 0.95 * i;
+      const double wide = i % 2 == 0 ? 0.46 : 0.3;
+      box(builder, {-bay, y, 0}, {-bay + wide, y + 0.85, 0.05}, paints::pale_stone, side::front | side::right);
+      box(builder, {bay - wide, y, 0}, {bay, y + 0.85, 0.05}, paints::pale_stone, side::front | side::left);
+    }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);
   closed_box(builder, 6, 0, 14.9, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
@@ -131,9 +136,13 @@ void facade_corner(MeshBuilder& builder, int lod) {
   const Paint wall = paints::stucco;
   const double top = 15.4;
   for (int side = 0; side < 4; ++side) {
-    if (side == 2 && lod > 0) continue;
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    if (side == 2) {
+      panel(builder, -half, 0, half, top, 0, shaded(wall, 0.8));
+      cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, false);
+      continue;
+    }
     if (side == 0) {
       ground_floor(builder, 4.2, paints::limestone, paints::matt(0x6B2F2A), true, lod, 51);
     } else {

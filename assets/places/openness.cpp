@@ -92,10 +92,15 @@ std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& face
     for (std::size_t c = 0; c < face.count; ++c) middle += face.corners[c].position / static_cast<double>(face.count);
     for (std::size_t c = 0; c < face.count; ++c) {
       const Corner& corner = face.corners[c];
-      const dvec3 inwards = middle - corner.position;
-      const double far = glm::length(inwards);
-      const dvec3 origin = corner.position + inwards * std::min(0.3, 0.06 / std::max(far, 1e-6)) + corner.normal * clearance;
-      open[f][c] = openness_at(origin, corner.normal, triangles, reach);
+      const auto from = [&](double metres) {
+        const dvec3 inwards = middle - corner.position;
+        const double share = std::min(0.6, metres / std::max(glm::length(inwards), 1e-6));
+        return openness_at(corner.position + inwards * share + corner.normal * clearance, corner.normal, triangles, reach);
+      };
+      // What lies upon the corner itself, such as a sill on a wall, must not darken all of the face.
+      const double beside = from(0.3);
+      const double here = from(0.05);
+      open[f][c] = here < 0.45 ? beside : 0.4 * here + 0.6 * beside;
     }
   }
   return open;

@@ -63,14 +63,14 @@ void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style)
     return;
   }
   if (style.surround) {
-    box(builder, {at.x0 - width, at.y0, 0}, {at.x0, at.y1, out}, trim, side::front | side::left | side::right);
-    box(builder, {at.x1, at.y0, 0}, {at.x1 + width, at.y1, out}, trim, side::front | side::left | side::right);
+    box(builder, {at.x0 - width, at.y0, 0}, {at.x0, at.y1, out}, trim, side::front | side::left);
+    box(builder, {at.x1, at.y0, 0}, {at.x1 + width, at.y1, out}, trim, side::front | side::right);
   }
-  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim, side::on_wall);
+  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim, side::front | side::left | side::right);
   const double y = at.y1 + 0.2;
   const double x0 = at.x0 - width - 0.08;
   const double x1 = at.x1 + width + 0.08;
-  box(builder, {x0, y, 0}, {x1, y + 0.07, 0.16}, trim, side::on_wall);
+  box(builder, {x0, y, 0}, {x1, y + 0.07, 0.16}, trim, side::front | side::top | side::bottom);
   if (style.head != WindowStyle::Head::pediment) return;
   const double middle = 0.5 * (x0 + x1);
   const dvec3 peak(middle, y + 0.42, 0.12);
@@ -100,16 +100,16 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
     box(builder, {side - 0.07, at.y0 - 0.46, 0}, {side + 0.07, at.y0 - 0.16, 0.3}, style.trim, side::on_wall & ~side::top);
   }
   const Paint& iron = paints::iron;
-  box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron, side::front | side::top | side::back | side::bottom);
-  box(builder, {x0, at.y0 + 0.08, 0.55}, {x1, at.y0 + 0.11, 0.58}, iron, side::front | side::top | side::back);
-  const int bars = static_cast<int>((x1 - x0) / 0.16);
+  box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron, side::front | side::top);
+  box(builder, {x0, at.y0 + 0.08, 0.55}, {x1, at.y0 + 0.11, 0.58}, iron, side::front | side::top);
+  const int bars = static_cast<int>((x1 - x0) / 0.19);
   for (int i = 0; i <= bars; ++i) {
     const double x = x0 + (x1 - x0 - 0.024) * i / bars;
     panel(builder, x, at.y0, x + 0.024, at.y0 + 0.95, 0.57, iron);
   }
   for (const double x : {x0, x1}) {
     box(builder, {x - 0.015, at.y0 + 0.93, 0}, {x + 0.015, at.y0 + 0.98, 0.56}, iron, side::left | side::right | side::top);
-    for (const double z : {0.12, 0.28, 0.44}) {
+    for (const double z : {0.18, 0.38}) {
       box(builder, {x - 0.012, at.y0, z}, {x + 0.012, at.y0 + 0.95, z + 0.024}, iron, side::left | side::right);
     }
   }
@@ -147,7 +147,7 @@ void window(MeshBuilder& builder, double x, double y, const WindowStyle& style, 
   reveal(builder, at, style, shaded(style.trim, 0.95));
   if (lod == 0) surround(builder, at, style);
   if (lod == 1) panel(builder, at.x0 - 0.12, at.y1, at.x1 + 0.12, at.y1 + 0.24, 0.05, style.trim);
-  const unsigned sill_sides = lod == 0 ? unsigned{side::on_wall} : side::front | side::top;
+  const unsigned sill_sides = lod == 0 ? side::front | side::top | side::bottom : side::front | side::bottom;
   box(builder, {at.x0 - 0.12, at.y0 - 0.11, 0}, {at.x1 + 0.12, at.y0, 0.12}, style.trim, sill_sides);
   if (style.shutters) shutters(builder, at, style, lod);
   if (style.railing) railing(builder, at, style, lod);

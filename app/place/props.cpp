@@ -95,7 +95,8 @@ std::vector<SceneryVertex> read_vertices(const PropFile& file, const Json& attri
     const glm::vec3 direction(normal[0], normal[1], normal[2]);
     const float length = glm::length(direction);
     if (length < 64.0F) throw Damage("a mesh has a corner without a normal");
-    if (surface[3] > static_cast<std::uint8_t>(render::SceneryKind::metal)) throw Damage("a mesh has an unknown surface");
+    if (surface[3] > static_cast<std::uint8_t>(render::SceneryKind::metal))
+      throw Damage("a mesh has an unknown surface");
     for (int axis = 0; axis < 3; ++axis) {
       vertex.position[axis] = static_cast<float>(position[static_cast<std::size_t>(axis)]) * step;
       vertex.normal[axis] = direction[axis] / length;
@@ -151,7 +152,8 @@ anim::Result<std::vector<SceneryMeshData>> read_props(const std::filesystem::pat
   try {
     return read_meshes(parse(bytes));
   } catch (const Json::exception&) {
-    return anim::Error{file.string() + ": the file of props is damaged: a part of its description is not as expected; install it anew"};
+    return anim::Error{file.string() +
+                       ": the file of props is damaged: a part of its description is not as expected; install it anew"};
   } catch (const Damage& damage) {
     return anim::Error{file.string() + ": the file of props is damaged: " + damage.what() + "; install it anew"};
   }

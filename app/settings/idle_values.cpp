@@ -147,6 +147,10 @@ Reason of_shadows(const Tuning& tuning, const Situation& situation) {
   return of_what_is_drawn(tuning, situation);
 }
 
+Reason of_scenery(const Tuning& tuning, const Situation& situation) {
+  return tuning.scene == Scene::grid ? "nothing stands around the grid" : of_what_is_drawn(tuning, situation);
+}
+
 Reason of_thresholds(const Tuning& tuning, const Situation& situation) {
   if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
   return of_what_is_drawn(tuning, situation);
@@ -197,6 +201,7 @@ constexpr std::array rules = std::to_array<Rule>({
     {"exposure", of_what_is_drawn},
     {"shadows", of_shadows},
     {"crowd_shade", of_what_is_drawn},
+    {"scenery", of_scenery},
     {"thresholds", of_thresholds},
     {"split", of_split},
     {"split_at", of_split_line},

@@ -91,6 +91,7 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
+  bool scenery = true;  ///< what stands around the crowd
   TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;

@@ -257,6 +257,11 @@ std::vector<TuningValue> view_values() {
               .label = "Bones as lines",
               .help = "Skeletons are drawn over the characters ({default})"},
              at(&Tuning::bones_as_lines)),
+      on_off({.key = "scenery",
+              .label = "Scenery",
+              .option = "--scenery on|off",
+              .help = "What stands around the crowd is drawn ({default})"},
+             at(&Tuning::scenery)),
   };
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/place/stand_in.h"
 #include "app/show/contexts.h"
 
 namespace throng::app {
@@ -85,7 +86,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
-  return anim::Done{};
+  return scenery_.load(stand_in_props(), *renderer_);
 }
 
 DrawnBy Painter::drawn_by() const {
@@ -148,7 +149,9 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .distance_scale = distance_scale_,
           .light = stage.tuning().light,
           .shadows = stage.tuning().shadows,
-          .crowd_shade = stage.tuning().crowd_shade};
+          .crowd_shade = stage.tuning().crowd_shade,
+          .ground = scenery_.ground(),
+          .scenery = stage.tuning().scenery};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
@@ -162,6 +165,7 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
 
 void Painter::upload(Stage& stage, const PaintedView& view) {
   picture_.compose(stage);
+  scenery_.follow(stage.tuning(), stage.crowd(), *renderer_);
   gather_lines(stage, view);
   if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
   stage.pose_exactly();

@@ -13,6 +13,7 @@
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
 #include "app/show/picture.h"
+#include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/renderer.h"
@@ -82,6 +83,7 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;
   std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] whose it is

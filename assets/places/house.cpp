@@ -77,7 +77,13 @@ void band(MeshBuilder& builder, double x0, double x1, double y, double height, d
   } else if (lod == 1) {
     moulding(builder, {{0, y}, {out, y}, {out, y + height}, {0, y + height}}, x0, x1, paint);
   } else {
-    moulding(builder, {{0, y}, {out * 0.5, y}, {out * 0.5, y + height * 0.5}, {out, y + height * 0.62}, {out, y + height * 0.85}, {0, y + height}},
+    moulding(builder,
+             {{0, y},
+              {out * 0.5, y},
+              {out * 0.5, y + height * 0.5},
+              {out, y + height * 0.62},
+              {out, y + height * 0.85},
+              {0, y + height}},
              x0, x1, paint, true);
   }
 }
@@ -88,14 +94,16 @@ double cornice(MeshBuilder& builder, double x0, double x1, double y, const Paint
     moulding(builder, {{0, y}, {out, y + 0.35}, {out, y + 0.7}, {0, y + 0.7}}, x0, x1, paint, lod == 2);
     return out;
   }
-  std::vector<dvec2> profile{{0, y}, {0.08, y}, {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42}, {0.45, y + 0.55}, {out, y + 0.66}, {out, y + 0.7}, {0, y + 0.74}};
+  std::vector<dvec2> profile{{0, y},           {0.08, y},       {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
+                             {0.45, y + 0.55}, {out, y + 0.66}, {out, y + 0.7},   {0, y + 0.74}};
   if (lod == 1) profile = {{0, y}, {0.08, y + 0.28}, {0.45, y + 0.42}, {out, y + 0.68}, {0, y + 0.74}};
   moulding(builder, profile, x0, x1, paint, true);
   if (!brackets || lod > 0) return out;
   constexpr int count = 7;
   for (int i = 0; i < count; ++i) {
     const double x = x0 + (x1 - x0) * (i + 0.5) / count;
-    box(builder, {x - 0.09, y + 0.16, 0.08}, {x + 0.09, y + 0.42, 0.4}, paint, side::front | side::left | side::right | side::bottom);
+    box(builder, {x - 0.09, y + 0.16, 0.08}, {x + 0.09, y + 0.42, 0.4}, paint,
+        side::front | side::left | side::right | side::bottom);
   }
   return out;
 }
@@ -138,7 +146,9 @@ void awning(MeshBuilder& builder, double x0, double x1, double y, double out, co
     builder.quad({a, edge, out}, {b, edge, out}, {b, sag, out * 0.5}, {a, sag, out * 0.5}, paint);
     builder.quad({a, edge - 0.22, out}, {b, edge - 0.22, out}, {b, edge, out}, {a, edge, out}, shaded(paint, 0.9));
   }
-  if (lod < 2) builder.quad({x0, y - 0.02, 0.02}, {x1, y - 0.02, 0.02}, {x1, edge, out - 0.02}, {x0, edge, out - 0.02}, shaded(mixed, 0.6));
+  if (lod < 2)
+    builder.quad({x0, y - 0.02, 0.02}, {x1, y - 0.02, 0.02}, {x1, edge, out - 0.02}, {x0, edge, out - 0.02},
+                 shaded(mixed, 0.6));
   for (const double x : {x0, x1}) {
     builder.triangle({x, y, 0.02}, {x, edge, 0.02}, {x, edge, out}, shaded(one, 0.85));
     builder.triangle({x, y, 0.02}, {x, edge, out}, {x, edge, 0.02}, shaded(one, 0.85));
@@ -167,8 +177,10 @@ void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double 
   panel(builder, door_x, foot + 2.3, door_x + door, top_y - 0.55, z + 0.02, shaded(lit, 0.9));
   if (lod == 0) {
     panel(builder, door_x + 0.12, foot + 0.14, door_x + door - 0.12, foot + 0.65, z + 0.02, shaded(wood, 0.75));
-    box(builder, {door_x + door - 0.13, foot + 1.0, z + 0.02}, {door_x + door - 0.07, foot + 1.2, z + 0.08}, paints::metal(0xB08A3C), side::on_wall);
-    box(builder, {glass_x0 - 0.04, foot, z}, {glass_x1 + 0.04, foot + 0.55, z + 0.1}, shaded(wood, 0.9), side::front | side::left | side::right | side::top);
+    box(builder, {door_x + door - 0.13, foot + 1.0, z + 0.02}, {door_x + door - 0.07, foot + 1.2, z + 0.08},
+        paints::metal(0xB08A3C), side::on_wall);
+    box(builder, {glass_x0 - 0.04, foot, z}, {glass_x1 + 0.04, foot + 0.55, z + 0.1}, shaded(wood, 0.9),
+        side::front | side::left | side::right | side::top);
   }
   const int panes = lod == 0 ? 3 : 1;
   for (int i = 0; i < panes; ++i) {

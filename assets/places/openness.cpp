@@ -95,7 +95,8 @@ std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& face
       const auto from = [&](double metres) {
         const dvec3 inwards = middle - corner.position;
         const double share = std::min(0.6, metres / std::max(glm::length(inwards), 1e-6));
-        return openness_at(corner.position + inwards * share + corner.normal * clearance, corner.normal, triangles, reach);
+        return openness_at(corner.position + inwards * share + corner.normal * clearance, corner.normal, triangles,
+                           reach);
       };
       // What lies upon the corner itself, such as a sill on a wall, must not darken all of the face.
       const double beside = from(0.3);

@@ -43,8 +43,10 @@ void gable_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& pa
   if (lod >= 2) return;
   const Paint edge = shaded(roof.tile, 0.7);
   builder.quad(f0 - dvec3(0, 0.12, 0), f1 - dvec3(0, 0.12, 0), f1, f0, edge);
-  builder.quad(f0 - dvec3(0, 0.12, 0.6), f1 - dvec3(0, 0.12, 0.6), f1 - dvec3(0, 0.12, 0), f0 - dvec3(0, 0.12, 0), shaded(paints::timber, 0.8));
-  box(builder, {roof.x0, roof.ridge - 0.06, middle - 0.12}, {roof.x1, roof.ridge + 0.07, middle + 0.12}, edge, side::front | side::back | side::top | side::left | side::right);
+  builder.quad(f0 - dvec3(0, 0.12, 0.6), f1 - dvec3(0, 0.12, 0.6), f1 - dvec3(0, 0.12, 0), f0 - dvec3(0, 0.12, 0),
+               shaded(paints::timber, 0.8));
+  box(builder, {roof.x0, roof.ridge - 0.06, middle - 0.12}, {roof.x1, roof.ridge + 0.07, middle + 0.12}, edge,
+      side::front | side::back | side::top | side::left | side::right);
 }
 
 void mansard_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& party_wall) {
@@ -57,12 +59,17 @@ void mansard_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& 
   const double knee = roof.eaves + rise * 0.72;
   const auto at = [&](double x, double y, double z) { return dvec3(x, y, z); };
   const double middle = 0.5 * (f + b);
-  tiled(builder, at(roof.x0, roof.eaves, roof.front_z), at(roof.x1, roof.eaves, roof.front_z), at(roof.x1, knee, f), at(roof.x0, knee, f), roof.tile, columns, rows, roof.seed);
-  tiled(builder, at(roof.x1, roof.eaves, roof.back_z), at(roof.x0, roof.eaves, roof.back_z), at(roof.x0, knee, b), at(roof.x1, knee, b), roof.tile, 1, 1, roof.seed + 5);
-  builder.quad(at(roof.x0, knee, f), at(roof.x1, knee, f), at(roof.x1, roof.ridge, middle), at(roof.x0, roof.ridge, middle), shaded(paints::granite, 0.8));
-  builder.quad(at(roof.x0, roof.ridge, middle), at(roof.x1, roof.ridge, middle), at(roof.x1, knee, b), at(roof.x0, knee, b), shaded(paints::granite, 0.8));
+  tiled(builder, at(roof.x0, roof.eaves, roof.front_z), at(roof.x1, roof.eaves, roof.front_z), at(roof.x1, knee, f),
+        at(roof.x0, knee, f), roof.tile, columns, rows, roof.seed);
+  tiled(builder, at(roof.x1, roof.eaves, roof.back_z), at(roof.x0, roof.eaves, roof.back_z), at(roof.x0, knee, b),
+        at(roof.x1, knee, b), roof.tile, 1, 1, roof.seed + 5);
+  builder.quad(at(roof.x0, knee, f), at(roof.x1, knee, f), at(roof.x1, roof.ridge, middle),
+               at(roof.x0, roof.ridge, middle), shaded(paints::granite, 0.8));
+  builder.quad(at(roof.x0, roof.ridge, middle), at(roof.x1, roof.ridge, middle), at(roof.x1, knee, b),
+               at(roof.x0, knee, b), shaded(paints::granite, 0.8));
   for (const double x : {roof.x0, roof.x1}) {
-    const dvec3 a = at(x, roof.eaves, roof.front_z), c = at(x, knee, f), d = at(x, roof.ridge, middle), e = at(x, knee, b), g = at(x, roof.eaves, roof.back_z);
+    const dvec3 a = at(x, roof.eaves, roof.front_z), c = at(x, knee, f), d = at(x, roof.ridge, middle),
+                e = at(x, knee, b), g = at(x, roof.eaves, roof.back_z);
     if (x == roof.x1) {
       builder.quad(a, g, e, c, party_wall);
       builder.triangle(c, e, d, party_wall);
@@ -72,7 +79,8 @@ void mansard_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& 
     }
   }
   if (lod >= 2) return;
-  box(builder, {roof.x0, knee - 0.08, f - 0.02}, {roof.x1, knee + 0.12, f + 0.14}, shaded(roof.tile, 0.75), side::front | side::top | side::bottom);
+  box(builder, {roof.x0, knee - 0.08, f - 0.02}, {roof.x1, knee + 0.12, f + 0.14}, shaded(roof.tile, 0.75),
+      side::front | side::top | side::bottom);
 }
 
 void dormer(MeshBuilder& builder, dvec3 at, double width, double height, double depth, const Paint& wall,
@@ -94,10 +102,13 @@ void dormer(MeshBuilder& builder, dvec3 at, double width, double height, double 
   builder.quad({0, peak, 0.16}, {0, peak, -depth}, {-over, drop, -depth}, {-over, drop, 0.16}, tile);
   builder.quad({0, peak, -depth}, {0, peak, 0.16}, {over, drop, 0.16}, {over, drop, -depth}, tile);
   if (lod == 0) {
-    builder.quad({0, peak - 0.1, 0.16}, {0, peak, 0.16}, {-over, drop, 0.16}, {-over, drop - 0.1, 0.16}, paints::white_paint);
-    builder.quad({0, peak, 0.16}, {0, peak - 0.1, 0.16}, {over, drop - 0.1, 0.16}, {over, drop, 0.16}, paints::white_paint);
+    builder.quad({0, peak - 0.1, 0.16}, {0, peak, 0.16}, {-over, drop, 0.16}, {-over, drop - 0.1, 0.16},
+                 paints::white_paint);
+    builder.quad({0, peak, 0.16}, {0, peak - 0.1, 0.16}, {over, drop - 0.1, 0.16}, {over, drop, 0.16},
+                 paints::white_paint);
   }
-  const WindowStyle style{.width = width * 0.62, .height = height - 0.35, .columns = 2, .rows = 2, .frame = paints::white_paint};
+  const WindowStyle style{
+      .width = width * 0.62, .height = height - 0.35, .columns = 2, .rows = 2, .frame = paints::white_paint};
   const bool lit = chance(seed, 2) < 0.4;
   const double w = style.width / 2;
   panel(builder, -w - 0.05, 0.15, w + 0.05, 0.2 + style.height + 0.05, 0.02, style.frame);

@@ -128,8 +128,8 @@ void arch_ring(MeshBuilder& builder, const Arch& arch, double width, double z, d
   }
   if (!keystone) return;
   const double crown = arch.spring + arch.rise;
-  box(builder, {arch.middle - width * 0.4, crown - 0.05, z}, {arch.middle + width * 0.4, crown + width * 1.25, face + 0.05},
-      paint, side::on_wall);
+  box(builder, {arch.middle - width * 0.4, crown - 0.05, z},
+      {arch.middle + width * 0.4, crown + width * 1.25, face + 0.05}, paint, side::on_wall);
 }
 
 void arch_panel(MeshBuilder& builder, const Arch& arch, double z, const Paint& paint) {

@@ -17,7 +17,21 @@ void lamp(MeshBuilder& builder, int lod) {
   const Paint iron = paints::metal(0x2F3A36);
   const int sides = lod == 0 ? 10 : lod == 1 ? 6 : 4;
   if (lod == 0) {
-    lathe(builder, {{0.24, 0}, {0.24, 0.12}, {0.17, 0.18}, {0.15, 0.5}, {0.18, 0.56}, {0.1, 0.66}, {0.07, 0.9}, {0.05, 2.9}, {0.09, 2.95}, {0.05, 3.02}, {0.04, 3.2}, {0.14, 3.26}, {0.14, 3.3}}, sides, iron);
+    lathe(builder,
+          {{0.24, 0},
+           {0.24, 0.12},
+           {0.17, 0.18},
+           {0.15, 0.5},
+           {0.18, 0.56},
+           {0.1, 0.66},
+           {0.07, 0.9},
+           {0.05, 2.9},
+           {0.09, 2.95},
+           {0.05, 3.02},
+           {0.04, 3.2},
+           {0.14, 3.26},
+           {0.14, 3.3}},
+          sides, iron);
   } else {
     lathe(builder, {{0.22, 0}, {0.15, 0.5}, {0.07, 0.8}, {0.05, 3.2}, {0.14, 3.28}}, sides, iron, lod == 1);
   }
@@ -27,7 +41,8 @@ void lamp(MeshBuilder& builder, int lod) {
   if (lod > 0) return;
   for (int i = 0; i < 4; ++i) {
     const double t = eighth + 0.25 * i;
-    bar(builder, {0.165 * sine(t), 3.3, 0.165 * cosine(t)}, {0.26 * sine(t), 3.76, 0.26 * cosine(t)}, 0.016, 0.016, 4, iron, false);
+    bar(builder, {0.165 * sine(t), 3.3, 0.165 * cosine(t)}, {0.26 * sine(t), 3.76, 0.26 * cosine(t)}, 0.016, 0.016, 4,
+        iron, false);
   }
   lathe(builder, {{0.03, 4.0}, {0.05, 4.07}, {0, 4.14}}, 6, iron);
   bar(builder, {-0.4, 2.86, 0}, {0.4, 2.86, 0}, 0.018, 0.018, 5, iron);
@@ -43,7 +58,9 @@ void bench(MeshBuilder& builder, int lod) {
   for (int i = 0; i < slats; ++i) {
     const double z0 = -0.22 + depth * i / slats;
     const double z1 = z0 + depth / slats - (lod == 0 ? 0.025 : 0.01);
-    box(builder, {-half, 0.405, z0}, {half, 0.44, z1}, shaded(wood, 0.9 + 0.2 * chance(3, static_cast<std::uint32_t>(i))), lod == 2 ? side::front | side::top | side::left | side::right | side::bottom : unsigned{side::all_sides});
+    box(builder, {-half, 0.405, z0}, {half, 0.44, z1},
+        shaded(wood, 0.9 + 0.2 * chance(3, static_cast<std::uint32_t>(i))),
+        lod == 2 ? side::front | side::top | side::left | side::right | side::bottom : unsigned{side::all_sides});
   }
   const int backs = lod == 0 ? 3 : 1;
   for (int i = 0; i < backs; ++i) {
@@ -59,21 +76,26 @@ void bench(MeshBuilder& builder, int lod) {
     builder.quad({-half, y0, z0 - 0.03}, {half, y0, z0 - 0.03}, {half, y0, z0}, {-half, y0, z0}, slat);
     for (const double x : {-half, half}) {
       const double sign = x > 0 ? 1 : -1;
-      builder.quad({x, y0, z0 - 0.015 + sign * 0.015}, {x, y0, z0 - 0.015 - sign * 0.015}, {x, y1, z1 - 0.015 - sign * 0.015}, {x, y1, z1 - 0.015 + sign * 0.015}, slat);
+      builder.quad({x, y0, z0 - 0.015 + sign * 0.015}, {x, y0, z0 - 0.015 - sign * 0.015},
+                   {x, y1, z1 - 0.015 - sign * 0.015}, {x, y1, z1 - 0.015 + sign * 0.015}, slat);
     }
   }
   for (const double x : {-0.7, 0.7}) {
     if (lod >= 2) {
-      box(builder, {x - 0.03, 0, -0.2}, {x + 0.03, 0.4, 0.2}, iron, side::front | side::back | side::left | side::right);
+      box(builder, {x - 0.03, 0, -0.2}, {x + 0.03, 0.4, 0.2}, iron,
+          side::front | side::back | side::left | side::right);
       continue;
     }
-    box(builder, {x - 0.03, 0, 0.14}, {x + 0.03, 0.405, 0.19}, iron, side::front | side::back | side::left | side::right);
+    box(builder, {x - 0.03, 0, 0.14}, {x + 0.03, 0.405, 0.19}, iron,
+        side::front | side::back | side::left | side::right);
     bar(builder, {x, 0, -0.3}, {x, 0.42, -0.2}, 0.035, 0.035, 4, iron, false);
     bar(builder, {x, 0.42, -0.22}, {x, 0.92, -0.37}, 0.03, 0.025, 4, iron, false);
-    box(builder, {x - 0.025, 0.36, -0.22}, {x + 0.025, 0.405, 0.2}, iron, side::front | side::left | side::right | side::bottom);
+    box(builder, {x - 0.025, 0.36, -0.22}, {x + 0.025, 0.405, 0.2}, iron,
+        side::front | side::left | side::right | side::bottom);
     if (lod > 0) continue;
     box(builder, {x - 0.03, 0.64, -0.28}, {x + 0.03, 0.68, 0.2}, iron, side::all_sides);
-    box(builder, {x - 0.02, 0.44, 0.15}, {x + 0.02, 0.65, 0.18}, iron, side::front | side::back | side::left | side::right);
+    box(builder, {x - 0.02, 0.44, 0.15}, {x + 0.02, 0.65, 0.18}, iron,
+        side::front | side::back | side::left | side::right);
   }
 }
 
@@ -82,7 +104,17 @@ void planter(MeshBuilder& builder, int lod) {
   const int sides = lod == 0 ? 14 : lod == 1 ? 9 : 5;
   const Paint stone = paints::pale_stone;
   if (lod < 2) {
-    lathe(builder, {{0.42, 0}, {0.42, 0.1}, {0.34, 0.16}, {0.4, 0.3}, {0.58, 0.55}, {0.66, 0.58}, {0.66, 0.68}, {0.58, 0.68}, {0.56, 0.6}}, sides, stone);
+    lathe(builder,
+          {{0.42, 0},
+           {0.42, 0.1},
+           {0.34, 0.16},
+           {0.4, 0.3},
+           {0.58, 0.55},
+           {0.66, 0.58},
+           {0.66, 0.68},
+           {0.58, 0.68},
+           {0.56, 0.6}},
+          sides, stone);
   } else {
     lathe(builder, {{0.4, 0}, {0.64, 0.55}, {0.64, 0.68}}, sides, stone);
   }
@@ -107,7 +139,9 @@ void planter(MeshBuilder& builder, int lod) {
     leaf.sway = 40;
     leaf.baked = false;
     leaf.color *= 0.55 + 0.5 * std::min(1.0, (y - 0.62) / 0.34);
-    builder.add({{Corner{at - u, leaf, normal}, Corner{at + v, shaded(leaf, 1.12), normal}, Corner{at + u, leaf, normal}, Corner{at - v, shaded(leaf, 0.75), normal}}, 4});
+    builder.add({{Corner{at - u, leaf, normal}, Corner{at + v, shaded(leaf, 1.12), normal},
+                  Corner{at + u, leaf, normal}, Corner{at - v, shaded(leaf, 0.75), normal}},
+                 4});
   }
 }
 
@@ -127,8 +161,11 @@ void steps(MeshBuilder& builder, int lod) {
       const Paint slab = shaded(stone, 0.95 + 0.1 * chance(12, static_cast<std::uint32_t>(i * 4 + k)));
       const double nose = lod == 0 ? 0.03 : 0.0;
       panel(builder, x0, y0, x1, y0 + rise - nose, z1 - nose, slab);
-      if (lod == 0) builder.quad({x0, y0 + rise - nose, z1 - nose}, {x1, y0 + rise - nose, z1 - nose}, {x1, y0 + rise, z1}, {x0, y0 + rise, z1}, slab);
-      builder.quad({x0, y0 + rise, z1}, {x1, y0 + rise, z1}, {x1, y0 + rise, z1 - going}, {x0, y0 + rise, z1 - going}, slab);
+      if (lod == 0)
+        builder.quad({x0, y0 + rise - nose, z1 - nose}, {x1, y0 + rise - nose, z1 - nose}, {x1, y0 + rise, z1},
+                     {x0, y0 + rise, z1}, slab);
+      builder.quad({x0, y0 + rise, z1}, {x1, y0 + rise, z1}, {x1, y0 + rise, z1 - going}, {x0, y0 + rise, z1 - going},
+                   slab);
     }
     box(builder, {-3, y0, -foot}, {3, y0 + rise, z1}, stone, side::left | side::right);
   }
@@ -140,7 +177,18 @@ void steps(MeshBuilder& builder, int lod) {
 void bollard(MeshBuilder& builder, int lod) {
   const Paint iron = paints::metal(0x33393A);
   if (lod == 0) {
-    lathe(builder, {{0.13, 0}, {0.13, 0.06}, {0.1, 0.1}, {0.085, 0.7}, {0.11, 0.73}, {0.11, 0.78}, {0.07, 0.82}, {0.09, 0.9}, {0.06, 0.97}, {0, 1.0}}, 10, iron);
+    lathe(builder,
+          {{0.13, 0},
+           {0.13, 0.06},
+           {0.1, 0.1},
+           {0.085, 0.7},
+           {0.11, 0.73},
+           {0.11, 0.78},
+           {0.07, 0.82},
+           {0.09, 0.9},
+           {0.06, 0.97},
+           {0, 1.0}},
+          10, iron);
   } else {
     lathe(builder, {{0.12, 0}, {0.09, 0.85}, {0, 1.0}}, lod == 1 ? 6 : 4, iron);
   }
@@ -156,7 +204,8 @@ void statue(MeshBuilder& builder, int lod) {
   box(builder, {-0.7, 0.7, -0.7}, {0.7, 2.3, 0.7}, stone, side::front | side::back | side::left | side::right);
   const double r2 = 1.41421356;
   if (lod < 2) {
-    lathe(builder, {{0.7 * r2, 2.3}, {0.78 * r2, 2.36}, {0.9 * r2, 2.46}, {0.9 * r2, 2.58}, {0.8 * r2, 2.62}}, 4, stone, false, 0.125);
+    lathe(builder, {{0.7 * r2, 2.3}, {0.78 * r2, 2.36}, {0.9 * r2, 2.46}, {0.9 * r2, 2.58}, {0.8 * r2, 2.62}}, 4, stone,
+          false, 0.125);
     panel(builder, -0.45, 1.1, 0.45, 1.9, 0.72, paints::metal(0x6E6244));
   }
   box(builder, {-0.8, 2.5, -0.8}, {0.8, 2.62, 0.8}, stone);
@@ -164,7 +213,17 @@ void statue(MeshBuilder& builder, int lod) {
   const Moved up(builder, {0, 2.62, 0}, 0.04);
   {
     const Moved narrow(builder, {0, 0, 0}, 0, {1.0, 1.0, 0.72});
-    lathe(builder, {{0.46, 0}, {0.43, 0.2}, {0.36, 0.7}, {0.31, 1.1}, {0.34, 1.4}, {0.38, 1.62}, {0.3, 1.78}, {0.13, 1.86}, {0.11, 1.96}}, sides, bronze);
+    lathe(builder,
+          {{0.46, 0},
+           {0.43, 0.2},
+           {0.36, 0.7},
+           {0.31, 1.1},
+           {0.34, 1.4},
+           {0.38, 1.62},
+           {0.3, 1.78},
+           {0.13, 1.86},
+           {0.11, 1.96}},
+          sides, bronze);
   }
   {
     const Moved head(builder, {0, 1.94, 0.03}, 0, {0.9, 1, 1});
@@ -180,7 +239,8 @@ void statue(MeshBuilder& builder, int lod) {
   if (lod > 0) return;
   for (int i = 0; i < 7; ++i) {
     const double t = -0.2 + 0.4 * i / 6 + 0.5;
-    bar(builder, {0.34 * sine(t), 1.55, 0.26 * cosine(t)}, {0.52 * sine(t), 0.02, 0.44 * cosine(t)}, 0.05, 0.09, 4, bronze);
+    bar(builder, {0.34 * sine(t), 1.55, 0.26 * cosine(t)}, {0.52 * sine(t), 0.02, 0.44 * cosine(t)}, 0.05, 0.09, 4,
+        bronze);
   }
 }
 

@@ -121,11 +121,15 @@ Clump clump_at(const Species& species, const Bounds& bounds, const Lobe& lobe, i
 
 /// A card in the shape of a leaf, its ends bent back a little.
 void leaf_card(MeshBuilder& builder, const Clump& clump) {
-  const auto corner = [&](dvec3 place, double shade) { return Corner{place, shaded(clump.paint, shade), clump.normal}; };
+  const auto corner = [&](dvec3 place, double shade) {
+    return Corner{place, shaded(clump.paint, shade), clump.normal};
+  };
   const dvec3 along = clump.u * clump.length;
   const dvec3 across = clump.v * (0.62 * clump.length);
   const dvec3 bend = clump.facing * (-0.16 * clump.length);
-  builder.add({{corner(clump.at - along + bend, 0.8), corner(clump.at - across * 1.1 + along * 0.2, 0.98), corner(clump.at + along + bend, 1.12), corner(clump.at + across - along * 0.15, 1.0)}, 4});
+  builder.add({{corner(clump.at - along + bend, 0.8), corner(clump.at - across * 1.1 + along * 0.2, 0.98),
+                corner(clump.at + along + bend, 1.12), corner(clump.at + across - along * 0.15, 1.0)},
+               4});
 }
 
 void trunk(MeshBuilder& builder, const Species& species, int lod) {
@@ -176,22 +180,49 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
 
 /// A broad crown, as of a plane tree.
 void tree_a(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 3.2, .trunk_radius = 0.2, .bark = rgb(0x8A7B66), .light = rgb(0x9DB45A), .dark = rgb(0x33491F), .leaf = 0.24, .seed = 1};
-  s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}}, {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}}, {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}}, {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}}, {{-0.2, 5.2, 1.6}, {1.25, 1.0, 1.15}}, {{1.0, 4.5, -0.7}, {1.2, 0.85, 1.2}}, {{-0.9, 4.4, -0.5}, {1.2, 0.85, 1.2}}};
+  Species s{.trunk_height = 3.2,
+            .trunk_radius = 0.2,
+            .bark = rgb(0x8A7B66),
+            .light = rgb(0x9DB45A),
+            .dark = rgb(0x33491F),
+            .leaf = 0.24,
+            .seed = 1};
+  s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}},      {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}},
+             {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}},  {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}},
+             {{-0.2, 5.2, 1.6}, {1.25, 1.0, 1.15}}, {{1.0, 4.5, -0.7}, {1.2, 0.85, 1.2}},
+             {{-0.9, 4.4, -0.5}, {1.2, 0.85, 1.2}}};
   grow(builder, s, lod);
 }
 
 /// A tall oval crown, as of a lime tree.
 void tree_b(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 2.7, .trunk_radius = 0.15, .bark = rgb(0x6B5B49), .light = rgb(0x7FA04A), .dark = rgb(0x2A4420), .leaf = 0.21, .seed = 2};
-  s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}}, {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}}, {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}}, {{-0.3, 4.6, 0.45}, {1.3, 1.05, 1.3}}, {{0.25, 3.8, 0.1}, {1.15, 0.8, 1.15}}};
+  Species s{.trunk_height = 2.7,
+            .trunk_radius = 0.15,
+            .bark = rgb(0x6B5B49),
+            .light = rgb(0x7FA04A),
+            .dark = rgb(0x2A4420),
+            .leaf = 0.21,
+            .seed = 2};
+  s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}},       {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}},
+             {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}},
+             {{-0.3, 4.6, 0.45}, {1.3, 1.05, 1.3}},  {{0.25, 3.8, 0.1}, {1.15, 0.8, 1.15}}};
   grow(builder, s, lod);
 }
 
 /// A small, round tree of warm leaves, as of a maple in its pot or its square of earth.
 void tree_c(MeshBuilder& builder, int lod) {
-  Species s{.trunk_height = 2.2, .trunk_radius = 0.12, .bark = rgb(0x5F5146), .light = rgb(0xB4A350), .dark = rgb(0x4C5424), .leaf = 0.19, .seed = 3};
-  s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}}, {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}}, {{-0.75, 4.3, 0.35}, {1.0, 0.85, 1.0}}, {{0.05, 4.1, -0.8}, {1.0, 0.85, 1.0}}, {{0, 3.5, 0.4}, {1.0, 0.7, 1.0}}};
+  Species s{.trunk_height = 2.2,
+            .trunk_radius = 0.12,
+            .bark = rgb(0x5F5146),
+            .light = rgb(0xB4A350),
+            .dark = rgb(0x4C5424),
+            .leaf = 0.19,
+            .seed = 3};
+  s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}},
+             {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}},
+             {{-0.75, 4.3, 0.35}, {1.0, 0.85, 1.0}},
+             {{0.05, 4.1, -0.8}, {1.0, 0.85, 1.0}},
+             {{0, 3.5, 0.4}, {1.0, 0.7, 1.0}}};
   grow(builder, s, lod);
 }
 

@@ -66,7 +66,8 @@ void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style)
     box(builder, {at.x0 - width, at.y0, 0}, {at.x0, at.y1, out}, trim, side::front | side::left);
     box(builder, {at.x1, at.y0, 0}, {at.x1 + width, at.y1, out}, trim, side::front | side::right);
   }
-  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim, side::front | side::left | side::right);
+  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim,
+      side::front | side::left | side::right);
   const double y = at.y1 + 0.2;
   const double x0 = at.x0 - width - 0.08;
   const double x1 = at.x1 + width + 0.08;
@@ -82,7 +83,8 @@ void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style)
 void shutters(MeshBuilder& builder, const Opening& at, const WindowStyle& style, int lod) {
   const double leaf = 0.5 * style.width;
   for (const double x : {at.x0 - leaf - 0.02, at.x1 + 0.02}) {
-    box(builder, {x, at.y0 + 0.02, 0.01}, {x + leaf, at.y1, 0.06}, style.shutter, lod == 0 ? unsigned{side::on_wall} : side::front);
+    box(builder, {x, at.y0 + 0.02, 0.01}, {x + leaf, at.y1, 0.06}, style.shutter,
+        lod == 0 ? unsigned{side::on_wall} : side::front);
     if (lod > 0) continue;
     for (const double y : {0.08, 0.54}) {
       const double from = at.y0 + style.height * y;
@@ -97,7 +99,8 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
   box(builder, {x0 - 0.05, at.y0 - 0.16, 0}, {x1 + 0.05, at.y0, 0.62}, style.trim, side::on_wall);
   if (lod > 0) return;
   for (const double side : {x0 + 0.15, x1 - 0.15}) {
-    box(builder, {side - 0.07, at.y0 - 0.46, 0}, {side + 0.07, at.y0 - 0.16, 0.3}, style.trim, side::on_wall & ~side::top);
+    box(builder, {side - 0.07, at.y0 - 0.46, 0}, {side + 0.07, at.y0 - 0.16, 0.3}, style.trim,
+        side::on_wall & ~side::top);
   }
   const Paint& iron = paints::iron;
   box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron, side::front | side::top);
@@ -108,7 +111,8 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
     panel(builder, x, at.y0, x + 0.024, at.y0 + 0.95, 0.57, iron);
   }
   for (const double x : {x0, x1}) {
-    box(builder, {x - 0.015, at.y0 + 0.93, 0}, {x + 0.015, at.y0 + 0.98, 0.56}, iron, side::left | side::right | side::top);
+    box(builder, {x - 0.015, at.y0 + 0.93, 0}, {x + 0.015, at.y0 + 0.98, 0.56}, iron,
+        side::left | side::right | side::top);
     for (const double z : {0.18, 0.38}) {
       box(builder, {x - 0.012, at.y0, z}, {x + 0.012, at.y0 + 0.95, z + 0.024}, iron, side::left | side::right);
     }
@@ -117,7 +121,8 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
 
 void flowers(MeshBuilder& builder, const Opening& at, int lod, std::uint32_t seed) {
   const Paint pot = paints::matt(0x9C5A3C);
-  box(builder, {at.x0 + 0.05, at.y0 + 0.02, 0.02}, {at.x1 - 0.05, at.y0 + 0.18, 0.2}, pot, side::front | side::left | side::right);
+  box(builder, {at.x0 + 0.05, at.y0 + 0.02, 0.02}, {at.x1 - 0.05, at.y0 + 0.18, 0.2}, pot,
+      side::front | side::left | side::right);
   const int count = lod == 0 ? 9 : 3;
   for (int i = 0; i < count; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
@@ -125,7 +130,9 @@ void flowers(MeshBuilder& builder, const Opening& at, int lod, std::uint32_t see
     const double size = (lod == 0 ? 0.09 : 0.2) + 0.05 * chance(seed, n);
     const double y = at.y0 + 0.16 + 0.1 * chance(seed, n + 30);
     const double z = 0.1 + 0.12 * chance(seed, n + 60);
-    const Paint leaf = i % 3 == 1 ? paints::matt(0xC8443A) : i % 3 == 0 ? paints::matt(0x5B7F3B) : paints::matt(0x7A9A4A);
+    const Paint leaf = i % 3 == 1   ? paints::matt(0xC8443A)
+                       : i % 3 == 0 ? paints::matt(0x5B7F3B)
+                                    : paints::matt(0x7A9A4A);
     builder.quad({x - size, y, z}, {x, y - size * 0.6, z + 0.05}, {x + size, y, z}, {x, y + size, z - 0.02}, leaf);
   }
 }

@@ -11,11 +11,6 @@
 namespace throng::render {
 namespace {
 
-void add(DrawCounts& sum, const DrawCounts& more) {
-  sum.draw_calls += more.draw_calls;
-  sum.triangles += more.triangles;
-}
-
 // Colours, depths, what is seen through, and the two sides of a split view.
 std::uint64_t bytes_a_pixel(int samples) {
   constexpr std::uint64_t bytes_a_sample = 4 + 8 + 10, bytes_of_sides = 8, bytes_of_finished = 4;
@@ -117,6 +112,7 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
 
 DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
   DrawCounts counts;
+  splits_ = true;
   const auto draw_side = [&](const CrowdFrame& side, const PixelRect& drawn) {
     const CrowdFrame tile = part_of(side, size(), drawn);
     upload(tile);
@@ -130,6 +126,7 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
     split_.keep_left(target_.tile());
     add(counts, split_.draw(target_.tile(), part_of(split, size(), drawn)));
   });
+  splits_ = false;
   return counts;
 }
 
@@ -139,7 +136,11 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
   ShadowUniforms uniforms{};
   DrawCounts counts;
   if (frame.shadows) {
-    add(counts, shadows_.draw(frame, meshes_, palettes_, sky_.uniforms().to_sun, context_->window() != nullptr));
+    const bool in_turns = context_->window() != nullptr && !splits_;
+    const auto draw_scenery = [&](const Cascade& cascade) {
+      return frame.scenery ? scenery_.draw_depth(cascade.to_clip, cascade.texel) : DrawCounts{};
+    };
+    add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, in_turns}, draw_scenery));
     shadows_.describe(frame, uniforms);
   }
   if (frame.crowd_shade) {
@@ -159,7 +160,10 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame);
-  DrawCounts counts = ground_.draw();
+  DrawCounts counts;
+  // Scenery goes before the ground, which then costs nothing where it is hidden.
+  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y)));
+  add(counts, ground_.draw());
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {

@@ -29,6 +29,8 @@
 #include "engine/render/passes/overlay_renderer.h"
 #include "engine/render/passes/shadow_pass.h"
 #include "engine/render/passes/split_pass.h"
+#include "engine/render/scenery/scenery_pass.h"
+#include "engine/render/scenery_data.h"
 #include "engine/render/shader/shader_library.h"
 #include "engine/result.h"
 
@@ -69,6 +71,11 @@ class Renderer {
 
   /// Gives the meshes of the loaded characters.
   std::span<const CrowdMesh> meshes() const { return meshes_; }
+
+  /// Replaces the meshes of scenery, and takes away what stood there. Errors: the device has no memory for them.
+  Status load_scenery(std::span<const SceneryMeshData> meshes) { return scenery_.load(meshes); }
+  /// Replaces what stands around the crowd. SceneryInstance::mesh is an index into those meshes.
+  void place_scenery(std::span<const SceneryInstance> instances) { scenery_.place(instances); }
 
   /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
   PalettePageSource& palette_pages() { return palettes_; }
@@ -128,6 +135,7 @@ class Renderer {
   CrowdPass crowd_{shaders_};
   ShadowPass shadows_{shaders_};
   CrowdShadePass crowd_shade_{shaders_};
+  SceneryPass scenery_{shaders_};
   BlendPass blend_{shaders_};
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
@@ -141,6 +149,7 @@ class Renderer {
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;
+  bool splits_ = false;           // two crowds are drawn into one picture
   std::optional<Error> trouble_;  // what finish() tells
 };
 

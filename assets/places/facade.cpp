@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
-const std::vector<double> facade_errors{0, 0.06, 0.25, 0.6};
+const std::vector<double> facade_errors{0, 0.02, 0.07, 0.2};
 
 /// A ground floor of two stone piers and a lintel around a shop front.
 void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
@@ -44,11 +44,11 @@ void facade_a(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, 4.1, 0.3, 0.16, paints::pale_stone, lod);
   if (lod < 3) band(builder, -bay, bay, 7.9, 0.2, 0.1, paints::pale_stone, lod);
   if (lod == 0) {
-    for (int i = 0; i < 10; ++i) {
-      const double y = 4.5 + 0.95 * i;
+    for (int i = 0; i < 8; ++i) {
+      const double y = 4.5 + 1.2 * i;
       const double wide = i % 2 == 0 ? 0.46 : 0.3;
-      box(builder, {-bay, y, 0}, {-bay + wide, y + 0.85, 0.05}, paints::pale_stone, side::front | side::right);
-      box(builder, {bay - wide, y, 0}, {bay, y + 0.85, 0.05}, paints::pale_stone, side::front | side::left);
+      box(builder, {-bay, y, 0}, {-bay + wide, y + 1.1, 0.05}, paints::pale_stone, side::front | side::right);
+      box(builder, {bay - wide, y, 0}, {bay, y + 1.1, 0.05}, paints::pale_stone, side::front | side::left);
     }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);

@@ -20,14 +20,13 @@ void jet(MeshBuilder& builder, double turn, dvec2 from, dvec2 to, double bow, do
     const double t0 = static_cast<double>(i) / pieces, t1 = static_cast<double>(i + 1) / pieces;
     const double w0 = width * (0.6 + 0.7 * t0), w1 = width * (0.6 + 0.7 * t1);
     builder.quad(at(t0) - across * w0, at(t0) + across * w0, at(t1) + across * w1, at(t1) - across * w1, paint);
-    builder.quad(at(t0) + across * w0, at(t0) - across * w0, at(t1) - across * w1, at(t1) + across * w1, paint);
   }
 }
 
 /// Three basins above each other, 6 m across, with water that falls from one to the next.
 void fountain(MeshBuilder& builder, int lod) {
   const Paint stone = paints::pale_stone;
-  const int sides = lod == 0 ? 24 : lod == 1 ? 16 : 8;
+  const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
   const bool fine = lod < 2;
   if (fine) {
     lathe(builder,
@@ -71,6 +70,6 @@ void fountain(MeshBuilder& builder, int lod) {
 
 }  // namespace
 
-std::vector<Prop> fountain_props() { return {{"fountain", {0, 0.05, 0.2}, fountain, 1.0}}; }
+std::vector<Prop> fountain_props() { return {{"fountain", {0, 0.03, 0.12}, fountain, 1.0}}; }
 
 }  // namespace throng::places

@@ -75,16 +75,11 @@ void band(MeshBuilder& builder, double x0, double x1, double y, double height, d
   if (lod >= 2) {
     panel(builder, x0, y, x1, y + height, 0.07, paint);
   } else if (lod == 1) {
-    moulding(builder, {{0, y}, {out, y}, {out, y + height}, {0, y + height}}, x0, x1, paint);
+    moulding(builder, {{0, y}, {out, y + height * 0.5}, {out, y + height * 0.9}}, x0, x1, paint);
   } else {
     moulding(builder,
-             {{0, y},
-              {out * 0.5, y},
-              {out * 0.5, y + height * 0.5},
-              {out, y + height * 0.62},
-              {out, y + height * 0.85},
-              {0, y + height}},
-             x0, x1, paint, true);
+             {{0, y}, {out * 0.5, y + height * 0.45}, {out, y + height * 0.6}, {out, y + height * 0.85}, {0, y + height}},
+             x0, x1, paint);
   }
 }
 
@@ -94,8 +89,8 @@ double cornice(MeshBuilder& builder, double x0, double x1, double y, const Paint
     moulding(builder, {{0, y}, {out, y + 0.35}, {out, y + 0.7}, {0, y + 0.7}}, x0, x1, paint, lod == 2);
     return out;
   }
-  std::vector<dvec2> profile{{0, y},           {0.08, y},       {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
-                             {0.45, y + 0.55}, {out, y + 0.66}, {out, y + 0.7},   {0, y + 0.74}};
+  std::vector<dvec2> profile{{0.06, y},        {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
+                             {0.45, y + 0.55}, {out, y + 0.66},  {out, y + 0.7},  {0, y + 0.74}};
   if (lod == 1) profile = {{0, y}, {0.08, y + 0.28}, {0.45, y + 0.42}, {out, y + 0.68}, {0, y + 0.74}};
   moulding(builder, profile, x0, x1, paint, true);
   if (!brackets || lod > 0) return out;
@@ -151,7 +146,6 @@ void awning(MeshBuilder& builder, double x0, double x1, double y, double out, co
                  shaded(mixed, 0.6));
   for (const double x : {x0, x1}) {
     builder.triangle({x, y, 0.02}, {x, edge, 0.02}, {x, edge, out}, shaded(one, 0.85));
-    builder.triangle({x, y, 0.02}, {x, edge, out}, {x, edge, 0.02}, shaded(one, 0.85));
   }
 }
 

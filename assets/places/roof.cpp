@@ -124,12 +124,11 @@ void chimney(MeshBuilder& builder, dvec3 at, double height, const Paint& paint, 
   const Moved moved(builder, at);
   box(builder, {-0.5, -1, -0.3}, {0.5, height, 0.3}, paint);
   if (lod >= 2) return;
-  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08), side::all_sides);
+  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08), side::all_sides & ~side::top);
   if (lod >= 1) return;
   for (const double x : {-0.28, 0.02, 0.3}) {
     const Moved pot(builder, {x, height, 0});
-    lathe(builder, {{0.13, 0}, {0.1, 0.45}, {0.13, 0.5}}, 6, paints::matt(0xB4623E));
-    disc(builder, 0.12, 0.47, 6, paints::matt(0x2A2420));
+    lathe(builder, {{0.13, 0}, {0.11, 0.5}}, 5, paints::matt(0xB4623E));
   }
 }
 

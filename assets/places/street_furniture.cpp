@@ -272,10 +272,10 @@ void barrier(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> furniture_props() {
-  return {{"planter", {0, 0.05, 0.12}, planter, 0.5}, {"lamp", {0, 0.02, 0.04}, lamp, 0.4},
-          {"bench", {0, 0.02, 0.06}, bench, 0.4},     {"steps", {0, 0.03}, steps, 0.5},
-          {"statue", {0, 0.05, 0.25}, statue, 1.0},   {"bollard", {0, 0.02, 0.04}, bollard, 0.4},
-          {"barrier", {0, 0.015, 0.08}, barrier, 0.3}};
+  return {{"planter", {0, 0.02, 0.06}, planter, 0.5}, {"lamp", {0, 0.012, 0.03}, lamp, 0.4},
+          {"bench", {0, 0.01, 0.03}, bench, 0.4},     {"steps", {0, 0.03}, steps, 0.5},
+          {"statue", {0, 0.03, 0.12}, statue, 1.0},   {"bollard", {0, 0.02, 0.04}, bollard, 0.4},
+          {"barrier", {0, 0.01, 0.04}, barrier, 0.3}};
 }
 
 }  // namespace throng::places

@@ -10,7 +10,7 @@ constexpr double tower_half = 3.2;
 
 void clock_face(MeshBuilder& builder, double y, int lod) {
   constexpr double radius = 1.35;
-  constexpr int sides = 20;
+  const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
   const Paint face{.color = rgb(0xF4EEDC), .glow = 160};
   for (int i = 0; i < sides; ++i) {
     const double t0 = static_cast<double>(i) / sides, t1 = static_cast<double>(i + 1) / sides;
@@ -47,8 +47,7 @@ void tower_side(MeshBuilder& builder, int lod, int side) {
   panel(builder, -h, 4.5, h, 23.0, -0.1, wall);
   panel(builder, -h, 23.0, h, 27.2, 0, stone);
   for (const double x : {-h, h - 0.9}) {
-    if (lod < 2) rusticated(builder, x, x + 0.9, 4.5, 23.0, 20, stone, lod, 200);
-    if (lod >= 2) panel(builder, x, 4.5, x + 0.9, 23.0, 0, stone);
+    rusticated(builder, x, x + 0.9, 4.5, 23.0, 14, stone, lod, 200);
   }
   band(builder, -h - 0.1, h + 0.1, 4.3, 0.5, 0.25, paints::pale_stone, lod);
   band(builder, -h - 0.1, h + 0.1, 22.8, 0.5, 0.3, paints::pale_stone, lod);
@@ -131,6 +130,6 @@ void tower(MeshBuilder& builder, int lod) {
 
 }  // namespace
 
-std::vector<Prop> tower_props() { return {{"tower", {0, 0.15, 0.5}, tower, 2.5}}; }
+std::vector<Prop> tower_props() { return {{"tower", {0, 0.05, 0.2}, tower, 2.5}}; }
 
 }  // namespace throng::places

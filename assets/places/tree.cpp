@@ -150,6 +150,20 @@ void trunk(MeshBuilder& builder, const Species& species, int lod) {
   }
 }
 
+/// All lobes as three balls of ten faces.
+void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bounds) {
+  constexpr std::size_t balls = 3;
+  const std::size_t count = species.lobes.size();
+  for (std::size_t i = 0; i < balls; ++i) {
+    dvec3 low(1e9), high(-1e9);
+    for (std::size_t k = i * count / balls; k < (i + 1) * count / balls; ++k) {
+      low = glm::min(low, species.lobes[k].centre - species.lobes[k].radius);
+      high = glm::max(high, species.lobes[k].centre + species.lobes[k].radius);
+    }
+    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2, species.seed * 50 + static_cast<std::uint32_t>(i));
+  }
+}
+
 void grow(MeshBuilder& builder, const Species& species, int lod) {
   const Bounds bounds = bounds_of(species);
   trunk(builder, species, lod);
@@ -169,13 +183,7 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
     const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.5 : 2.0);
     for (int i = 0; i < count; ++i) leaf_card(builder, clump_at(species, bounds, lobe, i, count, seed, size));
   }
-  if (lod < 3) return;
-  dvec3 low(1e9), high(-1e9);
-  for (const Lobe& lobe : species.lobes) {
-    low = glm::min(low, lobe.centre - lobe.radius);
-    high = glm::max(high, lobe.centre + lobe.radius);
-  }
-  ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 6, 3, 0.93, 0.1, seed);
+  if (lod == 3) far_crown(builder, species, bounds);
 }
 
 /// A broad crown, as of a plane tree.
@@ -229,7 +237,7 @@ void tree_c(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> tree_props() {
-  const std::vector<double> errors{0, 0.12, 0.3, 0.7};
+  const std::vector<double> errors{0, 0.04, 0.1, 0.3};
   return {{"tree_a", errors, tree_a, 0.6}, {"tree_b", errors, tree_b, 0.6}, {"tree_c", errors, tree_c, 0.6}};
 }
 

@@ -158,11 +158,12 @@ void arcade_bay(MeshBuilder& builder, int lod) {
 }
 
 /// A pavilion that ends an arcade, or stands where two meet: open on three sides below, taller than what it joins.
-void arcade_corner(MeshBuilder& builder, int lod) {
+void arcade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = arcade_half;
   for (int side = 0; side < 4; ++side) {
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
     if (side == 2) {
       panel(builder, -half, 0, half, eaves_y + 2.2, 0, shaded(paints::limestone, 0.85));
       cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, false);
@@ -181,6 +182,7 @@ void arcade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 13.6, 0.3, 0.2, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, true);
   }
+  const int lod = front_lod;
   if (lod < 2)
     box(builder, {-half, arcade_spring + 2.1, -2 * half}, {half, arcade_spring + 2.2, 0}, paints::matt(0xE9DFCB),
         side::bottom);

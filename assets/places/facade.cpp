@@ -159,13 +159,14 @@ void facade_c_whole(MeshBuilder& builder, int lod) {
 }
 
 /// The last house of a row: fronts on three sides under a roof of four slopes.
-void facade_corner(MeshBuilder& builder, int lod) {
+void facade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = 3.0;
   const Paint wall = paints::stucco;
   const double top = 15.4;
   for (int side = 0; side < 4; ++side) {
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
     if (side == 2) {
       panel(builder, -half, 0, half, top, 0, shaded(wall, 0.8));
       cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, false);
@@ -186,6 +187,7 @@ void facade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 11.4, 0.2, 0.1, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, true);
   }
+  const int lod = front_lod;
   const Moved middle(builder, {0, top + 0.7, -half});
   const double r = 1.41421356 * (half + 0.4);
   lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, false, 0.125);

@@ -77,9 +77,10 @@ void band(MeshBuilder& builder, double x0, double x1, double y, double height, d
   } else if (lod == 1) {
     moulding(builder, {{0, y}, {out, y + height * 0.5}, {out, y + height * 0.9}}, x0, x1, paint);
   } else {
-    moulding(builder,
-             {{0, y}, {out * 0.5, y + height * 0.45}, {out, y + height * 0.6}, {out, y + height * 0.85}, {0, y + height}},
-             x0, x1, paint);
+    moulding(
+        builder,
+        {{0, y}, {out * 0.5, y + height * 0.45}, {out, y + height * 0.6}, {out, y + height * 0.85}, {0, y + height}},
+        x0, x1, paint);
   }
 }
 
@@ -136,7 +137,7 @@ void awning(MeshBuilder& builder, double x0, double x1, double y, double out, co
     const Paint& paint = count == 1 ? mixed : i % 2 == 0 ? one : other;
     const double a = x0 + (x1 - x0) * i / count;
     const double b = x0 + (x1 - x0) * (i + 1) / count;
-    const double sag = edge + drop * 0.44;
+    const double sag = edge + drop * 0.56;
     builder.quad({a, sag, out * 0.5}, {b, sag, out * 0.5}, {b, y, 0.02}, {a, y, 0.02}, paint);
     builder.quad({a, edge, out}, {b, edge, out}, {b, sag, out * 0.5}, {a, sag, out * 0.5}, paint);
     builder.quad({a, edge - 0.22, out}, {b, edge - 0.22, out}, {b, edge, out}, {a, edge, out}, shaded(paint, 0.9));

@@ -124,7 +124,8 @@ void chimney(MeshBuilder& builder, dvec3 at, double height, const Paint& paint, 
   const Moved moved(builder, at);
   box(builder, {-0.5, -1, -0.3}, {0.5, height, 0.3}, paint);
   if (lod >= 2) return;
-  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08), side::all_sides & ~side::top);
+  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08),
+      side::all_sides & ~side::top);
   if (lod >= 1) return;
   for (const double x : {-0.28, 0.02, 0.3}) {
     const Moved pot(builder, {x, height, 0});

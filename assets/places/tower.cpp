@@ -79,12 +79,12 @@ void belfry_side(MeshBuilder& builder, int lod) {
     for (const double x : {-1.15, 1.15}) panel(builder, x - 0.65, 28.8, x + 0.65, 32.6, 0.04, paints::matt(0x33302B));
   } else {
     for (const double x : {-1.2, 1.2}) {
-      const Arch arch{x, 0.75, 31.4, 0.75, lod == 0 ? 8 : 4};
+      const Arch arch{x, 0.75, 31.4, 0.75, lod == 0 ? 6 : 4};
       wall_over_arch(builder, arch, 34, 0, stone);
       arch_reveal(builder, arch, 28.6, 0, -0.5, shaded(stone, 0.9));
       panel(builder, x - 0.75, 28, x + 0.75, 28.6, 0, stone);
-      for (int i = 0; i < (lod == 0 ? 7 : 3); ++i) {
-        const double step = lod == 0 ? 0.45 : 1.05;
+      for (int i = 0; i < (lod == 0 ? 5 : 3); ++i) {
+        const double step = lod == 0 ? 0.63 : 1.05;
         const double y = 28.7 + step * i;
         builder.quad({x - 0.75, y, -0.2}, {x + 0.75, y, -0.2}, {x + 0.75, y + step * 0.6, -0.5},
                      {x - 0.75, y + step * 0.6, -0.5}, paints::matt(0x5A4A3A));
@@ -116,7 +116,7 @@ void tower(MeshBuilder& builder, int lod) {
       const Moved turned(builder, {0, 0, 0}, 0.25 * i);
       for (int j = 0; j < 6; ++j)
         box(builder, {-3.3 + 1.2 * j - 0.1, 27.9, 3.3}, {-3.1 + 1.2 * j + 0.1, 28.7, 3.5}, paints::limestone,
-            side::all_sides);
+            lod == 0 ? side::front | side::back | side::left | side::right : unsigned{side::front});
       box(builder, {-3.5, 28.7, 3.25}, {3.5, 28.9, 3.55}, paints::limestone, side::all_sides);
     }
   }

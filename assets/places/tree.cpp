@@ -160,7 +160,8 @@ void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bound
       low = glm::min(low, species.lobes[k].centre - species.lobes[k].radius);
       high = glm::max(high, species.lobes[k].centre + species.lobes[k].radius);
     }
-    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2, species.seed * 50 + static_cast<std::uint32_t>(i));
+    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2,
+         species.seed * 50 + static_cast<std::uint32_t>(i));
   }
 }
 
@@ -175,11 +176,11 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
     }
     const double area = lobe.radius.x * lobe.radius.y;
     if (lod == 2) {
-      ball(builder, species, bounds, lobe, 5, 3, 0.95, 0.25, seed);
+      ball(builder, species, bounds, lobe, 5, 3, 0.95, 0.4, seed);
     } else {
-      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.86, 0.45, seed);
+      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.85, seed);
     }
-    const int count = static_cast<int>((lod == 0 ? 58 : lod == 1 ? 22 : 5) * area);
+    const int count = static_cast<int>((lod == 0 ? 74 : lod == 1 ? 26 : 5) * area);
     const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.5 : 2.0);
     for (int i = 0; i < count; ++i) leaf_card(builder, clump_at(species, bounds, lobe, i, count, seed, size));
   }
@@ -237,7 +238,7 @@ void tree_c(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> tree_props() {
-  const std::vector<double> errors{0, 0.04, 0.1, 0.3};
+  const std::vector<double> errors{0, 0.03, 0.1, 0.3};
   return {{"tree_a", errors, tree_a, 0.6}, {"tree_b", errors, tree_b, 0.6}, {"tree_c", errors, tree_c, 0.6}};
 }
 

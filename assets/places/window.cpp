@@ -96,7 +96,8 @@ void flat_surround(MeshBuilder& builder, const Opening& at, const WindowStyle& s
   panel(builder, x0, at.y1, x1, at.y1 + 0.2, z, style.trim);
   box(builder, {x0 - 0.08, at.y1 + 0.2, 0}, {x1 + 0.08, at.y1 + 0.27, 0.14}, style.trim, side::front | side::bottom);
   if (style.head != WindowStyle::Head::pediment) return;
-  builder.triangle({x0 - 0.08, at.y1 + 0.27, 0.13}, {x1 + 0.08, at.y1 + 0.27, 0.13}, {0.5 * (x0 + x1), at.y1 + 0.64, 0.13}, style.trim);
+  builder.triangle({x0 - 0.08, at.y1 + 0.27, 0.13}, {x1 + 0.08, at.y1 + 0.27, 0.13},
+                   {0.5 * (x0 + x1), at.y1 + 0.64, 0.13}, style.trim);
 }
 
 void shutters(MeshBuilder& builder, const Opening& at, const WindowStyle& style, int lod) {

@@ -6,7 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
-#include "app/place/stand_in.h"
+#include "app/place/props.h"
 #include "app/show/contexts.h"
 
 namespace throng::app {
@@ -86,7 +86,13 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
-  return scenery_.load(stand_in_props(), *renderer_);
+  return load_scenery(options.data);
+}
+
+anim::Status Painter::load_scenery(const std::string& data_option) {
+  auto props = load_props(data_option);
+  if (!props) return props.error();
+  return scenery_.load(*props, *renderer_);
 }
 
 DrawnBy Painter::drawn_by() const {
@@ -148,10 +154,10 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .morph_weights = picture.morph_weights(),
           .distance_scale = distance_scale_,
           .light = stage.tuning().light,
-          .shadows = stage.tuning().shadows,
-          .crowd_shade = stage.tuning().crowd_shade,
           .ground = scenery_.ground(),
-          .scenery = stage.tuning().scenery};
+          .scenery = stage.tuning().scenery,
+          .shadows = stage.tuning().shadows,
+          .crowd_shade = stage.tuning().crowd_shade};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {

@@ -72,6 +72,7 @@ class Painter {
   Painter() = default;
   anim::Status open_context(const DemoOptions& options);
   anim::Status open_renderer(const DemoOptions& options);
+  anim::Status load_scenery(const std::string& data_option);
   render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const;
   void upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);

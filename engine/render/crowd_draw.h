@@ -52,10 +52,10 @@ struct CrowdFrame {
   std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   SceneLight light = {};
-  bool shadows = true;      ///< everything casts shadows on everything
-  bool crowd_shade = true;  ///< bodies keep the light of the sky from each other and from the ground
   SceneGround ground = {};
   bool scenery = false;         ///< what Renderer::place_scenery() placed is drawn
+  bool shadows = true;          ///< everything casts shadows on everything
+  bool crowd_shade = true;      ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 

@@ -167,9 +167,8 @@ void show_picture(const TabContext& context) {
   context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
                .cost = "Two draws a bone and agent in view."});
-  context.row("scenery",
-              {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
-               .cost = "One draw call, and the triangles in view."});
+  context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
+                          .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
   commands.copy_camera |=
       buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});
@@ -263,8 +262,8 @@ void show_crowd_tab(const TabContext& context) {
   show_cast(context);
   show_time(context);
   show_picture(context);
-  show_light(context);
   show_camera_section(context);
+  show_light(context);
   context.when_not_searching(show_in_view);
   show_model(context);
   show_roles(context);

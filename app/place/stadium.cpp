@@ -21,7 +21,7 @@ constexpr double least_house = 5.0;  // height of the tiers from which houses st
 constexpr double arcade_height = 15.5;
 constexpr double flag_pitch = 5.0;
 constexpr double stadium_paved = 14.0;  // around it, until the lawn begins
-constexpr double to_park = 9.0;         // from the wall to the first trees
+constexpr double to_park = 11.0;        // from the wall to the first trees
 
 constexpr std::uint32_t home = tint_of(40, 92, 170), away = tint_of(196, 46, 44), neutral = tint_of(226, 222, 214);
 
@@ -102,6 +102,7 @@ void put_back(const StadiumTier& last, double half_length, Placer& placer) {
   int number = 0;
   for (const Chord& top_edge : chords(last.lane, out - 0.5 * wall_thick * unit, flag_pitch * unit)) {
     const bool banner = number++ % 3 == 1;
+    if (forward_of(top_edge.outward).y > 0.3) continue;  // the camera looks over that side
     placer.put(
         banner ? Prop::banner : Prop::flag, top_edge.middle, inward(top_edge.outward),
         {.height = top, .stretch = glm::dvec3(banner ? 0.75 : 0.6), .tint = team_of(top_edge.middle, half_length)});

@@ -14,7 +14,13 @@ namespace throng::making {
 using Json = nlohmann::ordered_json;
 
 /// glTF 2.0 section 3.6.2.2.
-enum class ComponentType { byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123, float32 = 5126 };
+enum class ComponentType {
+  byte = 5120,
+  unsigned_byte = 5121,
+  signed_short = 5122,
+  unsigned_short = 5123,
+  float32 = 5126
+};
 /// glTF 2.0 section 3.6.1.1.
 enum class Target { none = 0, vertex_data = 34962, index_data = 34963 };
 

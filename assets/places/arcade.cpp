@@ -17,9 +17,9 @@ constexpr double arcade_spring = 3.3;
 constexpr double first_floor = 6.1;
 constexpr double eaves_y = 16.2;
 constexpr double arcade_house = 9.0;
-const std::vector<double> arcade_errors{0, 0.06, 0.25, 0.6};
+const std::vector<double> arcade_errors{0, 0.02, 0.07, 0.2};
 
-Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 12 : lod == 1 ? 8 : 4}; }
+Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 10 : lod == 1 ? 6 : 4}; }
 
 /// A pier with plinth and capital, from x0 to x1.
 void pier(MeshBuilder& builder, double x0, double x1, int lod) {
@@ -33,16 +33,21 @@ void pier(MeshBuilder& builder, double x0, double x1, int lod) {
   const double in0 = inner_right ? x0 : x0 - 0.1;
   const double in1 = inner_right ? x1 + 0.1 : x1;
   const unsigned inner = inner_right ? side::right : side::left;
-  box(builder, {in0, 0, -wall_depth - 0.08}, {in1, 0.45, 0.1}, shaded(stone, 0.85), side::front | inner | side::top | side::back);
-  box(builder, {in0, arcade_spring - 0.28, -wall_depth - 0.08}, {in1, arcade_spring - 0.02, 0.1}, paints::pale_stone, side::front | inner | side::top | side::bottom | side::back);
+  box(builder, {in0, 0, -wall_depth - 0.08}, {in1, 0.45, 0.1}, shaded(stone, 0.85),
+      side::front | inner | side::top | side::back);
+  box(builder, {in0, arcade_spring - 0.28, -wall_depth - 0.08}, {in1, arcade_spring - 0.02, 0.1}, paints::pale_stone,
+      side::front | inner | side::top | side::bottom | side::back);
   if (lod > 0) return;
   // A half column before the pier carries the course above.
   const double middle = inner_right ? x0 : x1;
   const double width = 0.22;
   const double c0 = inner_right ? middle : middle - width;
   box(builder, {c0, 0.45, 0}, {c0 + width, first_floor - 0.3, 0.16}, paints::pale_stone, side::front | inner);
-  box(builder, {inner_right ? c0 : c0 - 0.08, 0, 0}, {inner_right ? c0 + width + 0.08 : c0 + width, 0.6, 0.24}, shaded(paints::pale_stone, 0.85), side::front | inner | side::top);
-  box(builder, {inner_right ? c0 : c0 - 0.08, first_floor - 0.62, 0}, {inner_right ? c0 + width + 0.08 : c0 + width, first_floor - 0.3, 0.24}, paints::pale_stone, side::front | inner | side::bottom);
+  box(builder, {inner_right ? c0 : c0 - 0.08, 0, 0}, {inner_right ? c0 + width + 0.08 : c0 + width, 0.6, 0.24},
+      shaded(paints::pale_stone, 0.85), side::front | inner | side::top);
+  box(builder, {inner_right ? c0 : c0 - 0.08, first_floor - 0.62, 0},
+      {inner_right ? c0 + width + 0.08 : c0 + width, first_floor - 0.3, 0.24}, paints::pale_stone,
+      side::front | inner | side::bottom);
 }
 
 /// The vault over the walk: two barrels that cross.
@@ -109,7 +114,12 @@ void open_front(MeshBuilder& builder, int lod) {
 }
 
 WindowStyle palace_window(double height, WindowStyle::Head head) {
-  return {.head = head, .width = 1.2, .height = height, .reveal = 0.26, .rows = 3, .trim = paints::pale_stone,
+  return {.head = head,
+          .width = 1.2,
+          .height = height,
+          .reveal = 0.26,
+          .rows = 3,
+          .trim = paints::pale_stone,
           .frame = paints::matt(0x5B4634)};
 }
 
@@ -129,29 +139,41 @@ void arcade_bay(MeshBuilder& builder, int lod) {
   upper_front(builder, lod, 81);
   if (lod < 3) walk_back(builder, lod);
   if (lod == 3) panel(builder, -arcade_half, 0, arcade_half, arcade_spring + 2.1, -2.5, paints::matt(0x5B5142));
-  if (lod < 3) vault(builder, lod == 0 ? 8 : lod == 1 ? 4 : 2);
+  if (lod < 3) vault(builder, lod == 0 ? 6 : lod == 1 ? 4 : 2);
   const Paint side = shaded(paints::tinted(0xE6D2AC), 0.85);
-  closed_box(builder, 6, first_floor, eaves_y + 0.6, arcade_house, side, shaded(side, 0.95));
+  closed_box(builder, 6, first_floor, eaves_y + 0.75, arcade_house, side, shaded(side, 0.95));
   {
     const Moved behind(builder, {0, 0, -walk_depth});
     closed_box(builder, 6, 0, first_floor, arcade_house - walk_depth, side, shaded(side, 0.95));
   }
-  gable_roof(builder, {.front_z = 0.5, .back_z = -arcade_house, .eaves = eaves_y + 0.75, .ridge = eaves_y + 3.4, .tile = paints::roof_tile, .seed = 17}, lod, side);
+  gable_roof(builder,
+             {.front_z = 0.5,
+              .back_z = -arcade_house,
+              .eaves = eaves_y + 0.75,
+              .ridge = eaves_y + 3.4,
+              .tile = paints::roof_tile,
+              .seed = 17},
+             lod, side);
   chimney(builder, {1.9, eaves_y + 2.2, -2.6}, 1.9, side, lod);
 }
 
 /// A pavilion that ends an arcade, or stands where two meet: open on three sides below, taller than what it joins.
-void arcade_corner(MeshBuilder& builder, int lod) {
+void arcade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = arcade_half;
   for (int side = 0; side < 4; ++side) {
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
     if (side == 2) {
-      panel(builder, -half, 0, half, first_floor, 0, paints::limestone);
-    } else {
-      open_front(builder, lod);
+      panel(builder, -half, 0, half, eaves_y + 2.2, 0, shaded(paints::limestone, 0.85));
+      cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, false);
+      continue;
     }
-    Front front{.windows = {-1.5, 1.5}, .top = eaves_y + 2.2, .wall = paints::limestone, .seed = 91U + static_cast<std::uint32_t>(side)};
+    open_front(builder, lod);
+    Front front{.windows = {-1.5, 1.5},
+                .top = eaves_y + 2.2,
+                .wall = paints::limestone,
+                .seed = 91U + static_cast<std::uint32_t>(side)};
     front.storeys = {{first_floor, 3.9, 0.7, palace_window(2.4, WindowStyle::Head::pediment)},
                      {10.0, 3.8, 0.8, palace_window(2.2, WindowStyle::Head::pediment)},
                      {13.8, 4.6, 1.0, palace_window(2.4, WindowStyle::Head::round)}};
@@ -160,7 +182,10 @@ void arcade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 13.6, 0.3, 0.2, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, true);
   }
-  if (lod < 2) box(builder, {-half, arcade_spring + 2.1, -2 * half}, {half, arcade_spring + 2.2, 0}, paints::matt(0xE9DFCB), side::bottom);
+  const int lod = front_lod;
+  if (lod < 2)
+    box(builder, {-half, arcade_spring + 2.1, -2 * half}, {half, arcade_spring + 2.2, 0}, paints::matt(0xE9DFCB),
+        side::bottom);
   const Moved roof(builder, {0, eaves_y + 2.9, -half});
   const double r = 1.41421356 * (half + 0.5);
   lathe(builder, {{r, 0}, {r * 0.55, 1.6}, {0, 3.6}}, 4, paints::roof_tile, false, 0.125);

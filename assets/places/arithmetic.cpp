@@ -29,10 +29,14 @@ double sine(double turns) {
   const int nearest = static_cast<int>(std::floor(quarters + 0.5));
   const double rest = (quarters - nearest) * (pi / 2);
   switch (nearest % 4) {
-    case 0: return short_sine(rest);
-    case 1: return short_cosine(rest);
-    case 2: return -short_sine(rest);
-    default: return -short_cosine(rest);
+    case 0:
+      return short_sine(rest);
+    case 1:
+      return short_cosine(rest);
+    case 2:
+      return -short_sine(rest);
+    default:
+      return -short_cosine(rest);
   }
 }
 

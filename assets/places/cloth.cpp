@@ -10,18 +10,17 @@
 namespace throng::places {
 namespace {
 
-/// A cloth on a grid, seen from both sides. `at(u, v)` gives its places and `sway(u, v)` how far wind moves them.
+/// A cloth on a grid. `at(u, v)` gives its places and `sway(u, v)` how far wind moves them.
 template <typename At, typename Look>
 void hung_cloth(MeshBuilder& builder, int columns, int rows, At at, Look look) {
   const int one = builder.fresh_smooth();
-  const int other = builder.fresh_smooth();
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
       const double u0 = static_cast<double>(i) / columns, u1 = static_cast<double>(i + 1) / columns;
       const double v0 = static_cast<double>(j) / rows, v1 = static_cast<double>(j + 1) / rows;
-      const Corner a{at(u0, v0), look(u0, v0)}, b{at(u1, v0), look(u1, v0)}, c{at(u1, v1), look(u1, v1)}, d{at(u0, v1), look(u0, v1)};
+      const Corner a{at(u0, v0), look(u0, v0)}, b{at(u1, v0), look(u1, v0)}, c{at(u1, v1), look(u1, v1)},
+          d{at(u0, v1), look(u0, v1)};
       builder.add({{a, b, c, d}, 4, one});
-      builder.add({{d, c, b, a}, 4, other});
     }
   }
 }
@@ -46,9 +45,7 @@ void flag(MeshBuilder& builder, int lod) {
   const auto at = [](double u, double v) {
     return dvec3(0.04 + 2.35 * u, 5.3 + 1.5 * v - 0.28 * u * u, 0.2 * u * sine(1.15 * u + 0.1 * v));
   };
-  const auto look = [](double u, double) {
-    return shaded(waving(0xF2F0EA, u * 0.8), 0.88 + 0.12 * cosine(1.15 * u));
-  };
+  const auto look = [](double u, double) { return shaded(waving(0xF2F0EA, u * 0.8), 0.88 + 0.12 * cosine(1.15 * u)); };
   hung_cloth(builder, columns, lod == 0 ? 3 : lod == 1 ? 2 : 1, at, look);
 }
 
@@ -71,7 +68,6 @@ void bunting(MeshBuilder& builder, int lod) {
     tip.sway = 70;
     const Corner a{{x0, line(x0), 0}, paint}, b{{x1, line(x1), 0}, paint}, c{{middle, line(middle) - 0.46, 0.04}, tip};
     builder.add({{a, c, b, Corner{}}, 3});
-    builder.add({{a, b, c, Corner{}}, 3});
   }
 }
 
@@ -89,7 +85,9 @@ void banner(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> cloth_props() {
-  return {{"flag", {0, 0.03, 0.1}, flag, 0.4}, {"bunting", {0, 0.02, 0.03}, bunting, 0.4}, {"banner", {0, 0.03, 0.08}, banner, 0.4}};
+  return {{"flag", {0, 0.03, 0.1}, flag, 0.4},
+          {"bunting", {0, 0.02, 0.03}, bunting, 0.4},
+          {"banner", {0, 0.03, 0.08}, banner, 0.4}};
 }
 
 }  // namespace throng::places

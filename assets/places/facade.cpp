@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
-const std::vector<double> facade_errors{0, 0.06, 0.25, 0.6};
+const std::vector<double> facade_errors{0, 0.02, 0.07, 0.2};
 
 /// A ground floor of two stone piers and a lintel around a shop front.
 void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
@@ -44,19 +44,35 @@ void facade_a(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, 4.1, 0.3, 0.16, paints::pale_stone, lod);
   if (lod < 3) band(builder, -bay, bay, 7.9, 0.2, 0.1, paints::pale_stone, lod);
   if (lod == 0) {
-    for (const double x : {-bay, bay - 0.4}) rusticated(builder, x, x + 0.4, 4.5, 14.3, 14, paints::pale_stone, lod, 5);
+    for (int i = 0; i < 8; ++i) {
+      const double y = 4.5 + 1.2 * i;
+      const double wide = i % 2 == 0 ? 0.46 : 0.3;
+      box(builder, {-bay, y, 0}, {-bay + wide, y + 1.1, 0.05}, paints::pale_stone, side::front | side::right);
+      box(builder, {bay - wide, y, 0}, {bay, y + 1.1, 0.05}, paints::pale_stone, side::front | side::left);
+    }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);
   closed_box(builder, 6, 0, 14.9, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
-  mansard_roof(builder, {.front_z = 0.1, .back_z = -house_depth, .eaves = 14.95, .ridge = 18.2, .tile = paints::slate, .seed = 3}, lod, shaded(paints::stucco, 0.85));
-  for (const double x : {-1.45, 1.45}) dormer(builder, {x, 15.2, -0.05}, 1.3, 1.5, 1.2, paints::pale_stone, paints::slate, lod, x > 0 ? 4U : 5U);
+  mansard_roof(
+      builder,
+      {.front_z = 0.1, .back_z = -house_depth, .eaves = 14.95, .ridge = 18.2, .tile = paints::slate, .seed = 3}, lod,
+      shaded(paints::stucco, 0.85));
+  for (const double x : {-1.45, 1.45})
+    dormer(builder, {x, 15.2, -0.05}, 1.3, 1.5, 1.2, paints::pale_stone, paints::slate, lod, x > 0 ? 4U : 5U);
   chimney(builder, {-2.4, 17.6, -5.2}, 2.0, paints::brick, lod);
   if (lod < 3) awning(builder, -2.3, 2.3, 3.55, 1.35, paints::matt(0xB23A34), paints::matt(0xF2E6D0), 10, lod);
 }
 
 WindowStyle shuttered(double height, std::uint32_t color) {
-  return {.head = WindowStyle::Head::plain, .width = 1.05, .height = height, .rows = 2, .trim = paints::pale_stone,
-          .frame = paints::white_paint, .surround = false, .shutters = true, .shutter = paints::matt(color)};
+  return {.head = WindowStyle::Head::plain,
+          .width = 1.05,
+          .height = height,
+          .rows = 2,
+          .trim = paints::pale_stone,
+          .frame = paints::white_paint,
+          .surround = false,
+          .shutters = true,
+          .shutter = paints::matt(color)};
 }
 
 void facade_b(MeshBuilder& builder, int lod) {
@@ -71,11 +87,15 @@ void facade_b(MeshBuilder& builder, int lod) {
   front_wall(builder, front, lod);
   band(builder, -bay, bay, 3.75, 0.25, 0.12, paints::pale_stone, lod);
   closed_box(builder, 6, 0, 15.9, house_depth, shaded(front.wall, 0.85), shaded(front.wall, 0.8));
-  gable_roof(builder, {.front_z = 0.75, .back_z = -house_depth, .eaves = 15.7, .ridge = 18.0, .tile = paints::roof_tile, .seed = 8}, lod, shaded(front.wall, 0.85));
+  gable_roof(
+      builder,
+      {.front_z = 0.75, .back_z = -house_depth, .eaves = 15.7, .ridge = 18.0, .tile = paints::roof_tile, .seed = 8},
+      lod, shaded(front.wall, 0.85));
   if (lod == 0) {
     for (int i = 0; i < 10; ++i) {
       const double x = -bay + 0.3 + i * 0.6;
-      box(builder, {x - 0.06, 15.4, 0}, {x + 0.06, 15.6, 0.65}, shaded(paints::timber, 0.7), side::front | side::left | side::right | side::bottom);
+      box(builder, {x - 0.06, 15.4, 0}, {x + 0.06, 15.6, 0.65}, shaded(paints::timber, 0.7),
+          side::front | side::left | side::right | side::bottom);
     }
   }
   chimney(builder, {1.6, 17.0, -2.4}, 1.9, shaded(front.wall, 0.9), lod);
@@ -83,7 +103,11 @@ void facade_b(MeshBuilder& builder, int lod) {
 }
 
 WindowStyle brick_window(double height) {
-  return {.head = WindowStyle::Head::round, .width = 1.15, .height = height, .rows = 3, .trim = paints::limestone,
+  return {.head = WindowStyle::Head::round,
+          .width = 1.15,
+          .height = height,
+          .rows = 3,
+          .trim = paints::limestone,
           .frame = paints::matt(0x37423C)};
 }
 
@@ -116,7 +140,16 @@ void facade_c(MeshBuilder& builder, int lod) {
   const Moved down(builder, {0, -top, -0.003});
   closed_box(builder, 6, 0, top, house_depth, shaded(paints::brick, 0.85), shaded(paints::brick, 0.8));
   const Moved turned(builder, {0, 0, -house_depth / 2 - 0.2}, 0.25);
-  gable_roof(builder, {.x0 = -house_depth / 2 + 0.2, .x1 = house_depth / 2 - 0.2, .front_z = 3.0, .back_z = -3.0, .eaves = top, .ridge = top + 3.4, .tile = shaded(paints::roof_tile, 0.75), .seed = 14}, lod, shaded(paints::brick, 0.85));
+  gable_roof(builder,
+             {.x0 = -house_depth / 2 + 0.2,
+              .x1 = house_depth / 2 - 0.2,
+              .front_z = 3.0,
+              .back_z = -3.0,
+              .eaves = top,
+              .ridge = top + 3.4,
+              .tile = shaded(paints::roof_tile, 0.75),
+              .seed = 14},
+             lod, shaded(paints::brick, 0.85));
 }
 
 void facade_c_whole(MeshBuilder& builder, int lod) {
@@ -126,14 +159,19 @@ void facade_c_whole(MeshBuilder& builder, int lod) {
 }
 
 /// The last house of a row: fronts on three sides under a roof of four slopes.
-void facade_corner(MeshBuilder& builder, int lod) {
+void facade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = 3.0;
   const Paint wall = paints::stucco;
   const double top = 15.4;
   for (int side = 0; side < 4; ++side) {
-    if (side == 2 && lod > 0) continue;
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
+    if (side == 2) {
+      panel(builder, -half, 0, half, top, 0, shaded(wall, 0.8));
+      cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, false);
+      continue;
+    }
     if (side == 0) {
       ground_floor(builder, 4.2, paints::limestone, paints::matt(0x6B2F2A), true, lod, 51);
     } else {
@@ -149,6 +187,7 @@ void facade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 11.4, 0.2, 0.1, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, true);
   }
+  const int lod = front_lod;
   const Moved middle(builder, {0, top + 0.7, -half});
   const double r = 1.41421356 * (half + 0.4);
   lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, false, 0.125);

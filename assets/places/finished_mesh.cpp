@@ -73,7 +73,9 @@ void set_normals(std::vector<Face>& faces) {
   }
 }
 
-std::int8_t signed_byte(double value) { return static_cast<std::int8_t>(std::floor(std::clamp(value, -1.0, 1.0) * 127 + 0.5)); }
+std::int8_t signed_byte(double value) {
+  return static_cast<std::int8_t>(std::floor(std::clamp(value, -1.0, 1.0) * 127 + 0.5));
+}
 std::uint8_t byte(double value) {
   return static_cast<std::uint8_t>(std::floor(std::clamp(value, 0.0, 1.0) * 255 + 0.5));
 }
@@ -87,11 +89,13 @@ class VertexTable {
   std::uint16_t number(const Corner& corner, double openness) {
     MadeVertex made{};
     const dvec3 places = corner.position / mesh_.step;
-    made.position = {static_cast<std::int16_t>(places.x), static_cast<std::int16_t>(places.y), static_cast<std::int16_t>(places.z)};
+    made.position = {static_cast<std::int16_t>(places.x), static_cast<std::int16_t>(places.y),
+                     static_cast<std::int16_t>(places.z)};
     made.normal = {signed_byte(corner.normal.x), signed_byte(corner.normal.y), signed_byte(corner.normal.z)};
     const dvec3 color = corner.paint.color * openness;
     made.colour = {byte(color.x), byte(color.y), byte(color.z), 255};
-    made.surface = {clamped(corner.paint.glow), clamped(corner.paint.tinted), clamped(corner.paint.sway), static_cast<std::uint8_t>(corner.paint.kind)};
+    made.surface = {clamped(corner.paint.glow), clamped(corner.paint.tinted), clamped(corner.paint.sway),
+                    static_cast<std::uint8_t>(corner.paint.kind)};
     const auto [found, fresh] = known_.try_emplace(made, static_cast<std::uint16_t>(mesh_.vertices.size()));
     if (fresh) mesh_.vertices.push_back(made);
     return found->second;

@@ -34,7 +34,8 @@ Views add_views(BufferWriter& buffer, std::span<const MadeMesh> meshes) {
   std::vector<std::uint16_t> indices;
   for (const MadeMesh& mesh : meshes) {
     for (const MadeVertex& v : mesh.vertices) vertices.push_back({v.position, 0, v.normal, 0, v.colour, v.surface});
-    for (const MadeLevel& level : mesh.levels) indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+    for (const MadeLevel& level : mesh.levels)
+      indices.insert(indices.end(), level.indices.begin(), level.indices.end());
   }
   return {buffer.add_view(std::as_bytes(std::span(vertices)), Target::vertex_data, sizeof(FileVertex)),
           buffer.add_view(std::as_bytes(std::span(indices)), Target::index_data)};
@@ -56,7 +57,8 @@ Json add_attributes(BufferWriter& buffer, const MadeMesh& mesh, std::size_t view
 
 double width_of(const MadeMesh& mesh) {
   int reach = 0;
-  for (const MadeVertex& vertex : mesh.vertices) reach = std::max(reach, std::abs(static_cast<int>(vertex.position[0])));
+  for (const MadeVertex& vertex : mesh.vertices)
+    reach = std::max(reach, std::abs(static_cast<int>(vertex.position[0])));
   return 2 * reach * mesh.step;
 }
 
@@ -70,18 +72,25 @@ class Scene {
     for (std::size_t level = 0; level < mesh.levels.size(); ++level) {
       const std::string name = level == 0 ? mesh.name : mesh.name + "." + std::to_string(level);
       const std::size_t count = mesh.levels[level].indices.size();
-      const std::size_t indices = buffer.add_accessor(indices_view, index_offset, count, "SCALAR", ComponentType::unsigned_short);
+      const std::size_t indices =
+          buffer.add_accessor(indices_view, index_offset, count, "SCALAR", ComponentType::unsigned_short);
       index_offset += count * sizeof(std::uint16_t);
       (level == 0 ? finest_ : coarser_).push_back(nodes_.size());
-      nodes_.push_back({{"name", name}, {"mesh", meshes_.size()}, {"translation", {std::round(place_), 0, 0}}, {"scale", {mesh.step, mesh.step, mesh.step}}});
+      nodes_.push_back({{"name", name},
+                        {"mesh", meshes_.size()},
+                        {"translation", {std::round(place_), 0, 0}},
+                        {"scale", {mesh.step, mesh.step, mesh.step}}});
       const Json primitive{{"attributes", attributes}, {"indices", indices}, {"material", 0}};
-      meshes_.push_back({{"name", name}, {"primitives", Json::array({primitive})}, {"extras", {{"error", mesh.levels[level].error}}}});
+      meshes_.push_back({{"name", name},
+                         {"primitives", Json::array({primitive})},
+                         {"extras", {{"error", mesh.levels[level].error}}}});
     }
     place_ += width / 2 + 2;
   }
 
   void put_into(Json& file) const {
-    file["scenes"] = Json::array({{{"name", "props"}, {"nodes", finest_}}, {{"name", "coarser levels"}, {"nodes", coarser_}}});
+    file["scenes"] =
+        Json::array({{{"name", "props"}, {"nodes", finest_}}, {{"name", "coarser levels"}, {"nodes", coarser_}}});
     file["nodes"] = nodes_;
     file["meshes"] = meshes_;
   }
@@ -109,7 +118,9 @@ std::vector<std::byte> write_glb(std::span<const MadeMesh> meshes) {
             {"extensionsRequired", {"KHR_mesh_quantization"}},
             {"scene", 0}};
   scene.put_into(file);
-  file["materials"] = Json::array({{{"name", "props"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.9}}}, {"doubleSided", true}}});
+  file["materials"] = Json::array({{{"name", "props"},
+                                    {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
+                                    {"doubleSided", true}}});
   buffer.finish(file);
   return making::glb_container(file, buffer.bytes());
 }

@@ -44,7 +44,8 @@ void hill(MeshBuilder& builder, int lod) {
   };
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
-      const Corner a{at(i, j), paint_at(i, j)}, b{at(i + 1, j), paint_at(i + 1, j)}, c{at(i + 1, j + 1), paint_at(i + 1, j + 1)}, d{at(i, j + 1), paint_at(i, j + 1)};
+      const Corner a{at(i, j), paint_at(i, j)}, b{at(i + 1, j), paint_at(i + 1, j)},
+          c{at(i + 1, j + 1), paint_at(i + 1, j + 1)}, d{at(i, j + 1), paint_at(i, j + 1)};
       builder.add({{a, b, c, d}, 4, group});
     }
   }

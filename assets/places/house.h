@@ -8,7 +8,7 @@ namespace throng::places {
 
 /// A storey of a front.
 struct Storey {
-  double foot = 0;    ///< y of its floor
+  double foot = 0;  ///< y of its floor
   double height = 3;
   double sill = 0.9;  ///< above the floor
   WindowStyle window = {};
@@ -19,15 +19,14 @@ struct Front {
   double width = 6;
   std::vector<double> windows = {};  ///< x of their middles
   std::vector<Storey> storeys = {};  ///< upwards, their windows equally wide
-  double top = 12;              ///< y where the wall ends
+  double top = 12;                   ///< y where the wall ends
   Paint wall = {};
   std::uint32_t seed = 1;
 };
 void front_wall(MeshBuilder& builder, const Front& front, int lod);
 
 /// A projecting course between storeys.
-void band(MeshBuilder& builder, double x0, double x1, double y, double height, double out, const Paint& paint,
-          int lod);
+void band(MeshBuilder& builder, double x0, double x1, double y, double height, double out, const Paint& paint, int lod);
 /// The cornice below a roof; its foot is at `y`. Returns how far it stands out.
 double cornice(MeshBuilder& builder, double x0, double x1, double y, const Paint& paint, int lod, bool brackets);
 

@@ -18,7 +18,8 @@ void kiosk_side(MeshBuilder& builder, int lod, bool open, std::uint32_t seed) {
   const Paint panel_paint = shaded(wood, 1.35);
   panel(builder, -half, 0, half, 1.0, 0, wood);
   panel(builder, -half, 2.35, half, 2.7, 0, wood);
-  for (const double x : {-half, half - 0.08}) box(builder, {x, 0, -0.05}, {x + 0.08, 2.7, 0.04}, shaded(wood, 0.85), side::front | side::left | side::right);
+  for (const double x : {-half, half - 0.08})
+    box(builder, {x, 0, -0.05}, {x + 0.08, 2.7, 0.04}, shaded(wood, 0.85), side::front | side::left | side::right);
   if (open) {
     panel(builder, -half, 1.0, half, 2.35, -0.9, Paint{.color = rgb(0x8A6B45), .glow = 200});
     builder.quad({-half, 1.0, 0}, {half, 1.0, 0}, {half, 1.0, -0.9}, {-half, 1.0, -0.9}, paints::timber);
@@ -29,7 +30,9 @@ void kiosk_side(MeshBuilder& builder, int lod, bool open, std::uint32_t seed) {
         constexpr std::array<std::uint32_t, 5> goods{0xC94A3A, 0xE6C34A, 0x3E7CB1, 0xF0EDE4, 0x5A9A5A};
         const double h = 0.14 + 0.2 * chance(seed, static_cast<std::uint32_t>(i));
         box(builder, {x, 1.0, -0.2}, {x + 0.11, 1.0 + h, -0.05}, paints::matt(goods[static_cast<std::size_t>(i) % 5]));
-        box(builder, {x, 1.55, -0.85}, {x + 0.11, 1.55 + 0.7 * h + 0.1, -0.75}, paints::matt(goods[static_cast<std::size_t>(i + 2) % 5]), side::front | side::top | side::left | side::right);
+        box(builder, {x, 1.55, -0.85}, {x + 0.11, 1.55 + 0.7 * h + 0.1, -0.75},
+            paints::matt(goods[static_cast<std::size_t>(i + 2) % 5]),
+            side::front | side::top | side::left | side::right);
       }
       box(builder, {-half, 1.5, -0.9}, {half, 1.54, -0.7}, paints::timber, side::front | side::top | side::bottom);
     }
@@ -66,14 +69,19 @@ void kiosk(MeshBuilder& builder, int lod) {
   };
   for (int i = 0; i < sectors; ++i) {
     const Paint& paint = stripes[i % 2];
-    builder.quad(at(eaves, 2.62, i), at(eaves, 2.62, i + 1), at(corner * 0.62, 3.12, i + 1), at(corner * 0.62, 3.12, i), paint);
+    builder.quad(at(eaves, 2.62, i), at(eaves, 2.62, i + 1), at(corner * 0.62, 3.12, i + 1), at(corner * 0.62, 3.12, i),
+                 paint);
     builder.triangle(at(corner * 0.62, 3.12, i), at(corner * 0.62, 3.12, i + 1), {0, 3.75, 0}, paint);
     if (lod > 1) continue;
-    builder.quad(at(eaves, 2.4, i), at(eaves, 2.4, i + 1), at(eaves, 2.62, i + 1), at(eaves, 2.62, i), shaded(paint, 0.92));
-    builder.quad(at(eaves - 0.03, 2.4, i + 1), at(eaves - 0.03, 2.4, i), at(eaves - 0.03, 2.62, i), at(eaves - 0.03, 2.62, i + 1), shaded(paint, 0.8));
-    builder.quad(at(eaves, 2.6, i + 1), at(eaves, 2.6, i), at(corner, 2.7, i), at(corner, 2.7, i + 1), shaded(paint, 0.75));
+    builder.quad(at(eaves, 2.4, i), at(eaves, 2.4, i + 1), at(eaves, 2.62, i + 1), at(eaves, 2.62, i),
+                 shaded(paint, 0.92));
+    builder.quad(at(eaves - 0.03, 2.4, i + 1), at(eaves - 0.03, 2.4, i), at(eaves - 0.03, 2.62, i),
+                 at(eaves - 0.03, 2.62, i + 1), shaded(paint, 0.8));
+    builder.quad(at(eaves, 2.6, i + 1), at(eaves, 2.6, i), at(corner, 2.7, i), at(corner, 2.7, i + 1),
+                 shaded(paint, 0.75));
   }
-  if (lod < 2) lathe(builder, {{0.1, 3.62}, {0.17, 3.8}, {0.08, 3.95}, {0.02, 4.05}, {0, 4.3}}, 8, paints::metal(0xB8923F));
+  if (lod < 2)
+    lathe(builder, {{0.1, 3.62}, {0.17, 3.8}, {0.08, 3.95}, {0.02, 4.05}, {0, 4.3}}, 8, paints::metal(0xB8923F));
 }
 
 }  // namespace

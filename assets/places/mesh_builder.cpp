@@ -37,9 +37,9 @@ void MeshBuilder::quad(dvec3 a, dvec3 b, dvec3 c, dvec3 d, const Paint& paint, i
 Moved::Moved(MeshBuilder& builder, dvec3 by, double turns, dvec3 stretch) : builder_(builder), before_(builder.place) {
   const double c = cosine(turns);
   const double s = sine(turns);
-  builder.place = builder.place * glm::dmat4(glm::dvec4(c * stretch.x, 0, -s * stretch.x, 0),
-                                             glm::dvec4(0, stretch.y, 0, 0),
-                                             glm::dvec4(s * stretch.z, 0, c * stretch.z, 0), glm::dvec4(by, 1));
+  builder.place =
+      builder.place * glm::dmat4(glm::dvec4(c * stretch.x, 0, -s * stretch.x, 0), glm::dvec4(0, stretch.y, 0, 0),
+                                 glm::dvec4(s * stretch.z, 0, c * stretch.z, 0), glm::dvec4(by, 1));
 }
 
 }  // namespace throng::places

@@ -16,12 +16,12 @@ enum class Kind : std::uint8_t { matt, glass, water, metal };
 
 /// What a surface looks like.
 struct Paint {
-  dvec3 color{1};      ///< linear
-  int glow = 0;        ///< 0 to 255: light at night
-  int tinted = 0;      ///< 255: an instance's tint multiplies the colour
-  int sway = 0;        ///< 0 to 255: how far wind moves it
+  dvec3 color{1};  ///< linear
+  int glow = 0;    ///< 0 to 255: light at night
+  int tinted = 0;  ///< 255: an instance's tint multiplies the colour
+  int sway = 0;    ///< 0 to 255: how far wind moves it
   Kind kind = Kind::matt;
-  bool baked = true;   ///< darkened by what is near; off for leaves, which bring their own shade
+  bool baked = true;  ///< darkened by what is near; off for leaves, which bring their own shade
 };
 
 Paint shaded(Paint paint, double factor);

@@ -19,8 +19,8 @@ enum Bits : unsigned {
   right = 8,
   top = 16,
   bottom = 32,
-  standing = 31,   ///< all but the bottom
-  on_wall = 61,    ///< all but the back
+  standing = 31,  ///< all but the bottom
+  on_wall = 61,   ///< all but the back
   all_sides = 63
 };
 }  // namespace side

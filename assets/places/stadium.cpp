@@ -24,18 +24,23 @@ void seat(MeshBuilder& builder, int lod) {
   if (lod >= 1) {
     box(builder, {-0.22, 0.4, -0.2}, {0.22, 0.44, 0.2}, plastic, side::front | side::top);
     panel(builder, -0.22, 0.44, 0.22, 0.82, -0.2, plastic);
-    if (lod == 1) builder.quad({0.22, 0.44, -0.22}, {-0.22, 0.44, -0.22}, {-0.22, 0.82, -0.26}, {0.22, 0.82, -0.26}, under);
+    if (lod == 1)
+      builder.quad({0.22, 0.44, -0.22}, {-0.22, 0.44, -0.22}, {-0.22, 0.82, -0.26}, {0.22, 0.82, -0.26}, under);
     return;
   }
-  const std::vector<dvec2> profile{{0.2, 0.4}, {0.22, 0.43}, {0.2, 0.44}, {0.05, 0.425}, {-0.12, 0.43}, {-0.19, 0.48}, {-0.23, 0.62}, {-0.26, 0.8}, {-0.27, 0.82}};
+  const std::vector<dvec2> profile{{0.2, 0.4},    {0.22, 0.43},  {0.2, 0.44},  {0.05, 0.425}, {-0.12, 0.43},
+                                   {-0.19, 0.48}, {-0.23, 0.62}, {-0.26, 0.8}, {-0.27, 0.82}};
   const int group = builder.fresh_smooth();
   const int behind = builder.fresh_smooth();
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     const dvec2 p = profile[i], q = profile[i + 1];
     builder.quad({-0.22, p.y, p.x}, {0.22, p.y, p.x}, {0.22, q.y, q.x}, {-0.22, q.y, q.x}, plastic, group);
-    builder.quad({0.22, p.y - 0.03, p.x - 0.02}, {-0.22, p.y - 0.03, p.x - 0.02}, {-0.22, q.y - 0.03, q.x - 0.02}, {0.22, q.y - 0.03, q.x - 0.02}, under, behind);
+    builder.quad({0.22, p.y - 0.03, p.x - 0.02}, {-0.22, p.y - 0.03, p.x - 0.02}, {-0.22, q.y - 0.03, q.x - 0.02},
+                 {0.22, q.y - 0.03, q.x - 0.02}, under, behind);
   }
-  for (const double x : {-0.16, 0.16}) box(builder, {x - 0.02, 0, -0.16}, {x + 0.02, 0.4, -0.1}, paints::steel, side::front | side::back | side::left | side::right);
+  for (const double x : {-0.16, 0.16})
+    box(builder, {x - 0.02, 0, -0.16}, {x + 0.02, 0.4, -0.1}, paints::steel,
+        side::front | side::back | side::left | side::right);
 }
 
 /// Six metres of a stadium's roof: a truss on a mast at z = 0 that carries a roof 14 m out to +Z, 14 m up.
@@ -59,13 +64,16 @@ void roof_bay(MeshBuilder& builder, int lod) {
     const double y = 0.3;
     const Paint shade = shaded(sheet, i % 2 == 0 ? 1.0 : 0.93);
     builder.quad({-3, b.y + y, b.z}, {3, b.y + y, b.z}, {3, a.y + y, a.z}, {-3, a.y + y, a.z}, shade);
-    builder.quad({-3, a.y + y - 0.08, a.z}, {3, a.y + y - 0.08, a.z}, {3, b.y + y - 0.08, b.z}, {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.72));
+    builder.quad({-3, a.y + y - 0.08, a.z}, {3, a.y + y - 0.08, a.z}, {3, b.y + y - 0.08, b.z},
+                 {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.72));
     if (lod == 0) bar(builder, {-3, b.y + 0.12, b.z}, {3, b.y + 0.12, b.z}, 0.08, 0.08, 4, white, false);
   }
   box(builder, {-3, 15.1, 13.9}, {3, 15.6, 14.1}, paints::matt(0x2E4A7A), side::all_sides);
   if (lod > 1) return;
   for (const double x : {-2.0, -0.7, 0.7, 2.0}) {
-    box(builder, {x - 0.3, 14.75, 13.6}, {x + 0.3, 15.1, 13.9}, Paint{.color = rgb(0xF8F4E4), .glow = 255, .baked = false}, side::front | side::bottom | side::left | side::right);
+    box(builder, {x - 0.3, 14.75, 13.6}, {x + 0.3, 15.1, 13.9},
+        Paint{.color = rgb(0xF8F4E4), .glow = 255, .baked = false},
+        side::front | side::bottom | side::left | side::right);
   }
 }
 
@@ -124,8 +132,11 @@ void flood_light(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> stadium_props() {
-  return {{"seat_block", {0}, seat_block, 0.5}, {"seat", {0, 0.03, 0.08}, seat, 0.3}, {"roof_bay", {0, 0.06, 0.2}, roof_bay, 1.5},
-          {"goal", {0, 0.02, 1.2}, goal, 0.3},  {"flood_light", {0, 0.1, 0.4}, flood_light, 0.8}};
+  return {{"seat_block", {0}, seat_block, 0.5},
+          {"seat", {0, 0.03, 0.08}, seat, 0.3},
+          {"roof_bay", {0, 0.06, 0.2}, roof_bay, 1.5},
+          {"goal", {0, 0.02, 1.2}, goal, 0.3},
+          {"flood_light", {0, 0.1, 0.4}, flood_light, 0.8}};
 }
 
 }  // namespace throng::places

@@ -12,7 +12,7 @@ struct WindowStyle {
   double reveal = 0.22;  ///< metres from the wall to the frame
   int columns = 2;
   int rows = 3;
-  Paint trim = {};      ///< of sill and surround
+  Paint trim = {};  ///< of sill and surround
   Paint frame = {};
   bool surround = true;
   bool shutters = false;

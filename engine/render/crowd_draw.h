@@ -73,4 +73,9 @@ struct DrawCounts {
   std::uint64_t triangles = 0;
 };
 
+inline void add(DrawCounts& sum, const DrawCounts& more) {
+  sum.draw_calls += more.draw_calls;
+  sum.triangles += more.triangles;
+}
+
 }  // namespace throng::render

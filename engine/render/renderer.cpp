@@ -11,11 +11,6 @@
 namespace throng::render {
 namespace {
 
-void add(DrawCounts& sum, const DrawCounts& more) {
-  sum.draw_calls += more.draw_calls;
-  sum.triangles += more.triangles;
-}
-
 // Colours, depths, what is seen through, and the two sides of a split view.
 std::uint64_t bytes_a_pixel(int samples) {
   constexpr std::uint64_t bytes_a_sample = 4 + 8 + 10, bytes_of_sides = 8, bytes_of_finished = 4;
@@ -117,6 +112,7 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
 
 DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
   DrawCounts counts;
+  splits_ = true;
   const auto draw_side = [&](const CrowdFrame& side, const PixelRect& drawn) {
     const CrowdFrame tile = part_of(side, size(), drawn);
     upload(tile);
@@ -130,6 +126,7 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
     split_.keep_left(target_.tile());
     add(counts, split_.draw(target_.tile(), part_of(split, size(), drawn)));
   });
+  splits_ = false;
   return counts;
 }
 
@@ -139,11 +136,11 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
   ShadowUniforms uniforms{};
   DrawCounts counts;
   if (frame.shadows) {
-    ShadowPass::OtherCasters scenery;
-    if (frame.scenery)
-      scenery = [this](const glm::mat4& to_clip, float texel) { return scenery_.draw_depth(to_clip, texel); };
-    add(counts,
-        shadows_.draw(frame, meshes_, palettes_, sky_.uniforms().to_sun, context_->window() != nullptr, scenery));
+    const bool in_turns = context_->window() != nullptr && !splits_;
+    const auto draw_scenery = [&](const Cascade& cascade) {
+      return frame.scenery ? scenery_.draw_depth(cascade.to_clip, cascade.texel) : DrawCounts{};
+    };
+    add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, in_turns}, draw_scenery));
     shadows_.describe(frame, uniforms);
   }
   if (frame.crowd_shade) {

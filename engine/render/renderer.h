@@ -133,9 +133,9 @@ class Renderer {
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
   CrowdPass crowd_{shaders_};
-  SceneryPass scenery_{shaders_};
   ShadowPass shadows_{shaders_};
   CrowdShadePass crowd_shade_{shaders_};
+  SceneryPass scenery_{shaders_};
   BlendPass blend_{shaders_};
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
@@ -149,6 +149,7 @@ class Renderer {
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;
+  bool splits_ = false;           // two crowds are drawn into one picture
   std::optional<Error> trouble_;  // what finish() tells
 };
 

@@ -53,7 +53,8 @@ class CrowdMesh {
   void create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count);
 
   gl::Buffer vertices_;
-  gl::Buffer emission_coords_;  // has a name only where the surface has them
+  gl::Buffer detail_coords_;  // these two have names only where the surface has such
+  gl::Buffer tangents_;
   gl::Buffer indices_;
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]

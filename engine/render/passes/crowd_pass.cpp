@@ -10,9 +10,15 @@ namespace throng::render {
 namespace {
 
 /// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
-enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2, emission_location = 3, unlit_location = 4 };
+enum Location : GLint {
+  base_color_location = 1,
+  alpha_cutoff_location = 2,
+  emission_location = 3,
+  unlit_location = 4,
+  factors_location = 6
+};
 
-enum Unit : GLuint { base_color_unit = 0, emission_unit = 1 };
+enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
 constexpr float solid_alpha = 0.9F;
@@ -52,10 +58,14 @@ void bind_texture(Unit unit, const CrowdTexture& texture) {
 void set_uniforms(const CrowdMaterial& material) {
   glUniform4fv(base_color_location, 1, material.base_color);
   bind_texture(base_color_unit, material.base_color_texture);
-  if (material.coverage == Coverage::opaque && material.only_reflects()) return;
+  if (material.coverage == Coverage::opaque && material.is_plain) return;
   glUniform3fv(emission_location, 1, material.emission);
   glUniform1i(unlit_location, material.unlit ? 1 : 0);
   bind_texture(emission_unit, material.emission_texture);
+  glUniform4fv(factors_location, 1, material.factors);
+  bind_texture(metallic_roughness_unit, material.metallic_roughness_texture);
+  bind_texture(normal_unit, material.normal_texture);
+  bind_texture(occlusion_unit, material.occlusion_texture);
 }
 
 void set_culling(const CrowdMaterial& material) {
@@ -68,7 +78,7 @@ void set_culling(const CrowdMaterial& material) {
 
 /// Lets other passes read textures by the textures' own filters again.
 void unbind_samplers() {
-  for (const GLuint unit : {base_color_unit, emission_unit}) glBindSampler(unit, 0);
+  for (GLuint unit = 0; unit < unit_count; ++unit) glBindSampler(unit, 0);
 }
 
 void test_depth() {
@@ -81,8 +91,8 @@ void test_depth() {
 }  // namespace
 
 CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex)
-    : opaque(shaders.load({vertex, "crowd.frag"})),
-      glowing(shaders.load({vertex, "crowd_glowing.frag"})),
+    : plain(shaders.load({vertex, "crowd.frag"})),
+      material(shaders.load({vertex, "crowd_material.frag"})),
       cut_out(shaders.load({vertex, "crowd_cut_out.frag"})),
       blended_part(shaders.load({vertex, "crowd_blended.frag"})) {}
 
@@ -113,7 +123,7 @@ void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) const {
   const CrowdMaterial& material = mesh.materials()[of_mesh];
   const Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    glUseProgram(material.only_reflects() ? programs.opaque.id() : programs.glowing.id());
+    glUseProgram(material.is_plain ? programs.plain.id() : programs.material.id());
   } else {
     glUseProgram(programs.cut_out.id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);

@@ -42,8 +42,8 @@ class CrowdPass {
   struct Programs {
     Programs(ShaderLibrary& shaders, const std::string& vertex);
 
-    const gl::Program& opaque;
-    const gl::Program& glowing;
+    const gl::Program& plain;
+    const gl::Program& material;
     const gl::Program& cut_out;
     const gl::Program& blended_part;
   };

@@ -52,12 +52,6 @@ void set_state() {
   glPolygonOffset(1.5F, 2.0F);
 }
 
-void restore_state() {
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDisable(GL_DEPTH_CLAMP);
-  glBindSampler(0, 0);
-}
-
 bool is_opaque(const CrowdMesh& mesh, int material) { return mesh.materials()[material].coverage == Coverage::opaque; }
 
 }  // namespace
@@ -76,9 +70,9 @@ bool ShadowPass::is_due(int cascade, bool in_turns) const {
   return !in_turns || turn_ % turns.at(i) == first_turns.at(i);
 }
 
-void ShadowPass::plan(const CrowdFrame& frame, const glm::vec3& to_sun, bool in_turns) {
+void ShadowPass::plan(const CrowdFrame& frame, const Light& light) {
   const DepthRange depths = depths_of(frame);
-  const SunAxes axes = sun_axes(to_sun);
+  const SunAxes axes = sun_axes(light.to_sun);
   const bool other = depths.nearest != depths_.nearest || depths.farthest != depths_.farthest || axes.z != axes_.z;
   depths_ = depths;
   axes_ = axes;
@@ -86,37 +80,34 @@ void ShadowPass::plan(const CrowdFrame& frame, const glm::vec3& to_sun, bool in_
   ++turn_;
   for (int i = 0; i < cascade_count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    drawn_now_.at(at) = other || is_due(i, in_turns);
+    drawn_now_.at(at) = other || is_due(i, light.in_turns);
     if (drawn_now_.at(at)) cascades_.at(at) = planned.at(at);
   }
 }
 
-DrawCounts ShadowPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
-                            const glm::vec3& to_sun, bool in_turns, const OtherCasters& others) {
+DrawCounts ShadowPass::draw_crowd(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
+                                  const PaletteBuffer& palettes, const Light& light) {
   if (!maps_) {
     maps_ = create_maps();
     for (int i = 0; i < cascade_count; ++i) targets_.at(static_cast<std::size_t>(i)) = create_target(maps_, i);
   }
   morphs_ = morphed_.has_value() && !frame.morph_weights.empty();
-  plan(frame, to_sun, in_turns);
+  plan(frame, light);
   gather(frame, meshes);
   set_state();
   caster_buffer_.upload(casters_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, casters_binding, caster_buffer_.id());
   draws_.upload();
-  DrawCounts counts = draws_.counts();
   for (int i = 0; i < cascade_count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!drawn_now_.at(at)) continue;
-    draws_.bind();
-    draw_cascade(i, meshes, palettes);
-    if (!others) continue;
-    const DrawCounts more = others(cascades_.at(at).to_clip, cascades_.at(at).texel);
-    counts.draw_calls += more.draw_calls;
-    counts.triangles += more.triangles;
+    if (drawn_now_.at(static_cast<std::size_t>(i))) draw_cascade(i, meshes, palettes);
   }
-  restore_state();
-  return counts;
+  return draws_.counts();
+}
+
+void ShadowPass::end() {
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glBindSampler(0, 0);
 }
 
 void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,13 +30,24 @@ class ShadowPass {
   /// Makes ready for meshes that morph.
   void prepare_morphs();
 
-  /// Draws what else casts shadows, given the matrix of a map and the metres of a texel.
-  using OtherCasters = std::function<DrawCounts(const glm::mat4& to_clip, float texel)>;
+  struct Light {
+    glm::vec3 to_sun{0.0F, 1.0F, 0.0F};
+    bool in_turns = false;  ///< the cascades far away are drawn in every second and fourth frame only
+  };
 
-  /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture. `in_turns`: the
-  /// cascades far away are drawn in every second and fourth frame only.
+  /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture.
+  /// `draw_others(cascade)` draws the depths of what casts shadows beside the crowd, and returns its counts.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
-                  const glm::vec3& to_sun, bool in_turns, const OtherCasters& others = {});
+                  const Light& light, const auto& draw_others) {
+    DrawCounts counts = draw_crowd(frame, meshes, palettes, light);
+    for (std::size_t i = 0; i < cascades_.size(); ++i) {
+      if (!drawn_now_.at(i)) continue;
+      glBindFramebuffer(GL_FRAMEBUFFER, targets_.at(i).id());
+      add(counts, draw_others(cascades_.at(i)));
+    }
+    end();
+    return counts;
+  }
 
   /// Binds the maps and says in `uniforms` where they lie.
   void describe(const CrowdFrame& frame, ShadowUniforms& uniforms) const;
@@ -53,8 +63,11 @@ class ShadowPass {
     const gl::Program& cut_out;
   };
 
+  DrawCounts draw_crowd(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
+                        const Light& light);
+  static void end();
   bool is_due(int cascade, bool in_turns) const;
-  void plan(const CrowdFrame& frame, const glm::vec3& to_sun, bool in_turns);
+  void plan(const CrowdFrame& frame, const Light& light);
   void gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes);
   void gather_run(std::span<const CrowdBatch> run, const CrowdFrame& frame, const CrowdMesh& mesh, int cascade);
   void draw_cascade(int cascade, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);

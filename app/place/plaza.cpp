@@ -11,7 +11,6 @@ namespace {
 constexpr double street_corner = 8.0;  // of the sides, cut off for the street that leaves at the far corner
 constexpr double street_length = 60.0;
 constexpr double side_street = 9.0;
-constexpr double house_depth = 9.1;    // behind the front; the houses of a street begin behind those of the square
 constexpr double open_corner = 26.0;   // of the sides, where the camera stands and the sun shines in
 constexpr double tower_beyond = 78.0;  // the end of that street
 constexpr double tower_aside = 13.0;
@@ -42,8 +41,8 @@ void put_side_with_street(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, dou
   const glm::dvec2 along = (to - from) / glm::distance(from, to);
   const glm::dvec2 gap = glm::mix(from, to, gap_at), half = 0.5 * side_street * placer.unit() * along;
   const glm::dvec2 back = -house_depth * placer.unit() * facing, out = -street_length * placer.unit() * facing;
-  placer.put_houses(from, gap - half, facing, houses);
-  placer.put_houses(gap + half, to, facing, houses);
+  placer.put_block(from, gap - half, facing, houses);
+  placer.put_block(gap + half, to, facing, houses);
   placer.put_houses(gap - half + back, gap - half + out, along, Placer::Houses::mixed);
   placer.put_houses(gap + half + back, gap + half + out, -along, Placer::Houses::mixed);
 }
@@ -85,8 +84,8 @@ void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   const double open = edge - std::max(open_corner * unit, 0.12 * edge);
   put_side_with_street({-edge, open}, {-edge, -edge + cut}, towards_x, 0.12, placer, Placer::Houses::mixed);
   put_side_with_street({-edge + cut, -edge}, {edge, -edge}, towards_z, 0.72, placer, Placer::Houses::arcades);
-  placer.put_houses({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
-  placer.put_houses({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
+  placer.put_block({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
+  placer.put_block({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
   placer.put_houses({-edge, edge}, {-edge, open}, towards_x, Placer::Houses::mixed);
   put_far_street(edge, placer);
   put_steps(edge, placer);

@@ -19,6 +19,7 @@ constexpr double wall_above = 1.0, wall_thick = 0.3;
 constexpr double track_width = 4.0, apron = 0.45, around_field = 1.2;
 constexpr double least_house = 5.0;  // height of the tiers from which houses stand around them
 constexpr double arcade_height = 15.5;
+constexpr double roof_height = 13.0, roof_reach = 14.0;
 constexpr double flag_pitch = 5.0;
 constexpr double stadium_paved = 14.0;  // around it, until the lawn begins
 constexpr double to_park = 11.0;        // from the wall to the first trees
@@ -153,15 +154,17 @@ void put_park(const StadiumTier& last, Placer& placer) {
   }
 }
 
-void put_roof(const StadiumTier& last, Placer& placer) {
-  const double unit = placer.unit();
-  const auto bays = std::lround(2.0 * last.lane.core.x / (bay_width * unit));
+// Over the rows along the far side, from behind the wall.
+void put_roof(const StadiumTier& last, double depth, Placer& placer) {
+  const double unit = placer.unit(), length = 2.0 * last.lane.core.x;
+  const auto bays = std::lround(length / (bay_width * unit));
   const double z = -(last.lane.core.y + last.lane.corner_radius + (tread_back + wall_thick) * unit);
+  const double tall = std::clamp((last.height + 6.0 * unit) / (roof_height * unit), 0.5, 2.5);
+  const double deep = std::clamp(0.8 * depth / (roof_reach * unit), 0.4, 1.2);
   for (long bay = 0; bay < bays; ++bay) {
-    const double x = last.lane.core.x * (2.0 * (static_cast<double>(bay) + 0.5) / static_cast<double>(bays) - 1.0);
-    placer.put(Prop::roof_bay, {x, z}, heading_along({0.0, 1.0}),
-               {.height = last.height,
-                .stretch = {2.0 * last.lane.core.x / (static_cast<double>(bays) * bay_width * unit), 1.0, 1.0}});
+    const double x = 0.5 * length * (2.0 * (static_cast<double>(bay) + 0.5) / static_cast<double>(bays) - 1.0);
+    placer.put(Prop::roof_bay, {x, z}, heading_along(towards_z),
+               {.stretch = {length / (static_cast<double>(bays) * bay_width * unit), tall, deep}});
   }
 }
 
@@ -188,7 +191,8 @@ void put_stadium(const PlacedCrowd& crowd, Placer& placer) {
   put_field(stadium_ground(crowd), placer);
   put_lights(tiers.back(), half_length, placer);
   put_park(tiers.back(), placer);
-  put_roof(tiers.back(), placer);
+  const StadiumSize size = stadium_size(crowd.agents, crowd.roles);
+  put_roof(tiers.back(), size.depth, placer);
   placer.put_horizon(tiers.back().lane.core.x + tiers.back().lane.corner_radius);
 }
 

@@ -98,21 +98,21 @@ Rectangle houses_of(const ParadeSize& size, double unit) {
 }
 
 void put_parade_houses(const Rectangle& houses, Placer& placer) {
-  constexpr double street_width = 9.0, street_length = 51.0, house_depth = 9.1;
+  constexpr double street_width = 9.0, street_length = 51.0;
   const double unit = placer.unit(), out = street_length * unit, back = house_depth * unit;
   // Long sides with a street that leaves each.
   for (const double side : {-1.0, 1.0}) {
     const double at = side * 0.35 * houses.x, half = 0.5 * street_width * unit;
     const glm::dvec2 facing = -side * towards_z;
-    placer.put_houses({-houses.x, side * houses.z}, {at - half, side * houses.z}, facing, Placer::Houses::mixed);
-    placer.put_houses({at + half, side * houses.z}, {houses.x, side * houses.z}, facing, Placer::Houses::mixed);
+    placer.put_block({-houses.x, side * houses.z}, {at - half, side * houses.z}, facing, Placer::Houses::mixed);
+    placer.put_block({at + half, side * houses.z}, {houses.x, side * houses.z}, facing, Placer::Houses::mixed);
     for (const double bank : {-1.0, 1.0}) {
       const glm::dvec2 mouth(at + bank * half, side * houses.z);
       placer.put_houses(mouth - back * facing, mouth - out * facing, -bank * towards_x, Placer::Houses::mixed);
     }
   }
   // The ends: an arcade at one, a street at the other that goes on to the horizon.
-  placer.put_houses({-houses.x, -houses.z}, {-houses.x, houses.z}, towards_x, Placer::Houses::arcades);
+  placer.put_block({-houses.x, -houses.z}, {-houses.x, houses.z}, towards_x, Placer::Houses::arcades);
   const double half = std::min(0.5 * street_width * unit + 2.0 * unit, 0.5 * houses.z);
   for (const double bank : {-1.0, 1.0}) {
     placer.put_houses({houses.x, bank * half}, {houses.x, bank * houses.z}, -towards_x, Placer::Houses::mixed);

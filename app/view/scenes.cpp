@@ -54,7 +54,7 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
       {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
       {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
-      {"far", {end, 0.1F * across + 8.0F * unit, 0.25F * straight, 86.0F, -15.0F, 50.0F}},
+      {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
   };
 }
 

@@ -171,7 +171,7 @@ TEST_F(SurfaceLight, TurnsNoOrangeIntoYellow) {
   const Image image = sheet().picture();
   const double red = Sheet::brightness(image, 0.5F, 0.5F, 0), green = Sheet::brightness(image, 0.5F, 0.5F, 1);
   EXPECT_GT(red, 200.0);
-  EXPECT_LT(green / red, 0.68) << "134 of 220 is 0.61";
+  EXPECT_LT(green / red, 0.72) << "134 of 220 is 0.61; a curve for each channel alone makes it 0.8";
 }
 
 TEST_F(SurfaceLight, TakesTheColorsOfVertices) {

@@ -8,7 +8,6 @@ namespace {
 constexpr std::array<float, 12> positions = {-2, 4, 0, 2, 4, 0, -2, 0, 0, 2, 0, 0};
 constexpr std::array<std::uint16_t, 16> entries{};
 constexpr std::array<float, 16> weights = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-constexpr std::array<std::uint32_t, 6> triangles = {0, 2, 1, 1, 2, 3};
 
 /// Turns everything about the middle of the sheet: by half a turn, or not at all.
 DollPalette palette_of(bool upside_down) {
@@ -58,7 +57,7 @@ Image Sheet::picture() {
                  .hair = {},
                  .palette_entries = entries,
                  .weights = weights,
-                 .indices = triangles}};
+                 .indices = triangles_}};
   data.materials = {material};
   data.images = images;
   data.entry_at_level = {{0, 1, 2, 3, 4, 5}};

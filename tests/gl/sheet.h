@@ -33,6 +33,10 @@ class Sheet {
   void read_at(float u, float v) { coords = all_at(u, v); }
   static std::vector<float> all_at(float u, float v);
 
+  /// These two functions show the camera its back, or its front.
+  void turn_around() { triangles_ = {0, 1, 2, 1, 3, 2}; }
+  void turn_back() { triangles_ = {0, 2, 1, 1, 2, 3}; }
+
   MaterialData material;
   std::vector<ImageData> images;
   SceneLight light{.sun_elevation = 45.0F, .sun_azimuth = 0.0F, .clouds = 0.0F};
@@ -44,6 +48,7 @@ class Sheet {
  private:
   DollCrowd crowd_;
   std::vector<float> normals_;
+  std::array<std::uint32_t, 6> triangles_{0, 2, 1, 1, 2, 3};
 };
 
 }  // namespace throng::render::test

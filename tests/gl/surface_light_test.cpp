@@ -174,6 +174,21 @@ TEST_F(SurfaceLight, TurnsNoOrangeIntoYellow) {
   EXPECT_LT(green / red, 0.72) << "134 of 220 is 0.61; a curve for each channel alone makes it 0.8";
 }
 
+TEST_F(SurfaceLight, FallsOnTheBackOfWhatHasTwoSides) {
+  for (const float roughness : {0.5F, 1.0F}) {
+    material() = {};
+    material().roughness = roughness;
+    material().double_sided = true;
+    const double front = middle();
+    sheet().turn_around();
+    sheet().face({0, 0, -1});
+    EXPECT_NEAR(middle(), front, 1.0) << roughness;
+    sheet().face({0, 0, 1});
+    EXPECT_LT(middle(), front - 20.0) << roughness;
+    sheet().turn_back();
+  }
+}
+
 TEST_F(SurfaceLight, TakesTheColorsOfVertices) {
   material().roughness = 0.5F;
   paint(1.0F, 0.5F, 0.5F);

@@ -49,7 +49,7 @@ bool is_plain(const MaterialData& material) {
   const bool shines = material.unlit || std::ranges::any_of(material.emission, [](float c) { return c != 0.0F; });
   const bool is_even = material.metallic_roughness_texture.image < 0 && material.normal_texture.image < 0 &&
                        material.occlusion_texture.image < 0;
-  return !shines && is_even && material.metallic == 0.0F && material.roughness >= matt;
+  return !shines && is_even && !material.double_sided && material.metallic == 0.0F && material.roughness >= matt;
 }
 
 }  // namespace

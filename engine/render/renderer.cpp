@@ -168,7 +168,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   DrawCounts counts;
   // Scenery goes before the ground, which then costs nothing where it is hidden.
   if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y), light_parts_));
-  add(counts, ground_.draw(frame.ground.style, light_parts_));
+  add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {

@@ -117,10 +117,13 @@ void stepped_gable(MeshBuilder& builder, double foot, const Paint& wall, int lod
   const Paint cap = paints::limestone;
   for (int i = 0; i < steps; ++i) {
     const double half = bay - 0.68 * i;
+    const double over = i == 0 ? 0.0 : 0.06;
     const double y0 = foot + 0.95 * i;
     const double y1 = y0 + 0.95;
+    if (lod == 3) panel(builder, -half, y0, half, y1 + 0.1, 0, wall);
+    if (lod == 3) continue;
     box(builder, {-half, y0, -0.4}, {half, y1, 0}, wall, side::front | side::back | side::left | side::right);
-    if (lod < 2) box(builder, {-half - 0.06, y1 - 0.02, -0.46}, {half + 0.06, y1 + 0.1, 0.08}, cap, side::all_sides);
+    if (lod < 2) box(builder, {-half - over, y1 - 0.02, -0.46}, {half + over, y1 + 0.1, 0.08}, cap, side::all_sides);
     if (lod >= 2) box(builder, {-half, y1 - 0.02, -0.4}, {half, y1 + 0.1, 0.02}, cap, side::top | side::front);
   }
 }

@@ -168,7 +168,8 @@ void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double 
   const double glass_x0 = door_left ? door_x + door + 0.16 : x0 + 0.14;
   const double glass_x1 = door_left ? x1 - 0.14 : door_x - 0.16;
   const Paint lit = paints::shop_glass;
-  panel(builder, door_x + 0.12, foot + 0.75, door_x + door - 0.12, foot + 2.15, z + 0.02, lit);
+  panel(builder, door_x + 0.12, foot + 0.75, door_x + door - 0.12, foot + 2.15, z + 0.02, paints::dimmed(lit, 0.25),
+        lit);
   panel(builder, door_x, foot + 2.3, door_x + door, top_y - 0.55, z + 0.02, shaded(lit, 0.9));
   if (lod == 0) {
     panel(builder, door_x + 0.12, foot + 0.14, door_x + door - 0.12, foot + 0.65, z + 0.02, shaded(wood, 0.75));
@@ -181,7 +182,7 @@ void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double 
   for (int i = 0; i < panes; ++i) {
     const double a = glass_x0 + (glass_x1 - glass_x0) * i / panes;
     const double b = glass_x0 + (glass_x1 - glass_x0) * (i + 1) / panes - 0.06;
-    panel(builder, a, foot + 0.62, b, foot + 2.2, z + 0.02, shaded(lit, 0.85 + 0.1 * i));
+    panel(builder, a, foot + 0.62, b, foot + 2.2, z + 0.02, paints::dimmed(lit, 0.25), shaded(lit, 0.9 + 0.05 * i));
     panel(builder, a, foot + 2.3, b, top_y - 0.55, z + 0.02, shaded(lit, 0.95));
   }
   // The board with the shop's name.

@@ -32,6 +32,13 @@ inline Paint glass(int lit) {
 }
 /// Behind a shop's window it is warm, and dark by day.
 inline const Paint shop_glass{.color = rgb(0x6A583C), .glow = 255, .kind = Kind::glass};
+/// Below the lamps of a room or shop it is darker.
+inline Paint dimmed(Paint glass, double share) {
+  glass.glow = static_cast<int>(glass.glow * share);
+  glass.color *= 0.7 + 0.3 * share;
+  return glass;
+}
+
 /// A lamp's glass.
 inline const Paint lantern{.color = rgb(0xFFE7B8), .glow = 255, .baked = false};
 

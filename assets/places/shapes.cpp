@@ -19,6 +19,12 @@ void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, dou
   builder.quad({x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}, paint);
 }
 
+void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& low,
+           const Paint& high) {
+  builder.add(
+      {{Corner{{x0, y0, z}, low}, Corner{{x1, y0, z}, low}, Corner{{x1, y1, z}, high}, Corner{{x0, y1, z}, high}}, 4});
+}
+
 void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0, double x1, const Paint& paint,
               bool ends) {
   const double wall = profile.front().x;

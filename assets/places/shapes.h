@@ -30,6 +30,10 @@ void box(MeshBuilder& builder, dvec3 low, dvec3 high, const Paint& paint, unsign
 /// A rectangle that faces +Z.
 void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& paint);
 
+/// The same, from one paint below to another above.
+void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& low,
+           const Paint& high);
+
 /// A moulding along X on a wall that faces +Z: the profile's points are (z, y), from below upwards.
 void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0, double x1, const Paint& paint,
               bool ends = false);

@@ -178,7 +178,7 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
     if (lod == 2) {
       ball(builder, species, bounds, lobe, 5, 3, 0.95, 0.4, seed);
     } else {
-      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.85, seed);
+      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.7, seed);
     }
     const int count = static_cast<int>((lod == 0 ? 74 : lod == 1 ? 26 : 5) * area);
     const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.5 : 2.0);
@@ -223,8 +223,8 @@ void tree_c(MeshBuilder& builder, int lod) {
   Species s{.trunk_height = 2.2,
             .trunk_radius = 0.12,
             .bark = rgb(0x5F5146),
-            .light = rgb(0xB4A350),
-            .dark = rgb(0x4C5424),
+            .light = rgb(0xC2B055),
+            .dark = rgb(0x565A26),
             .leaf = 0.19,
             .seed = 3};
   s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}},

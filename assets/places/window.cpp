@@ -37,7 +37,10 @@ void panes(MeshBuilder& builder, const Opening& at, const WindowStyle& style, in
       const double x = at.x0 + bar + i * w;
       const double y = at.y0 + bar + j * h;
       const auto pane = static_cast<std::uint32_t>(i * 8 + j);
-      panel(builder, x, y, x + w - bar, y + h - bar, z + 0.02, shaded(glass, 0.85 + 0.3 * chance(seed, pane + 20)));
+      const Paint pane_glass = shaded(glass, 0.85 + 0.3 * chance(seed, pane + 20));
+      const double low = 0.45 + 0.55 * j / rows;
+      panel(builder, x, y, x + w - bar, y + h - bar, z + 0.02, paints::dimmed(pane_glass, low),
+            paints::dimmed(pane_glass, low + 0.55 / rows));
     }
   }
 }

@@ -17,7 +17,7 @@ constexpr double arcade_spring = 3.3;
 constexpr double first_floor = 6.1;
 constexpr double eaves_y = 16.2;
 constexpr double arcade_house = 9.0;
-const std::vector<double> arcade_errors{0, 0.02, 0.07, 0.2};
+const std::vector<double> arcade_errors{0, 0.035, 0.1, 0.3};
 
 Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 10 : lod == 1 ? 6 : 4}; }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
-const std::vector<double> facade_errors{0, 0.02, 0.07, 0.2};
+const std::vector<double> facade_errors{0, 0.035, 0.1, 0.3};
 
 /// A ground floor of two stone piers and a lintel around a shop front.
 void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,

@@ -80,7 +80,8 @@ void Placer::put_horizon(double reach) {
   for (int roof = 0; roof < roofs; ++roof) {
     const double quarters = 4.0 * (roof + static_cast<double>(random_.between(-0.4F, 0.4F))) / roofs;
     const glm::dvec2 way = cosine_sine(quarters);
-    put(Prop::skyline, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
+    const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // a dome that one meets too often is none
+    put(town, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
         {.stretch = {far / (to_horizon * unit_), 1.0, 1.0}});
   }
 }

@@ -15,7 +15,7 @@ namespace {
 /// A street lamp of cast iron, 4 m to the top of its lantern.
 void lamp(MeshBuilder& builder, int lod) {
   const Paint iron = paints::metal(0x2F3A36);
-  const int sides = lod == 0 ? 10 : lod == 1 ? 6 : 4;
+  const int sides = lod == 0 ? 10 : 6;
   if (lod == 0) {
     lathe(builder,
           {{0.24, 0},
@@ -33,7 +33,8 @@ void lamp(MeshBuilder& builder, int lod) {
            {0.14, 3.3}},
           sides, iron);
   } else {
-    lathe(builder, {{0.22, 0}, {0.15, 0.5}, {0.07, 0.8}, {0.05, 3.2}, {0.14, 3.28}}, sides, iron, lod == 1);
+    if (lod == 1) lathe(builder, {{0.22, 0}, {0.15, 0.5}, {0.07, 0.8}, {0.05, 3.2}, {0.14, 3.28}}, sides, iron);
+    if (lod == 2) lathe(builder, {{0.2, 0}, {0.07, 0.8}, {0.05, 3.3}}, 3, iron);
   }
   constexpr double eighth = 0.125;
   lathe(builder, {{0.16, 3.3}, {0.25, 3.75}}, 4, paints::lantern, false, eighth);

@@ -56,11 +56,11 @@ TEST(PlacesFile, HasEveryPropThatPlacesAreMadeOf) {
   std::set<std::string> names;
   for (const MadeMesh& mesh : meshes()) EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name << " is there twice";
   for (const char* name :
-       {"arcade_bay", "arcade_corner", "facade_a",   "facade_b", "facade_c", "facade_corner", "tower",
-        "tree_a",     "tree_b",        "tree_c",     "planter",  "lamp",     "bench",         "fountain",
-        "kiosk",      "steps",         "statue",     "flag",     "bunting",  "barrier",       "bollard",
-        "stand",      "camera_crane",  "seat_block", "seat",     "roof_bay", "goal",          "flood_light",
-        "banner",     "hill",          "skyline", "skyline_center"}) {
+       {"arcade_bay", "arcade_corner", "facade_a",   "facade_b",      "facade_c", "facade_corner", "tower",
+        "tree_a",     "tree_b",        "tree_c",     "planter",       "lamp",     "bench",         "fountain",
+        "kiosk",      "steps",         "statue",     "flag",          "bunting",  "barrier",       "bollard",
+        "stand",      "camera_crane",  "seat_block", "seat",          "roof_bay", "goal",          "flood_light",
+        "banner",     "hill",          "skyline",    "skyline_center"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }
@@ -100,7 +100,7 @@ TEST(PlacesFile, PropsStandOnTheGround) {
   for (const MadeMesh& mesh : meshes()) {
     const double low = extent(mesh, 1).first;
     if (sunk.contains(mesh.name)) continue;
-    EXPECT_GE(low, -0.001) << mesh.name;
+    EXPECT_GE(low, -0.025) << mesh.name << " reaches into it by more than the end of a slanting bar";
     if (!hanging.contains(mesh.name)) {
       EXPECT_LE(low, 0.05) << mesh.name;
     }
@@ -108,12 +108,13 @@ TEST(PlacesFile, PropsStandOnTheGround) {
   EXPECT_EQ(extent(mesh_named("seat_block"), 1), std::make_pair(-1.0, 0.0));
 }
 
-/// The places (y, z) where a level of a mesh meets the plane of an x.
+/// The places (y, z) where a level's front, with all that stands out of it, meets the plane of an x.
 std::set<std::pair<int, int>> outline_at(const MadeMesh& mesh, const MadeLevel& level, double x) {
   std::set<std::pair<int, int>> outline;
   for (const std::uint16_t index : level.indices) {
     const MadeVertex& vertex = mesh.vertices[index];
-    if (metres(mesh, vertex, 0) == x) outline.insert({vertex.position[1], vertex.position[2]});
+    if (metres(mesh, vertex, 0) == x && vertex.position[2] >= 0)
+      outline.insert({vertex.position[1], vertex.position[2]});
   }
   return outline;
 }

@@ -192,7 +192,7 @@ void arcade_corner(MeshBuilder& builder, int front_lod) {
         side::bottom);
   const Moved roof(builder, {0, eaves_y + 2.9, -half});
   const double r = 1.41421356 * (half + 0.5);
-  lathe(builder, {{r, 0}, {r * 0.55, 1.6}, {0, 3.6}}, 4, paints::roof_tile, false, 0.125);
+  lathe(builder, {{r, 0}, {r * 0.55, 1.6}, {0, 3.6}}, 4, paints::roof_tile, Turned::faceted, 0.125);
   if (lod < 2) lathe(builder, {{0.25, 3.4}, {0.32, 3.75}, {0.1, 4.1}, {0.04, 5.2}, {0, 5.3}}, 6, paints::copper);
 }
 

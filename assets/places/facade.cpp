@@ -193,8 +193,8 @@ void facade_corner(MeshBuilder& builder, int front_lod) {
   const int lod = front_lod;
   const Moved middle(builder, {0, top + 0.7, -half});
   const double r = 1.41421356 * (half + 0.4);
-  lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, false, 0.125);
-  lathe(builder, {{r * 0.34, 3.4}, {0, 3.9}}, 4, shaded(paints::slate, 0.8), false, 0.125);
+  lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, Turned::faceted, 0.125);
+  lathe(builder, {{r * 0.34, 3.4}, {0, 3.9}}, 4, shaded(paints::slate, 0.8), Turned::faceted, 0.125);
   if (lod < 2) {
     for (int side = 0; side < 4; ++side) {
       const Moved turned(builder, {0, 0, 0}, 0.25 * side);

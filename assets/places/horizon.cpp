@@ -94,8 +94,8 @@ void far_houses(MeshBuilder& builder, int lod, std::uint32_t seed) {
 void far_tower(MeshBuilder& builder, dvec3 at, double height, double half, const Paint& roof) {
   const Moved moved(builder, at);
   const Paint stone = paints::matt(0xDDCFB4);
-  lathe(builder, {{half * 1.4, 0}, {half * 1.4, height}, {half * 1.6, height + 0.5}}, 4, stone, false, 0.125);
-  lathe(builder, {{half * 1.6, height + 0.5}, {0, height + 4.2 * half}}, 4, roof, false, 0.125);
+  lathe(builder, {{half * 1.4, 0}, {half * 1.4, height}, {half * 1.6, height + 0.5}}, 4, stone, Turned::faceted, 0.125);
+  lathe(builder, {{half * 1.6, height + 0.5}, {0, height + 4.2 * half}}, 4, roof, Turned::faceted, 0.125);
 }
 
 /// Roofs and walls at many heights and one small tower, which may stand many times around a place.
@@ -110,8 +110,9 @@ void skyline_center(MeshBuilder& builder, int lod) {
   {
     const Paint stone = paints::matt(0xDDCFB4);
     const Moved dome(builder, {-22, 0, -20});
-    lathe(builder, {{8, 0}, {8, 20}, {8.4, 20.5}, {7, 21}, {6.6, 25}}, 12, stone, false);
-    lathe(builder, {{6.8, 25}, {6.2, 28}, {4.4, 31}, {1.5, 33}, {1.2, 35.5}, {0, 38}}, 12, paints::copper);
+    lathe(builder, {{8, 0}, {8, 20}, {8.4, 20.5}, {7, 21}, {6.6, 25}}, 12, stone, Turned::faceted);
+    lathe(builder, {{6.8, 25}, {6.2, 28}, {4.4, 31}, {1.5, 33}, {1.2, 35.5}, {0, 38}}, 12, paints::copper,
+          Turned::round);
   }
   far_tower(builder, {18, 0, -16}, 30, 2.5, paints::copper);
   far_tower(builder, {41, 0, -16}, 24, 2.4, paints::slate);

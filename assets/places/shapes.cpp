@@ -38,14 +38,15 @@ void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0
   }
 }
 
-void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, bool smooth,
+void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, Turned look,
            double from_turn) {
+  const int whole = look == Turned::round ? builder.fresh_smooth() : 0;
   const auto at = [&](dvec2 p, int i) {
     const double turn = from_turn + static_cast<double>(i % sides) / sides;
     return dvec3(p.x * sine(turn), p.y, p.x * cosine(turn));
   };
   for (std::size_t p = 0; p + 1 < profile.size(); ++p) {
-    const int group = smooth ? builder.fresh_smooth() : 0;
+    const int group = look == Turned::edged ? builder.fresh_smooth() : whole;
     for (int i = 0; i < sides; ++i) {
       const dvec3 a = at(profile[p], i);
       const dvec3 b = at(profile[p], i + 1);
@@ -85,7 +86,7 @@ void bar(MeshBuilder& builder, dvec3 from, dvec3 to, double from_radius, double 
 }
 
 void disc(MeshBuilder& builder, double radius, double y, int sides, const Paint& paint, double from_turn) {
-  lathe(builder, {{radius, y}, {0, y}}, sides, paint, false, from_turn);
+  lathe(builder, {{radius, y}, {0, y}}, sides, paint, Turned::faceted, from_turn);
 }
 
 dvec2 Arch::point(int i) const {

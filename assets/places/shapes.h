@@ -39,8 +39,10 @@ void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0
               bool ends = false);
 
 /// A body of revolution about +Y: the profile's points are (radius, y), from below upwards.
-void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, bool smooth = true,
-           double from_turn = 0);
+/// Its rings keep their edges unless it is `round`.
+enum class Turned { faceted, edged, round };
+void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint,
+           Turned look = Turned::edged, double from_turn = 0);
 
 /// A round or square bar from one point to another.
 void bar(MeshBuilder& builder, dvec3 from, dvec3 to, double from_radius, double to_radius, int sides,

@@ -121,7 +121,7 @@ void tower(MeshBuilder& builder, int lod) {
     }
   }
   const double r = 1.41421356 * 3.0;
-  lathe(builder, {{r, 34.2}, {r * 0.6, 36.0}, {r * 0.42, 38.0}, {0, 42.0}}, 4, paints::copper, false, 0.125);
+  lathe(builder, {{r, 34.2}, {r * 0.6, 36.0}, {r * 0.42, 38.0}, {0, 42.0}}, 4, paints::copper, Turned::faceted, 0.125);
   if (lod < 2) {
     lathe(builder, {{0.12, 41.5}, {0.32, 42.0}, {0.12, 42.4}, {0.03, 42.5}, {0.03, 44.0}, {0, 44.1}}, 6,
           paints::metal(0xB8923F));

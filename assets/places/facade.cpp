@@ -10,24 +10,6 @@ constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
 const std::vector<double> facade_errors{0, 0.035, 0.1, 0.3};
 
-/// A ground floor of two stone piers and a lintel around a shop front.
-void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
-                  std::uint32_t seed) {
-  constexpr double pier = 0.62;
-  const double top = height - 0.55;
-  const Paint plinth = shaded(stone, 0.72);
-  for (const double x : {-bay, bay - pier}) {
-    rusticated(builder, x, x + pier, 0.5, top, 6, stone, lod, seed + static_cast<std::uint32_t>(x + 9));
-    if (lod < 2) {
-      moulding(builder, {{0, 0}, {0.09, 0}, {0.09, 0.44}, {0.02, 0.5}}, x, x + pier, plinth);
-    } else {
-      panel(builder, x, 0, x + pier, 0.5, 0.03, plinth);
-    }
-  }
-  panel(builder, -bay, top, bay, height, 0.02, stone);
-  shop_front(builder, -bay + pier, bay - pier, 0, top, 0.45, wood, door_left, lod, seed);
-}
-
 WindowStyle classical(double height, WindowStyle::Head head) {
   return {.head = head, .width = 1.15, .height = height, .trim = paints::pale_stone, .frame = paints::white_paint};
 }
@@ -52,7 +34,7 @@ void facade_a(MeshBuilder& builder, int lod) {
     }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);
-  closed_box(builder, 6, 0, 14.9, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
+  closed_box(builder, 6, 0, 14.95, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
   mansard_roof(
       builder,
       {.front_z = 0.1, .back_z = -house_depth, .eaves = 14.95, .ridge = 18.2, .tile = paints::slate, .seed = 3}, lod,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -18,6 +19,8 @@ namespace {
 using places::MadeLevel;
 using places::MadeMesh;
 using places::MadeVertex;
+
+constexpr std::array house_bays{"arcade_bay", "facade_a", "facade_b", "facade_c", "facade_d", "facade_e"};
 
 const std::vector<MadeMesh>& meshes() {
   static const std::vector<MadeMesh> all = [] {
@@ -75,9 +78,9 @@ TEST(PlacesFile, EveryLevelIsCoarserThanTheOneBefore) {
   }
 }
 
-TEST(PlacesFile, AHouseCostsAThousandTrianglesNearAndSixtyFarOff) {
-  for (const char* bay : {"arcade_bay", "facade_a", "facade_b", "facade_c"}) {
-    EXPECT_LE(triangles(mesh_named(bay).levels.front()), 1000U) << bay;
+TEST(PlacesFile, AHouseCostsLittleMoreThanAThousandTrianglesNearAndUnderSixtyFarOff) {
+  for (const char* bay : house_bays) {
+    EXPECT_LE(triangles(mesh_named(bay).levels.front()), 1150U) << bay;
     EXPECT_LT(triangles(mesh_named(bay).levels.back()), 60U) << bay;
   }
   for (const char* tree : {"tree_a", "tree_b", "tree_c"}) {
@@ -120,7 +123,7 @@ std::set<std::pair<int, int>> outline_at(const MadeMesh& mesh, const MadeLevel& 
 }
 
 TEST(PlacesFile, BaysTileWithoutGapOrStep) {
-  for (const char* bay : {"arcade_bay", "facade_a", "facade_b", "facade_c"}) {
+  for (const char* bay : house_bays) {
     const MadeMesh& mesh = mesh_named(bay);
     EXPECT_EQ(extent(mesh, 0), std::make_pair(-3.0, 3.0)) << bay;
     EXPECT_LE(extent(mesh, 2).first, -7.5) << bay << " has the depth of a house behind its front";
@@ -140,7 +143,7 @@ TEST(PlacesFile, ABenchIsAsHighAsPeopleSit) {
 }
 
 TEST(PlacesFile, SomeWindowsAreLitAtNightAndOthersAreNot) {
-  for (const char* bay : {"arcade_bay", "facade_a", "facade_b", "facade_c"}) {
+  for (const char* bay : house_bays) {
     std::set<int> glows;
     for (const MadeVertex& vertex : mesh_named(bay).vertices) {
       if (vertex.surface[3] == static_cast<std::uint8_t>(places::Kind::glass)) glows.insert(vertex.surface[0]);

@@ -70,8 +70,7 @@ void facade_d(MeshBuilder& builder, int lod) {
       {.front_z = 0.1, .back_z = -town_depth, .eaves = eaves + 0.65, .ridge = eaves + 3.6, .tile = zinc, .seed = 9},
       lod, side_wall);
   for (const double x : {-1.95, 0.0, 1.95}) {
-    dormer(builder, {x, eaves + 0.8, -0.05}, 1.1, 1.45, 1.2, paints::pale_stone, zinc, lod,
-           x > 0 ? 72U : 70U);
+    dormer(builder, {x, eaves + 0.8, -0.05}, 1.1, 1.45, 1.2, paints::pale_stone, zinc, lod, x > 0 ? 72U : 70U);
   }
   chimney(builder, {2.4, eaves + 3.0, -3.0}, 2.0, side_wall, lod);
   if (lod < 3) awning(builder, -2.3, 2.3, 3.6, 1.3, paints::matt(0x8A2F3E), paints::matt(0xEEDFC8), 8, lod);
@@ -141,8 +140,12 @@ void facade_e(MeshBuilder& builder, int lod) {
   const Paint side_wall = shaded(wall, 0.85);
   closed_box(builder, 6, 0, eaves, town_depth, side_wall, shaded(wall, 0.8));
   gable_roof(builder,
-             {.front_z = 0.55, .back_z = -town_depth, .eaves = eaves - 0.1, .ridge = eaves + 3.6,
-              .tile = shaded(paints::roof_tile, 0.85), .seed = 18},
+             {.front_z = 0.55,
+              .back_z = -town_depth,
+              .eaves = eaves - 0.1,
+              .ridge = eaves + 3.6,
+              .tile = shaded(paints::roof_tile, 0.85),
+              .seed = 18},
              lod, side_wall);
   dormer(builder, {0, eaves - 0.4, 0.06}, 2.4, 2.2, 2.6, wall, shaded(paints::roof_tile, 0.8), lod, 75);
   chimney(builder, {-2.2, eaves + 2.2, -2.6}, 1.9, paints::brick, lod);

@@ -1,5 +1,7 @@
 #include "assets/places/shapes.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "assets/places/arithmetic.h"
@@ -27,7 +29,7 @@ void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, dou
 
 void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0, double x1, const Paint& paint,
               bool ends) {
-  const double wall = profile.front().x;
+  const double wall = std::min(profile.front().x, profile.back().x);
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     const dvec2 p = profile[i];
     const dvec2 q = profile[i + 1];

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "assets/places/finished_mesh.h"
@@ -89,11 +90,22 @@ TEST(PlacesFile, AHouseCostsLittleMoreThanAThousandTrianglesNearAndUnderSixtyFar
   }
 }
 
-TEST(PlacesFile, NormalsHaveLengthOneAndFaceTheSideOfTheirTriangle) {
+glm::dvec3 place_of(const MadeVertex& v) { return {v.position[0], v.position[1], v.position[2]}; }
+glm::dvec3 normal_of(const MadeVertex& v) { return glm::dvec3(v.normal[0], v.normal[1], v.normal[2]) / 127.0; }
+
+TEST(PlacesFile, NormalsHaveLengthOneAndPointOutOfTheirTriangles) {
   for (const MadeMesh& mesh : meshes()) {
-    for (const MadeVertex& vertex : mesh.vertices) {
-      const auto& n = vertex.normal;
-      EXPECT_NEAR(std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 127.0, 1.0, 0.02) << mesh.name;
+    for (const MadeVertex& vertex : mesh.vertices) EXPECT_NEAR(glm::length(normal_of(vertex)), 1.0, 0.02) << mesh.name;
+    for (const MadeLevel& level : mesh.levels) {
+      for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+        std::array<const MadeVertex*, 3> corners{};
+        for (std::size_t c = 0; c < 3; ++c) corners[c] = &mesh.vertices[level.indices[i + c]];
+        if (corners[0]->surface[2] > 0) continue;  // leaves share the light of their crown
+        const glm::dvec3 a = place_of(*corners[0]);
+        const glm::dvec3 across = glm::cross(place_of(*corners[1]) - a, place_of(*corners[2]) - a);
+        if (glm::length(across) < 40) continue;  // rounding may turn what is that thin
+        for (const MadeVertex* corner : corners) EXPECT_GT(glm::dot(normal_of(*corner), across), 0) << mesh.name;
+      }
     }
   }
 }

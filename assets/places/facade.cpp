@@ -121,7 +121,7 @@ void facade_c(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, top - 0.2, 0.25, 0.12, paints::limestone, lod);
   stepped_gable(builder, top, paints::brick, lod);
   const Moved up(builder, {0, top, 0.003});
-  window(builder, 0, 0.55, brick_window(1.7), 2 + (lod == 3), 77);
+  window(builder, 0, 0.55, brick_window(1.7), lod == 3 ? 3 : 2, 77);
   const Moved down(builder, {0, -top, -0.003});
   closed_box(builder, 6, 0, top, house_depth, shaded(paints::brick, 0.85), shaded(paints::brick, 0.8));
   const Moved turned(builder, {0, 0, -house_depth / 2 - 0.2}, 0.25);

@@ -8,13 +8,19 @@
 
 namespace throng::places {
 
-void box(MeshBuilder& builder, dvec3 a, dvec3 b, const Paint& paint, unsigned sides) {
-  if (sides & side::front) builder.quad({a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}, paint);
-  if (sides & side::back) builder.quad({b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, paint);
-  if (sides & side::left) builder.quad({a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}, paint);
-  if (sides & side::right) builder.quad({b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, paint);
-  if (sides & side::top) builder.quad({a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z}, paint);
-  if (sides & side::bottom) builder.quad({a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}, paint);
+void box(MeshBuilder& builder, dvec3 low, dvec3 high, const Paint& paint, unsigned sides) {
+  const auto corner = [&](int x, int y, int z) {
+    return dvec3(x == 0 ? low.x : high.x, y == 0 ? low.y : high.y, z == 0 ? low.z : high.z);
+  };
+  const auto face = [&](unsigned bit, dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
+    if ((sides & bit) != 0) builder.quad(a, b, c, d, paint);
+  };
+  face(side::front, corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));
+  face(side::back, corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0));
+  face(side::left, corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0));
+  face(side::right, corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1));
+  face(side::top, corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0));
+  face(side::bottom, corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));
 }
 
 void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& paint) {

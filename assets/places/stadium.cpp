@@ -47,7 +47,8 @@ void seat(MeshBuilder& builder, int lod) {
 /// Six metres of a stadium's roof: a truss on a mast at z = 0 that carries a roof 14 m out to +Z, 14 m up.
 void roof_bay(MeshBuilder& builder, int lod) {
   const Paint white = paints::metal(0xE3E6E6);
-  const Paint sheet = paints::matt(0xE9ECEA);
+  Paint sheet = paints::matt(0xE9ECEA);
+  sheet.baked = false;
   const int sides = lod == 0 ? 8 : lod == 1 ? 5 : 4;
   bar(builder, {0, 0.02, -1.5}, {0, 19, -2.2}, 0.35, 0.22, sides, white);
   const dvec3 tip(0, 15.2, 14), root(0, 13.2, -1.9), head(0, 19, -2.2);
@@ -66,7 +67,7 @@ void roof_bay(MeshBuilder& builder, int lod) {
     const Paint shade = shaded(sheet, i % 2 == 0 ? 1.0 : 0.93);
     builder.quad({-3, b.y + y, b.z}, {3, b.y + y, b.z}, {3, a.y + y, a.z}, {-3, a.y + y, a.z}, shade);
     builder.quad({-3, a.y + y - 0.08, a.z}, {3, a.y + y - 0.08, a.z}, {3, b.y + y - 0.08, b.z},
-                 {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.72));
+                 {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.85));
     if (lod == 0) bar(builder, {-3, b.y + 0.12, b.z}, {3, b.y + 0.12, b.z}, 0.08, 0.08, 4, white, false);
   }
   box(builder, {-3, 15.1, 13.9}, {3, 15.6, 14.1}, paints::matt(0x2E4A7A), side::all_sides);

@@ -92,6 +92,11 @@ std::vector<TuningValue> crowd_values() {
               .most = 0.3,
               .track = {.decimals = 2}},
              at(&Tuning::size_variety)),
+      on_off({.key = "scenery",
+              .label = "Scenery",
+              .option = "--scenery on|off",
+              .help = "What stands around the crowd is drawn ({default})"},
+             at(&Tuning::scenery)),
       on_off({.key = "paused", .label = "Pause", .help = "The crowd stands still ({default})"}, at(&Tuning::paused)),
       number({.key = "time_scale",
               .label = "Speed",
@@ -257,11 +262,6 @@ std::vector<TuningValue> view_values() {
               .label = "Bones as lines",
               .help = "Skeletons are drawn over the characters ({default})"},
              at(&Tuning::bones_as_lines)),
-      on_off({.key = "scenery",
-              .label = "Scenery",
-              .option = "--scenery on|off",
-              .help = "What stands around the crowd is drawn ({default})"},
-             at(&Tuning::scenery)),
   };
 }
 

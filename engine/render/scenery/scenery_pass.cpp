@@ -7,6 +7,7 @@
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/light/light_parts.h"
 
 namespace throng::render {
 namespace {
@@ -30,7 +31,7 @@ static_assert(sizeof(SceneryRecord) == 56);
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : surface_(shaders.load({"scenery.vert", "scenery.frag"})),
+    : surface_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
       depth_(shaders.load({"scenery_depth.vert", "scenery_depth.frag"})) {}
 
 Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
@@ -96,7 +97,7 @@ DrawCounts SceneryPass::draw_chosen() {
   return counts;
 }
 
-DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height) {
+DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
   glEnable(GL_DEPTH_TEST);
@@ -104,7 +105,7 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height) {
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  glUseProgram(surface_.id());
+  glUseProgram(surface_.with(light).id());
   return draw_chosen();
 }
 

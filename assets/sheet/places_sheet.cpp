@@ -25,6 +25,7 @@ using render::Image;
 using render::SceneryInstance;
 using render::SceneryMeshData;
 
+constexpr int portrait_pixels = 125;                          // eight in a row
 constexpr std::uint32_t red = 0xFF3A40C8, blue = 0xFFB0683C;  // as SceneryInstance::tint has them
 
 bool complain(const std::string& message) {
@@ -132,30 +133,34 @@ class PropStudio {
   std::vector<SceneryInstance> placed_;
 };
 
+std::uint32_t tint_of(const std::string& name) {
+  if (name == "flag" || name == "banner") return red;
+  return name == "seat" ? blue : render::no_tint;
+}
+
 /// One prop, turned a little, seen from a little above.
 Image portrait(PropStudio& studio, const std::string& name, int size, std::size_t level = 0, float turn = 0.55F) {
   const Ball ball = studio.bounds(name);
   const glm::mat4 turned = glm::rotate(glm::mat4(1.0F), turn, glm::vec3(0.0F, 1.0F, 0.0F));
   const glm::vec3 centre(turned * glm::vec4(ball.centre, 1.0F));
-  const bool sunk = name == "seat_block";
-  studio.put(name, standing({0.0F, sunk ? 1.0F : 0.0F, 0.0F}, turn), name == "seat" || name == "banner" ? blue : red,
-             level);
-  render::Camera camera{.position = centre, .pitch = -0.16F, .vertical_view = 0.35F};
-  camera = render::frame_sphere(camera, centre + glm::vec3(0.0F, sunk ? 1.0F : 0.0F, 0.0F), ball.radius * 0.86F, 1.0F);
+  const float lifted = name == "seat_block" ? 1.0F : 0.0F;
+  studio.put(name, standing({0.0F, lifted, 0.0F}, turn), tint_of(name), level);
+  const bool flat = name == "steps" || name == "hill";
+  render::Camera camera{.position = centre, .pitch = flat ? -0.45F : -0.16F, .vertical_view = 0.35F};
+  camera = render::frame_sphere(camera, centre + glm::vec3(0.0F, lifted, 0.0F), ball.radius * 0.98F, 1.0F);
   return studio.take(camera, size, size, true);
 }
 
 void add_portraits(PropStudio& studio, ContactSheet& sheet) {
   const std::vector<std::vector<std::string>> rows{
-      {"arcade_bay", "arcade_corner", "facade_a", "facade_b", "facade_c", "facade_corner"},
-      {"tower", "tree_a", "tree_b", "tree_c", "fountain", "statue"},
-      {"kiosk", "bench", "planter", "lamp", "bollard", "steps"},
-      {"flag", "banner", "barrier", "stand", "camera_crane", "flood_light"},
-      {"roof_bay", "goal", "seat", "seat_block", "skyline", "hill"}};
+      {"arcade_bay", "facade_a", "facade_b", "facade_c", "facade_d", "facade_e", "facade_corner", "arcade_corner"},
+      {"tower", "tree_a", "tree_b", "tree_c", "fountain", "statue", "kiosk", "planter"},
+      {"bench", "lamp", "bollard", "steps", "flag", "banner", "barrier", "bunting"},
+      {"stand", "camera_crane", "roof_bay", "goal", "seat", "seat_block", "flood_light", "skyline_center"}};
   for (const std::vector<std::string>& row : rows) {
     std::vector<Image> pictures;
     pictures.reserve(row.size());
-    for (const std::string& name : row) pictures.push_back(portrait(studio, name, 190));
+    for (const std::string& name : row) pictures.push_back(portrait(studio, name, portrait_pixels));
     sheet.add(beside(pictures));
   }
 }
@@ -164,7 +169,7 @@ void add_levels(PropStudio& studio, ContactSheet& sheet) {
   std::vector<Image> pictures;
   for (const std::string name : {"facade_a", "tree_a"}) {
     for (std::size_t level = 0; level < std::min<std::size_t>(studio.level_count(name), 4); ++level) {
-      pictures.push_back(portrait(studio, name, 142, level));
+      pictures.push_back(portrait(studio, name, portrait_pixels, level));
     }
   }
   sheet.add(beside(pictures));
@@ -173,12 +178,12 @@ void add_levels(PropStudio& studio, ContactSheet& sheet) {
 /// A corner of a street as who walks there sees it.
 Image street(PropStudio& studio) {
   constexpr float quarter = std::numbers::pi_v<float> / 2.0F;
-  const std::vector<std::string> houses{"facade_a", "facade_c", "facade_b"};
+  const std::vector<std::string> houses{"facade_a", "facade_e", "facade_c", "facade_d", "facade_b"};
   const std::vector<std::uint32_t> tints{0xFFFFFFFF, 0xFFC8DCF4, 0xFFD8E6EC, 0xFFC4D8F8};
   for (std::size_t i = 0; i < 8; ++i) {
     const float z = -6.0F * static_cast<float>(i);
-    studio.put(houses[i % 3], standing({-7.0F, 0.0F, z}, quarter), tints[i % 4], i < 4 ? 0 : 1);
-    studio.put(houses[(i + i / 2 + 1) % 3], standing({7.0F, 0.0F, z}, -quarter), tints[(i + 2) % 4], i < 4 ? 0 : 1);
+    studio.put(houses[i % 5], standing({-7.0F, 0.0F, z}, quarter), tints[i % 4], i < 4 ? 0 : 1);
+    studio.put(houses[(i + i / 2 + 2) % 5], standing({7.0F, 0.0F, z}, -quarter), tints[(i + 2) % 4], i < 4 ? 0 : 1);
     studio.put("lamp", standing({-4.6F, 0.0F, z - 3.0F}));
     studio.put("bunting", standing({0.0F, 0.0F, 1.5F * z - 9.0F}));
     studio.put("tree_b", standing({4.5F, 0.0F, 1.4F * z - 8.0F}, z), render::no_tint, i < 2 ? 0 : 1);
@@ -188,7 +193,7 @@ Image street(PropStudio& studio) {
   studio.put("kiosk", standing({-3.2F, 0.0F, -10.0F}, 0.9F));
   studio.put("tower", standing({0.0F, 0.0F, -60.0F}));
   const render::Camera camera{.position = {0.6F, 1.7F, 6.0F}, .yaw = 0.02F, .pitch = 0.16F, .vertical_view = 0.9F};
-  return studio.take(camera, 1140, 520, false);
+  return studio.take(camera, 8 * portrait_pixels, 440, false);
 }
 
 }  // namespace

@@ -135,10 +135,14 @@ void leaf_card(MeshBuilder& builder, const Clump& clump) {
 
 void trunk(MeshBuilder& builder, const Species& species, int lod) {
   const Paint bark{.color = species.bark};
-  const int sides = lod == 0 ? 8 : lod == 1 ? 6 : 4;
+  const int sides = lod == 0 ? 8 : lod == 1 ? 6 : lod == 2 ? 4 : 3;
   const double r = species.trunk_radius;
   const double h = species.trunk_height;
   if (lod < 2) bar(builder, {0, 0, 0}, {0.02, 0.35, 0.01}, r * 1.7, r * 1.1, sides, bark);
+  if (lod == 3) {
+    bar(builder, {0, 0, 0}, {0.1, h * 1.35, 0.05}, r * 1.1, r * 0.7, sides, bark);
+    return;
+  }
   bar(builder, lod < 2 ? dvec3(0.02, 0.35, 0.01) : dvec3(0, 0, 0), {0.08, h, 0.05}, r * 1.1, r * 0.75, sides, bark);
   if (lod >= 2) {
     bar(builder, {0.08, h, 0.05}, species.lobes.front().centre, r * 0.75, r * 0.4, 4, bark);
@@ -151,9 +155,9 @@ void trunk(MeshBuilder& builder, const Species& species, int lod) {
   }
 }
 
-/// All lobes as three balls of ten faces.
+/// All lobes as two balls.
 void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bounds) {
-  constexpr std::size_t balls = 3;
+  constexpr std::size_t balls = 2;
   const std::size_t count = species.lobes.size();
   for (std::size_t i = 0; i < balls; ++i) {
     dvec3 low(1e9), high(-1e9);
@@ -161,7 +165,7 @@ void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bound
       low = glm::min(low, species.lobes[k].centre - species.lobes[k].radius);
       high = glm::max(high, species.lobes[k].centre + species.lobes[k].radius);
     }
-    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2,
+    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 3, 1.0, 0.2,
          species.seed * 50 + static_cast<std::uint32_t>(i));
   }
 }

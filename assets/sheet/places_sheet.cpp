@@ -25,7 +25,7 @@ using render::Image;
 using render::SceneryInstance;
 using render::SceneryMeshData;
 
-constexpr int portrait_pixels = 125;                          // eight in a row
+constexpr int portrait_pixels = 120;                          // eight in a row
 constexpr std::uint32_t red = 0xFF3A40C8, blue = 0xFFB0683C;  // as SceneryInstance::tint has them
 
 bool complain(const std::string& message) {
@@ -192,8 +192,8 @@ Image street(PropStudio& studio) {
   studio.put("planter", standing({4.6F, 0.0F, -0.4F}));
   studio.put("kiosk", standing({-3.2F, 0.0F, -10.0F}, 0.9F));
   studio.put("tower", standing({0.0F, 0.0F, -60.0F}));
-  const render::Camera camera{.position = {0.6F, 1.7F, 6.0F}, .yaw = 0.02F, .pitch = 0.16F, .vertical_view = 0.9F};
-  return studio.take(camera, 8 * portrait_pixels, 440, false);
+  const render::Camera camera{.position = {0.6F, 1.7F, 6.0F}, .yaw = 0.02F, .pitch = 0.12F, .vertical_view = 0.78F};
+  return studio.take(camera, 8 * portrait_pixels, 350, false);
 }
 
 }  // namespace

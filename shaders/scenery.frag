@@ -13,8 +13,8 @@ flat in uint kind;
 
 out vec4 color;
 
+#ifdef SHINY
 const uint glass = 1u, water = 2u, metal = 3u;
-const float glow_light = 2.2;
 
 // Three trains of waves, a hand wide and less.
 vec3 rippled(vec3 normal) {
@@ -35,18 +35,25 @@ vec3 mirrored(vec3 scattered, vec3 normal, vec3 direction) {
   float share = kind == water ? 0.04 + 0.96 * fresnel : 0.16 + 0.84 * fresnel;
   return mix(scattered, environment(mirror_way, kind == water ? 0.0 : 0.1), share);
 }
+#endif
+
+const float glow_light = 2.2;
 
 void main() {
   vec3 from_eye = world_position - camera_position.xyz;
   float metres = length(from_eye);
   vec3 direction = from_eye / metres;
   vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
+#ifdef SHINY
   if (kind == water) normal = rippled(normal);
+#endif
   float facing = max(dot(normal, to_sun), 0.0);
-  if (facing > 0.0) facing *= sun_visibility(world_position, normal);
+  facing *= sun_visibility(world_position, normal);
   vec3 light = albedo * (sun_light() * facing + ambient_light(normal) * openness(world_position) +
                        lamp_light(world_position, normal));
-  if (kind != 0u) light = mirrored(light, normal, direction);
+#ifdef SHINY
+  light = mirrored(light, normal, direction);
+#endif
   light += albedo * (glow * night() * glow_light);
   color = vec4(exposed(through_haze(light, direction, metres / distance_scale)), 1.0);
 }

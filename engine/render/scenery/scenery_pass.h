@@ -35,13 +35,18 @@ class SceneryPass {
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
 
  private:
-  /// A run of the index buffer.
+  /// A run of the index buffer: matt triangles, and after them those that mirror.
   struct LodRun {
     std::uint32_t first_index;
-    std::uint32_t index_count;
+    std::uint32_t matt_count;
+    std::uint32_t shiny_count;
   };
+  enum class Part : std::uint8_t { matt, shiny, all };
 
-  DrawCounts draw_chosen();
+  std::uint32_t add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool shiny,
+                              std::vector<std::uint32_t>& indices) const;
+  void upload_chosen();
+  DrawCounts draw_chosen(Part part);
 
   ProgramVariants surface_;
   const gl::Program& depth_;
@@ -53,7 +58,7 @@ class SceneryPass {
   std::vector<std::vector<LodRun>> lods_;  // [mesh][LOD]
   std::vector<std::int32_t> first_vertices_;
   ScenerySelection selection_;
-  std::vector<DrawCommand> commands_;
+  std::vector<DrawCommand> commands_;  // of matt parts, then of those that mirror, or of both at once
   gl::GrowingBuffer<std::uint32_t> chosen_;
   gl::GrowingBuffer<DrawCommand> command_buffer_;
 };

@@ -34,14 +34,23 @@ vec3 environment(vec3 direction, float roughness) {
 // Gives the haze in a direction along the ground.
 vec3 haze_towards(vec3 direction) {
   vec2 along = normalize(direction.xz + vec2(1e-6));
-  float towards = max(0.5 + 0.5 * dot(along, normalize(to_sun.xz + vec2(1e-6))), 0.0);
+  float towards = max(0.5 + 0.5 * dot(along, vec2(haze.a, haze_at_sun.a)), 0.0);
   float glow = towards * towards;
   return haze.rgb + haze_at_sun.rgb * (glow * glow);
 }
 
-// `metres` are those of a scene of people.
+// Gives the share of light that comes through so many metres of haze, which takes blue away sooner than red. `metres` are
+// those of a scene of people.
+vec3 clear_after(float metres) { return exp(-metres * clearing.rgb); }
+
+// Gives the haze in front of what is so many metres away; alpha is the share that it leaves of that.
+vec4 haze_in_front(vec3 direction, float metres) {
+  float clear = clear_after(metres).g;
+  return vec4(haze_towards(direction) * (1.0 - clear), clear);
+}
+
 vec3 through_haze(vec3 light, vec3 direction, float metres) {
-  return mix(haze_towards(direction), light, exp(-metres * clearing.rgb));
+  return mix(haze_towards(direction), light, clear_after(metres));
 }
 
 vec3 sky_color(vec3 direction) {

@@ -37,15 +37,12 @@ class CrowdPass {
 
   /// Takes note of what all draws of a frame have in common. Call it before the others.
   /// `light` has the parts that the frame's light has (light_parts.h).
-  void begin(const CrowdFrame& frame, std::uint32_t light) {
-    morphs_ = morphed_.has_value() && !frame.morph_weights.empty();
-    light_ = light;
-  }
+  void begin(const CrowdFrame& frame, std::uint32_t light);
 
  private:
   /// The programs that draw surfaces; all have the same uniforms.
   struct Programs {
-    Programs(ShaderLibrary& shaders, const std::string& vertex);
+    Programs(ShaderLibrary& shaders, const std::string& plain_vertex, const std::string& vertex);
 
     ProgramVariants plain;
     ProgramVariants material;
@@ -60,7 +57,8 @@ class CrowdPass {
   ShaderLibrary* shaders_;
   Programs plain_;
   std::optional<Programs> morphed_;
-  bool morphs_ = false;  // an instance of the frame has weights
+  bool morphs_ = false;        // an instance of the frame has weights
+  bool debug_colors_ = false;  // a colour stands for a value of an instance or a vertex
   std::uint32_t light_ = 0;
   IndirectDraws surfaces_;
   IndirectDraws blended_;

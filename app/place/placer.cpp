@@ -47,16 +47,18 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
   std::uint32_t left_of_house = 0, front = random_.below(front_count), wall = 0;
   double tall = 1.0;
   for (long bay = 0; bay < bays; ++bay) {
-    if (left_of_house == 0) {
-      left_of_house = 1 + random_.below(3);
+    const bool ends_row = bay == 0 || bay + 1 == bays;  // where a side is seen
+    if (left_of_house == 0 || ends_row) {
+      left_of_house = ends_row ? 1 : 1 + random_.below(3);
       front = (front + 1 + random_.below(front_count - 1)) % front_count;  // never the same twice
       wall = walls[random_.below(walls.size())];
       tall = static_cast<double>(random_.between(0.92F, 1.08F));
     }
     --left_of_house;
     const bool arcade = houses == Houses::arcades;
+    const Prop house = ends_row ? Prop::facade_corner : fronts[front];
     const glm::dvec2 at = from + (static_cast<double>(bay) + 0.5) * step;
-    put(arcade ? Prop::arcade_bay : fronts[front], at, heading,
+    put(arcade ? Prop::arcade_bay : house, at, heading,
         {.stretch = {stretch, arcade ? 1.0 : tall, 1.0}, .tint = arcade ? render::no_tint : wall});
   }
 }

@@ -4,6 +4,9 @@
 #include "scenery_instance.glsl"
 #include "color.glsl"
 
+// The depths that are drawn first are the same, to the bit.
+invariant gl_Position;
+
 out vec3 world_position;
 out vec3 world_normal;
 out vec3 albedo;

@@ -13,11 +13,12 @@ class GroundPass {
  public:
   explicit GroundPass(ShaderLibrary& shaders);
 
-  /// Covers the picture with one triangle; the fragment shader finds where each pixel's ray meets the ground. It writes
-  /// no depth and must come first, because nothing in the scene lies below the ground. Frame data must be bound.
+  /// Covers the picture with one triangle; the fragment shader finds where each pixel's ray meets the ground. It fills
+  /// what nothing opaque was drawn into and writes no depth, because nothing in the scene lies below the ground. Frame
+  /// data must be bound.
   DrawCounts draw() const;
 
-  /// Draws the spots in one call, after the ground and before the crowd. `with_sun_side` adds a soft streak away from
+  /// Draws the spots in one call, after the ground and the crowd. `with_sun_side` adds a soft streak away from
   /// the sun to each, in place of a cast shadow. Frame data must be bound.
   DrawCounts draw_spots(std::uint32_t instance_count, bool with_sun_side) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,7 +17,8 @@
 
 namespace throng::render {
 
-/// Draws what stands around a crowd, all of it with one call. Frame data and light must be bound.
+/// Draws what stands around a crowd, all of it with three calls: depths, what scatters light, and what mirrors too.
+/// Frame data and light must be bound.
 class SceneryPass {
  public:
   /// `shaders` must outlive the pass.
@@ -34,15 +36,20 @@ class SceneryPass {
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
 
  private:
-  /// A run of the index buffer.
+  /// A run of the index buffer: triangles that scatter light, then those that mirror too.
   struct LodRun {
     std::uint32_t first_index;
-    std::uint32_t index_count;
+    std::uint32_t matt_count;
+    std::uint32_t mirror_count;
   };
+  enum Part : std::uint8_t { whole, matt, mirrors, part_count };
 
-  DrawCounts draw_chosen();
+  void compose(std::uint32_t parts);
+  DrawCounts draw_part(Part part) const;
 
-  const gl::Program& surface_;
+  const gl::Program& matt_;
+  const gl::Program& mirror_;
+  const gl::Program& own_depth_;
   const gl::Program& depth_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
@@ -52,7 +59,9 @@ class SceneryPass {
   std::vector<std::vector<LodRun>> lods_;  // [mesh][LOD]
   std::vector<std::int32_t> first_vertices_;
   ScenerySelection selection_;
-  std::vector<DrawCommand> commands_;
+  std::vector<DrawCommand> commands_;                  // by part
+  std::array<std::uint32_t, part_count + 1> parts_{};  // [part] where its commands begin
+  std::array<std::uint64_t, part_count> triangles_{};
   gl::GrowingBuffer<std::uint32_t> chosen_;
   gl::GrowingBuffer<DrawCommand> command_buffer_;
 };

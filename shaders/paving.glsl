@@ -48,11 +48,13 @@ vec3 slabs(vec2 ground, vec2 footprint) {
   tone += 0.16 * (smooth_noise(ground * 0.11) - 0.5);
 
   float inlay = 0.0;
-  if (ground_style == 0u && (ground_paved == 0.0 || loop_distance(ground, 0.0) < 0.0)) {
+#ifndef STREET
+  if (ground_paved == 0.0 || loop_distance(ground, 0.0) < 0.0) {
     float ring = length(ground) / inlay_spacing + 0.5;
     float ring_width = max(max(footprint.x, footprint.y) / inlay_spacing, 1e-4);
     inlay = band_share(ring, inlay_width / inlay_spacing, ring_width);
   }
+#endif
   vec3 stone = mix(stone_color, inlay_color, inlay) * tone;
   return mix(stone, joint_color, joint * (1.0 - 0.6 * inlay));
 }
@@ -140,9 +142,13 @@ vec3 fields(vec2 ground, float wide) {
 }
 
 vec3 town_ground(vec2 ground, vec2 footprint) {
-  if (ground_style == 1u) return street(ground, footprint);
-  if (ground_style == 2u) return pitch(ground, footprint);
+#if defined(STREET)
+  return street(ground, footprint);
+#elif defined(PITCH)
+  return pitch(ground, footprint);
+#else
   return slabs(ground, footprint);
+#endif
 }
 
 // Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/light/light_parts.h"
 #include "engine/render/passes/crowd_runs.h"
 
 namespace throng::render {
@@ -91,10 +92,10 @@ void test_depth() {
 }  // namespace
 
 CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex)
-    : plain(shaders.load({vertex, "crowd.frag"})),
-      material(shaders.load({vertex, "crowd_material.frag"})),
-      cut_out(shaders.load({vertex, "crowd_cut_out.frag"})),
-      blended_part(shaders.load({vertex, "crowd_blended.frag"})) {}
+    : plain(shaders, {vertex, "crowd.frag"}, light_switches()),
+      material(shaders, {vertex, "crowd_material.frag"}, light_switches()),
+      cut_out(shaders, {vertex, "crowd_cut_out.frag"}, light_switches()),
+      blended_part(shaders, {vertex, "crowd_blended.frag"}, light_switches()) {}
 
 CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd.vert") {}
 
@@ -119,13 +120,13 @@ DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> m
   return surfaces_.counts();
 }
 
-void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) const {
+void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) {
   const CrowdMaterial& material = mesh.materials()[of_mesh];
-  const Programs& programs = programs_for(mesh);
+  Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    glUseProgram(material.is_plain ? programs.plain.id() : programs.material.id());
+    glUseProgram((material.is_plain ? programs.plain : programs.material).with(light_).id());
   } else {
-    glUseProgram(programs.cut_out.id());
+    glUseProgram(programs.cut_out.with(light_).id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
   }
   set_uniforms(material);
@@ -136,7 +137,7 @@ DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const Pale
   blended_.upload();
   for (const IndirectDraws::Group& group : blended_.groups()) {
     const CrowdMaterial& material = meshes[group.character].materials()[group.material];
-    glUseProgram(programs_for(meshes[group.character]).blended_part.id());
+    glUseProgram(programs_for(meshes[group.character]).blended_part.with(light_).id());
     glUniform1f(alpha_cutoff_location, solid_alpha);
     set_uniforms(material);
     set_culling(material);

@@ -1,5 +1,7 @@
 #include "engine/render/passes/ground_pass.h"
 
+#include "engine/render/light/light_parts.h"
+
 namespace throng::render {
 namespace {
 
@@ -9,14 +11,17 @@ constexpr GLsizei corners_of_a_disc = 4;
 }  // namespace
 
 GroundPass::GroundPass(ShaderLibrary& shaders)
-    : ground_(shaders.load({"ground.vert", "ground.frag"})), spots_(shaders.load({"contact.vert", "contact.frag"})) {}
+    : ground_(shaders, {"ground.vert", "ground.frag"}, light_switches({"STREET", "PITCH"})),
+      spots_(shaders.load({"contact.vert", "contact.frag"})) {}
 
-DrawCounts GroundPass::draw() const {
+DrawCounts GroundPass::draw(GroundStyle style, std::uint32_t light) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_EQUAL);  // at the farthest depth, where nothing has been drawn
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
-  glUseProgram(ground_.id());
+  const std::uint32_t style_bit =
+      style == GroundStyle::paving ? 0U : 1U << (light_part_count + (style == GroundStyle::pitch ? 1U : 0U));
+  glUseProgram(ground_.with(light | style_bit).id());
   glBindVertexArray(no_vertices_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   return {1, 1};

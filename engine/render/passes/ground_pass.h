@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/render/crowd_draw.h"
-#include "engine/render/shader/shader_library.h"
+#include "engine/render/shader/program_variants.h"
 
 namespace throng::render {
 
@@ -16,14 +16,15 @@ class GroundPass {
   /// Covers the picture with one triangle; the fragment shader finds where each pixel's ray meets the ground. It fills
   /// what nothing opaque was drawn into and writes no depth, because nothing in the scene lies below the ground. Frame
   /// data must be bound.
-  DrawCounts draw() const;
+  /// `light` has the parts of the light (light_parts.h).
+  DrawCounts draw(GroundStyle style, std::uint32_t light);
 
   /// Draws the spots in one call, after the ground and the crowd. `with_sun_side` adds a soft streak away from
   /// the sun to each, in place of a cast shadow. Frame data must be bound.
   DrawCounts draw_spots(std::uint32_t instance_count, bool with_sun_side) const;
 
  private:
-  const gl::Program& ground_;
+  ProgramVariants ground_;
   const gl::Program& spots_;
   gl::VertexArray no_vertices_ = gl::create_vertex_array();
 };

@@ -9,6 +9,7 @@
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/light/light_parts.h"
 
 namespace throng::render {
 namespace {
@@ -40,8 +41,8 @@ void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool 
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : matt_(shaders.load({"scenery.vert", "scenery.frag"})),
-      mirror_(shaders.load({"scenery.vert", "scenery_mirror.frag"})),
+    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
+      mirror_(shaders, {"scenery.vert", "scenery_mirror.frag"}, light_switches()),
       own_depth_(shaders.load({"scenery.vert", "scenery_depth.frag"})),
       depth_(shaders.load({"scenery_depth.vert", "scenery_depth.frag"})) {}
 
@@ -127,7 +128,7 @@ DrawCounts SceneryPass::draw_part(Part part) const {
 }
 
 // A point of the picture is lit only once, whatever lies behind it.
-DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height) {
+DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
   compose(part_count);
@@ -143,7 +144,7 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height) {
   glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
-    glUseProgram(program->id());
+    glUseProgram(program->with(light).id());
     const DrawCounts lit = draw_part(part);
     counts.draw_calls += lit.draw_calls;
     counts.triangles += lit.triangles;

@@ -12,7 +12,7 @@
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/scenery/selection.h"
 #include "engine/render/scenery_data.h"
-#include "engine/render/shader/shader_library.h"
+#include "engine/render/shader/program_variants.h"
 #include "engine/result.h"
 
 namespace throng::render {
@@ -30,7 +30,8 @@ class SceneryPass {
   void place(std::span<const SceneryInstance> instances);
 
   /// Draws what is in view, into the colours and depths that are bound. Allocates nothing.
-  DrawCounts draw(const CameraView& camera, float picture_height);
+  /// `light` has the parts of the light (light_parts.h).
+  DrawCounts draw(const CameraView& camera, float picture_height, std::uint32_t light);
   /// Draws depths alone along parallel rays, with coarser meshes, into the target that is bound. Depth tests and
   /// offsets are the caller's. `texel_metres` is the size of a texel.
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
@@ -47,8 +48,8 @@ class SceneryPass {
   void compose(std::uint32_t parts);
   DrawCounts draw_part(Part part) const;
 
-  const gl::Program& matt_;
-  const gl::Program& mirror_;
+  ProgramVariants matt_;
+  ProgramVariants mirror_;
   const gl::Program& own_depth_;
   const gl::Program& depth_;
   gl::Buffer vertices_;

@@ -285,7 +285,8 @@ TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {
   tuning.inspection.split = Split::shown;
   EXPECT_FALSE(idle_reason("split_at", tuning, {}));
   tuning.taken_away.drawing = true;
-  for (const char* const key : {"split", "split_at", "thresholds", "debug_view", "bones_as_lines", "scenery", "pixels"}) {
+  for (const char* const key :
+       {"split", "split_at", "thresholds", "debug_view", "bones_as_lines", "scenery", "pixels"}) {
     EXPECT_TRUE(idle_reason(key, tuning, {})) << key;
   }
 }

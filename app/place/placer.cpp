@@ -15,7 +15,9 @@ namespace {
 constexpr std::array<std::uint32_t, 8> walls{tint_of(255, 250, 240), tint_of(250, 226, 190), tint_of(238, 205, 170),
                                              tint_of(247, 236, 214), tint_of(232, 196, 158), tint_of(240, 222, 206),
                                              tint_of(222, 206, 184), tint_of(248, 216, 176)};
-constexpr std::array<Prop, 3> fronts{Prop::facade_a, Prop::facade_b, Prop::facade_c};
+constexpr std::uint32_t front_count = 5;
+constexpr std::array<Prop, front_count> fronts{Prop::facade_a, Prop::facade_b, Prop::facade_c, Prop::facade_d,
+                                               Prop::facade_e};
 
 constexpr double to_horizon = 420.0;  // metres beyond a place
 constexpr int hills = 18, roofs = 22;
@@ -42,12 +44,12 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
   const glm::dvec2 step = (to - from) / static_cast<double>(bays);
   const double stretch = length / (static_cast<double>(bays) * bay_width * unit_);
   const Heading heading = heading_along(facing);
-  std::uint32_t left_of_house = 0, front = random_.below(3), wall = 0;
+  std::uint32_t left_of_house = 0, front = random_.below(front_count), wall = 0;
   double tall = 1.0;
   for (long bay = 0; bay < bays; ++bay) {
     if (left_of_house == 0) {
-      left_of_house = 2 + random_.below(3);
-      front = (front + 1 + random_.below(2)) % 3;  // never the same twice
+      left_of_house = 1 + random_.below(3);
+      front = (front + 1 + random_.below(front_count - 1)) % front_count;  // never the same twice
       wall = walls[random_.below(walls.size())];
       tall = static_cast<double>(random_.between(0.92F, 1.08F));
     }
@@ -92,9 +94,9 @@ void Placer::put_horizon(double reach) {
     const auto away = static_cast<double>(random_.between(0.8F, 1.7F)),
                tall = static_cast<double>(random_.between(0.6F, 1.2F));
     const auto wide = static_cast<double>(random_.between(0.7F, 1.4F)) * (random_.chance(0.5F) ? 1.0 : -1.0);
-    if (random_.chance(0.3F)) continue;  // so that hills show between the roofs
-    put(Prop::skyline, way * (far * away), heading_along(-way),
-        {.stretch = {wide * far / (to_horizon * unit_), tall, 1.0}});
+    if (random_.chance(0.3F)) continue;                                       // so that hills show between the roofs
+    const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // a dome that one meets too often is none
+    put(town, way * (far * away), heading_along(-way), {.stretch = {wide * far / (to_horizon * unit_), tall, 1.0}});
   }
 }
 

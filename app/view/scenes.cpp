@@ -48,11 +48,11 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
   const auto ahead = static_cast<float>(0.5 * size.half_length) + 7.0F * unit;
   const auto across = static_cast<float>(2.0 * (size.half_length + size.radius + size.half_width));
   const auto end =
-      static_cast<float>(size.half_length + size.radius + size.outside) + 2.6F * unit;  // before the houses
-  const float above = 0.62F * across + 6.0F * unit;
+      static_cast<float>(size.half_length + size.radius + size.outside) + 2.2F * unit;  // before the houses
+  const float above = 0.62F * across + 10.0F * unit;  // above the roofs beside the street
   return {
       {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
-      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"above", {0.0F, above, 0.3F * above, 0.0F, -73.0F, 50.0F}},
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
       {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
   };

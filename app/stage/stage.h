@@ -19,6 +19,13 @@
 
 namespace throng::app {
 
+/// The milliseconds that the parts of the last frame took on the calling thread.
+struct StageTimes {
+  double crowd_ms = 0;      ///< move(): where everybody goes, and what is played
+  double selection_ms = 0;  ///< who is in view, and how exactly each is posed
+  double pose_ms = 0;       ///< the rest of pose(): slots, feet, palettes, errors
+};
+
 /// A stage brings the crowd, its level of detail, its animation and its palette slots together. A frame is
 ///     move(dt)            the crowd walks on, asks for clips, every clock advances
 ///     pose(...)           level of detail chooses, slots are taken, the PUs write them
@@ -91,6 +98,7 @@ class Stage {
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd().characters()[agent]]; }
   const Tuning& tuning() const { return tuning_; }
   std::uint64_t frame() const { return frame_; }
+  const StageTimes& times() const { return times_; }
   std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
 
  private:
@@ -116,6 +124,7 @@ class Stage {
   std::unique_ptr<AnimatedCrowd> animated_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
+  StageTimes times_;
   bool moving_ = true;
 };
 

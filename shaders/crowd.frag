@@ -2,6 +2,7 @@
 
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "shadows.glsl"
 #include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
 

@@ -4,8 +4,10 @@
 // Order-Independent Transparency", 2013). crowd_cut_out.frag draws what has at least the alpha `solid_alpha`.
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "shadows.glsl"
 #include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
+#include "crowd_material.glsl"
 #include "crowd_emission.glsl"
 
 layout(location = 2) uniform float solid_alpha;

@@ -2,8 +2,10 @@
 
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "shadows.glsl"
 #include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
+#include "crowd_material.glsl"
 #include "crowd_emission.glsl"
 
 layout(location = 2) uniform float alpha_cutoff;

@@ -13,13 +13,12 @@ vec3 reflected(vec3 albedo) {
   vec3 direction = from_eye / length(from_eye);
   vec3 normal = facing_normal();
   float facing = sun_share(normal);
-  // Feet see less of the sky than heads, because a crowd and the ground surround them.
-  float openness = 0.62 + 0.38 * smoothstep(0.0, 1.1, world_position.y);
-  vec3 light = sun_light * (facing * facing) + ambient_light(normal) * openness;
+  float open = openness_on_body(world_position);
+  vec3 light = sun_light() * (sun_visibility(world_position, normal) * facing * facing) + ambient_light(normal) * open;
 
   float edge = 1.0 - max(-dot(normal, direction), 0.0);
   float rim = edge * edge * edge * (0.5 + 0.5 * normal.y);
-  return albedo * light + sky_light * (rim * 0.16);
+  return albedo * light + ambient_light(normal) * (rim * 0.16);
 }
 
 // Shows light as the camera sees it: below the debug colour and through the haze.

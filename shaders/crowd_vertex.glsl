@@ -8,6 +8,10 @@ layout(location = 5) in vec3 shape;
 layout(location = 6) in vec2 hair;
 layout(location = 7) in uint region;
 layout(location = 8) in vec2 emission_coord;
+layout(location = 9) in vec2 metallic_roughness_coord;
+layout(location = 10) in vec2 normal_coord;
+layout(location = 11) in vec2 occlusion_coord;
+layout(location = 12) in vec4 tangent;  // w: the side of the bitangent
 
 layout(location = 0) uniform uint vertex_count;
 
@@ -19,7 +23,13 @@ uvec4 entries_at(uint bone_level) {
   return uvec4(pairs.x & 0xFFFFu, pairs.x >> 16, pairs.y & 0xFFFFu, pairs.y >> 16);
 }
 
-InstanceRecord drawn_instance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
+InstanceRecord drawn_instance() {
+#ifdef OF_A_LIST
+  return instances[casters[gl_BaseInstanceARB + gl_InstanceID]];
+#else
+  return instances[gl_BaseInstanceARB + gl_InstanceID];
+#endif
+}
 
 SkinnedVertex skinned(const InstanceRecord instance) {
   vec3 own_position = position, own_normal = normal;
@@ -27,5 +37,5 @@ SkinnedVertex skinned(const InstanceRecord instance) {
   add_morphs(instance, uint(gl_VertexID), own_position, own_normal);
 #endif
   own_position = varied(instance, own_position, own_normal, shape, hair);
-  return skin_vertex(instance, now, own_position, own_normal, entries_at(instance.bone_level), weights);
+  return skin_vertex(instance, now, own_position, own_normal, tangent.xyz, entries_at(instance.bone_level), weights);
 }

@@ -1,4 +1,4 @@
-// The crowd, opaque and lit. A program with morphs includes morphs.glsl before it.
+// The crowd. A program with morphs includes morphs.glsl before it.
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
 #include "skinning.glsl"
@@ -12,6 +12,10 @@ out vec3 world_position;
 out vec3 world_normal;
 out vec2 passed_texture_coord;
 out vec2 passed_emission_coord;
+out vec2 passed_metallic_roughness_coord;
+out vec2 passed_normal_coord;
+out vec2 passed_occlusion_coord;
+out vec4 world_tangent;
 out vec4 passed_color;
 out vec4 debug_color;
 
@@ -35,6 +39,10 @@ void main() {
   world_normal = turned(instance, vertex.normal);
   passed_texture_coord = texture_coord;
   passed_emission_coord = emission_coord;
+  passed_metallic_roughness_coord = metallic_roughness_coord;
+  passed_normal_coord = normal_coord;
+  passed_occlusion_coord = occlusion_coord;
+  world_tangent = vec4(turned(instance, vertex.tangent), tangent.w);
   passed_color = tinted(instance);
   debug_color = weighed_entries > 0u ? color_of_weight() : unpackUnorm4x8(instance.debug_color);
   gl_Position = view_projection * vec4(world_position, 1.0);

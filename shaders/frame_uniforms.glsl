@@ -8,4 +8,7 @@ layout(std140, binding = 0) uniform FrameUniforms {
   uint now;  // microseconds, modulo 2^32
   float distance_scale;  // the haze is thinner by it
   uint weighed_entry, weighed_entries;  // palette entries whose weights are shown; 0 entries: none
+  vec4 ground_shape;  // half sides of the core along x and z, radius of the corners, half width
+  uint ground_style;
+  float ground_unit;
 };

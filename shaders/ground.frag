@@ -2,6 +2,7 @@
 
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "shadows.glsl"
 #include "paving.glsl"
 
 in vec3 ray;
@@ -19,6 +20,7 @@ void main() {
     color = vec4(exposed(sky_color(direction)), 1.0);
     return;
   }
-  vec3 light = sun_light * to_sun.y + ambient_light(vec3(0.0, 1.0, 0.0));
+  vec3 place = vec3(ground.x, 0.0, ground.y), up = vec3(0.0, 1.0, 0.0);
+  vec3 light = sun_light() * (to_sun.y * sun_visibility(place, up)) + ambient_light(up) * openness(place);
   color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres / distance_scale)), 1.0);
 }

@@ -1,38 +1,72 @@
-// Lights the whole scene, in linear colours: a warm sun, the sky above, light that the ground reflects, and haze.
-const vec3 to_sun = vec3(0.5152, 0.7303, 0.4486);
-const vec3 sun_light = vec3(2.05, 1.80, 1.46);
-const vec3 sky_light = vec3(0.52, 0.64, 0.86);
-const vec3 ground_light = vec3(0.34, 0.29, 0.24);
+// Lights the whole scene, in linear and exposed colours: the sun or the moon, the sky, light that the ground reflects,
+// and haze.
+#include "light_uniforms.glsl"
 
-const vec3 haze_color = vec3(0.80, 0.80, 0.80);
-const vec3 zenith_color = vec3(0.10, 0.26, 0.58);
-const vec3 sun_haze = vec3(0.42, 0.26, 0.10);
+// The sky, as far as rays from the ground see it: the directions of the upper half of an octahedron, unfolded into a
+// square. Alpha is the share that clouds leave of what is behind them.
+layout(binding = 9) uniform sampler2D sky_map;
+// What is all around, blurred the more the coarser the mip level.
+layout(binding = 10) uniform samplerCube environment_map;
 
-vec3 sky_color(vec3 direction) {
-  float height = max(direction.y, 0.0);
-  vec3 sky = mix(haze_color, zenith_color, 1.0 - exp2(-height * 6.0));
-  float towards_sun = max(dot(direction, to_sun), 0.0);
-  float glow = towards_sun * towards_sun;
-  return sky + sun_haze * glow * glow;
+const float coarsest_environment = 5.0;  // mip level
+
+// Gives what a white surface that faces the sun reflects of it.
+vec3 sun_light() { return sun.rgb; }
+
+// Gives 0 by day, and 1 when windows and lamps are lit.
+float night() { return night_share; }
+
+// Gives what a white surface reflects of sky and ground.
+vec3 ambient_light(vec3 n) {
+  vec3 linear = sky_harmonics[0].rgb + sky_harmonics[1].rgb * n.y + sky_harmonics[2].rgb * n.z +
+                sky_harmonics[3].rgb * n.x;
+  vec3 squares = sky_harmonics[4].rgb * (n.x * n.y) + sky_harmonics[5].rgb * (n.y * n.z) +
+                 sky_harmonics[6].rgb * (3.0 * n.y * n.y - 1.0) + sky_harmonics[7].rgb * (n.x * n.z) +
+                 sky_harmonics[8].rgb * (n.z * n.z - n.x * n.x);
+  return max(linear + squares, vec3(0.0));
+}
+
+// Gives what a surface of that roughness mirrors from a direction.
+vec3 environment(vec3 direction, float roughness) {
+  return textureLod(environment_map, direction, roughness * coarsest_environment).rgb;
+}
+
+// Gives the haze in a direction along the ground.
+vec3 haze_towards(vec3 direction) {
+  vec2 along = normalize(direction.xz + vec2(1e-6));
+  float towards = max(0.5 + 0.5 * dot(along, normalize(to_sun.xz + vec2(1e-6))), 0.0);
+  float glow = towards * towards;
+  return haze.rgb + haze_at_sun.rgb * (glow * glow);
 }
 
 // `metres` are those of a scene of people.
-vec3 through_haze(vec3 color, vec3 direction, float metres) {
-  float clear = exp2(-metres * metres * 2.2e-5 / (1.0 + metres * 0.006));
-  return mix(sky_color(vec3(direction.x, 0.0, direction.z)), color, clear);
+vec3 through_haze(vec3 light, vec3 direction, float metres) {
+  return mix(haze_towards(direction), light, exp(-metres * clearing.rgb));
 }
 
-// Gives the light that reaches a surface from the sky and the ground.
-vec3 ambient_light(vec3 normal) { return mix(ground_light, sky_light, normal.y * 0.5 + 0.5); }
+vec3 sky_color(vec3 direction) {
+  vec3 up = vec3(direction.x, max(direction.y, 0.0), direction.z);
+  vec2 folded = up.xz / (abs(up.x) + up.y + abs(up.z));
+  vec4 seen = textureLod(sky_map, 0.5 + 0.5 * vec2(folded.x + folded.y, folded.y - folded.x), 0.0);
+  seen.rgb = mix(haze_towards(direction), seen.rgb, smoothstep(0.0, 0.07, direction.y));
+  float towards_sun = dot(direction, to_sun);
+  vec3 disc = sun.rgb * (30.0 * smoothstep(0.99993, 0.99997, towards_sun));
+  return seen.rgb + disc * seen.a;
+}
 
-// Bends bright colours towards white instead of cutting them off.
+// Bends bright colours towards white and keeps dark ones apart, as film does: a curve of the form that Narkowicz fits to
+// ACES (2015), with less of a toe, because most of a crowd is in its own shade.
+const float film_speed = 0.62;
+const vec2 film_bright = vec2(2.51, 0.12);
+const vec3 film_dark = vec3(2.43, 0.68, 0.16);
+
 vec3 exposed(vec3 light) {
-  vec3 c = light * 0.92;
-  return c * (1.0 + c * 0.11) / (1.0 + c * 0.55);
+  vec3 x = light * film_speed;
+  return (x * (film_bright.x * x + film_bright.y)) / (x * (film_dark.x * x + film_dark.y) + film_dark.z);
 }
 
 // Gives the light that exposed() turns into `color`: the positive root of its quadratic equation.
 vec3 light_that_shows(vec3 color) {
-  vec3 b = 1.0 - 0.55 * color;
-  return (sqrt(b * b + 0.44 * color) - b) / (0.22 * 0.92);
+  vec3 a = film_bright.x - film_dark.x * color, b = film_bright.y - film_dark.y * color;
+  return (sqrt(b * b + 4.0 * film_dark.z * a * color) - b) / (2.0 * film_speed * a);
 }

@@ -11,7 +11,8 @@ const uint rows_of_line = 4u;
 
 struct SkinnedVertex {
   vec3 position;  // model space
-  vec3 normal;    // model space, not unit
+  vec3 normal;    // model space, not unit; so is the tangent
+  vec3 tangent;
 };
 
 // Gives how far the blend has come: 0 shows `from`, 1 shows `to`.
@@ -81,8 +82,10 @@ Rows entry_rows_between(uint from, uint to, float blend, uint entry) {
   return Rows(mix(a.x, b.x, blend), mix(a.y, b.y, blend), mix(a.z, b.z, blend));
 }
 
-SkinnedVertex skin_vertex(const InstanceRecord instance, uint now, vec3 position, vec3 normal, uvec4 entries,
-                          vec4 weights) {
+vec3 turned_by(const Rows rows, vec3 v) { return vec3(dot(rows.x.xyz, v), dot(rows.y.xyz, v), dot(rows.z.xyz, v)); }
+
+SkinnedVertex skin_vertex(const InstanceRecord instance, uint now, vec3 position, vec3 normal, vec3 tangent,
+                          uvec4 entries, vec4 weights) {
   float blend = blend_of(instance, now);
   uint from = instance.palette_from, to = instance.palette_to;
   uint shown = blend > 0.0 ? to : from;
@@ -94,5 +97,5 @@ SkinnedVertex skin_vertex(const InstanceRecord instance, uint now, vec3 position
   }
   vec4 point = vec4(position, 1.0);
   return SkinnedVertex(vec3(dot(rows.x, point), dot(rows.y, point), dot(rows.z, point)),
-                       vec3(dot(rows.x.xyz, normal), dot(rows.y.xyz, normal), dot(rows.z.xyz, normal)));
+                       turned_by(rows, normal), turned_by(rows, tangent));
 }

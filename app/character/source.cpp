@@ -59,18 +59,28 @@ std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Text
   return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
 }
 
-// Returns none where the base colour has the same.
-std::span<const float> emission_coords_of(const anim::SkinnedMesh& mesh, const anim::Material& material) {
-  const anim::Texture& base_color = material.base_color_texture;
-  if (base_color.image >= 0 && base_color.coords == material.emission_texture.coords) return {};
-  return coords_of(mesh, material.emission_texture);
+// Returns the texture whose coordinates all others of the material share that do not say otherwise.
+const anim::Texture& leading_texture(const anim::Material& material) {
+  for (const anim::Texture* texture : {&material.base_color_texture, &material.emission_texture,
+                                       &material.metallic_roughness_texture, &material.normal_texture}) {
+    if (texture->image >= 0) return *texture;
+  }
+  return material.occlusion_texture;
 }
 
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
+  const anim::Texture& leading = leading_texture(material);
+  const auto own_coords = [&](const anim::Texture& texture) {
+    return texture.coords == leading.coords ? std::span<const float>() : coords_of(mesh, texture);
+  };
   return {.positions = flat<float>(mesh.positions),
           .normals = flat<float>(mesh.normals),
-          .texture_coords = coords_of(mesh, material.base_color_texture),
-          .emission_coords = emission_coords_of(mesh, material),
+          .texture_coords = coords_of(mesh, leading),
+          .emission_coords = own_coords(material.emission_texture),
+          .metallic_roughness_coords = own_coords(material.metallic_roughness_texture),
+          .normal_coords = own_coords(material.normal_texture),
+          .occlusion_coords = own_coords(material.occlusion_texture),
+          .tangents = flat<float>(mesh.tangents),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
           .shapes = flat<float>(mesh.shapes),
@@ -96,6 +106,13 @@ render::MaterialData material_data(const anim::Material& material) {
           .base_color_texture = texture_data(material.base_color_texture),
           .emission = {emission.r, emission.g, emission.b},
           .emission_texture = texture_data(material.emission_texture),
+          .metallic = material.metallic,
+          .roughness = material.roughness,
+          .metallic_roughness_texture = texture_data(material.metallic_roughness_texture),
+          .normal_scale = material.normal_scale,
+          .normal_texture = texture_data(material.normal_texture),
+          .occlusion_strength = material.occlusion_strength,
+          .occlusion_texture = texture_data(material.occlusion_texture),
           .unlit = material.unlit,
           .double_sided = material.double_sided,
           .blended = material.blended,

@@ -76,13 +76,14 @@ void declare_drawing(OptionReader& reader, BenchOptions& options) {
       .flag("--draw", options.draws,
             "Instead: what the parts of a frame take, crowd logic, level of detail and drawing included")
       ->excludes("--sweep", "--machine", "--bones", "--clips");
-  for (const char* const value : {"--scene", "--error-px"}) reader.tuning_value(app::tuning_value(value), shown.tuning);
+  for (const char* const value : {"--scene", "--error-px", "--scenery", "--shadows", "--crowd-shade"}) {
+    reader.tuning_value(app::tuning_value(value), shown.tuning);
+  }
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(shown.width, shown.height));
   reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
                camera(shown));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(shown.msaa, {{"0", 0}, {"4", 4}}));
-  reader.value("--shadows", "on|off", "Shadows (what the device affords)", on_or_off(shown.shadows));
   reader.value("--context", "egl|osmesa", "What the device is opened with (EGL, else OSMesa)",
                choice<ContextKind>(shown.context, {{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}));
 }
@@ -110,8 +111,8 @@ void declare_files(OptionReader& reader, BenchOptions& options) {
 
 /// Options that are right alone and wrong together.
 std::optional<std::string> contradiction_in(const OptionReader& reader, const BenchOptions& options) {
-  constexpr std::array whole_frames = {"--seconds", "--scene", "--error-px", "--size",
-                                       "--camera",  "--msaa",  "--shadows",  "--context"};
+  constexpr std::array whole_frames = {"--seconds", "--scene",   "--error-px",    "--size",    "--camera",
+                                       "--msaa",    "--shadows", "--crowd-shade", "--scenery", "--context"};
   for (const char* const name : whole_frames) {
     if (!options.draws && reader.given(name)) return std::string(name) + ": goes with --draw";
   }
@@ -136,7 +137,7 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
   if (auto stop = reader.read(arguments)) return *stop;
   if (auto contradiction = contradiction_in(reader, options)) return UsageError{*contradiction};
   if (options.draws && !reader.given("--agents")) options.agents = usual_drawn_agents();
-  options.shown.shadows_given = reader.given("--shadows");
+  options.shown.shadows_given = reader.given("--shadows") || reader.given("--crowd-shade");
   options.shown.error_given = reader.given("--error-px");
   return options;
 }

@@ -55,6 +55,13 @@ void declare_reading(OptionReader& reader, DemoOptions& options) {
   declare_memory_limit(reader, options.reading);
 }
 
+void declare_light(OptionReader& reader, DemoOptions& options) {
+  reader.option_defaults()->group("Light");
+  reader.value("--sun", "TIME", "noon, evening, overcast or night, or the sun's elevation,azimuth in degrees (noon)",
+               sun(options.tuning.light));
+  reader.tuning("Light", options.tuning);
+}
+
 void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Picture");
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
@@ -66,7 +73,6 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
                          {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}}));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
-  reader.value("--shadows", "on|off", "Shadows (on)", on_or_off(options.shadows));
   const auto take_ui = [&options](const std::string& text) {
     options.ui = true;
     return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
@@ -151,10 +157,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",      "--clips-from",    "--replay", "--pus",         "--local-store", "--tile",    "--grain",
-      "--schedule", "--double-buffer", "--simd",   "--size",        "--msaa",        "--shadows", "--ui",
-      "--hide-ui",  "--headless",      "--draw",   "--frames",      "--screenshot",  "--stats",   "--events",
-      "--trace",    "--ui-map",        "--data",   "--remove-parts"};
+      "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
+      "--grain", "--schedule",   "--double-buffer", "--simd",   "--size",        "--msaa",
+      "--ui",    "--hide-ui",    "--headless",      "--draw",   "--frames",      "--screenshot",
+      "--stats", "--events",     "--trace",         "--ui-map", "--data",        "--remove-parts"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }
@@ -238,6 +244,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   reader.tuning("Level of detail", options.tuning);
   reader.tuning("Scheduling", options.tuning);
   declare_simd(reader, options.kernels);
+  declare_light(reader, options);
   declare_picture(reader, options);
   declare_run(reader, options);
   declare_files(reader, options);
@@ -270,7 +277,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   const bool all_given = reader.given("--preset") || !options.crowd_file.empty();
   options.agents_given = all_given || reader.given("--agents") || options.tuning.agents != Tuning{}.agents;
   options.error_given = all_given || names_an_error(reader);
-  options.shadows_given = reader.given("--shadows");
+  options.shadows_given = all_given || reader.given("--shadows") || reader.given("--crowd-shade");
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};

@@ -133,20 +133,22 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
   for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
     paces.push_back(looks.paces[walker] * looks.scales[walker]);
   }
-  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces)};
+  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.obstacles};
 }
 
 }  // namespace
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety) {
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety,
+            common_roles(characters)) {
   assert(size() == agents);
 }
 
 Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
-             const Variety& variety)
-    : cast_(characters, layout, seed),
+             const Variety& variety, CharacterRoles common)
+    : laid_out_for_(std::move(common)),
+      cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
       looks_(looks_of(layout, habits_of(layout), seed, cast_, variety)),

@@ -87,6 +87,9 @@ class Crowd {
   /// Puts a copy back; the crowd goes on as it did then, to the bit. The moment must be of this crowd.
   void go_back_to(const CrowdMoment& moment);
 
+  /// Returns the roles that the scene was laid out for: common_roles() of the characters as they were then.
+  const CharacterRoles& laid_out_for() const { return laid_out_for_; }
+
   std::size_t size() const { return state_.positions.size(); }
   std::span<const glm::vec3> positions() const { return state_.positions; }  ///< metres, between the feet
   std::span<const Heading> headings() const { return state_.headings; }
@@ -114,7 +117,7 @@ class Crowd {
  private:
   friend glm::vec3 middle_of(const Crowd& crowd);
   Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
-        const Variety& variety);
+        const Variety& variety, CharacterRoles common);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();
@@ -125,6 +128,7 @@ class Crowd {
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
 
+  CharacterRoles laid_out_for_;
   CrowdCast cast_;
   Lane route_;
   std::vector<MarcherStart> marchers_;

@@ -24,6 +24,11 @@ Heading heading_to(const glm::dvec2& from, const glm::dvec2& to) {
   return {static_cast<float>(way.y / length), static_cast<float>(way.x / length)};
 }
 
+// People side by side along the street.
+double columns_for(std::size_t people) {
+  return std::max(least_length, std::ceil(std::sqrt(static_cast<double>(people)) * 1.4));
+}
+
 }  // namespace
 
 CrowdLayout cut_scene_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
@@ -36,7 +41,7 @@ CrowdLayout cut_scene_layout(std::size_t agents, std::uint32_t seed, const Chara
       layout.standers.push_back({.position = {}, .heading = {}, .habit = Habit::act, .round = round, .part = part});
   }
   const std::size_t people = agents - layout.standers.size();
-  const double columns = std::max(least_length, std::ceil(std::sqrt(static_cast<double>(people)) * 1.4));
+  const double columns = columns_for(people);
   const auto a_row = static_cast<std::size_t>(columns);
   for (std::size_t i = 0; i < people; ++i) {
     const double side = i % 2 == 0 ? 1.0 : -1.0;
@@ -54,6 +59,15 @@ CrowdLayout cut_scene_layout(std::size_t agents, std::uint32_t seed, const Chara
   layout.wave_seconds = cut_scene_seconds;
   layout.wave_begins = 0.0;
   return layout;
+}
+
+CutSceneStreet cut_scene_street(std::size_t agents, const CharacterRoles& roles) {
+  const double spacing = roles.spacing(), columns = columns_for(agents),
+               rows = std::ceil(0.5 * static_cast<double>(agents) / columns);
+  const double half_length = place_pitch * (0.5 * columns + 0.5) + unevenness;
+  return {(street_half_width - unevenness) * spacing,
+          (street_half_width + place_pitch * std::max(rows - 1.0, 0.0) + unevenness) * spacing,
+          (middle - half_length) * spacing, (middle + half_length) * spacing};
 }
 
 }  // namespace throng::app

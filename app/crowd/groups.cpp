@@ -19,6 +19,7 @@ constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F,
 constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
 constexpr double ring_jitter = 0.12;
 constexpr double between_groups = 0.8;
+constexpr double from_obstacle = 0.6;  // to the feet of a group; a person passes sideways
 constexpr double clear_view = 4.6;
 constexpr double bucket = 3.2;  // more than two of the largest groups' radii and the gap between them
 
@@ -120,6 +121,40 @@ class LaneMap {
   std::vector<std::vector<std::size_t>> cells_;
 };
 
+/// Finds the obstacles near a point by the same grid.
+class ObstacleMap {
+ public:
+  explicit ObstacleMap(const GroundPlan& ground)
+      : obstacles_(ground.obstacles),
+        gap_(from_obstacle * ground.spacing),
+        grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 5},
+        cells_(grid_.size()) {
+    const double margin = gap_ + (ring_radii.back() + ring_jitter) * ground.spacing;
+    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) add(obstacle, margin);
+  }
+
+  bool is_free(const Group& group) const {
+    return std::ranges::none_of(cells_[grid_.index(group.centre)], [&](std::size_t obstacle) {
+      return glm::distance(obstacles_[obstacle].position, group.centre) <
+             obstacles_[obstacle].radius + group.radius + gap_;
+    });
+  }
+
+ private:
+  void add(std::size_t obstacle, double margin) {
+    const glm::dvec2 reach(obstacles_[obstacle].radius + margin);
+    const glm::dvec2 low = obstacles_[obstacle].position - reach, high = obstacles_[obstacle].position + reach;
+    for (int y = grid_.column(low.y); y <= grid_.column(high.y); ++y) {
+      for (int x = grid_.column(low.x); x <= grid_.column(high.x); ++x) cells_[grid_.index(x, y)].push_back(obstacle);
+    }
+  }
+
+  std::span<const Obstacle> obstacles_;
+  double gap_;
+  Grid grid_;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
 std::size_t pick_size(Random& random) {
   const float chance = random.unit();
   const auto* share = std::upper_bound(share_up_to_size.begin(), share_up_to_size.end() - 1, chance);
@@ -166,6 +201,7 @@ class GroupPlacer {
         random_(random),
         groups_(ground.side, ground.spacing),
         lanes_(ground),
+        obstacles_(ground),
         half_(0.5 * ground.side) {}
 
   Group place(std::size_t size, bool in_foreground) {
@@ -184,13 +220,15 @@ class GroupPlacer {
  private:
   bool fits(const Group& group) const {
     if (glm::distance(group.centre, ground_.viewpoint) < clear_view * ground_.spacing + group.radius) return false;
-    return groups_.is_free(group, between_groups * ground_.spacing) && lanes_.is_free(group);
+    return groups_.is_free(group, between_groups * ground_.spacing) && lanes_.is_free(group) &&
+           obstacles_.is_free(group);
   }
 
   const GroundPlan& ground_;
   Random random_;
   GroupMap groups_;
   LaneMap lanes_;
+  ObstacleMap obstacles_;
   double half_;  // metres, of the square in which places are looked for
 };
 

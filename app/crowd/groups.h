@@ -6,6 +6,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/crowd/fixtures.h"
 #include "app/crowd/layout.h"
 #include "app/crowd/random.h"
 
@@ -24,9 +25,11 @@ struct GroundPlan {
   double spacing;        ///< CharacterRoles::spacing
   glm::dvec2 viewpoint;  ///< kept clear, with a few groups set before it
   std::span<const LaneGround> lanes;
+  std::span<const Obstacle> obstacles;
 };
 
-/// Places loose groups of one to six, each a ring that faces its middle, evenly and clear of lanes and of each other.
+/// Places loose groups of one to six, each a ring that faces its middle, evenly and clear of lanes, obstacles and
+/// each other.
 /// Spreads past the square's edge when it is full, so all `standers` find a place.
 std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random);
 

@@ -48,6 +48,9 @@ constexpr Transition all_transitions[] = {
     {Habit::sit, clap, sit, 1.0F},
     {Habit::sit, wave, sit, 1.0F},
     {Habit::sit, cheer, sit, 1.0F},
+    // Whoever rests on a bench gets up now and then.
+    {Habit::rest, sit, look_around, 1.0F},
+    {Habit::rest, look_around, sit, 1.0F},
     // Athletes warm up, sprint, and get their breath back.
     {Habit::train, jog, run, 2.0F},
     {Habit::train, jog, walk, 1.0F},
@@ -80,6 +83,7 @@ Role resting_role(Habit habit) {
     case Habit::march:
       return walk;
     case Habit::sit:
+    case Habit::rest:
       return sit;
     case Habit::train:
       return jog;

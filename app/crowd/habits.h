@@ -15,6 +15,7 @@ enum class Habit : std::uint8_t {
   march,        ///< walks in rank and file and does nothing else
   watch,        ///< stands beside a parade
   sit,          ///< has a seat in the stadium
+  rest,         ///< has a seat on a bench
   train,        ///< runs round the stadium's field
   act,          ///< does what a script says (CutScene)
 };

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-
-#include <glm/common.hpp>
+#include <utility>
 
 #include "app/crowd/groups.h"
+#include "app/crowd/plaza_plan.h"
 #include "app/crowd/random.h"
 
 namespace throng::app {
@@ -15,93 +15,10 @@ namespace {
 
 // Metres, for a person 1.8 m tall.
 constexpr double area_per_agent = 3.6;
-constexpr double promenade_block = 60.0;  // a larger plaza is cut into blocks of about this side
-constexpr double smallest_block_with_loops = 26.0;
-constexpr double loop_cell = 15.0;
-constexpr double lane_pitch = 1.1;
 constexpr double least_gap_in_lane = 1.1;
-constexpr double clear_of_lane = 0.9;
 
-constexpr double share_of_walkers = 0.4;
-constexpr float share_of_cells_with_loop = 0.65F;
-
-// Speed of a lane relative to the walk clip: with heights of 0.9 to 1.08, everyone's playback stays within 0.9 to 1.1.
-constexpr float slowest_lane = 0.94F, fastest_lane = 1.03F;
-
-struct Square {
-  glm::dvec2 centre;
-  double half;
-
-  /// One of `rows` times `rows` squares that this one is cut into.
-  Square part(int index, int rows) const {
-    const double half_part = half / rows;
-    return {centre + half_part * glm::dvec2(2 * (index % rows) + 1 - rows, 2 * (index / rows) + 1 - rows), half_part};
-  }
-};
-
-/// Lays lanes, and remembers the ground that they take from those who stand.
-class LanePlanner {
- public:
-  LanePlanner(std::uint32_t seed, const CharacterRoles& roles)
-      : random_(seed, 1), spacing_(roles.spacing()), walk_speed_(roles.walk_speed) {}
-
-  void lay_block(const Square& block);
-
-  std::vector<Lane> lanes;
-  std::vector<LaneGround> ground;
-
- private:
-  void lay_band(glm::dvec2 centre, glm::dvec2 half_extents, double corner_radius, int count);
-  void lay_loops(const Square& inside);
-
-  Random random_;
-  double spacing_;
-  double walk_speed_;
-};
-
-// `count` lanes side by side, the outermost first, walked in turns one way and the other.
-void LanePlanner::lay_band(glm::dvec2 centre, glm::dvec2 half_extents, double corner_radius, int count) {
-  const double pitch = lane_pitch * spacing_;
-  const double innermost = std::max(corner_radius - (count - 1) * pitch, 0.7 * spacing_);
-  const glm::dvec2 core = glm::max(half_extents - glm::dvec2(innermost + (count - 1) * pitch), glm::dvec2(0.0));
-  double direction = random_.chance(0.5F) ? 1.0 : -1.0;
-  for (int lane = count - 1; lane >= 0; --lane, direction = -direction) {
-    const double speed = walk_speed_ * static_cast<double>(random_.between(slowest_lane, fastest_lane));
-    lanes.push_back({centre, core, innermost + lane * pitch, direction, speed});
-  }
-  ground.push_back(
-      {lanes[lanes.size() - static_cast<std::size_t>(count)], (count - 1) * pitch, clear_of_lane * spacing_});
-}
-
-void LanePlanner::lay_loops(const Square& inside) {
-  const int cells = std::max(1, static_cast<int>(std::lround(2.0 * inside.half / (loop_cell * spacing_))));
-  for (int index = 0; index < cells * cells; ++index) {
-    const Square cell = inside.part(index, cells);
-    if (!random_.chance(share_of_cells_with_loop)) continue;
-    const glm::dvec2 half_extents =
-        (cell.half - spacing_) * glm::dvec2(static_cast<double>(random_.between(0.55F, 0.95F)),
-                                            static_cast<double>(random_.between(0.55F, 0.95F)));
-    const double radius = std::min(half_extents.x, half_extents.y) * static_cast<double>(random_.between(0.6F, 1.0F));
-    lay_band(cell.centre, half_extents, radius, 1 + static_cast<int>(random_.below(2)));
-  }
-}
-
-// A promenade along the block's edge and, where there is room, small loops inside.
-void LanePlanner::lay_block(const Square& block) {
-  const bool large = 2.0 * block.half >= smallest_block_with_loops * spacing_;
-  const double inset = std::min(static_cast<double>(random_.between(2.3F, 3.3F)) * spacing_, 0.4 * block.half);
-  const double half = block.half - inset;
-  const int count = half > 5.0 * spacing_ ? 3 : (half > 3.0 * spacing_ ? 2 : 1);
-  const auto roundness = static_cast<double>(large ? random_.between(0.28F, 0.45F) : random_.between(0.75F, 1.0F));
-  lay_band(block.centre, glm::dvec2(half), roundness * half, count);
-  if (large) lay_loops({block.centre, half - ((count - 1) * lane_pitch + 1.5) * spacing_});
-}
-
-void lay_blocks(double side, double spacing, LanePlanner& planner) {
-  const int blocks = std::max(1, static_cast<int>(std::lround(side / (promenade_block * spacing))));
-  const Square plaza{glm::dvec2(0.0), 0.5 * side};
-  for (int block = 0; block < blocks * blocks; ++block) planner.lay_block(plaza.part(block, blocks));
-}
+constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is nobody
+constexpr double most_seated = 0.2;       // of those who do not walk
 
 // Walkers at even distances, give or take what keeps them `least_gap` apart.
 void fill_lane(std::uint32_t index, double length, std::size_t count, double least_gap, Random& random,
@@ -133,6 +50,18 @@ std::vector<WalkerStart> fill_lanes(std::span<const Lane> lanes, std::size_t wan
   return walkers;
 }
 
+// Some of the seats stay empty, and few people sit.
+std::vector<StanderPlace> seat_some(std::vector<BenchSeat> seats, std::size_t people, Random random) {
+  for (std::size_t i = seats.size(); i > 1; --i)
+    std::swap(seats[i - 1], seats[random.below(static_cast<std::uint32_t>(i))]);
+  seats.resize(std::min(seats.size() * 2 / 3, static_cast<std::size_t>(most_seated * static_cast<double>(people))));
+  std::vector<StanderPlace> places;
+  for (const BenchSeat& seat : seats) {
+    places.push_back({.position = seat.position, .heading = seat.heading, .habit = Habit::rest});
+  }
+  return places;
+}
+
 }  // namespace
 
 double plaza_side(std::size_t agents, double spacing) {
@@ -146,17 +75,20 @@ glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing) {
 
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   const double spacing = roles.spacing();
-  const double side = plaza_side(agents, spacing);
   CrowdLayout layout;
-  LanePlanner planner(seed, roles);
-  const auto wanted = static_cast<std::size_t>(share_of_walkers * static_cast<double>(agents));
-  if (roles.can_walk() && wanted > 0) {
-    lay_blocks(side, spacing, planner);
-    layout.walkers = fill_lanes(planner.lanes, wanted, least_gap_in_lane * spacing, Random(seed, 2));
+  PlazaPlan plan = plan_plaza(agents, seed, roles);
+  if (!plan.lanes.empty()) {
+    const auto wanted = static_cast<std::size_t>(share_of_walkers * static_cast<double>(agents));
+    layout.walkers = fill_lanes(plan.lanes, wanted, least_gap_in_lane * spacing, Random(seed, 2));
   }
-  layout.lanes = std::move(planner.lanes);
-  const GroundPlan ground{side, spacing, plaza_viewpoint(agents, spacing), planner.ground};
-  layout.standers = place_groups(agents - layout.walkers.size(), ground, Random(seed, 3));
+  layout.lanes = std::move(plan.lanes);
+  layout.obstacles = obstacles_of(plan.fixtures, spacing);
+  const std::size_t left = agents - layout.walkers.size();
+  std::vector<StanderPlace> seated = seat_some(bench_seats(plan.fixtures, spacing), left, Random(seed, 12));
+  const GroundPlan ground{plaza_side(agents, spacing), spacing, plaza_viewpoint(agents, spacing), plan.ground,
+                          layout.obstacles};
+  layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
+  layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());
   return layout;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/character/roles.h"
+#include "app/crowd/fixtures.h"
 #include "app/crowd/habits.h"
 #include "app/crowd/lanes.h"
 
@@ -43,8 +44,9 @@ struct CrowdLayout {
   Lane route;  ///< the marchers' route, with its speed
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
-  double wave_seconds = 0.0;  ///< time that a wave of cheering takes to come round; 0: there is none
-  double wave_begins = 2.0;   ///< seconds
+  std::vector<Obstacle> obstacles;  ///< ground that nobody walks on
+  double wave_seconds = 0.0;        ///< time that a wave of cheering takes to come round; 0: there is none
+  double wave_begins = 2.0;         ///< seconds
 };
 
 /// Returns the side, in metres, of the square about the origin that the plaza of so many agents fills.
@@ -53,7 +55,7 @@ double plaza_side(std::size_t agents, double spacing);
 /// Returns the corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing);
 
-/// Fills a plaza of any size evenly with promenades, small loops and loose groups.
+/// Fills a plaza of any size evenly with promenades, small loops, things that stand about, and loose groups.
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 /// Returns the number of agents in a row of the grid.

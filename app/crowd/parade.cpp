@@ -96,15 +96,23 @@ void add_row(const Stand& stand, std::size_t count, double spacing, Random& rand
   }
 }
 
-void add_spectators(std::size_t wanted, double half_width, double spacing, Random random, CrowdLayout& layout) {
+/// Some of the spectators, in one row.
+struct SpectatorRow {
+  Stand stand;
+  std::size_t count;
+};
+
+std::vector<SpectatorRow> spectator_rows(std::size_t wanted, const Lane& route, double half_width, double spacing) {
+  std::vector<SpectatorRow> rows;
   for (std::size_t row = 0; wanted > 0; ++row) {
-    const Stand stand = stand_beside(layout.route, half_width, row, spacing);
+    const Stand stand = stand_beside(route, half_width, row, spacing);
     if (stand.row.corner_radius < spacing) continue;
     const auto room = static_cast<std::size_t>(stand.row.length() / (spectator_pitch * spacing));
     const std::size_t count = std::min(row == 0 ? (wanted + 1) / 2 : wanted, room);
-    add_row(stand, count, spacing, random, layout);
+    rows.push_back({stand, count});
     wanted -= count;
   }
+  return rows;
 }
 
 }  // namespace
@@ -114,7 +122,11 @@ CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const Characte
   CrowdLayout layout;
   layout.route = route_of(formation, roles);
   if (formation.marchers > 0) line_up(formation, layout.route, roles.spacing(), layout);
-  add_spectators(agents - formation.marchers, formation.half_width(), roles.spacing(), Random(seed, 5), layout);
+  Random random(seed, 5);
+  const std::size_t spectators = agents - formation.marchers;
+  for (const auto& [stand, count] : spectator_rows(spectators, layout.route, formation.half_width(), roles.spacing())) {
+    add_row(stand, count, roles.spacing(), random, layout);
+  }
   return layout;
 }
 
@@ -139,7 +151,15 @@ double marcher_phase(const Lane& route, const MarcherStart& marcher, const Chara
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles) {
   const Formation formation = formation_of(agents, roles);
   const Lane route = route_of(formation, roles);
-  return {route.core.x, route.corner_radius, formation.half_width()};
+  ParadeSize size{route.core.x, route.corner_radius, formation.half_width(), formation.half_width(),
+                  formation.half_width()};
+  for (const SpectatorRow& row :
+       spectator_rows(agents - formation.marchers, route, formation.half_width(), roles.spacing())) {
+    const double away = row.stand.row.corner_radius - route.corner_radius;
+    size.outside = std::max(size.outside, away);
+    size.inside = std::max(size.inside, -away);
+  }
+  return size;
 }
 
 }  // namespace throng::app

@@ -21,6 +21,8 @@ struct ParadeSize {
   double half_length;  ///< half the length of the route's straights
   double radius;       ///< radius of the route's ends
   double half_width;   ///< from the route to the outermost file
+  double outside;      ///< from the route to the last row of spectators away from the loop's middle
+  double inside;       ///< the same towards the middle
 };
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles);
 

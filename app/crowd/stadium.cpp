@@ -41,16 +41,27 @@ Lane grown(Lane lane, double by) {
   return lane;
 }
 
-void seat_tier(const Lane& lane, std::size_t count, double height, CrowdLayout& layout) {
-  const double corner = std::numbers::pi / 2.0 * lane.corner_radius;
-  const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the middle of that at -Z
-  for (std::size_t seat = 0; seat < count; ++seat) {
-    const double round = static_cast<double>(seat) / static_cast<double>(count);
-    const LanePlace place = lane.at(far_side + round * lane.length());
-    // The way round, turned a quarter towards the field.
-    const Heading inward{place.heading.sine, -place.heading.cosine};
-    layout.standers.push_back({place.position, inward, height, Habit::sit, round});
+std::size_t athletes_of(std::size_t agents, const CharacterRoles& roles) {
+  return roles.can_walk() ? std::min(agents / agents_an_athlete, most_athletes) : 0;
+}
+
+void seat_tier(const StadiumTier& tier, CrowdLayout& layout) {
+  for (std::size_t seat = 0; seat < tier.seats; ++seat) {
+    const LanePlace place = stadium_seat(tier, seat);
+    const double round = static_cast<double>(seat) / static_cast<double>(tier.seats);
+    layout.standers.push_back({place.position, place.heading, tier.height, Habit::sit, round});
   }
+}
+
+std::vector<StadiumTier> tiers_for(std::size_t seats, const Lane& lowest, double spacing) {
+  std::vector<StadiumTier> tiers;
+  for (int index = 0; seats > 0; ++index) {
+    const Lane lane = grown(lowest, index * tier_pitch * spacing);
+    const std::size_t count = std::min(seats, static_cast<std::size_t>(lane.length() / (seat_pitch * spacing)));
+    tiers.push_back({lane, count, index * tier_rise * spacing});
+    seats -= count;
+  }
+  return tiers;
 }
 
 void add_athletes(std::size_t wanted, const Lane& tier, double spacing, Random random, CrowdLayout& layout) {
@@ -74,18 +85,29 @@ CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const Charact
   const Lane tier = lowest_tier(agents, roles);
   CrowdLayout layout;
   layout.walkers_habit = Habit::train;
-  const std::size_t athletes = std::min(agents / agents_an_athlete, most_athletes);
-  if (roles.can_walk() && athletes > 0) add_athletes(athletes, tier, spacing, Random(seed, 6), layout);
-  std::size_t left = agents - layout.walkers.size();
-  for (int index = 0; left > 0; ++index) {
-    const Lane lane = grown(tier, index * tier_pitch * spacing);
-    const auto room = static_cast<std::size_t>(lane.length() / (seat_pitch * spacing));
-    const std::size_t count = std::min(left, room);
-    seat_tier(lane, count, index * tier_rise * spacing, layout);
-    left -= count;
-  }
+  const std::size_t athletes = athletes_of(agents, roles);
+  if (athletes > 0) add_athletes(athletes, tier, spacing, Random(seed, 6), layout);
+  for (const StadiumTier& each : tiers_for(agents - layout.walkers.size(), tier, spacing)) seat_tier(each, layout);
   layout.wave_seconds = std::max(least_wave_seconds, tier.length() / (wave_speed * spacing));
   return layout;
+}
+
+std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles& roles) {
+  const Lane lowest = lowest_tier(agents, roles);
+  CrowdLayout athletes;
+  const std::size_t wanted = athletes_of(agents, roles);
+  if (wanted > 0) add_athletes(wanted, lowest, roles.spacing(), Random(0, 6), athletes);
+  return tiers_for(agents - athletes.walkers.size(), lowest, roles.spacing());
+}
+
+LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat) {
+  const Lane& lane = tier.lane;
+  const double corner = std::numbers::pi / 2.0 * lane.corner_radius;
+  const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the middle of that at -Z
+  const LanePlace place =
+      lane.at(far_side + static_cast<double>(seat) / static_cast<double>(tier.seats) * lane.length());
+  // The way round, turned a quarter towards the field.
+  return {place.position, {place.heading.sine, -place.heading.cosine}};
 }
 
 StadiumSize stadium_size(std::size_t agents, const CharacterRoles& roles) {

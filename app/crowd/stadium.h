@@ -8,6 +8,17 @@ namespace throng::app {
 /// field. With `wave_seconds`, a wave runs round the tiers.
 CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
+/// A row of seats.
+struct StadiumTier {
+  Lane lane;  ///< on which the feet of those who sit are
+  std::size_t seats;
+  double height;  ///< metres above the field
+};
+/// Returns all tiers, the lowest first.
+std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles& roles);
+/// Returns the place of the feet before a seat, facing the field.
+LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat);
+
 /// The size of a stadium, in metres.
 struct StadiumSize {
   double half_length, half_width;  ///< half sizes of the lowest tier, along x and z

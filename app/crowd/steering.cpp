@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/crowd/tiles.h"
@@ -14,11 +15,12 @@ namespace {
 
 constexpr float horizon = 2.5F;  // seconds that an agent looks ahead
 constexpr float reach_in_spacings = 4.0F;
-constexpr float comfort = 1.5F;         // passing distance, in radii summed
-constexpr float avoidance = 1.6F;       // of the wished speed, at the strongest
-constexpr float sidestep = 0.6F;        // of the speed that is lost
-constexpr float follow_seconds = 0.4F;  // in which the gap to the one ahead may close
-constexpr float acceleration = 3.5F;    // metres a second squared, for a person 1.8 m tall
+constexpr float comfort = 1.5F;              // passing distance, in radii summed
+constexpr float comfort_at_obstacle = 1.8F;  // passing distance from its edge, in one's own radius
+constexpr float avoidance = 1.6F;            // of the wished speed, at the strongest
+constexpr float sidestep = 0.6F;             // of the speed that is lost
+constexpr float follow_seconds = 0.4F;       // in which the gap to the one ahead may close
+constexpr float acceleration = 3.5F;         // metres a second squared, for a person 1.8 m tall
 constexpr float braking = 7.0F;
 constexpr std::size_t most_close = 32;  // no more discs fit within a step's reach
 
@@ -33,6 +35,12 @@ struct Limit {
 struct Reach {
   float sight;
   float closing;
+};
+
+/// Metres between the middles of two: where following ends, and where nobody ever is.
+struct Distances {
+  float polite;
+  float least;
 };
 
 /// The other agents around one, as limits on its velocity.
@@ -68,9 +76,19 @@ class Step {
     const float square = squared(apart);
     if (square > reach_.sight * reach_.sight) return;
     const float radii = self_.radius + other.radius;
-    avoid(other, apart, radii);
+    avoid(other, apart, radii, comfort * radii);
     const float close = radii + reach_.closing;
-    if (square < close * close) limit(other, apart, std::sqrt(square), radii);
+    if (square < close * close) limit(other, apart, std::sqrt(square), {radii, least_share_of_radii * radii});
+  }
+
+  void see_obstacle(const Body& obstacle) {
+    const glm::vec2 apart = obstacle.position - self_.position;
+    const float square = squared(apart), sight = reach_.sight + obstacle.radius;
+    if (square > sight * sight) return;
+    const float radii = self_.radius + obstacle.radius;
+    avoid(obstacle, apart, radii, obstacle.radius + comfort_at_obstacle * self_.radius);
+    const float close = radii + reach_.closing;
+    if (square < close * close) limit(obstacle, apart, std::sqrt(square), {radii, radii});
   }
 
   glm::vec2 velocity(float spacing, float most_speed) {
@@ -95,14 +113,13 @@ class Step {
   std::span<const Limit> limits() const { return {around_.limits.data(), around_.close}; }
 
   // Away from where the other will be seen at the closest approach, the sooner and the closer the more.
-  void avoid(const Body& other, glm::vec2 apart, float radii) {
+  void avoid(const Body& other, glm::vec2 apart, float radii, float passing) {
     const glm::vec2 relative = other.velocity - wish_.velocity;
     const float speed_squared = squared(relative);
     const float closing = -glm::dot(apart, relative);
     if (closing <= 0.0F || closing >= horizon * speed_squared) return;
     const float time = closing / speed_squared;
     const glm::vec2 miss = apart + relative * time;
-    const float passing = comfort * radii;
     if (squared(miss) >= passing * passing) return;
     const bool head_on = glm::dot(other.velocity, wish_.velocity) <= 0.0F;
     const glm::vec2 right = right_of(with_length(wish_.velocity, radii));
@@ -112,7 +129,7 @@ class Step {
     around_.turn_away += with_length(away, avoidance * wished_speed_ * close * soon * soon);
   }
 
-  void limit(const Body& other, glm::vec2 apart, float distance, float radii) {
+  void limit(const Body& other, glm::vec2 apart, float distance, Distances keep) {
     if (around_.close == most_close) {
       around_.is_crowded = true;
       return;
@@ -120,8 +137,8 @@ class Step {
     const glm::vec2 towards = distance > 0.0F ? apart / distance : glm::vec2(0.0F);
     const float share = other.moves ? 0.5F : 1.0F;
     const float lead = std::max(0.0F, glm::dot(other.velocity, towards));
-    const float gap = distance - least_share_of_radii * radii;
-    around_.limits[around_.close++] = {towards, lead + share * (distance - radii) / follow_seconds,
+    const float gap = distance - keep.least;
+    around_.limits[around_.close++] = {towards, lead + share * (distance - keep.polite) / follow_seconds,
                                        std::max(0.0F, share * gap / seconds_)};
   }
 
@@ -155,6 +172,7 @@ class Step {
 /// The data that all agents share in a step.
 struct StepWork {
   const CrowdCells* cells;
+  const CrowdCells* obstacles;
   std::span<Body> bodies;
   std::span<const Wish> wishes;
   float seconds;
@@ -166,9 +184,31 @@ struct StepWork {
 void move_body(const StepWork& work, const Body& self) {
   Step step(self, work.wishes[self.agent], work.seconds, work.reach);
   work.cells->visit_near(self.position, [&](const Body& other) { step.see(other); });
+  if (work.obstacles != nullptr) {
+    work.obstacles->visit_near(self.position, [&](const Body& obstacle) { step.see_obstacle(obstacle); });
+  }
   Body& moved = work.bodies[self.agent];
   moved.velocity = step.velocity(work.spacing, work.most_speed);
   moved.position = self.position + moved.velocity * work.seconds;
+}
+
+std::shared_ptr<const CrowdCells> cells_of(std::span<const Obstacle> obstacles, float reach) {
+  if (obstacles.empty()) return nullptr;
+  std::vector<Body> bodies;
+  glm::vec2 lowest(obstacles.front().position), highest = lowest;
+  float largest = 0.0F;
+  for (const Obstacle& obstacle : obstacles) {
+    bodies.push_back({.position = glm::vec2(obstacle.position),
+                      .radius = static_cast<float>(obstacle.radius),
+                      .agent = static_cast<std::uint32_t>(bodies.size())});
+    lowest = glm::min(lowest, bodies.back().position);
+    highest = glm::max(highest, bodies.back().position);
+    largest = std::max(largest, bodies.back().radius);
+  }
+  auto cells = std::make_shared<CrowdCells>();
+  cells->set_aside(bodies.size(), lowest, highest, reach + largest);
+  cells->sort(bodies);
+  return cells;
 }
 
 }  // namespace
@@ -178,6 +218,8 @@ Steering::Steering(std::size_t agents, const Ground& ground)
   // Two agents see everybody that both can meet in one step.
   longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
   cells_.set_aside(agents, ground.lowest, ground.highest, reach_);
+  obstacles_ = cells_of(ground.obstacles, reach_);
+  ground_.obstacles = {};
 }
 
 void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
@@ -192,6 +234,7 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
   const float most_speed = std::min(fastest, longest_step_ / seconds);
   const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);
   const StepWork work{.cells = &cells_,
+                      .obstacles = obstacles_.get(),
                       .bodies = bodies,
                       .wishes = wishes,
                       .seconds = seconds,

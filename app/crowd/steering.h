@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "app/crowd/cells.h"
+#include "app/crowd/fixtures.h"
 #include "engine/anim/base/executor.h"
 
 namespace throng::app {
@@ -27,13 +29,14 @@ struct Wish {
 /// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Its velocity
 /// is then cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free. Each of
 /// two agents may take half of the gap between them, or all of it where the other stands. So nobody meets anybody, even
-/// in a dense crowd.
+/// in a dense crowd. Obstacles are bodies that always stand; nobody's feet come closer to one than their own share.
 class Steering {
  public:
   struct Ground {
-    glm::vec2 lowest{0.0F}, highest{0.0F};  ///< metres, where agents are as a rule
-    float largest_radius = 0.3F;            ///< metres
-    float spacing = 1.0F;                   ///< CharacterRoles::spacing; lengths and accelerations grow with it
+    glm::vec2 lowest{0.0F}, highest{0.0F};     ///< metres, where agents are as a rule
+    float largest_radius = 0.3F;               ///< metres
+    float spacing = 1.0F;                      ///< CharacterRoles::spacing; lengths and accelerations grow with it
+    std::span<const Obstacle> obstacles = {};  ///< read by the constructor alone
   };
 
   Steering() = default;
@@ -49,6 +52,7 @@ class Steering {
   float reach_ = 1.0F;
   float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
   CrowdCells cells_;
+  std::shared_ptr<const CrowdCells> obstacles_;  // never changes, so that copies share it; null: there are none
 };
 
 }  // namespace throng::app

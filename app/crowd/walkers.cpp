@@ -41,11 +41,11 @@ std::pair<glm::vec2, glm::vec2> extent_of(std::span<const Body> bodies) {
   return {lowest, highest};
 }
 
-Steering::Ground ground_of(std::span<const Body> bodies, float spacing) {
+Steering::Ground ground_of(std::span<const Body> bodies, float spacing, std::span<const Obstacle> obstacles) {
   const auto [lowest, highest] = extent_of(bodies);
   float largest = 0.0F;
   for (const Body& body : bodies) largest = std::max(largest, body.radius);
-  return {lowest, highest, largest, spacing};
+  return {lowest, highest, largest, spacing, obstacles};
 }
 
 // Turns from one heading towards another, by one turn at most.
@@ -61,7 +61,7 @@ Heading turned(Heading from, Heading to, glm::vec2 most) {
 }  // namespace
 
 CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
-                           std::vector<Body> bodies, std::vector<float> paces)
+                           std::vector<Body> bodies, std::vector<float> paces, std::span<const Obstacle> obstacles)
     : cast_(&cast),
       spacing_(static_cast<float>(cast.spacing())),
       lanes_(std::move(lanes)),
@@ -76,7 +76,7 @@ CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::
   assert(paces_.size() == starts_.size() && bodies_.size() >= starts_.size());
   if (starts_.empty()) return;
   for (std::size_t walker = 0; walker < count(); ++walker) begin_walking(walker);
-  steering_ = Steering(bodies_.size(), ground_of(bodies_, spacing_));
+  steering_ = Steering(bodies_.size(), ground_of(bodies_, spacing_, obstacles));
 }
 
 void CrowdWalkers::begin_walking(std::size_t walker) {

@@ -21,9 +21,9 @@ namespace throng::app {
 class CrowdWalkers {
  public:
   /// `bodies` has all agents, walkers first; `paces` has the walkers' speeds over those of the gait's clip. `cast`
-  /// outlives this object.
+  /// outlives this object, `obstacles` does not.
   CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
-               std::vector<Body> bodies, std::vector<float> paces);
+               std::vector<Body> bodies, std::vector<float> paces, std::span<const Obstacle> obstacles = {});
 
   /// Moves all walkers by `dt`, in steps short enough to steer by, then asks `minds` for the gait that fits the speed.
   /// Allocates nothing. The result does not depend on `jobs`.

@@ -10,6 +10,7 @@
 #include "app/overlay/controls/numbers.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
+#include "app/settings/times_of_day.h"
 
 namespace throng::app {
 namespace {
@@ -166,10 +167,36 @@ void show_picture(const TabContext& context) {
   context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
                .cost = "Two draws a bone and agent in view."});
+  context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
+                          .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
   commands.copy_camera |=
       buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});
   commands.screenshot |= buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
+}
+
+void show_light(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  widgets.section("Light");
+  ButtonRow buttons(widgets, static_cast<int>(times_of_day.size()));
+  for (const TimeOfDay& time : times_of_day) {
+    if (buttons.button(time.name, {.what = "Puts sun and clouds where they are at this time."}))
+      tuning.light = time.light;
+  }
+  context.row("sun_elevation",
+              {.what = "How high the sun stands. Below -6 the moon shines, and windows and lamps are lit.",
+               .unit = "degrees above the horizon",
+               .cost = "The sky is made anew, some 100 ms."});
+  context.row("sun_azimuth", {.what = "Where the sun stands: 0 is +Z, 90 is +X.", .unit = "degrees"});
+  context.row("clouds",
+              {.what = "How much of the sky clouds cover. At 1 the sun is behind them and casts no shadows."});
+  context.row("exposure",
+              {.what = "How bright the picture is. 0 suits the light.", .unit = "stops; each doubles the light"});
+  context.row("shadows", {.what = "Everything casts shadows on everything.",
+                          .cost = "Each agent is drawn once or twice more, with coarser meshes."});
+  context.row("crowd_shade",
+              {.what = "Bodies keep the light of the sky from each other and from the ground between them.",
+               .cost = "One draw of small squares, and one texture read a pixel."});
 }
 
 struct RoleRow {
@@ -236,6 +263,7 @@ void show_crowd_tab(const TabContext& context) {
   show_time(context);
   show_picture(context);
   show_camera_section(context);
+  show_light(context);
   context.when_not_searching(show_in_view);
   show_model(context);
   show_roles(context);

@@ -142,6 +142,15 @@ Reason of_what_is_drawn(const Tuning& tuning, const Situation&) {
   return tuning.taken_away.drawing ? nothing_drawn : nullptr;
 }
 
+Reason of_scenery(const Tuning& tuning, const Situation& situation) {
+  return tuning.scene == Scene::grid ? "nothing stands around the grid" : of_what_is_drawn(tuning, situation);
+}
+
+Reason of_shadows(const Tuning& tuning, const Situation& situation) {
+  if (tuning.light.clouds >= 1.0F) return "the sun is behind clouds";
+  return of_what_is_drawn(tuning, situation);
+}
+
 Reason of_thresholds(const Tuning& tuning, const Situation& situation) {
   if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
   return of_what_is_drawn(tuning, situation);
@@ -186,6 +195,13 @@ constexpr std::array rules = std::to_array<Rule>({
     {"palette", of_palette},
     {"debug_view", of_colours},
     {"bones_as_lines", of_what_is_drawn},
+    {"scenery", of_scenery},
+    {"sun_elevation", of_what_is_drawn},
+    {"sun_azimuth", of_what_is_drawn},
+    {"clouds", of_what_is_drawn},
+    {"exposure", of_what_is_drawn},
+    {"shadows", of_shadows},
+    {"crowd_shade", of_what_is_drawn},
     {"thresholds", of_thresholds},
     {"split", of_split},
     {"split_at", of_split_line},

@@ -7,6 +7,7 @@
 #include <limits>
 #include <system_error>
 
+#include "app/settings/times_of_day.h"
 #include "engine/anim/kernel/choose_kernels.h"
 
 namespace throng::app {
@@ -171,6 +172,24 @@ ValueReader camera(DemoOptions& options) {
              "90, fov 1 to 170";
     }
     options.camera = camera_from(*numbers);
+    return {};
+  };
+}
+
+ValueReader sun(render::SceneLight& light) {
+  return [&light](const std::string& text) -> Complaint {
+    const auto* const named = std::ranges::find(times_of_day, text, &TimeOfDay::name);
+    if (named != times_of_day.end()) {
+      light = named->light;
+      return {};
+    }
+    const auto numbers = numbers_in(text);
+    if (!numbers || numbers->size() != 2 || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 360) {
+      return "must be noon, evening, overcast, night or ELEVATION,AZIMUTH: degrees, -90 to 90 and -360 to 360";
+    }
+    const double azimuth = (*numbers)[1];
+    light.sun_elevation = static_cast<float>((*numbers)[0]);
+    light.sun_azimuth = static_cast<float>(azimuth < 0 ? azimuth + 360 : azimuth);
     return {};
   };
 }

@@ -62,6 +62,7 @@ ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, 
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to most_picture_pixels
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
 /// Reads the name of a SIMD target that this build has and this machine runs.
+ValueReader sun(render::SceneLight& light);  ///< a time of day, or elevation,azimuth in degrees
 ValueReader simd_target(const anim::Kernels*& target);
 ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);

@@ -13,6 +13,7 @@
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/render/scene_light.h"
 
 namespace throng::app {
 
@@ -83,9 +84,14 @@ struct Tuning {
   float mesh_error_px = 0.5F;  ///< what a coarser mesh is off at most; half of error_px at most
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
+  // Light
+  render::SceneLight light = {};
+  bool shadows = true;      ///< everything casts shadows on everything
+  bool crowd_shade = true;  ///< bodies keep the light of the sky from each other and from the ground
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
+  bool scenery = true;  ///< what stands around the crowd
   TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
@@ -147,15 +153,14 @@ struct DemoOptions {
   std::optional<int> selected;               ///< an agent, from the start
   std::optional<std::string> view;           ///< the first character is shown alone, in this clip; empty: in any
   bool hide_ui = false;
-  float ui_scale = 1;  ///< multiplies every measure of the overlay
-  int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
-  bool shadows = true;
+  float ui_scale = 1;              ///< multiplies every measure of the overlay
+  int msaa = -1;                   ///< 0 or 4; -1: as much as the device affords
   std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
   import::ImportOptions reading;   ///< of models: whether those that need repair are refused, and how large they are
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool error_given = false;        ///< a software renderer allows a larger error in a window unless given
-  bool shadows_given = false;      ///< a software renderer draws none unless given
+  bool shadows_given = false;      ///< a software renderer draws no shadows and no crowd shade unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;

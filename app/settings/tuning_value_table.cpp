@@ -257,6 +257,11 @@ std::vector<TuningValue> view_values() {
               .label = "Bones as lines",
               .help = "Skeletons are drawn over the characters ({default})"},
              at(&Tuning::bones_as_lines)),
+      on_off({.key = "scenery",
+              .label = "Scenery",
+              .option = "--scenery on|off",
+              .help = "What stands around the crowd is drawn ({default})"},
+             at(&Tuning::scenery)),
   };
 }
 
@@ -289,6 +294,7 @@ std::vector<TuningValue> tuning_value_table() {
   add("Level of detail", update_values());
   add("Level of detail", detail_values());
   add("Scheduling", scheduling_values());
+  add("Light", light_values());
   add("View", view_values());
   add("Scheduling", cost_values());
   return all;

@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/place/props.h"
 #include "app/show/contexts.h"
 
 namespace throng::app {
@@ -75,18 +76,23 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   const bool coarse = in_window && !options.error_given;
   spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
-             .shadows = modest && options.shadows && !options.shadows_given,
+             .shadows = modest && !options.shadows_given,
              .error_px = coarse ? software_error_px : 0.0F};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
-                  .shadows = options.shadows && !spared_.shadows,
                   .longest_tile = options.longest_tile,
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
-  return anim::Done{};
+  return load_scenery(options.data);
+}
+
+anim::Status Painter::load_scenery(const std::string& data_option) {
+  auto props = load_props(data_option);
+  if (!props) return props.error();
+  return scenery_.load(*props, *renderer_);
 }
 
 DrawnBy Painter::drawn_by() const {
@@ -146,7 +152,12 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .fill_pixels = !stage.tuning().taken_away.pixels,
           .lines = lines_,
           .morph_weights = picture.morph_weights(),
-          .distance_scale = distance_scale_};
+          .distance_scale = distance_scale_,
+          .light = stage.tuning().light,
+          .ground = scenery_.ground(),
+          .scenery = stage.tuning().scenery,
+          .shadows = stage.tuning().shadows,
+          .crowd_shade = stage.tuning().crowd_shade};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
@@ -160,6 +171,7 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
 
 void Painter::upload(Stage& stage, const PaintedView& view) {
   picture_.compose(stage);
+  scenery_.follow(stage.tuning(), stage.crowd(), *renderer_);
   gather_lines(stage, view);
   if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
   stage.pose_exactly();

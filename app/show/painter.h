@@ -13,6 +13,7 @@
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
 #include "app/show/picture.h"
+#include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/device_timer.h"
@@ -74,6 +75,7 @@ class Painter {
   Painter() = default;
   anim::Status open_context(const DemoOptions& options);
   anim::Status open_renderer(const DemoOptions& options);
+  anim::Status load_scenery(const std::string& data_option);
   render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const;
   void upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
@@ -86,6 +88,7 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;
   std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] whose it is

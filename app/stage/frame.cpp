@@ -1,7 +1,11 @@
 // What happens on a stage in a frame: move, then pose, then say what to draw.
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <span>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "app/settings/agent_colors.h"
 #include "app/stage/stage.h"
@@ -12,6 +16,22 @@ namespace {
 // A thing in the air has no spot below it.
 float contact_scale(const CharacterSource& source) {
   return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
+}
+
+constexpr float longest_shadow = 14.0F;  // metres, of a person; what is cast farther is faint
+
+/// Moves the planes of a frustum outwards, as far as the shadow of somebody outside may fall in. A frustum holds a ball
+/// that moves along the light if it holds the ball at either end.
+std::array<glm::vec4, 6> with_casters(std::array<glm::vec4, 6> planes, const glm::vec3& to_light, float height) {
+  const float length = std::min(height / std::max(to_light.y, 1e-3F), longest_shadow / 1.8F * height);
+  for (glm::vec4& plane : planes) plane.w += length * std::max(-glm::dot(glm::vec3(plane), to_light), 0.0F);
+  return planes;
+}
+
+float tallest(std::span<const CharacterSource> characters) {
+  double height = 0.0;
+  for (const CharacterSource& source : characters) height = std::max(height, source.character->bounds.height);
+  return static_cast<float>(height);
 }
 
 constexpr std::size_t least_agents_to_learn_from = 100;
@@ -55,9 +75,15 @@ void Stage::move(anim::Ticks delta) {
 
 std::uint32_t Stage::now() const { return microseconds(system().clock()); }
 
+std::array<glm::vec4, 6> Stage::seen_by(const render::Camera& camera, const glm::vec2& size) const {
+  const auto planes = render::frustum_planes(render::view_of(camera, size.x / size.y));
+  if (!tuning_.shadows || tuning_.light.clouds >= 1.0F) return planes;
+  return with_casters(planes, render::to_brightest(tuning_.light), tallest(characters_));
+}
+
 anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const {
   return {.camera = {.position = camera.position,
-                     .frustum = render::frustum_planes(render::view_of(camera, size.x / size.y)),
+                     .frustum = seen_by(camera, size),
                      .pixels_per_unit = render::pixels_tall(camera, size.y, 1.0F, 1.0F),
                      .forward = render::forward(camera)},
           .rules = tuning_.lod,

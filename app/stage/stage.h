@@ -107,6 +107,7 @@ class Stage {
   void forget_what_is_shown();
   void learn_level_of_detail();
   anim::LodLimits limits() const;
+  std::array<glm::vec4, 6> seen_by(const render::Camera& camera, const glm::vec2& size) const;
   anim::LodRequest lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const;
   void place_feet(const anim::AgentUpdate& update, bool near_by);
   void show(anim::AgentUpdate& update, std::uint64_t last_frame);

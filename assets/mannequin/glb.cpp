@@ -1,21 +1,22 @@
 #include "assets/mannequin/glb.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
-#include "assets/mannequin/buffer_writer.h"
+#include "assets/making/glb_container.h"
 
 namespace throng::mannequin {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian");
+using making::BufferWriter;
+using making::ComponentType;
+using making::Json;
+using making::Target;
 
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
@@ -198,34 +199,12 @@ Json document(BufferWriter& buffer, const Mesh& body, std::span<const Clip> clip
   return file;
 }
 
-void append_word(std::vector<std::byte>& bytes, std::size_t value) {
-  const auto word = static_cast<std::uint32_t>(value);
-  const auto raw = std::as_bytes(std::span(&word, 1));
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
-void append_chunk(std::vector<std::byte>& bytes, std::span<const std::byte> chunk, std::uint32_t type) {
-  append_word(bytes, chunk.size());
-  append_word(bytes, type);
-  bytes.insert(bytes.end(), chunk.begin(), chunk.end());
-}
-
 }  // namespace
 
 std::vector<std::byte> write_glb(const Mesh& body, std::span<const Clip> clips) {
-  constexpr std::uint32_t magic = 0x46546C67;  // "glTF"
-  constexpr std::uint32_t json_chunk = 0x4E4F534A;
-  constexpr std::uint32_t binary_chunk = 0x004E4942;
   BufferWriter buffer;
-  std::string text = document(buffer, body, clips).dump();
-  while (text.size() % 4 != 0) text.push_back(' ');
-  std::vector<std::byte> file;
-  append_word(file, magic);
-  append_word(file, 2);
-  append_word(file, 12 + 8 + text.size() + 8 + buffer.bytes().size());
-  append_chunk(file, std::as_bytes(std::span(text)), json_chunk);
-  append_chunk(file, buffer.bytes(), binary_chunk);
-  return file;
+  const Json file = document(buffer, body, clips);
+  return making::glb_container(file, buffer.bytes());
 }
 
 }  // namespace throng::mannequin

@@ -118,7 +118,6 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
 
 render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures) {
   need(renderer_->set_size({shot.width, shot.height}));
-  renderer_->set_shadows(shot.shadows);
   renderer_->reset_palette_pages();
   slots_ = std::make_unique<render::PaletteSlots>(renderer_->palette_pages(),
                                                   palette_bytes_by_level(character_.model.skeleton));
@@ -131,6 +130,7 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   }
   render::CrowdFrame frame;
   frame.camera = view_of(shot);
+  frame.shadows = shot.shadows;
   renderer_->draw(frame);
   const render::Image empty = renderer_->read_image();
   frame.instances = records;

@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 
 #include "engine/render/instance_record.h"
+#include "engine/render/scene_ground.h"
+#include "engine/render/scene_light.h"
 
 namespace throng::render {
 
@@ -49,6 +51,11 @@ struct CrowdFrame {
   std::span<const SceneLine> lines = {};      ///< drawn over the crowd
   std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
+  SceneLight light = {};
+  SceneGround ground = {};
+  bool scenery = false;         ///< what Renderer::place_scenery() placed is drawn
+  bool shadows = true;          ///< everything casts shadows on everything
+  bool crowd_shade = true;      ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 
@@ -65,5 +72,10 @@ struct DrawCounts {
   std::uint32_t draw_calls = 0;  ///< calls to OpenGL; a multi-draw counts as one
   std::uint64_t triangles = 0;
 };
+
+inline void add(DrawCounts& sum, const DrawCounts& more) {
+  sum.draw_calls += more.draw_calls;
+  sum.triangles += more.triangles;
+}
 
 }  // namespace throng::render

@@ -12,10 +12,14 @@ namespace throng::render {
 /// Hands a part of a character's surface from app/ to drawing, as plain data. All spans except `indices` describe the
 /// same number of vertices.
 struct MeshPartData {
-  std::span<const float> positions;                ///< x y z, in the space of the palette
-  std::span<const float> normals;                  ///< x y z, unit
-  std::span<const float> texture_coords;           ///< u v of the base colour, or empty
-  std::span<const float> emission_coords;          ///< u v of the emission, or empty: `texture_coords`
+  std::span<const float> positions;        ///< x y z, in the space of the palette
+  std::span<const float> normals;          ///< x y z, unit
+  std::span<const float> texture_coords;   ///< u v of the base colour, or empty
+  std::span<const float> emission_coords;  ///< u v of the emission, or empty: `texture_coords`; so are these
+  std::span<const float> metallic_roughness_coords;
+  std::span<const float> normal_coords;
+  std::span<const float> occlusion_coords;
+  std::span<const float> tangents;                 ///< x y z, unit, and the side of the bitangent; or empty: no bumps
   std::span<const float> colors;                   ///< linear r g b a, or empty: white
   std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex; any other, or empty: untinted
   std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
@@ -26,7 +30,8 @@ struct MeshPartData {
   int material = 0;
 };
 
-/// An image as a material shows it. Wraps and filters have OpenGL's numbers, which glTF shares.
+/// An image as a material shows it, or as it reads numbers from it. Wraps and filters have OpenGL's numbers, which glTF
+/// shares.
 struct TextureData {
   int image = -1;        ///< index among CrowdMeshData::images; -1: plain white
   int wrap_u = 10497;    ///< GL_REPEAT
@@ -35,12 +40,20 @@ struct TextureData {
   int minified = 9987;   ///< GL_LINEAR_MIPMAP_LINEAR
 };
 
+/// Describes a material as glTF 2.0 does. Factors multiply what their textures hold.
 struct MaterialData {
   float base_color[4] = {1, 1, 1, 1};  ///< linear
   TextureData base_color_texture;
   float emission[3] = {0, 0, 0};  ///< linear, 1: white of the screen
   TextureData emission_texture;
-  bool unlit = false;  ///< shows its base colour, whatever the light
+  float metallic = 0.0F;
+  float roughness = 1.0F;
+  TextureData metallic_roughness_texture;  ///< roughness in green, metallic in blue
+  float normal_scale = 1.0F;
+  TextureData normal_texture;
+  float occlusion_strength = 1.0F;
+  TextureData occlusion_texture;  ///< in red
+  bool unlit = false;             ///< shows its base colour, whatever the light
   bool double_sided = false;
   bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
   float alpha_cutoff = 0.0F;  ///< less alpha is not seen
@@ -49,7 +62,7 @@ struct MaterialData {
 struct ImageData {
   int width = 0;
   int height = 0;
-  std::span<const std::uint8_t> rgba;  ///< sRGB, top row first
+  std::span<const std::uint8_t> rgba;  ///< top row first; sRGB where it is a colour, linear where it holds numbers
 };
 
 /// Describes one end of a bone's line: the place of the joint at rest, in the space of the palette, and the palette

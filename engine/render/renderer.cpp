@@ -11,11 +11,6 @@
 namespace throng::render {
 namespace {
 
-void add(DrawCounts& sum, const DrawCounts& more) {
-  sum.draw_calls += more.draw_calls;
-  sum.triangles += more.triangles;
-}
-
 // Colours, depths, what is seen through, and the two sides of a split view.
 std::uint64_t bytes_a_pixel(int samples) {
   constexpr std::uint64_t bytes_a_sample = 4 + 8 + 10, bytes_of_sides = 8, bytes_of_finished = 4;
@@ -72,6 +67,7 @@ Status Renderer::load_characters(std::span<const CharacterToLoad> characters) {
   }
   if (std::ranges::any_of(made, &CrowdMesh::has_morphs)) {
     crowd_.prepare_morphs();
+    shadows_.prepare_morphs();
     if (!shaders_.status()) return shaders_.status().error();
   }
   if (Status copied = gl::take_errors("the characters; ask for fewer or smaller models"); !copied) return copied;
@@ -105,7 +101,7 @@ DrawCounts Renderer::draw(const CrowdFrame& frame) {
 }
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
-  DrawCounts counts;
+  DrawCounts counts = draw_light(frame);
   target_.draw_tiles([&](const PixelRect& drawn) {
     const CrowdFrame tile = part_of(frame, size(), drawn);
     if (target_.is_tiled()) frame_data_.upload_view(tile);
@@ -116,9 +112,11 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
 
 DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
   DrawCounts counts;
+  splits_ = true;
   const auto draw_side = [&](const CrowdFrame& side, const PixelRect& drawn) {
     const CrowdFrame tile = part_of(side, size(), drawn);
     upload(tile);
+    add(counts, draw_light(side));
     add(counts, draw_scene(tile));
   };
   target_.draw_tiles([&](const PixelRect& drawn) {
@@ -128,6 +126,30 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
     split_.keep_left(target_.tile());
     add(counts, split_.draw(target_.tile(), part_of(split, size(), drawn)));
   });
+  splits_ = false;
+  return counts;
+}
+
+DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
+  if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
+  sky_.bind(frame.light);
+  ShadowUniforms uniforms{};
+  DrawCounts counts;
+  if (frame.shadows) {
+    const bool in_turns = context_->window() != nullptr && !splits_;
+    const auto draw_scenery = [&](const Cascade& cascade) {
+      return frame.scenery ? scenery_.draw_depth(cascade.to_clip, cascade.texel) : DrawCounts{};
+    };
+    add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, in_turns}, draw_scenery));
+    shadows_.describe(frame, uniforms);
+  }
+  if (frame.crowd_shade) {
+    add(counts, crowd_shade_.draw(frame, depths_of(frame).farthest));
+    crowd_shade_.describe(uniforms);
+  }
+  glNamedBufferSubData(shadow_uniforms_.id(), 0, sizeof uniforms, &uniforms);
+  glBindBufferBase(GL_UNIFORM_BUFFER, shadow_uniforms_binding, shadow_uniforms_.id());
+  glDisable(GL_RASTERIZER_DISCARD);
   return counts;
 }
 
@@ -138,9 +160,11 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame);
-  DrawCounts counts = ground_.draw();
-  if (options_.shadows) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
-  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !options_.shadows));
+  DrawCounts counts;
+  // Scenery goes before the ground, which then costs nothing where it is hidden.
+  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y)));
+  add(counts, ground_.draw());
+  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {
     blend_.begin(target);

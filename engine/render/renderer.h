@@ -16,16 +16,21 @@
 #include "engine/render/frame/tiled_target.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
+#include "engine/render/light/sky_light.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/frame_fences.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/blend_pass.h"
 #include "engine/render/passes/bone_pass.h"
 #include "engine/render/passes/crowd_pass.h"
+#include "engine/render/passes/crowd_shade_pass.h"
 #include "engine/render/passes/ground_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/overlay_renderer.h"
+#include "engine/render/passes/shadow_pass.h"
 #include "engine/render/passes/split_pass.h"
+#include "engine/render/scenery/scenery_pass.h"
+#include "engine/render/scenery_data.h"
 #include "engine/render/shader/shader_library.h"
 #include "engine/result.h"
 
@@ -35,8 +40,7 @@ struct RendererOptions {
   std::filesystem::path data;  ///< folder that has `shaders`
   glm::ivec2 size{1280, 720};  ///< pixels of the picture
   int samples = 0;             ///< 0 or 4
-  bool shadows = true;
-  int longest_tile = 4096;  ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
   std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
 
@@ -67,6 +71,11 @@ class Renderer {
 
   /// Gives the meshes of the loaded characters.
   std::span<const CrowdMesh> meshes() const { return meshes_; }
+
+  /// Replaces the meshes of scenery, and takes away what stood there. Errors: the device has no memory for them.
+  Status load_scenery(std::span<const SceneryMeshData> meshes) { return scenery_.load(meshes); }
+  /// Replaces what stands around the crowd. SceneryInstance::mesh is an index into those meshes.
+  void place_scenery(std::span<const SceneryInstance> instances) { scenery_.place(instances); }
 
   /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
   PalettePageSource& palette_pages() { return palettes_; }
@@ -105,7 +114,6 @@ class Renderer {
 
   /// Changes the size of pictures. Errors: those of create(); then it is as it was.
   Status set_size(glm::ivec2 size);
-  void set_shadows(bool shadows) { options_.shadows = shadows; }
   glm::ivec2 size() const { return target_.size(); }
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
@@ -118,12 +126,16 @@ class Renderer {
  private:
   Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
 
+  DrawCounts draw_light(const CrowdFrame& frame);
   DrawCounts draw_scene(const CrowdFrame& frame);
 
   gl::Context* context_;
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
   CrowdPass crowd_{shaders_};
+  ShadowPass shadows_{shaders_};
+  CrowdShadePass crowd_shade_{shaders_};
+  SceneryPass scenery_{shaders_};
   BlendPass blend_{shaders_};
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
@@ -132,9 +144,12 @@ class Renderer {
   TiledTarget target_;
   RendererOptions options_;
   FrameData frame_data_;
+  SkyLight sky_;
+  gl::Buffer shadow_uniforms_ = gl::create_buffer(nullptr, sizeof(ShadowUniforms), GL_DYNAMIC_STORAGE_BIT);
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;
+  bool splits_ = false;           // two crowds are drawn into one picture
   std::optional<Error> trouble_;  // what finish() tells
 };
 

@@ -23,8 +23,7 @@ class BodySize : public render::test::SoftwareGlTest {
     const auto source = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin", nullptr,
                                        {.placement = {.scale = scale}});
     if (!source) return ADD_FAILURE() << source.error().message, std::vector<ReadBackVertex>();
-    auto renderer = render::Renderer::create(
-        context(), {.data = THRONG_SOURCE_DIR, .size = {8, 8}, .samples = 0, .shadows = false});
+    auto renderer = render::Renderer::create(context(), {.data = THRONG_SOURCE_DIR, .size = {8, 8}, .samples = 0});
     const render::CrowdMeshData mesh = mesh_data(*source);
     body_size = mesh.body_size;
     if (!renderer || !(*renderer)->load_characters({&mesh, 1})) return ADD_FAILURE(), std::vector<ReadBackVertex>();

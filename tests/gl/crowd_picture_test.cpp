@@ -131,8 +131,9 @@ TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
 }
 
 TEST_F(CrowdPicture, CountsNoTriangleTwice) {
-  crowd().renderer().set_shadows(false);
-  const DrawCounts counts = crowd().renderer().draw(crowd().frame());
+  CrowdFrame frame = crowd().frame();
+  frame.shadows = frame.crowd_shade = false;
+  const DrawCounts counts = crowd().renderer().draw(frame);
   const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
   constexpr std::uint64_t ground = 1, contact_spot = 2;
   EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));
@@ -190,7 +191,8 @@ TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
   const ImageDifference difference = *compare(meant(), crowd().renderer().read_image());
   EXPECT_EQ(difference.worst_block, 0.0);
   const DrawCounts one = crowd().renderer().draw(crowd().frame());
-  EXPECT_EQ(two.draw_calls, one.draw_calls + 2) << "one call more for its surface, one for its shadow";
+  EXPECT_GT(two.draw_calls, one.draw_calls);
+  EXPECT_LE(two.draw_calls, one.draw_calls + 1 + cascade_count) << "one call more for its surface, one a shadow map";
   EXPECT_EQ(two.triangles, one.triangles);
 }
 

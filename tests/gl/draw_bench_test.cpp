@@ -42,7 +42,8 @@ TEST(BenchOfDrawing, SaysWhatWasDrawnOnWhichDevice) {
   EXPECT_EQ(json["scene"].get<std::string>(), "plaza");
   EXPECT_EQ(json["camera"].get<std::string>(), "front");
   EXPECT_GT(json["pus"].get<int>(), 0);
-  for (const char* const key : {"gl_version", "shadows", "model", "error_px", "seconds", "rows"}) {
+  for (const char* const key :
+       {"gl_version", "shadows", "crowd_shade", "scenery", "model", "error_px", "seconds", "rows"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
 }
@@ -71,8 +72,8 @@ TEST(BenchOfDrawing, HasARowOfEachNumberOfAgentsWhosePartsAreOfTheFrame) {
 TEST(BenchOfDrawing, IsATableForAPersonThatSaysWhyAProcessorHasNoClock) {
   const std::string text = measured(of_small_crowds()).text;
   EXPECT_THAT(text, HasSubstr("llvmpipe"));
-  EXPECT_THAT(text, HasSubstr("[160,90] pixels, one sample a pixel, no shadows, mannequin (built in), scene plaza, "
-                              "camera front, "));
+  EXPECT_THAT(text, HasSubstr("[160,90] pixels, one sample a pixel, no shadows, scenery, mannequin (built in), "
+                              "scene plaza, camera front, "));
   EXPECT_THAT(text, HasSubstr("agents  agents_in_view  frames  frame_ms  crowd_ms  cull_ms  pose_ms"));
   EXPECT_THAT(text, HasSubstr("The device is a processor"));
   EXPECT_THAT(text, Not(HasSubstr("stopped")));

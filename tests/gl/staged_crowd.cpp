@@ -28,8 +28,7 @@ Value value_of(anim::Result<Value> result) {
 }
 
 std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, const CharacterSource& character) {
-  auto renderer = render::Renderer::create(
-      context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0, .shadows = false});
+  auto renderer = render::Renderer::create(context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0});
   if (!renderer) throw std::runtime_error(renderer.error().message);
   const render::CrowdMeshData mesh = mesh_data(character);
   const anim::Status loaded = (*renderer)->load_characters({&mesh, 1});
@@ -118,7 +117,9 @@ render::CrowdFrame StagedCrowd::frame() const {
           .instances = instances_,
           .batches = picture_.batches(),
           .now = stage_->now(),
-          .bones_as_lines = false};
+          .bones_as_lines = false,
+          .shadows = false,
+          .crowd_shade = false};
 }
 
 std::uint32_t StagedCrowd::instance_of(std::uint32_t agent) const {

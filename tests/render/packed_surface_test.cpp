@@ -20,7 +20,9 @@ Surface small_surface() {
   Surface surface;
   surface.vertices.resize(3);
   surface.vertices[1].position[0] = 2.5F;
-  surface.emission_coords = {{0, 1}, {2, 3}, {4, 5}};
+  surface.detail_coords.resize(3);
+  surface.detail_coords[1].occlusion = {2, 3};
+  surface.tangents = {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}};
   surface.entries = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 0, 0, 0}, {1, 1, 1, 1}, {5, 5, 5, 5}, {9, 0, 0, 0}};
   surface.indices = {0, 1, 0, 1, 0, 1, 0, 0, 1};
   surface.runs_by_lod = {{{0, 0, 3}, {1, 3, 3}}, {{1, 6, 3}}};
@@ -57,7 +59,9 @@ TEST(PackedSurface, IsTheSurfaceThatWasPacked) {
   const Result<SurfaceView> view = view_packed_surface(packed.bytes());
   ASSERT_TRUE(view) << view.error().message;
   EXPECT_TRUE(std::ranges::equal(view->vertices, surface.vertices, same));
-  EXPECT_THAT(view->emission_coords, ElementsAreArray(surface.emission_coords));
+  ASSERT_EQ(view->detail_coords.size(), 3U);
+  EXPECT_EQ(view->detail_coords[1].occlusion, surface.detail_coords[1].occlusion);
+  EXPECT_THAT(view->tangents, ElementsAreArray(surface.tangents));
   EXPECT_THAT(view->entries, ElementsAreArray(surface.entries));
   EXPECT_THAT(view->indices, ElementsAreArray(surface.indices));
   ASSERT_EQ(view->runs_by_lod.size(), 2U);

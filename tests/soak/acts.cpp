@@ -133,7 +133,6 @@ anim::Status resize(Show& show, const Models&, Random& random) {
 
 anim::Status draw(Show& show, const Models&, Random& random) {
   if (!show.painter().draws()) return anim::Done{};
-  show.painter().renderer().set_shadows(random.chance(0.5F));
   anim::Status drawn = show.draw();
   if (drawn && random.chance(0.3F)) show.painter().renderer().read_image();
   return drawn;

@@ -111,6 +111,7 @@ DemoOptions shown_options(const BenchOptions& options, int agents) {
 Json description(const Show& show, const DemoOptions& shown) {
   const DrawnBy drawn_by = show.painter().drawn_by();
   const Spared& spared = show.painter().spared();
+  const Tuning& tuning = show.stage().tuning();
   return {{"device", drawn_by.gl_renderer},
           {"gl_version", drawn_by.gl_version},
           {"context", drawn_by.context},
@@ -118,11 +119,13 @@ Json description(const Show& show, const DemoOptions& shown) {
           {"pus", show.stage().system().options().pus},
           {"size", std::vector<Json>{shown.width, shown.height}},
           {"samples", shown.msaa >= 0 ? shown.msaa : (spared.multisampling ? 0 : 4)},
-          {"shadows", shown.shadows && !spared.shadows},
+          {"shadows", tuning.shadows},
+          {"crowd_shade", tuning.crowd_shade},
+          {"scenery", tuning.scenery},
           {"model", show.stage().people().front().name},
-          {"scene", scene_words.at(static_cast<std::size_t>(shown.tuning.scene))},
+          {"scene", scene_words.at(static_cast<std::size_t>(tuning.scene))},
           {"camera", shown.camera_name.empty() && !shown.camera ? "front" : shown.camera_name},
-          {"error_px", shown.tuning.error_px}};
+          {"error_px", tuning.error_px}};
 }
 
 std::string heading(const Json& described) {
@@ -130,7 +133,8 @@ std::string heading(const Json& described) {
   const bool samples = described["samples"].get<int>() > 0;
   return text("device") + " (" + text("context") + ", OpenGL " + text("gl_version") + ")\n" + described["size"].dump() +
          " pixels, " + (samples ? "4 samples a pixel" : "one sample a pixel") +
-         (described["shadows"].get<bool>() ? ", shadows" : ", no shadows") + ", " + text("model") + ", scene " +
+         (described["shadows"].get<bool>() ? ", shadows" : ", no shadows") +
+         (described["scenery"].get<bool>() ? ", scenery" : ", no scenery") + ", " + text("model") + ", scene " +
          text("scene") + ", camera " + text("camera") + ", " + described["pus"].dump() + " PUs\n";
 }
 
@@ -163,7 +167,7 @@ std::string plot_of(const Json& described, const std::vector<Json>& rows) {
   return lines_as_svg("What a frame costs on " + described["device"].get<std::string>(), "agents", "ms a frame", lines);
 }
 
-constexpr std::array columns = {
+constexpr std::array drawn_columns = {
     "agents",           "agents_in_view", "frames",           "frame_ms_median",      "crowd_ms_median",
     "cull_ms_median",   "pose_ms_median", "upload_ms_median", "submission_ms_median", "wait_ms_median",
     "device_ms_median", "triangles",      "draw_calls"};
@@ -189,7 +193,7 @@ anim::Result<BenchReport> measure_drawing(const BenchOptions& options) {
   }
   show_progress("");
   const std::string plot = plot_of(described, rows);
-  std::string text = heading(described) + figures_as_text(rows, columns) + remarks(described, rows, options);
+  std::string text = heading(described) + figures_as_text(rows, drawn_columns) + remarks(described, rows, options);
   described["seconds"] = options.seconds;
   described["rows"] = rows;
   return BenchReport{.text = std::move(text), .json = std::move(described), .plot = plot};

@@ -69,8 +69,6 @@ struct Material {
   bool double_sided = false;
   bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
   float alpha_cutoff = 0.0F;  ///< less alpha is not seen; 0: opaque, unless `blended`
-
-  // The light does not read these yet.
   float metallic = 1.0F;
   float roughness = 1.0F;
   Texture metallic_roughness_texture;  ///< linear, roughness in green, metallic in blue

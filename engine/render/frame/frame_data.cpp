@@ -20,6 +20,10 @@ FrameUniforms frame_uniforms(const CrowdFrame& frame) {
   uniforms.distance_scale = frame.distance_scale;
   uniforms.weighed_entry = frame.weighed.first;
   uniforms.weighed_entries = frame.weighed.count;
+  const SceneGround& ground = frame.ground;
+  uniforms.ground_shape = glm::vec4(ground.core, ground.radius, ground.half_width);
+  uniforms.ground_style = static_cast<std::uint32_t>(ground.style);
+  uniforms.ground_unit = ground.unit;
   return uniforms;
 }
 

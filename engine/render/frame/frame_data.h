@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "engine/render/crowd_draw.h"
@@ -13,7 +14,7 @@
 namespace throng::render {
 
 /// The bindings of the blocks, which are the same in every program.
-enum UniformBinding : unsigned { frame_uniforms_binding = 0 };
+enum UniformBinding : unsigned { frame_uniforms_binding = 0, light_uniforms_binding = 1, shadow_uniforms_binding = 2 };
 enum StorageBinding : unsigned {
   instances_binding = 0,
   palette_binding = 1,
@@ -21,7 +22,8 @@ enum StorageBinding : unsigned {
   packing_frames_binding = 3,
   morph_firsts_binding = 4,
   morph_entries_binding = 5,
-  morph_weights_binding = 6
+  morph_weights_binding = 6,
+  scenery_binding = 7
 };
 
 /// Block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).
@@ -30,6 +32,8 @@ enum StorageBinding : unsigned {
 ///     64  camera position x y z, unused
 ///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
 ///    128  now in microseconds, distance scale, first and number of the palette entries whose weights are shown
+///    144  shape of the ground: half sides of the core along x and z, radius of the corners, half width
+///    160  style and unit of the ground, two unused
 struct FrameUniforms {
   glm::mat4 view_projection;
   glm::vec4 camera_position;
@@ -40,10 +44,15 @@ struct FrameUniforms {
   float distance_scale;
   std::uint32_t weighed_entry;
   std::uint32_t weighed_entries;
+  glm::vec4 ground_shape;
+  std::uint32_t ground_style;
+  float ground_unit;
+  glm::vec2 unused;
 };
-static_assert(sizeof(FrameUniforms) == 144);
+static_assert(sizeof(FrameUniforms) == 176);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);
 static_assert(offsetof(FrameUniforms, now) == 128);
+static_assert(offsetof(FrameUniforms, ground_shape) == 144);
 
 /// Carries the camera, the time, the instance records and the weights of morphs of each frame to the device. Records
 /// and weights take turns with several buffers, so that copying never waits for an earlier frame.

@@ -10,10 +10,13 @@
 namespace throng::render {
 namespace {
 
-gl::Texture create_image(const ImageData& image) {
+// A rougher surface that is no metal mirrors too little to be seen.
+constexpr float matt = 0.8F;
+
+gl::Texture create_image(const ImageData& image, GLenum format) {
   const auto mip_levels =
       static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
-  gl::Texture texture = gl::create_texture(GL_SRGB8_ALPHA8, image.width, image.height, mip_levels);
+  gl::Texture texture = gl::create_texture(format, image.width, image.height, mip_levels);
   const GLuint id = texture.id();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
@@ -23,7 +26,7 @@ gl::Texture create_image(const ImageData& image) {
 
 gl::Texture create_white() {
   constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-  return create_image({1, 1, white});
+  return create_image({1, 1, white}, GL_RGBA8);
 }
 
 Status check_size(const ImageData& image, std::size_t index) {
@@ -33,45 +36,70 @@ Status check_size(const ImageData& image, std::size_t index) {
                std::to_string(image.height) + "; this device takes " + std::to_string(limit) + ", scale it down"};
 }
 
-bool is_shown(int image, const CrowdMeshData& data) {
-  return std::ranges::any_of(data.materials, [image](const MaterialData& material) {
-    return material.base_color_texture.image == image || material.emission_texture.image == image;
-  });
+bool shows_color(const MaterialData& material, int image) {
+  return material.base_color_texture.image == image || material.emission_texture.image == image;
+}
+
+bool reads_numbers(const MaterialData& material, int image) {
+  return material.metallic_roughness_texture.image == image || material.normal_texture.image == image ||
+         material.occlusion_texture.image == image;
+}
+
+bool is_plain(const MaterialData& material) {
+  const bool shines = material.unlit || std::ranges::any_of(material.emission, [](float c) { return c != 0.0F; });
+  const bool is_even = material.metallic_roughness_texture.image < 0 && material.normal_texture.image < 0 &&
+                       material.occlusion_texture.image < 0;
+  return !shines && is_even && material.metallic == 0.0F && material.roughness >= matt;
 }
 
 }  // namespace
 
 Result<MaterialSet> MaterialSet::create(const CrowdMeshData& data) {
   MaterialSet set;
+  set.white_ = create_white();
   if (const Status added = set.add_images(data); !added) return added.error();
   for (const MaterialData& material : data.materials) {
     const float* color = material.base_color;
     const float* emission = material.emission;
-    set.materials_.push_back({.base_color = {color[0], color[1], color[2], color[3]},
-                              .base_color_texture = set.texture(material.base_color_texture),
-                              .emission = {emission[0], emission[1], emission[2]},
-                              .emission_texture = set.texture(material.emission_texture),
-                              .unlit = material.unlit,
-                              .double_sided = material.double_sided,
-                              .coverage = coverage_of(data, static_cast<int>(set.materials_.size())),
-                              .alpha_cutoff = material.alpha_cutoff});
+    const float bumps = material.normal_texture.image < 0 ? 0.0F : material.normal_scale;
+    const float occlusion = material.occlusion_texture.image < 0 ? 0.0F : material.occlusion_strength;
+    set.materials_.push_back(
+        {.base_color = {color[0], color[1], color[2], color[3]},
+         .base_color_texture = set.texture(material.base_color_texture, set.colors_),
+         .emission = {emission[0], emission[1], emission[2]},
+         .emission_texture = set.texture(material.emission_texture, set.colors_),
+         .metallic_roughness_texture = set.texture(material.metallic_roughness_texture, set.numbers_),
+         .normal_texture = set.texture(material.normal_texture, set.numbers_),
+         .occlusion_texture = set.texture(material.occlusion_texture, set.numbers_),
+         .factors = {material.metallic, material.roughness, bumps, occlusion},
+         .is_plain = is_plain(material),
+         .unlit = material.unlit,
+         .double_sided = material.double_sided,
+         .coverage = coverage_of(data, static_cast<int>(set.materials_.size())),
+         .alpha_cutoff = material.alpha_cutoff});
   }
   return set;
 }
 
 Status MaterialSet::add_images(const CrowdMeshData& data) {
-  for (std::size_t i = 0; i < data.images.size(); ++i) {
-    gl::Texture& texture = images_.emplace_back();
-    if (!is_shown(static_cast<int>(i), data)) continue;
-    if (Status fits = check_size(data.images[i], i); !fits) return fits;
-    texture = create_image(data.images[i]);
+  const auto add = [&data](Images& images, GLenum format, int index, const auto& uses) -> Status {
+    gl::Texture& texture = images.emplace_back();
+    const auto is_used = [&](const MaterialData& material) { return uses(material, index); };
+    if (!std::ranges::any_of(data.materials, is_used)) return Done{};
+    const auto place = static_cast<std::size_t>(index);
+    if (Status fits = check_size(data.images[place], place); !fits) return fits;
+    texture = create_image(data.images[place], format);
+    return Done{};
+  };
+  for (int i = 0; i < static_cast<int>(data.images.size()); ++i) {
+    if (Status added = add(colors_, GL_SRGB8_ALPHA8, i, shows_color); !added) return added;
+    if (Status added = add(numbers_, GL_RGBA8, i, reads_numbers); !added) return added;
   }
-  images_.push_back(create_white());
   return Done{};
 }
 
-CrowdTexture MaterialSet::texture(const TextureData& data) {
-  const gl::Texture& image = data.image < 0 ? images_.back() : images_[static_cast<std::size_t>(data.image)];
+CrowdTexture MaterialSet::texture(const TextureData& data, const Images& images) {
+  const gl::Texture& image = data.image < 0 ? white_ : images[static_cast<std::size_t>(data.image)];
   return {image.id(), sampler(data)};
 }
 

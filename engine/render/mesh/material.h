@@ -14,7 +14,7 @@ namespace throng::render {
 
 /// Names an image on the device, and how it is read.
 struct CrowdTexture {
-  GLuint image;  ///< sRGB; plain white where the character brings none
+  GLuint image;  ///< plain white where the character brings none
   GLuint sampler;
 };
 
@@ -24,13 +24,15 @@ struct CrowdMaterial {
   CrowdTexture base_color_texture;
   float emission[3];  ///< linear
   CrowdTexture emission_texture;
+  CrowdTexture metallic_roughness_texture;
+  CrowdTexture normal_texture;
+  CrowdTexture occlusion_texture;
+  float factors[4];  ///< metallic, roughness, scale of the normal texture, strength of occlusion; 0: no such texture
+  bool is_plain;     ///< its base colour is all that light needs to know, and nothing shines by itself
   bool unlit;
   bool double_sided;
   Coverage coverage;
   float alpha_cutoff;  ///< of a cut-out
-
-  /// Says whether light is all that it needs, and nothing shines by itself.
-  bool only_reflects() const { return !unlit && emission[0] == 0.0F && emission[1] == 0.0F && emission[2] == 0.0F; }
 };
 
 /// Holds a character's materials on the device, with the images that they show.
@@ -45,11 +47,16 @@ class MaterialSet {
   const CrowdMaterial& operator[](int index) const { return materials_[static_cast<std::size_t>(index)]; }
 
  private:
+  /// By index of the image; without a name where no material needs it.
+  using Images = std::vector<gl::Texture>;
+
   Status add_images(const CrowdMeshData& data);
-  CrowdTexture texture(const TextureData& data);
+  CrowdTexture texture(const TextureData& data, const Images& images);
   GLuint sampler(const TextureData& data);
 
-  std::vector<gl::Texture> images_;  // without a name where no material shows the image; the last is white
+  Images colors_;   // decoded as sRGB
+  Images numbers_;  // the same images, where a material reads them as they are
+  gl::Texture white_;
   std::map<std::array<int, 4>, gl::Sampler> samplers_;  // by wraps and filters
   std::vector<CrowdMaterial> materials_;
 };

@@ -1,6 +1,7 @@
 #include "engine/render/mesh/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,24 +24,36 @@ constexpr gl::FloatAttribute surface_attributes[] = {{3, GL_FLOAT, offsetof(Surf
                                                      {3, GL_BYTE, offsetof(SurfaceVertex, shape)},
                                                      {2, GL_BYTE, offsetof(SurfaceVertex, hair)}};
 constexpr GLuint region_attribute = 7;
-constexpr GLuint emission_coord_attribute = 8;
+constexpr GLuint first_detail_coord_attribute = 8;  // in the order of DetailCoords
+constexpr GLuint detail_coord_count = sizeof(DetailCoords) / sizeof(TextureCoord);
+constexpr GLuint tangent_attribute = first_detail_coord_attribute + detail_coord_count;
 
-/// Describes coordinates of the emission's texture, which have a buffer of their own, or else are those of the base
-/// colour.
-void describe_emission_coords(const gl::VertexArray& array, const gl::Buffer& emission_coords) {
-  const GLuint binding = emission_coords ? 1 : 0;
-  const GLuint offset = emission_coords ? 0 : offsetof(SurfaceVertex, texture_coord);
-  glVertexArrayAttribFormat(array.id(), emission_coord_attribute, 2, GL_FLOAT, GL_FALSE, offset);
-  glVertexArrayAttribBinding(array.id(), emission_coord_attribute, binding);
-  glEnableVertexArrayAttrib(array.id(), emission_coord_attribute);
-  if (!emission_coords) return;
-  glVertexArrayVertexBuffer(array.id(), binding, emission_coords.id(), 0, sizeof(EmissionCoord));
+/// Describes coordinates of textures over the base colour, which have a buffer of their own, or else are those of the
+/// base colour.
+void describe_detail_coords(const gl::VertexArray& array, const gl::Buffer& detail_coords) {
+  const GLuint binding = detail_coords ? 1 : 0;
+  for (GLuint i = 0; i < detail_coord_count; ++i) {
+    const GLuint attribute = first_detail_coord_attribute + i;
+    const std::size_t offset = detail_coords ? i * sizeof(TextureCoord) : offsetof(SurfaceVertex, texture_coord);
+    glVertexArrayAttribFormat(array.id(), attribute, 2, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(array.id(), attribute, binding);
+    glEnableVertexArrayAttrib(array.id(), attribute);
+  }
+  if (detail_coords) glVertexArrayVertexBuffer(array.id(), binding, detail_coords.id(), 0, sizeof(DetailCoords));
 }
 
-gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& indices,
-                                  const gl::Buffer& emission_coords) {
+/// Describes tangents. Without them, shaders read 0 0 0 as the tangent.
+void describe_tangents(const gl::VertexArray& array, const gl::Buffer& tangents) {
+  constexpr GLuint binding = 2;
+  if (!tangents) return;
+  glVertexArrayAttribFormat(array.id(), tangent_attribute, 4, GL_SHORT, GL_TRUE, 0);
+  glVertexArrayAttribBinding(array.id(), tangent_attribute, binding);
+  glEnableVertexArrayAttrib(array.id(), tangent_attribute);
+  glVertexArrayVertexBuffer(array.id(), binding, tangents.id(), 0, sizeof(PackedTangent));
+}
+
+gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& indices) {
   gl::VertexArray array = gl::create_vertex_array(surface_attributes, vertices, sizeof(SurfaceVertex));
-  describe_emission_coords(array, emission_coords);
   glVertexArrayAttribIFormat(array.id(), region_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
   glVertexArrayAttribBinding(array.id(), region_attribute, 0);
   glEnableVertexArrayAttrib(array.id(), region_attribute);
@@ -67,6 +80,17 @@ float longest_side(std::span<const SurfaceVertex> vertices) {
     longest = std::max(longest, high.position[axis] - low.position[axis]);
   }
   return longest;
+}
+
+constexpr float stretch_of_poses = 1.4F;
+
+float farthest_from_origin(std::span<const SurfaceVertex> vertices) {
+  float farthest = 0.0F;
+  for (const SurfaceVertex& vertex : vertices) {
+    const auto& [x, y, z] = vertex.position;
+    farthest = std::max(farthest, x * x + y * y + z * z);
+  }
+  return std::sqrt(farthest);
 }
 
 Status check_morphs(const CrowdMeshData& data) {
@@ -100,10 +124,14 @@ void CrowdMesh::copy_to_device(const SurfaceView& surface, std::span<const Morph
   vertices_ = create_buffer_of(surface.vertices);
   indices_ = create_buffer_of(surface.indices);
   palette_entries_ = create_buffer_of(surface.entries);
-  if (!surface.emission_coords.empty()) emission_coords_ = create_buffer_of(surface.emission_coords);
-  array_ = describe_vertices(vertices_, indices_, emission_coords_);
+  if (!surface.detail_coords.empty()) detail_coords_ = create_buffer_of(surface.detail_coords);
+  if (!surface.tangents.empty()) tangents_ = create_buffer_of(surface.tangents);
+  array_ = describe_vertices(vertices_, indices_);
+  describe_detail_coords(array_, detail_coords_);
+  describe_tangents(array_, tangents_);
   create_morphs(morph_deltas, surface.vertices.size());
   parts_ = surface;
+  reach_ = stretch_of_poses * farthest_from_origin(surface.vertices);
   longest_side_of_bones_ = longest_side(surface.vertices.subspan(parts_.first_bone_end, parts_.bone_end_count));
 }
 

@@ -40,6 +40,10 @@ class CrowdMesh {
   /// These two functions name the ends of the bones' lines, two a bone, which come last.
   std::uint32_t first_bone_end() const { return parts_.first_bone_end; }
   std::uint32_t bone_end_count() const { return parts_.bone_end_count; }
+  /// Gives a radius, in metres of an agent of scale 1, around the place where an agent stands that holds its surface,
+  /// stretched as far as poses stretch it.
+  float reach() const { return reach_; }
+
   /// Gives the longest side of the box around them at rest, in metres; 0 without bones.
   float longest_side_of_bones() const { return longest_side_of_bones_; }
 
@@ -49,7 +53,8 @@ class CrowdMesh {
   void create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count);
 
   gl::Buffer vertices_;
-  gl::Buffer emission_coords_;  // has a name only where the surface has them
+  gl::Buffer detail_coords_;  // these two have names only where the surface has such
+  gl::Buffer tangents_;
   gl::Buffer indices_;
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]
@@ -58,6 +63,7 @@ class CrowdMesh {
   gl::VertexArray array_;
   SurfaceParts parts_;
   float longest_side_of_bones_ = 0.0F;
+  float reach_ = 0.0F;
   float body_size_ = 1.0F;
   MaterialSet materials_;
 };

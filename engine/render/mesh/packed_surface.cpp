@@ -76,7 +76,7 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
   }
   const std::size_t levels = surface.vertices.empty() ? 0 : surface.entries.size() / surface.vertices.size();
   const PackedSurface header{.layout = packed_surface_layout,
-                             .emission_coords = count_of(surface.emission_coords.size()),
+                             .detail_coords = count_of(surface.detail_coords.size()),
                              .levels = count_of(levels),
                              .indices = count_of(surface.indices.size()),
                              .runs = count_of(runs.size()),
@@ -85,11 +85,13 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
                              .vertex_count = surface.vertex_count,
                              .first_bone_end = surface.first_bone_end,
                              .bone_end_count = surface.bone_end_count,
-                             .unused = {}};
+                             .tangents = count_of(surface.tangents.size()),
+                             .unused = 0};
   ArrayWriter writer;
   writer.add(std::span(&header, 1));
   writer.add(surface.vertices);
-  writer.add(surface.emission_coords);
+  writer.add(surface.detail_coords);
+  writer.add(surface.tangents);
   writer.add(surface.entries);
   writer.add(surface.indices);
   writer.add(std::span<const MaterialRun>(runs));
@@ -108,7 +110,8 @@ Result<SurfaceView> view_packed_surface(std::span<const std::byte> packed) {
   ArrayReader reader(packed);
   SurfaceView surface;
   surface.vertices = reader.take<SurfaceVertex>(header.vertices);
-  surface.emission_coords = reader.take<EmissionCoord>(header.emission_coords);
+  surface.detail_coords = reader.take<DetailCoords>(header.detail_coords);
+  surface.tangents = reader.take<PackedTangent>(header.tangents);
   surface.entries = reader.take<PaletteEntries>(std::size_t{header.levels} * header.vertices);
   surface.indices = reader.take<std::uint32_t>(header.indices);
   const auto runs = reader.take<MaterialRun>(header.runs);

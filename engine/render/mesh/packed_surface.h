@@ -12,16 +12,16 @@ namespace throng::render {
 
 /// A surface as one relocatable block, whose arrays are copied to the device from where they lie:
 ///
-///     PackedSurface | vertices | emission coordinates | entries | indices | runs | LODs
+///     PackedSurface | vertices | detail coordinates | tangents | entries | indices | runs | LODs
 ///
 ///      0        4                 8       12       16      20         24     28             32               36
-///     | layout | emission coords | levels | indices | runs | vertices | LODs | vertex_count | first_bone_end | ...
+///     | layout | detail coords   | levels | indices | runs | vertices | LODs | vertex_count | first_bone_end | ...
 ///
 /// Each array begins at a multiple of 16 bytes.
 struct alignas(16) PackedSurface {
-  std::uint32_t layout;           ///< packed_surface_layout
-  std::uint32_t emission_coords;  ///< counts of the elements of each array
-  std::uint32_t levels;           ///< of which each has as many entries as there are vertices
+  std::uint32_t layout;         ///< packed_surface_layout
+  std::uint32_t detail_coords;  ///< counts of the elements of each array
+  std::uint32_t levels;         ///< of which each has as many entries as there are vertices
   std::uint32_t indices;
   std::uint32_t runs;  ///< of all LODs, one after the other
   std::uint32_t vertices;
@@ -29,7 +29,8 @@ struct alignas(16) PackedSurface {
   std::uint32_t vertex_count;  ///< as in SurfaceParts, like the two that follow
   std::uint32_t first_bone_end;
   std::uint32_t bone_end_count;
-  std::uint32_t unused[2];
+  std::uint32_t tangents;
+  std::uint32_t unused;
 };
 static_assert(sizeof(PackedSurface) == 48);
 static_assert(offsetof(PackedSurface, vertices) == 20);
@@ -44,7 +45,7 @@ struct PackedSurfaceLod {
 
 /// Changes with the sizes of what is in a packed surface. Raise the first number when its meaning changes alone.
 inline constexpr std::uint32_t packed_surface_layout =
-    1U << 24U | sizeof(SurfaceVertex) << 16U | sizeof(MaterialRun) << 8U | sizeof(PackedSurfaceLod);
+    2U << 24U | sizeof(SurfaceVertex) << 16U | sizeof(MaterialRun) << 8U | sizeof(PackedSurfaceLod);
 
 /// Packs a surface. The same surface gives the same bytes.
 std::vector<std::byte> pack_surface(const SurfaceView& surface);

@@ -9,6 +9,7 @@
 #include <meshoptimizer.h>
 
 #include "engine/render/mesh/mesh_lod.h"
+#include "engine/render/mesh/surface_details.h"
 
 namespace throng::render {
 namespace {
@@ -101,28 +102,6 @@ void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
   for (const std::uint32_t index : part.indices) {
     assert(index < count);
     merged.indices.push_back(first + index);
-  }
-}
-
-bool has_emission_coords(const MeshPartData& part) { return !part.emission_coords.empty(); }
-
-/// Fills the surface's coordinates of the emission's texture where a part has such; the others repeat their own.
-void append_emission_coords(const MeshPartData& part, Surface& surface) {
-  const std::span<const float> coords = has_emission_coords(part) ? part.emission_coords : part.texture_coords;
-  const std::size_t count = part.positions.size() / 3;
-  for (std::size_t i = 0; i < count; ++i) {
-    surface.emission_coords.push_back(coords.empty() ? EmissionCoord{}
-                                                     : EmissionCoord{coords[i * 2], coords[i * 2 + 1]});
-  }
-}
-
-void append_emission_coords(const CrowdMeshData& data, Surface& surface) {
-  bool has_any = std::ranges::any_of(data.parts, has_emission_coords);
-  for (const BakedLodData& baked : data.baked_lods) has_any |= std::ranges::any_of(baked.parts, has_emission_coords);
-  if (!has_any) return;
-  for (const MeshPartData& part : data.parts) append_emission_coords(part, surface);
-  for (const BakedLodData& baked : data.baked_lods) {
-    for (const MeshPartData& part : baked.parts) append_emission_coords(part, surface);
   }
 }
 
@@ -229,7 +208,8 @@ SurfaceView view_of(const Surface& surface) {
   SurfaceView view;
   static_cast<SurfaceParts&>(view) = surface;
   view.vertices = surface.vertices;
-  view.emission_coords = surface.emission_coords;
+  view.detail_coords = surface.detail_coords;
+  view.tangents = surface.tangents;
   view.entries = surface.entries;
   view.indices = surface.indices;
   return view;
@@ -240,7 +220,7 @@ Surface build_surface(const CrowdMeshData& data) {
   Merged merged;
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
   surface.vertex_count = static_cast<std::uint32_t>(surface.vertices.size());
-  append_emission_coords(data, surface);
+  append_details(data, surface);
   if (std::ranges::any_of(data.materials, shows_an_image)) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
@@ -251,7 +231,8 @@ Surface build_surface(const CrowdMeshData& data) {
     surface.error_by_lod.push_back(lod.error);
   }
   append_bone_ends(data.bone_ends, surface, merged);
-  if (!surface.emission_coords.empty()) surface.emission_coords.resize(surface.vertices.size());
+  if (!surface.detail_coords.empty()) surface.detail_coords.resize(surface.vertices.size());
+  if (!surface.tangents.empty()) surface.tangents.resize(surface.vertices.size());
   for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
     append_entries(merged.palette_entries, entry_at_level, surface.entries);
   }

@@ -38,8 +38,19 @@ static_assert(sizeof(SurfaceVertex) == 56);
 static_assert(offsetof(SurfaceVertex, region) == 48);
 static_assert(offsetof(SurfaceVertex, hair) == 52);
 
-/// The coordinates u v at which a vertex reads the emission's texture.
-using EmissionCoord = std::array<float, 2>;
+using TextureCoord = std::array<float, 2>;
+
+/// The coordinates u v at which a vertex reads what lies over the base colour.
+struct DetailCoords {
+  TextureCoord emission;
+  TextureCoord metallic_roughness;
+  TextureCoord normal;
+  TextureCoord occlusion;
+};
+static_assert(sizeof(DetailCoords) == 32);
+
+/// The direction in which the normal texture's u grows, 1 is 32767, and the side of the bitangent; 0 0 0: no bumps.
+using PackedTangent = std::array<std::int16_t, 4>;
 
 using PaletteEntries = std::array<std::uint16_t, 4>;
 
@@ -64,15 +75,17 @@ struct SurfaceParts {
 /// lines are vertices too, and come last.
 struct Surface : SurfaceParts {
   std::vector<SurfaceVertex> vertices;
-  std::vector<EmissionCoord> emission_coords;  ///< one a vertex, or empty: the vertices' own texture coordinates
-  std::vector<PaletteEntries> entries;         ///< [bone level][vertex]
-  std::vector<std::uint32_t> indices;          ///< indices of all mesh LODs
+  std::vector<DetailCoords> detail_coords;  ///< one a vertex, or empty: the vertices' own texture coordinates
+  std::vector<PackedTangent> tangents;      ///< one a vertex, or empty: no bumps
+  std::vector<PaletteEntries> entries;      ///< [bone level][vertex]
+  std::vector<std::uint32_t> indices;       ///< indices of all mesh LODs
 };
 
 /// Points to the arrays of a surface, wherever they lie.
 struct SurfaceView : SurfaceParts {
   std::span<const SurfaceVertex> vertices;
-  std::span<const EmissionCoord> emission_coords;
+  std::span<const DetailCoords> detail_coords;
+  std::span<const PackedTangent> tangents;
   std::span<const PaletteEntries> entries;
   std::span<const std::uint32_t> indices;
 };

@@ -92,10 +92,11 @@ PointLook SurfacePaint::look(const SurfacePoint& point) const {
     const float weight = point.weights[static_cast<glm::length_t>(i)];
     color += weight / full_color * glm::vec4(vertex.color[0], vertex.color[1], vertex.color[2], vertex.color[3]);
     place += weight * glm::vec2(vertex.texture_coord[0], vertex.texture_coord[1]);
-    if (surface_.emission_coords.empty()) continue;
-    emission_place += weight * glm::vec2(surface_.emission_coords[index][0], surface_.emission_coords[index][1]);
+    if (surface_.detail_coords.empty()) continue;
+    const TextureCoord& emission = surface_.detail_coords[index].emission;
+    emission_place += weight * glm::vec2(emission[0], emission[1]);
   }
-  if (surface_.emission_coords.empty()) emission_place = place;
+  if (surface_.detail_coords.empty()) emission_place = place;
   const MaterialData& material = by_index_[static_cast<std::size_t>(materials_[point.vertices[0]])];
   for (int i = 0; i < 4; ++i) color[i] *= material.base_color[i];
   color = as_seen(color) * texel(material.base_color_texture, place);

@@ -10,15 +10,18 @@ namespace throng::render {
 namespace {
 
 /// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
-enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2, emission_location = 3, unlit_location = 4 };
+enum Location : GLint {
+  base_color_location = 1,
+  alpha_cutoff_location = 2,
+  emission_location = 3,
+  unlit_location = 4,
+  factors_location = 6
+};
 
-enum Unit : GLuint { base_color_unit = 0, emission_unit = 1 };
+enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
 constexpr float solid_alpha = 0.9F;
-constexpr float shadow_alpha = 0.5F;  // least of a blended surface that casts a shadow
-
-constexpr int all_opaque = -1;  // a group's material
 
 void add_runs(const CrowdMesh& mesh, std::size_t lod, const CrowdBatch& batch, IndirectDraws& draws,
               const auto& is_wanted) {
@@ -46,26 +49,6 @@ void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const Crowd
 bool is_any(const CrowdMaterial& /*material*/) { return true; }
 bool is_blended(const CrowdMaterial& material) { return material.coverage == Coverage::blended; }
 
-/// Makes one group of all opaque materials, and one of each other.
-void compose_outlines(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
-  draws.clear();
-  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
-    const CrowdMesh& mesh = meshes[run[0].character];
-    const auto add_group = [&](int group, const auto& is_wanted) {
-      draws.begin_group(run[0].page, run[0].character, group);
-      for (const CrowdBatch& batch : run) {
-        // The next coarser mesh LOD has enough triangles for an outline.
-        add_runs(mesh, std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1), batch, draws, is_wanted);
-      }
-    };
-    const auto is_opaque = [&](int material) { return mesh.materials()[material].coverage == Coverage::opaque; };
-    add_group(all_opaque, is_opaque);
-    for (int material = 0; material < mesh.materials().size(); ++material) {
-      if (!is_opaque(material)) add_group(material, [material](int of_run) { return of_run == material; });
-    }
-  });
-}
-
 void bind_texture(Unit unit, const CrowdTexture& texture) {
   glBindTextureUnit(unit, texture.image);
   glBindSampler(unit, texture.sampler);
@@ -75,10 +58,14 @@ void bind_texture(Unit unit, const CrowdTexture& texture) {
 void set_uniforms(const CrowdMaterial& material) {
   glUniform4fv(base_color_location, 1, material.base_color);
   bind_texture(base_color_unit, material.base_color_texture);
-  if (material.coverage == Coverage::opaque && material.only_reflects()) return;
+  if (material.coverage == Coverage::opaque && material.is_plain) return;
   glUniform3fv(emission_location, 1, material.emission);
   glUniform1i(unlit_location, material.unlit ? 1 : 0);
   bind_texture(emission_unit, material.emission_texture);
+  glUniform4fv(factors_location, 1, material.factors);
+  bind_texture(metallic_roughness_unit, material.metallic_roughness_texture);
+  bind_texture(normal_unit, material.normal_texture);
+  bind_texture(occlusion_unit, material.occlusion_texture);
 }
 
 void set_culling(const CrowdMaterial& material) {
@@ -91,7 +78,7 @@ void set_culling(const CrowdMaterial& material) {
 
 /// Lets other passes read textures by the textures' own filters again.
 void unbind_samplers() {
-  for (const GLuint unit : {base_color_unit, emission_unit}) glBindSampler(unit, 0);
+  for (GLuint unit = 0; unit < unit_count; ++unit) glBindSampler(unit, 0);
 }
 
 void test_depth() {
@@ -103,18 +90,16 @@ void test_depth() {
 
 }  // namespace
 
-CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex, const std::string& shadow_vertex)
-    : opaque(shaders.load({vertex, "crowd.frag"})),
-      glowing(shaders.load({vertex, "crowd_glowing.frag"})),
+CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex)
+    : plain(shaders.load({vertex, "crowd.frag"})),
+      material(shaders.load({vertex, "crowd_material.frag"})),
       cut_out(shaders.load({vertex, "crowd_cut_out.frag"})),
-      blended_part(shaders.load({vertex, "crowd_blended.frag"})),
-      shadow(shaders.load({shadow_vertex, "shadow.frag"})),
-      cut_out_shadow(shaders.load({shadow_vertex, "shadow_cut_out.frag"})) {}
+      blended_part(shaders.load({vertex, "crowd_blended.frag"})) {}
 
-CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd.vert", "shadow.vert") {}
+CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd.vert") {}
 
 void CrowdPass::prepare_morphs() {
-  if (!morphed_) morphed_.emplace(*shaders_, "crowd_morphed.vert", "shadow_morphed.vert");
+  if (!morphed_) morphed_.emplace(*shaders_, "crowd_morphed.vert");
 }
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
@@ -138,7 +123,7 @@ void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) const {
   const CrowdMaterial& material = mesh.materials()[of_mesh];
   const Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    glUseProgram(material.only_reflects() ? programs.opaque.id() : programs.glowing.id());
+    glUseProgram(material.is_plain ? programs.plain.id() : programs.material.id());
   } else {
     glUseProgram(programs.cut_out.id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
@@ -161,42 +146,6 @@ DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const Pale
   }
   unbind_samplers();
   return blended_.counts();
-}
-
-DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
-                                   const PaletteBuffer& palettes) {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_EQUAL, 0, 0xFF);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-  compose_outlines(frame.batches, meshes, outlines_);
-  outlines_.upload();
-  for (const IndirectDraws::Group& group : outlines_.groups()) {
-    use_shadow_of(meshes[group.character], group.material);
-    meshes[group.character].bind();
-    palettes.bind(group.page, palette_binding);
-    outlines_.draw(group);
-  }
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_BLEND);
-  unbind_samplers();
-  return outlines_.counts();
-}
-
-void CrowdPass::use_shadow_of(const CrowdMesh& mesh, int material) const {
-  const Programs& programs = programs_for(mesh);
-  if (material == all_opaque) {
-    glUseProgram(programs.shadow.id());
-    return;
-  }
-  const CrowdMaterial& cut_out = mesh.materials()[material];
-  glUseProgram(programs.cut_out_shadow.id());
-  glUniform1f(alpha_cutoff_location, is_blended(cut_out) ? shadow_alpha : cut_out.alpha_cutoff);
-  glUniform4fv(base_color_location, 1, cut_out.base_color);
-  bind_texture(base_color_unit, cut_out.base_color_texture);
 }
 
 }  // namespace throng::render

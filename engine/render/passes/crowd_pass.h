@@ -37,22 +37,15 @@ class CrowdPass {
   /// Takes note of what all draws of a frame have in common. Call it before the others.
   void begin(const CrowdFrame& frame) { morphs_ = morphed_.has_value() && !frame.morph_weights.empty(); }
 
-  /// Projects the same agents onto the ground along the sun's rays and darkens each ground pixel once. The ground must
-  /// be drawn and the stencil all zeros; afterwards it is not. Nothing casts a shadow where it is cut out or seen
-  /// through.
-  DrawCounts draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
-
  private:
   /// The programs that draw surfaces; all have the same uniforms.
   struct Programs {
-    Programs(ShaderLibrary& shaders, const std::string& vertex, const std::string& shadow_vertex);
+    Programs(ShaderLibrary& shaders, const std::string& vertex);
 
-    const gl::Program& opaque;
-    const gl::Program& glowing;
+    const gl::Program& plain;
+    const gl::Program& material;
     const gl::Program& cut_out;
     const gl::Program& blended_part;
-    const gl::Program& shadow;
-    const gl::Program& cut_out_shadow;
   };
 
   /// Returns the programs for a mesh; those that morph cost more.
@@ -60,7 +53,6 @@ class CrowdPass {
     return morphs_ && mesh.has_morphs() ? *morphed_ : plain_;
   }
   void use_material(const CrowdMesh& mesh, int material) const;
-  void use_shadow_of(const CrowdMesh& mesh, int material) const;
 
   ShaderLibrary* shaders_;
   Programs plain_;
@@ -68,7 +60,6 @@ class CrowdPass {
   bool morphs_ = false;  // an instance of the frame has weights
   IndirectDraws surfaces_;
   IndirectDraws blended_;
-  IndirectDraws outlines_;
 };
 
 }  // namespace throng::render

@@ -12,7 +12,9 @@ GroundPass::GroundPass(ShaderLibrary& shaders)
     : ground_(shaders.load({"ground.vert", "ground.frag"})), spots_(shaders.load({"contact.vert", "contact.frag"})) {}
 
 DrawCounts GroundPass::draw() const {
-  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);  // at the farthest depth, where nothing has been drawn
+  glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glUseProgram(ground_.id());
   glBindVertexArray(no_vertices_.id());
@@ -22,7 +24,9 @@ DrawCounts GroundPass::draw() const {
 
 DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_side) const {
   if (instance_count == 0) return {};
-  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);  // what stands nearer has no spots; depth is reversed
+  glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ZERO, GL_SRC_COLOR);

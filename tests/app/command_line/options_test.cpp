@@ -39,7 +39,7 @@ TEST(DemoDefaults, AreThoseOfTheHelp) {
   EXPECT_EQ(options.height, 720);
   EXPECT_FALSE(options.ui || options.ui_fixed || options.hide_ui);
   EXPECT_EQ(options.msaa, -1);
-  EXPECT_TRUE(options.shadows);
+  EXPECT_TRUE(options.tuning.shadows);
   EXPECT_FALSE(options.agents_given || options.shadows_given);
   EXPECT_FALSE(options.camera.has_value());
   EXPECT_EQ(options.camera_name + options.screenshot + options.stats + options.ui_map, "");
@@ -151,7 +151,7 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   EXPECT_EQ(options.height, 360);
   EXPECT_TRUE(options.ui && options.ui_fixed);
   EXPECT_EQ(options.msaa, 4);
-  EXPECT_FALSE(options.shadows);
+  EXPECT_FALSE(options.tuning.shadows);
   EXPECT_TRUE(options.shadows_given);
   EXPECT_THAT((std::vector{options.screenshot, options.stats, options.ui_map, options.data}),
               ElementsAre("a.png", "b.json", "c.json", "."));

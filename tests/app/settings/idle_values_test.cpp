@@ -62,6 +62,12 @@ const std::map<std::string_view, std::string> other_values{
     {"double_buffer", "off"},
     {"stream", "keyframe"},
     {"palette", "packed"},
+    {"sun_elevation", "20"},
+    {"sun_azimuth", "10"},
+    {"clouds", "0.9"},
+    {"exposure", "1"},
+    {"shadows", "off"},
+    {"crowd_shade", "off"},
     {"debug_view", "interval"},
     {"bones_as_lines", "on"},
     {"cost_tile_ns", "90000"},
@@ -148,6 +154,12 @@ class Seen {
 
   void add_picture(const Tuning& tuning) {
     add(tuning.bones_as_lines);
+    add(tuning.light.sun_elevation);
+    add(tuning.light.sun_azimuth);
+    add(tuning.light.clouds);
+    add(tuning.light.exposure);
+    add(tuning.shadows && tuning.light.clouds < 1.0F);
+    add(tuning.crowd_shade);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
       add(mesh_lod_of(*stage_, agent));
       render::InstanceRecord record{};

@@ -85,11 +85,12 @@ TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
   constexpr std::size_t own_options =
       7;  // the engine's: executor, hash, trace, prefetch, stores, cached bytes, kernels
   constexpr std::size_t more_distances = 2;  // an array of three
-  constexpr std::size_t structs = 4;         // lod, system, inspection, taken_away
+  constexpr std::size_t structs = 5;         // lod, system, inspection, light, taken_away
   constexpr std::size_t forced = 3;          // of the inspection; how one looks is not kept
+  constexpr std::size_t light = members_of<render::SceneLight>();
   constexpr std::size_t rules = members_of<anim::LodRules>() - own_rules + more_distances;
   constexpr std::size_t options = members_of<anim::SystemOptions>() - own_options - 1 + members_of<anim::CostModel>();
-  EXPECT_EQ(tuning_values().size(), members_of<Tuning>() - structs + rules + options + forced)
+  EXPECT_EQ(tuning_values().size(), members_of<Tuning>() - structs + rules + options + forced + light)
       << "a new member of Tuning needs a row in app/settings/tuning_values.cpp, or presets and recordings forget it";
 }
 
@@ -170,12 +171,13 @@ TEST(SetOption, IsRefusedByKey) {
 }
 
 TEST(TuningAsOptions, SaysWhatDiffersAndWhatADeviceWouldDecide) {
-  EXPECT_EQ(command_line({}, {}, {}), "--agents 1000 --set error_px=1");
+  EXPECT_EQ(command_line({}, {}, {}), "--agents 1000 --shadows on --crowd-shade on --set error_px=1");
   Tuning tuning;
   tuning.agents = 5000;
   tuning.lod.level_distances[1] = 31.5F;
-  EXPECT_EQ(command_line(tuning, {}, CameraPlace{0, 2, 9, 0, -5, 50}),
-            "--agents 5000 --set error_px=1,bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
+  EXPECT_EQ(
+      command_line(tuning, {}, CameraPlace{0, 2, 9, 0, -5, 50}),
+      "--agents 5000 --shadows on --crowd-shade on --set error_px=1,bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
 }
 
 TEST(TuningAsOptions, MakesTheSameTuningAgain) {
@@ -184,7 +186,8 @@ TEST(TuningAsOptions, MakesTheSameTuningAgain) {
     const Tuning tuning = demo(line).tuning;
     EXPECT_EQ(demo(command_line(tuning, {}, {})).tuning, tuning) << line;
   }
-  EXPECT_EQ(command_line(demo("--lod off").tuning, {}, {}), "--agents 1000 --lod off --set error_px=1");
+  EXPECT_EQ(command_line(demo("--lod off").tuning, {}, {}),
+            "--agents 1000 --lod off --shadows on --crowd-shade on --set error_px=1");
 }
 
 TEST(TuningAsOptions, SaysByKeyWhatNoOptionTakes) {

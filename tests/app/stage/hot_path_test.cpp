@@ -16,7 +16,7 @@ namespace {
 
 constexpr anim::Ticks frame = anim::ticks_per_second / 60;
 constexpr int warm_up_frames = 300;
-constexpr int counted_frames = 120;
+constexpr int counted_frames = 200;
 
 /// A crowd of 150 that a camera flies around, near enough for some to get placed feet, and to lose them.
 class FilmedCrowd {

@@ -3,4 +3,4 @@
 
 #include "instance_record.glsl"
 #include "morphs.glsl"
-#include "shadow_vertex_main.glsl"
+#include "shadow_map_main.glsl"

@@ -9,12 +9,18 @@
 
 #include <nlohmann/json.hpp>
 
-namespace throng::mannequin {
+namespace throng::making {
 
 using Json = nlohmann::ordered_json;
 
 /// glTF 2.0 section 3.6.2.2.
-enum class ComponentType { unsigned_byte = 5121, unsigned_short = 5123, float32 = 5126 };
+enum class ComponentType {
+  byte = 5120,
+  unsigned_byte = 5121,
+  signed_short = 5122,
+  unsigned_short = 5123,
+  float32 = 5126
+};
 /// glTF 2.0 section 3.6.1.1.
 enum class Target { none = 0, vertex_data = 34962, index_data = 34963 };
 
@@ -25,27 +31,39 @@ class BufferWriter {
   template <typename Element>
   std::size_t add(std::span<const Element> elements, const char* type, ComponentType component, Target target,
                   bool normalized = false) {
+    const std::size_t view = add_view(std::as_bytes(elements), target);
+    return add_accessor(view, 0, elements.size(), type, component, normalized);
+  }
+
+  /// Appends a view; `stride` is that of its elements where several accessors share it.
+  std::size_t add_view(std::span<const std::byte> raw, Target target, std::size_t stride = 0) {
     const std::size_t offset = bytes_.size();
-    const auto raw = std::as_bytes(elements);
     bytes_.insert(bytes_.end(), raw.begin(), raw.end());
     while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte{0});
     Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", raw.size()}};
+    if (stride > 0) view["byteStride"] = stride;
     if (target != Target::none) view["target"] = static_cast<int>(target);
     views_.push_back(view);
-    Json accessor{{"bufferView", views_.size() - 1},
-                  {"componentType", static_cast<int>(component)},
-                  {"count", elements.size()},
-                  {"type", type}};
+    return views_.size() - 1;
+  }
+
+  std::size_t add_accessor(std::size_t view, std::size_t offset, std::size_t count, const char* type,
+                           ComponentType component, bool normalized = false) {
+    Json accessor{{"bufferView", view}};
+    if (offset > 0) accessor["byteOffset"] = offset;
+    accessor["componentType"] = static_cast<int>(component);
+    accessor["count"] = count;
+    accessor["type"] = type;
     if (normalized) accessor["normalized"] = true;
     accessors_.push_back(accessor);
     return accessors_.size() - 1;
   }
 
   /// Gives an accessor the least and the greatest value of every component; `elements` is not empty.
-  template <std::size_t N>
-  void set_bounds(std::size_t accessor, std::span<const std::array<float, N>> elements) {
-    std::array<float, N> low = elements[0];
-    std::array<float, N> high = elements[0];
+  template <std::size_t N, typename Number = float>
+  void set_bounds(std::size_t accessor, std::span<const std::array<Number, N>> elements) {
+    std::array<Number, N> low = elements[0];
+    std::array<Number, N> high = elements[0];
     for (const auto& element : elements) {
       for (std::size_t i = 0; i < N; ++i) {
         low[i] = std::min(low[i], element[i]);
@@ -70,4 +88,4 @@ class BufferWriter {
   Json views_ = Json::array();
 };
 
-}  // namespace throng::mannequin
+}  // namespace throng::making

@@ -1,4 +1,4 @@
 #version 450 core
 #extension GL_ARB_shader_draw_parameters : require
 
-#include "shadow_vertex_main.glsl"
+#include "shadow_map_main.glsl"

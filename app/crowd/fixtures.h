@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/crowd/lanes.h"
+
+namespace throng::app {
+
+/// The things that stand where a crowd walks.
+enum class FixtureKind : std::uint8_t { fountain, statue, tree, planter, lamp, bench, kiosk };
+
+struct Fixture {
+  FixtureKind kind;
+  glm::dvec2 position{0.0};  ///< x, z in metres
+  Heading heading{};         ///< the way that its front faces
+};
+
+/// A disc of ground on which nobody walks or stands.
+struct Obstacle {
+  glm::dvec2 position{0.0};  ///< x, z in metres
+  double radius = 0.0;       ///< metres
+};
+
+/// Returns the ground that fixtures take. Whatever is long takes several discs. Sizes grow with `spacing`.
+std::vector<Obstacle> obstacles_of(std::span<const Fixture> fixtures, double spacing);
+
+/// Returns the radius of the largest disc that a fixture takes, in metres for a person 1.8 m tall.
+double radius_of(FixtureKind kind);
+
+/// Returns the direction on the ground that a heading looks in, and the one to its left, which is local +X.
+inline glm::dvec2 forward_of(const Heading& heading) {
+  return {static_cast<double>(heading.sine), static_cast<double>(heading.cosine)};
+}
+inline glm::dvec2 beside(const Heading& heading) {
+  return {static_cast<double>(heading.cosine), -static_cast<double>(heading.sine)};
+}
+/// Returns the heading that looks in a direction of length 1.
+inline Heading heading_along(glm::dvec2 direction) {
+  return {static_cast<float>(direction.y), static_cast<float>(direction.x)};
+}
+
+/// Where somebody sits on a bench: their feet.
+struct BenchSeat {
+  glm::dvec2 position{0.0};
+  Heading heading{};
+};
+/// Returns the seats of all benches among the fixtures, two a bench.
+std::vector<BenchSeat> bench_seats(std::span<const Fixture> fixtures, double spacing);
+
+}  // namespace throng::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "app/character/roles.h"
+#include "app/crowd/fixtures.h"
+#include "app/crowd/groups.h"
+#include "app/crowd/lanes.h"
+
+namespace throng::app {
+
+/// A square on the ground.
+struct Square {
+  glm::dvec2 centre;
+  double half;  ///< metres, half its side
+
+  /// Returns one of `rows` times `rows` squares that this one is cut into.
+  Square part(int index, int rows) const {
+    const double half_part = half / rows;
+    return {centre + half_part * glm::dvec2(2 * (index % rows) + 1 - rows, 2 * (index / rows) + 1 - rows), half_part};
+  }
+};
+
+/// The ways and things of a plaza before anybody is there.
+struct PlazaPlan {
+  std::vector<Lane> lanes;         ///< each with its speed; none where nobody can walk
+  std::vector<LaneGround> ground;  ///< that the lanes take
+  std::vector<Fixture> fixtures;
+};
+PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+
+/// Returns the number of blocks in a row of the plaza. A large plaza is cut into blocks, with avenues between them.
+int plaza_blocks(double side, double spacing);
+
+/// Returns half the side of the square that houses surround, in metres: a few more than the crowd takes.
+double plaza_edge(std::size_t agents, double spacing);
+
+}  // namespace throng::app

@@ -1,0 +1,88 @@
+#include "app/place/placer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/turn.h"
+
+namespace throng::app {
+namespace {
+
+// Plaster and stone as a town in the south has it.
+constexpr std::array<std::uint32_t, 8> walls{tint_of(255, 250, 240), tint_of(250, 226, 190), tint_of(238, 205, 170),
+                                             tint_of(247, 236, 214), tint_of(232, 196, 158), tint_of(240, 222, 206),
+                                             tint_of(222, 206, 184), tint_of(248, 216, 176)};
+constexpr std::array<Prop, 3> fronts{Prop::facade_a, Prop::facade_b, Prop::facade_c};
+
+constexpr double to_horizon = 420.0;  // metres beyond a place
+constexpr int hills = 18, roofs = 22;
+
+Heading turned_by(double quarters) { return heading_along(cosine_sine(quarters)); }
+
+}  // namespace
+
+void Placer::put(Prop prop, glm::dvec2 at, const Heading& heading, const Stance& stance) {
+  const glm::dvec2 x = beside(heading), z = forward_of(heading);
+  const glm::dvec3 stretch = unit_ * stance.stretch;
+  glm::mat4x3 place;
+  place[0] = glm::vec3(stretch.x * x.x, 0.0, stretch.x * x.y);
+  place[1] = glm::vec3(0.0, stretch.y, 0.0);
+  place[2] = glm::vec3(stretch.z * z.x, 0.0, stretch.z * z.y);
+  place[3] = glm::vec3(at.x, stance.height, at.y);
+  place_.props.push_back({prop, place, stance.tint});
+}
+
+void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses) {
+  const double length = glm::distance(from, to);
+  const long bays = std::lround(length / (bay_width * unit_));
+  if (bays < 1) return;
+  const glm::dvec2 step = (to - from) / static_cast<double>(bays);
+  const double stretch = length / (static_cast<double>(bays) * bay_width * unit_);
+  const Heading heading = heading_along(facing);
+  std::uint32_t left_of_house = 0, front = random_.below(3), wall = 0;
+  double tall = 1.0;
+  for (long bay = 0; bay < bays; ++bay) {
+    if (left_of_house == 0) {
+      left_of_house = 2 + random_.below(3);
+      front = (front + 1 + random_.below(2)) % 3;  // never the same twice
+      wall = walls[random_.below(walls.size())];
+      tall = static_cast<double>(random_.between(0.92F, 1.08F));
+    }
+    --left_of_house;
+    const bool arcade = houses == Houses::arcades;
+    const glm::dvec2 at = from + (static_cast<double>(bay) + 0.5) * step;
+    put(arcade ? Prop::arcade_bay : fronts[front], at, heading,
+        {.stretch = {stretch, arcade ? 1.0 : tall, 1.0}, .tint = arcade ? render::no_tint : wall});
+  }
+}
+
+void Placer::put_tree(glm::dvec2 at) {
+  constexpr std::array<Prop, 3> trees{Prop::tree_a, Prop::tree_b, Prop::tree_c};
+  const auto size = static_cast<double>(random_.between(0.85F, 1.1F));
+  const Prop tree = trees[random_.below(3)];
+  const auto shade = static_cast<std::uint32_t>(random_.between(215.0F, 255.0F));
+  put(tree, at, turned_by(4.0 * static_cast<double>(random_.unit())),
+      {.stretch = glm::dvec3(size), .tint = tint_of(shade, 255, shade)});
+}
+
+void Placer::put_horizon(double reach) {
+  const double far = reach + to_horizon * unit_;
+  for (int hill = 0; hill < hills; ++hill) {
+    const double quarters = 4.0 * (hill + static_cast<double>(random_.between(-0.3F, 0.3F))) / hills;
+    const glm::dvec2 way = cosine_sine(quarters);
+    const auto size = static_cast<double>(random_.between(0.8F, 1.5F));
+    put(Prop::hill, way * (far * static_cast<double>(random_.between(1.5F, 2.2F))), heading_along(-way),
+        {.stretch = {size * far / (to_horizon * unit_), size, 1.0}});
+  }
+  for (int roof = 0; roof < roofs; ++roof) {
+    const double quarters = 4.0 * (roof + static_cast<double>(random_.between(-0.4F, 0.4F))) / roofs;
+    const glm::dvec2 way = cosine_sine(quarters);
+    put(Prop::skyline, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
+        {.stretch = {far / (to_horizon * unit_), 1.0, 1.0}});
+  }
+}
+
+}  // namespace throng::app

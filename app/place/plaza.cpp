@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "app/crowd/layout.h"
+#include "app/crowd/plaza_plan.h"
+#include "app/place/scenes.h"
+
+namespace throng::app {
+namespace {
+
+// Metres, for a person 1.8 m tall.
+constexpr double street_corner = 8.0;  // of the sides, cut off for the street that leaves at the far corner
+constexpr double street_length = 60.0;
+constexpr double side_street = 9.0;
+constexpr double open_corner = 12.0;   // of the sides, where the camera stands
+constexpr double tower_beyond = 78.0;  // the end of that street
+constexpr double tower_aside = 13.0;
+
+void put_fixture(const Fixture& fixture, Placer& placer) {
+  switch (fixture.kind) {
+    case FixtureKind::tree:
+      return placer.put_tree(fixture.position);
+    case FixtureKind::fountain:
+      return placer.put(Prop::fountain, fixture.position, fixture.heading);
+    case FixtureKind::statue:
+      return placer.put(Prop::statue, fixture.position, fixture.heading);
+    case FixtureKind::planter:
+      return placer.put(Prop::planter, fixture.position, fixture.heading);
+    case FixtureKind::lamp:
+      return placer.put(Prop::lamp, fixture.position, fixture.heading);
+    case FixtureKind::bench:
+      return placer.put(Prop::bench, fixture.position, fixture.heading);
+    case FixtureKind::kiosk:
+      return placer.put(Prop::kiosk, fixture.position, fixture.heading);
+  }
+}
+
+// A row with a gap where a side street leaves, and houses along that street.
+void put_side_with_street(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, double gap_at, Placer& placer,
+                          Placer::Houses houses) {
+  const glm::dvec2 along = (to - from) / glm::distance(from, to);
+  const glm::dvec2 gap = glm::mix(from, to, gap_at), half = 0.5 * side_street * placer.unit() * along;
+  const glm::dvec2 out = -street_length * placer.unit() * facing;
+  placer.put_houses(from, gap - half, facing, houses);
+  placer.put_houses(gap + half, to, facing, houses);
+  placer.put_houses(gap - half, gap - half + out, along, Placer::Houses::mixed);
+  placer.put_houses(gap + half, gap + half + out, -along, Placer::Houses::mixed);
+}
+
+// A street along the diagonal, from the far corner to the tower that stands a little beside its end.
+void put_far_street(double edge, Placer& placer) {
+  const double unit = placer.unit(), cut = street_corner * unit;
+  const glm::dvec2 away = -glm::normalize(glm::dvec2(1.0, 1.0)), across(away.y, -away.x);
+  const glm::dvec2 left(-edge + cut, -edge), right(-edge, -edge + cut);
+  placer.put_houses(left, left + street_length * unit * away, -across * glm::sign(glm::dot(left, across)),
+                    Placer::Houses::mixed);
+  placer.put_houses(right, right + street_length * unit * away, -across * glm::sign(glm::dot(right, across)),
+                    Placer::Houses::mixed);
+  const glm::dvec2 end = (glm::length(left + right) * 0.5 + tower_beyond * unit) * away;
+  placer.put(Prop::tower, end + tower_aside * unit * across, heading_along(-away));
+}
+
+void put_steps(double edge, Placer& placer) {
+  const double unit = placer.unit();
+  for (int step = -1; step <= 1; ++step) {
+    placer.put(Prop::steps, {-edge + 0.9 * unit, step * bay_width * unit}, heading_along(towards_x));
+  }
+}
+
+}  // namespace
+
+void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
+  const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit);
+  for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles).fixtures) {
+    put_fixture(fixture, placer);
+  }
+  const double cut = street_corner * unit;
+  const double open = edge - std::max(open_corner * unit, 0.12 * edge);
+  put_side_with_street({-edge, open}, {-edge, -edge + cut}, towards_x, 0.12, placer, Placer::Houses::mixed);
+  put_side_with_street({-edge + cut, -edge}, {edge, -edge}, towards_z, 0.72, placer, Placer::Houses::arcades);
+  placer.put_houses({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
+  placer.put_houses({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
+  placer.put_houses({-edge, edge}, {-edge, open}, towards_x, Placer::Houses::mixed);
+  put_far_street(edge, placer);
+  put_steps(edge, placer);
+  placer.put_horizon(edge);
+}
+
+}  // namespace throng::app

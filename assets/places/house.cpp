@@ -1,0 +1,203 @@
+#include "assets/places/house.h"
+
+#include <algorithm>
+
+#include "assets/places/arithmetic.h"
+#include "assets/places/paints.h"
+
+namespace throng::places {
+namespace {
+
+/// The lines at which a front's wall is cut, so that no corner lies on another's edge.
+std::vector<double> wall_columns(const Front& front) {
+  const double half = front.width / 2;
+  const double reach = front.storeys.front().window.width / 2;
+  std::vector<double> xs{-half};
+  for (const double x : front.windows) {
+    xs.push_back(x - reach);
+    xs.push_back(x + reach);
+  }
+  xs.push_back(half);
+  return xs;
+}
+
+std::vector<double> wall_rows(const Front& front) {
+  std::vector<double> ys{front.storeys.front().foot};
+  for (const Storey& storey : front.storeys) {
+    ys.push_back(storey.foot + storey.sill);
+    ys.push_back(storey.foot + storey.sill + storey.window.height);
+  }
+  ys.push_back(front.top);
+  return ys;
+}
+
+void wall_with_holes(MeshBuilder& builder, const Front& front) {
+  const std::vector<double> xs = wall_columns(front);
+  const std::vector<double> ys = wall_rows(front);
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+      if (i % 2 == 1 && j % 2 == 1) continue;
+      panel(builder, xs[i], ys[j], xs[i + 1], ys[j + 1], 0, front.wall);
+    }
+  }
+}
+
+/// Where windows have round heads, the wall comes down to the arch.
+void wall_corners(MeshBuilder& builder, const Front& front) {
+  for (const Storey& storey : front.storeys) {
+    if (storey.window.head != WindowStyle::Head::round) continue;
+    const double rise = storey.window.width * 0.22;
+    const double head = storey.foot + storey.sill + storey.window.height;
+    for (const double x : front.windows) {
+      wall_over_arch(builder, {x, storey.window.width / 2, head - rise, rise, 4}, head, 0, front.wall);
+    }
+  }
+}
+
+}  // namespace
+
+void front_wall(MeshBuilder& builder, const Front& front, int lod) {
+  const double half = front.width / 2;
+  if (window_is_hole(lod)) {
+    wall_with_holes(builder, front);
+    wall_corners(builder, front);
+  } else {
+    panel(builder, -half, front.storeys.front().foot, half, front.top, 0, front.wall);
+  }
+  std::uint32_t number = front.seed * 64;
+  for (const Storey& storey : front.storeys) {
+    for (const double x : front.windows) window(builder, x, storey.foot + storey.sill, storey.window, lod, ++number);
+  }
+}
+
+void band(MeshBuilder& builder, double x0, double x1, double y, double height, double out, const Paint& paint,
+          int lod) {
+  if (lod >= 2) {
+    panel(builder, x0, y, x1, y + height, 0.07, paint);
+  } else if (lod == 1) {
+    moulding(builder, {{0, y}, {out, y}, {out, y + height}, {0, y + height}}, x0, x1, paint);
+  } else {
+    moulding(builder,
+             {{0, y},
+              {out * 0.5, y},
+              {out * 0.5, y + height * 0.5},
+              {out, y + height * 0.62},
+              {out, y + height * 0.85},
+              {0, y + height}},
+             x0, x1, paint, true);
+  }
+}
+
+double cornice(MeshBuilder& builder, double x0, double x1, double y, const Paint& paint, int lod, bool brackets) {
+  constexpr double out = 0.55;
+  if (lod >= 2) {
+    moulding(builder, {{0, y}, {out, y + 0.35}, {out, y + 0.7}, {0, y + 0.7}}, x0, x1, paint, lod == 2);
+    return out;
+  }
+  std::vector<dvec2> profile{{0, y},           {0.08, y},       {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
+                             {0.45, y + 0.55}, {out, y + 0.66}, {out, y + 0.7},   {0, y + 0.74}};
+  if (lod == 1) profile = {{0, y}, {0.08, y + 0.28}, {0.45, y + 0.42}, {out, y + 0.68}, {0, y + 0.74}};
+  moulding(builder, profile, x0, x1, paint, true);
+  if (!brackets || lod > 0) return out;
+  constexpr int count = 8;
+  for (int i = 0; i < count; ++i) {
+    const double x = x0 + (x1 - x0) * (i + 0.5) / count;
+    box(builder, {x - 0.09, y + 0.16, 0.08}, {x + 0.09, y + 0.42, 0.4}, paint,
+        side::front | side::left | side::right | side::bottom);
+  }
+  return out;
+}
+
+void closed_box(MeshBuilder& builder, double width, double foot, double top, double depth, const Paint& side,
+                const Paint& back_wall) {
+  const double half = width / 2;
+  box(builder, {-half, foot, -depth}, {half, top, 0}, side, side::left | side::right);
+  box(builder, {-half, foot, -depth}, {half, top, 0}, back_wall, side::back);
+}
+
+void rusticated(MeshBuilder& builder, double x0, double x1, double y0, double y1, int courses, const Paint& paint,
+                int lod, std::uint32_t seed) {
+  if (lod >= 1) {
+    panel(builder, x0, y0, x1, y1, 0.02, paint);
+    return;
+  }
+  const double height = (y1 - y0) / courses;
+  constexpr double joint = 0.035;
+  for (int i = 0; i < courses; ++i) {
+    const double y = y0 + i * height;
+    const Paint stone = shaded(paint, 0.9 + 0.16 * chance(seed, static_cast<std::uint32_t>(i)));
+    moulding(builder, {{0, y}, {0.05, y + joint}, {0.05, y + height - joint}, {0, y + height}}, x0, x1, stone);
+  }
+}
+
+void awning(MeshBuilder& builder, double x0, double x1, double y, double out, const Paint& one, const Paint& other,
+            int stripes, int lod) {
+  const int count = lod == 0 ? stripes : lod == 1 ? std::max(3, stripes / 2) : 1;
+  Paint mixed = one;
+  mixed.color = (one.color + other.color) * 0.5;
+  const double drop = out * 0.42;
+  const double edge = y - drop;
+  for (int i = 0; i < count; ++i) {
+    const Paint& paint = count == 1 ? mixed : i % 2 == 0 ? one : other;
+    const double a = x0 + (x1 - x0) * i / count;
+    const double b = x0 + (x1 - x0) * (i + 1) / count;
+    const double sag = edge + drop * 0.44;
+    builder.quad({a, sag, out * 0.5}, {b, sag, out * 0.5}, {b, y, 0.02}, {a, y, 0.02}, paint);
+    builder.quad({a, edge, out}, {b, edge, out}, {b, sag, out * 0.5}, {a, sag, out * 0.5}, paint);
+    builder.quad({a, edge - 0.22, out}, {b, edge - 0.22, out}, {b, edge, out}, {a, edge, out}, shaded(paint, 0.9));
+    if (lod > 1) continue;
+    builder.quad({a, y, 0.02}, {b, y, 0.02}, {b, edge, out - 0.02}, {a, edge, out - 0.02}, shaded(paint, 0.7));
+  }
+  for (const double x : {x0, x1}) {
+    builder.triangle({x, y, 0.02}, {x, edge, 0.02}, {x, edge, out}, shaded(one, 0.85));
+    builder.triangle({x, y, 0.02}, {x, edge, out}, {x, edge, 0.02}, shaded(one, 0.85));
+  }
+}
+
+void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double height, double reveal,
+                const Paint& wood, bool door_left, int lod, std::uint32_t seed) {
+  const double z = -reveal;
+  const double top_y = foot + height;
+  if (lod >= 2) {
+    panel(builder, x0, foot, x1, top_y, 0.03, wood);
+    panel(builder, x0 + 0.3, foot + 0.5, x1 - 0.3, top_y - 0.7, 0.06, shaded(paints::glass(180), 0.8));
+    return;
+  }
+  builder.quad({x0, foot, 0}, {x0, foot, z}, {x0, top_y, z}, {x0, top_y, 0}, wood);
+  builder.quad({x1, foot, z}, {x1, foot, 0}, {x1, top_y, 0}, {x1, top_y, z}, wood);
+  builder.quad({x0, top_y, z}, {x1, top_y, z}, {x1, top_y, 0}, {x0, top_y, 0}, wood);
+  panel(builder, x0, foot, x1, top_y, z, wood);
+  const double door = 1.05;
+  const double door_x = door_left ? x0 + 0.14 : x1 - 0.14 - door;
+  const double glass_x0 = door_left ? door_x + door + 0.16 : x0 + 0.14;
+  const double glass_x1 = door_left ? x1 - 0.14 : door_x - 0.16;
+  const Paint lit = paints::glass(150 + static_cast<int>(100 * chance(seed, 3)));
+  panel(builder, door_x + 0.12, foot + 0.75, door_x + door - 0.12, foot + 2.15, z + 0.02, lit);
+  panel(builder, door_x, foot + 2.3, door_x + door, top_y - 0.55, z + 0.02, shaded(lit, 0.9));
+  if (lod == 0) {
+    panel(builder, door_x + 0.12, foot + 0.14, door_x + door - 0.12, foot + 0.65, z + 0.02, shaded(wood, 0.75));
+    box(builder, {door_x + door - 0.13, foot + 1.0, z + 0.02}, {door_x + door - 0.07, foot + 1.2, z + 0.08},
+        paints::metal(0xB08A3C), side::on_wall);
+    box(builder, {glass_x0 - 0.04, foot, z}, {glass_x1 + 0.04, foot + 0.55, z + 0.1}, shaded(wood, 0.9),
+        side::front | side::left | side::right | side::top);
+  }
+  const int panes = lod == 0 ? 3 : 1;
+  for (int i = 0; i < panes; ++i) {
+    const double a = glass_x0 + (glass_x1 - glass_x0) * i / panes;
+    const double b = glass_x0 + (glass_x1 - glass_x0) * (i + 1) / panes - 0.06;
+    panel(builder, a, foot + 0.62, b, foot + 2.2, z + 0.02, shaded(lit, 0.85 + 0.1 * i));
+    panel(builder, a, foot + 2.3, b, top_y - 0.55, z + 0.02, shaded(lit, 0.95));
+  }
+  // The board with the shop's name.
+  box(builder, {x0 - 0.05, top_y - 0.45, z}, {x1 + 0.05, top_y + 0.05, 0.1}, shaded(wood, 1.15), side::on_wall);
+  if (lod > 0) return;
+  const double middle = 0.5 * (x0 + x1);
+  const int letters = 6 + static_cast<int>(3 * chance(seed, 5));
+  for (int i = 0; i < letters; ++i) {
+    const double x = middle + (i - letters / 2.0) * 0.26;
+    const double h = 0.16 + 0.07 * chance(seed, static_cast<std::uint32_t>(i) + 90);
+    panel(builder, x, top_y - 0.32, x + 0.15, top_y - 0.32 + h, 0.115, paints::matt(0xE9D9A8));
+  }
+}
+
+}  // namespace throng::places

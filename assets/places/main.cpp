@@ -1,0 +1,16 @@
+#include <cstdio>
+#include <string_view>
+
+#include "assets/places/glb.h"
+#include "engine/files/output_file.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("throng_places: usage: throng_places FILE.glb\n", stderr);
+    return 2;
+  }
+  const auto bytes = throng::places::make_places();
+  const auto written = throng::write_whole_file(argv[1], {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!written) std::fprintf(stderr, "throng_places: %s\n", written.error().message.c_str());
+  return written ? 0 : 1;
+}

@@ -1,0 +1,105 @@
+#include "assets/places/openness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "assets/places/arithmetic.h"
+
+namespace throng::places {
+namespace {
+
+constexpr int ray_count = 96;       ///< over the whole sphere
+constexpr double strength = 0.8;    ///< of full occlusion
+constexpr double clearance = 0.01;  ///< metres
+
+struct RayTriangle {
+  dvec3 corner, edge_a, edge_b, low, high;
+};
+
+std::vector<dvec3> ray_directions() {
+  std::vector<dvec3> directions;
+  for (int i = 0; i < ray_count; ++i) {
+    const double y = 1 - (2.0 * i + 1) / ray_count;
+    const double radius = std::sqrt(1 - y * y);
+    const double turn = i * 0.38196601125;
+    directions.emplace_back(radius * cosine(turn), y, radius * sine(turn));
+  }
+  return directions;
+}
+
+std::vector<RayTriangle> ray_triangles(const std::vector<Face>& faces) {
+  std::vector<RayTriangle> triangles;
+  const auto add = [&](dvec3 a, dvec3 b, dvec3 c) {
+    triangles.push_back({a, b - a, c - a, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+  };
+  for (const Face& face : faces) {
+    if (!face.corners[0].paint.baked) continue;
+    const auto& c = face.corners;
+    add(c[0].position, c[1].position, c[2].position);
+    if (face.count == 4) add(c[0].position, c[2].position, c[3].position);
+  }
+  return triangles;
+}
+
+/// Distance to the triangle along the ray, or `reach` (Moeller and Trumbore 1997). Both sides count.
+double hit(const RayTriangle& triangle, dvec3 origin, dvec3 direction, double reach) {
+  const dvec3 p = glm::cross(direction, triangle.edge_b);
+  const double determinant = glm::dot(triangle.edge_a, p);
+  if (std::abs(determinant) < 1e-14) return reach;
+  const dvec3 offset = origin - triangle.corner;
+  const double u = glm::dot(offset, p) / determinant;
+  if (u < 0 || u > 1) return reach;
+  const dvec3 q = glm::cross(offset, triangle.edge_a);
+  const double v = glm::dot(direction, q) / determinant;
+  if (v < 0 || u + v > 1) return reach;
+  const double distance = glm::dot(triangle.edge_b, q) / determinant;
+  return distance > 0 ? std::min(distance, reach) : reach;
+}
+
+double openness_at(dvec3 origin, dvec3 normal, const std::vector<RayTriangle>& triangles, double reach) {
+  static const std::vector<dvec3> directions = ray_directions();
+  std::vector<const RayTriangle*> near;
+  for (const RayTriangle& triangle : triangles) {
+    const dvec3 gap = glm::max(dvec3(0), glm::max(triangle.low - origin, origin - triangle.high));
+    if (glm::dot(gap, gap) < reach * reach) near.push_back(&triangle);
+  }
+  double closed = 0;
+  double total = 0;
+  for (const dvec3 direction : directions) {
+    const double slope = glm::dot(direction, normal);
+    if (slope <= 0.05) continue;
+    double distance = reach;
+    if (direction.y < 0 && origin.y > 0) distance = std::min(distance, origin.y / -direction.y);
+    for (const RayTriangle* triangle : near) distance = std::min(distance, hit(*triangle, origin, direction, reach));
+    closed += slope * (1 - distance / reach);
+    total += slope;
+  }
+  return 1 - strength * closed / total;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& faces, double reach) {
+  const std::vector<RayTriangle> triangles = ray_triangles(faces);
+  std::vector<std::array<double, 4>> open(faces.size(), {1, 1, 1, 1});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Face& face = faces[f];
+    if (!face.corners[0].paint.baked) continue;
+    dvec3 middle(0);
+    for (std::size_t c = 0; c < face.count; ++c) middle += face.corners[c].position / static_cast<double>(face.count);
+    for (std::size_t c = 0; c < face.count; ++c) {
+      const Corner& corner = face.corners[c];
+      const dvec3 inwards = middle - corner.position;
+      const double far = glm::length(inwards);
+      const dvec3 origin =
+          corner.position + inwards * std::min(0.3, 0.06 / std::max(far, 1e-6)) + corner.normal * clearance;
+      open[f][c] = openness_at(origin, corner.normal, triangles, reach);
+    }
+  }
+  return open;
+}
+
+}  // namespace throng::places

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/render/crowd_draw.h"
+
+namespace throng::render {
+
+inline constexpr int cascade_count = 4;
+
+/// A range of depths: how far in front of the camera things are, in metres along its axis.
+struct DepthRange {
+  float nearest = 0.0F;
+  float farthest = 0.0F;
+};
+
+/// Returns the depths of all instances, rounded outwards to a few steps, so that they seldom change as a camera moves.
+/// Where there is none, it returns the depths of a scene of people.
+DepthRange depths_of(const CrowdFrame& frame);
+
+/// A shadow map for a slice of the view frustum. The slice lies in a ball, so that the map has the same size whichever
+/// way the camera looks, and the ball moves in steps of texels, so that edges of shadows do not crawl (Valient, "Stable
+/// Rendering of Cascaded Shadow Maps", ShaderX6, 2008).
+struct Cascade {
+  glm::vec3 centre{0.0F};
+  float radius = 0.0F;      ///< metres
+  float reach = 0.0F;       ///< the depth at which it ends
+  float texel = 0.0F;       ///< metres
+  glm::mat4 to_clip{1.0F};  ///< x and y -1 to 1 over the map; z 0 towards the sun, 1 away from it
+};
+
+/// Directions in which maps lie: x and y along their sides, z towards the sun; all unit.
+struct SunAxes {
+  glm::vec3 x, y, z;
+};
+SunAxes sun_axes(const glm::vec3& to_sun);
+
+/// Cuts the depths into slices that grow with the distance, and lays a map of `side` texels over each.
+std::array<Cascade, cascade_count> plan_cascades(const CameraView& camera, const SunAxes& axes,
+                                                 const DepthRange& depths, int side);
+
+/// Returns whether something in a ball may cast a shadow into the cascade. It may be anywhere towards the sun.
+bool may_cast(const Cascade& cascade, const SunAxes& axes, const glm::vec3& centre, float radius);
+
+}  // namespace throng::render

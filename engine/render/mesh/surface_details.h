@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/render/crowd_mesh_data.h"
+#include "engine/render/mesh/surface.h"
+
+namespace throng::render {
+
+/// Appends what only some characters have: coordinates of textures that differ from those of the base colour, and
+/// tangents. `surface` has none yet. One a vertex is added, of the parts and then of the baked LODs; none where no part
+/// has any.
+void append_details(const CrowdMeshData& data, Surface& surface);
+
+}  // namespace throng::render

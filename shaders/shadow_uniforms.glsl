@@ -1,0 +1,10 @@
+// Repeats the layout of engine/render/light/shadow_uniforms.h.
+layout(std140, binding = 2) uniform ShadowUniforms {
+  mat4 cascade_to_map[4];
+  vec4 cascade_reach;
+  vec4 cascade_texel;
+  vec4 depth_of_place;
+  vec4 crowd_map_place;
+  uint cascades;
+  uint crowd_shade;
+};

@@ -60,7 +60,7 @@ void declare_measured(OptionReader& reader, BenchOptions& options) {
   reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
   reader.value("--seconds", "S", "With --draw: what each number of agents may take at most (20)",
-               number_between(options.seconds, 0.001, 86400));
+               number_between(options.seconds, 1, 86400));
   reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
                choice<Sweep>(options.sweep, {{"grain", Sweep::grain}}));
   reader
@@ -110,7 +110,7 @@ void declare_files(OptionReader& reader, BenchOptions& options) {
 }
 
 /// Options that are right alone and wrong together.
-std::optional<std::string> contradiction_in(const OptionReader& reader, const BenchOptions& options) {
+std::optional<std::string> contradiction_in_bench(const OptionReader& reader, const BenchOptions& options) {
   constexpr std::array whole_frames = {"--seconds", "--scene",   "--error-px",    "--size",    "--camera",
                                        "--msaa",    "--shadows", "--crowd-shade", "--scenery", "--context"};
   for (const char* const name : whole_frames) {
@@ -135,7 +135,7 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
   declare_files(reader, options);
   reader.footer("Example:\n  throng bench --agents 1000,10000 --pus 1,2,4 --json -");
   if (auto stop = reader.read(arguments)) return *stop;
-  if (auto contradiction = contradiction_in(reader, options)) return UsageError{*contradiction};
+  if (auto contradiction = contradiction_in_bench(reader, options)) return UsageError{*contradiction};
   if (options.draws && !reader.given("--agents")) options.agents = usual_drawn_agents();
   options.shown.shadows_given = reader.given("--shadows") || reader.given("--crowd-shade");
   options.shown.error_given = reader.given("--error-px");

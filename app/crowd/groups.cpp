@@ -194,6 +194,35 @@ void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& 
   }
 }
 
+/// How likely a place is taken: waves that cross, so that the crowd swells and thins as one walks through it.
+class Swell {
+ public:
+  Swell(double spacing, Random& random) {
+    for (Wave& wave : waves_) {
+      const double length = spacing * static_cast<double>(random.between(shortest, longest));
+      wave.quarters_a_metre = 4.0 / length * cosine_sine(4.0 * static_cast<double>(random.unit()));
+      wave.phase = 4.0 * static_cast<double>(random.unit());
+    }
+  }
+
+  float chance_at(glm::dvec2 place) const {
+    double sum = 0.0;
+    for (const Wave& wave : waves_) sum += cosine_sine(wave.phase + glm::dot(wave.quarters_a_metre, place)).x;
+    const double height = 0.5 + 0.5 * sum / static_cast<double>(waves_.size());
+    return static_cast<float>(least + (1.0 - least) * height * height);
+  }
+
+ private:
+  static constexpr float shortest = 14.0F, longest = 40.0F;  // metres, for a person 1.8 m tall
+  static constexpr double least = 0.06;
+
+  struct Wave {
+    glm::dvec2 quarters_a_metre;
+    double phase;
+  };
+  std::array<Wave, 3> waves_{};
+};
+
 class GroupPlacer {
  public:
   GroupPlacer(const GroundPlan& ground, Random random)
@@ -202,13 +231,14 @@ class GroupPlacer {
         groups_(ground.side, ground.spacing),
         lanes_(ground),
         obstacles_(ground),
+        swell_(ground.spacing, random_),
         half_(0.5 * ground.side) {}
 
   Group place(std::size_t size, bool in_foreground) {
     const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
     for (int tries = 1;; ++tries) {
       const bool foreground = in_foreground && tries <= tries_before_spreading;
-      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere(half_, random_), radius};
+      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere_likely(), radius};
       if (fits(group)) {
         groups_.add(group);
         return group;
@@ -218,6 +248,12 @@ class GroupPlacer {
   }
 
  private:
+  glm::dvec2 somewhere_likely() {
+    glm::dvec2 place = somewhere(half_, random_);
+    while (!random_.chance(swell_.chance_at(place))) place = somewhere(half_, random_);
+    return place;
+  }
+
   bool fits(const Group& group) const {
     if (glm::distance(group.centre, ground_.viewpoint) < clear_view * ground_.spacing + group.radius) return false;
     return groups_.is_free(group, between_groups * ground_.spacing) && lanes_.is_free(group) &&
@@ -229,6 +265,7 @@ class GroupPlacer {
   GroupMap groups_;
   LaneMap lanes_;
   ObstacleMap obstacles_;
+  Swell swell_;
   double half_;  // metres, of the square in which places are looked for
 };
 

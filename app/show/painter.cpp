@@ -47,6 +47,11 @@ std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
   return meshes;
 }
 
+std::optional<render::Lens> lens_of(const DemoOptions& options) {
+  if (!options.focus) return {};
+  return render::Lens{.focus = *options.focus, .aperture = options.aperture};
+}
+
 }  // namespace
 
 anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
@@ -83,6 +88,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
+                  .lens = lens_of(options),
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);

@@ -10,6 +10,7 @@
 namespace throng::render {
 namespace {
 
+constexpr float half_film = 0.012F;          // metres
 constexpr float golden_angle = 2.39996323F;  // radians
 constexpr float most_of_a_byte = 255.0F;
 
@@ -34,6 +35,11 @@ const std::array<float, 256>& lights() {
 }
 
 }  // namespace
+
+float radius_of(const Lens& lens, const CameraView& view) {
+  const float focal_length = half_film * view.projection[1][1];
+  return 0.5F * focal_length / lens.aperture;
+}
 
 glm::vec2 point_of_disc(int index, int count) {
   const float radius = std::sqrt((static_cast<float>(index) + 0.5F) / static_cast<float>(count));

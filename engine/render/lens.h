@@ -10,6 +10,16 @@
 
 namespace throng::render {
 
+/// The lens of a camera whose film is 24 mm high.
+struct Lens {
+  float focus = 5.0F;     ///< metres ahead of the camera, above 0: what is sharp
+  float aperture = 1.4F;  ///< the f-number, above 0; the smaller, the more is blurred
+  int points = 32;        ///< of the lens, from each of which a picture is drawn
+};
+
+/// Returns the radius of the lens's opening, in metres. Its focal length follows from the camera's field of view.
+float radius_of(const Lens& lens, const CameraView& view);
+
 /// Returns point `index` of `count` on a disc of radius 1. The points lie evenly, each a golden angle from the last.
 glm::vec2 point_of_disc(int index, int count);
 

@@ -15,9 +15,9 @@ struct TimeOfDay {
 /// The light that can be asked for by name. The first is the default.
 inline constexpr std::array<TimeOfDay, 4> times_of_day = {{
     {"noon", {}},
-    {"evening", {.sun_elevation = 8.0F, .sun_azimuth = 292.0F, .clouds = 0.45F}},
+    {"evening", {.sun_elevation = 9.0F, .sun_azimuth = 226.0F, .clouds = 0.45F}},
     {"overcast", {.sun_elevation = 40.0F, .clouds = 1.0F}},
-    {"night", {.sun_elevation = -12.0F, .sun_azimuth = 292.0F, .clouds = 0.2F}},
+    {"night", {.sun_elevation = -12.0F, .sun_azimuth = 226.0F, .clouds = 0.2F}},
 }};
 
 }  // namespace throng::app

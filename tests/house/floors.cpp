@@ -60,7 +60,6 @@ const std::vector<House>& houses() {
        {{"files"},
         {"character"},
         {"settings"},
-        {"place"},
         {"crowd"},
         {"place"},
         {"view"},

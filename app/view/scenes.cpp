@@ -29,7 +29,7 @@ NamedCamera moved(NamedCamera camera, float z) {
 NamedCamera fountain_camera(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
   const glm::vec2 fountain(plaza_fountain(agents, spacing));
-  return {"fountain", {fountain.x + 8.6F * unit, 1.6F * unit, fountain.y + 10.2F * unit, 40.0F, 2.0F, 46.0F}};
+  return {"fountain", {fountain.x + 8.6F * unit, 2.1F * unit, fountain.y + 10.2F * unit, 40.0F, 0.5F, 46.0F}};
 }
 
 std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {

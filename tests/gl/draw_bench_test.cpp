@@ -72,7 +72,7 @@ TEST(BenchOfDrawing, HasARowOfEachNumberOfAgentsWhosePartsAreOfTheFrame) {
 TEST(BenchOfDrawing, IsATableForAPersonThatSaysWhyAProcessorHasNoClock) {
   const std::string text = measured(of_small_crowds()).text;
   EXPECT_THAT(text, HasSubstr("llvmpipe"));
-  EXPECT_THAT(text, HasSubstr("[160,90] pixels, one sample a pixel, no shadows, scenery, mannequin (built in), "
+  EXPECT_THAT(text, HasSubstr("160x90, one sample a pixel, no shadows, scenery, mannequin (built in), "
                               "scene plaza, camera front, "));
   EXPECT_THAT(text, HasSubstr("agents  agents_in_view  frames  frame_ms  crowd_ms  cull_ms  pose_ms"));
   EXPECT_THAT(text, HasSubstr("The device is a processor"));

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -128,20 +129,27 @@ Json description(const Show& show, const DemoOptions& shown) {
           {"error_px", tuning.error_px}};
 }
 
-std::string heading(const Json& described) {
+/// Says what was drawn, from where and how.
+std::string drawn_things(const Json& described) {
   const auto text = [&](const char* key) { return described[key].get<std::string>(); };
   const bool samples = described["samples"].get<int>() > 0;
-  return text("device") + " (" + text("context") + ", OpenGL " + text("gl_version") + ")\n" + described["size"].dump() +
-         " pixels, " + (samples ? "4 samples a pixel" : "one sample a pixel") +
+  const std::span<const Json> size = described["size"].elements();
+  return size[0].dump() + "x" + size[1].dump() + ", " + (samples ? "4 samples a pixel" : "one sample a pixel") +
          (described["shadows"].get<bool>() ? ", shadows" : ", no shadows") +
          (described["scenery"].get<bool>() ? ", scenery" : ", no scenery") + ", " + text("model") + ", scene " +
-         text("scene") + ", camera " + text("camera") + ", " + described["pus"].dump() + " PUs\n";
+         text("scene") + ", camera " + text("camera") + ", " + described["pus"].dump() + " PUs";
+}
+
+std::string heading(const Json& described) {
+  const auto text = [&](const char* key) { return described[key].get<std::string>(); };
+  return text("device") + " (" + text("context") + ", OpenGL " + text("gl_version") + ")\n" + drawn_things(described) +
+         "\n";
 }
 
 std::string remarks(const Json& described, const std::vector<Json>& rows, const BenchOptions& options) {
   std::string text;
   if (described["is_software"].get<bool>()) {
-    text += "The device is a processor, which has no clock of its own: wait_ms is the time in which it draws.\n";
+    text += "The device is a processor, which has no clock of its own: it draws in submission_ms and wait_ms.\n";
   }
   for (const Json& row : rows) {
     if (!row["stopped"].get<bool>()) continue;
@@ -164,7 +172,8 @@ std::string plot_of(const Json& described, const std::vector<Json>& rows) {
   };
   for (const NamedPart& part : parts) add(part.key, part.name);
   add("device_ms_median", "device, by its own clock");
-  return lines_as_svg("What a frame costs on " + described["device"].get<std::string>(), "agents", "ms a frame", lines);
+  return lines_as_svg("What a frame costs on " + described["device"].get<std::string>(), "agents", "ms a frame", lines,
+                      {.logarithmic = true, .note = drawn_things(described)});
 }
 
 constexpr std::array drawn_columns = {

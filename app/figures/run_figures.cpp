@@ -6,7 +6,7 @@ namespace throng::app {
 
 void RunFigures::add_update(const Stage& stage, Clock::time_point start, double milliseconds) {
   times_.animation_ms = milliseconds;
-  times_.stage = stage.times();
+  times_.stage = times_of(stage);
   if (timeline_) {
     const ErrorMeter& meter = stage.error_meter();
     timeline_->add_update(stage.system(), start,

@@ -98,10 +98,10 @@ class Stage {
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd().characters()[agent]]; }
   const Tuning& tuning() const { return tuning_; }
   std::uint64_t frame() const { return frame_; }
-  const StageTimes& times() const { return times_; }
   std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
 
  private:
+  friend const StageTimes& times_of(const Stage& stage);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -128,6 +128,9 @@ class Stage {
   StageTimes times_;
   bool moving_ = true;
 };
+
+/// Returns how long the parts of the last frame took.
+inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

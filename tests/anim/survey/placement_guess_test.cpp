@@ -71,7 +71,7 @@ Model animal(float length) { return box({-length / 12, 0.0F, -length / 2}, {leng
 
 double side_among_people(const Model& model, const PlacementChoice& choice = {}) {
   const GuessedPlacement guessed = guess_placement(model, choice, SizeRule::among_people);
-  EXPECT_EQ(guessed.is_plain, guessed.placement.scale == 1.0);
+  EXPECT_EQ(guessed.is_plain, guessed.placement.scale == 1.0 && !choice.scale);
   const double expected = choice.scale.value_or(guessed_scale(*guessed.extent, SizeRule::among_people));
   EXPECT_EQ(guessed.placement.scale, expected);
   const glm::dvec3 size = guessed.placement.scale * guessed.extent->size;

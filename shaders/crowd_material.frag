@@ -3,6 +3,7 @@
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
 #include "shadows.glsl"
+#include "lamps.glsl"
 #include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
 #include "crowd_material.glsl"

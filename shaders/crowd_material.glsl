@@ -61,5 +61,6 @@ vec3 reflected_by_material(vec3 base) {
   float occlusion = 1.0 + factors.w * (texture(occlusion_texture, passed_occlusion_coord).r - 1.0);
   float lit = sun_visibility(world_position, facing_normal());
   float open = openness_on_body(world_position) * occlusion;
-  return lit * from_sun(surface) + open * from_around(surface);
+  vec3 lamps = surface.scattered * lamp_light(world_position, facing_normal());
+  return lit * from_sun(surface) + open * from_around(surface) + lamps;
 }

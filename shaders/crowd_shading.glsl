@@ -14,7 +14,7 @@ vec3 reflected(vec3 albedo) {
   vec3 normal = facing_normal();
   float facing = sun_share(normal);
   float open = openness_on_body(world_position);
-  vec3 light = sun_light() * (sun_visibility(world_position, normal) * facing * facing) + ambient_light(normal) * open;
+  vec3 light = sun_light() * (sun_visibility(world_position, normal) * facing * facing) + ambient_light(normal) * open + lamp_light(world_position, normal);
 
   float edge = 1.0 - max(-dot(normal, direction), 0.0);
   float rim = edge * edge * edge * (0.5 + 0.5 * normal.y);

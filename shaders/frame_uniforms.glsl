@@ -11,4 +11,5 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 ground_shape;  // half sides of the core along x and z, radius of the corners, half width
   uint ground_style;
   float ground_unit;
+  float ground_paved;  // metres from the loop to where fields begin; 0: there are none
 };

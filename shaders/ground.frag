@@ -3,6 +3,7 @@
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
 #include "shadows.glsl"
+#include "lamps.glsl"
 #include "paving.glsl"
 
 in vec3 ray;
@@ -21,6 +22,7 @@ void main() {
     return;
   }
   vec3 place = vec3(ground.x, 0.0, ground.y), up = vec3(0.0, 1.0, 0.0);
-  vec3 light = sun_light() * (to_sun.y * sun_visibility(place, up)) + ambient_light(up) * openness(place);
+  vec3 light = sun_light() * (to_sun.y * sun_visibility(place, up)) + ambient_light(up) * openness(place) +
+               lamp_light(place, up);
   color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres / distance_scale)), 1.0);
 }

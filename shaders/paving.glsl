@@ -27,6 +27,12 @@ float smooth_noise(vec2 place) {
   return mix(low, high, f.y);
 }
 
+// Gives the distance from the loop that the shape describes: negative inside.
+float loop_distance(vec2 ground, float radius) {
+  vec2 beyond = abs(ground) - ground_shape.xy / ground_unit;
+  return length(max(beyond, vec2(0.0))) + min(max(beyond.x, beyond.y), 0.0) - radius;
+}
+
 vec3 slabs(vec2 ground, vec2 footprint) {
   vec2 width = max(footprint / slab_size, vec2(1e-4));
   vec2 slab = ground / slab_size;
@@ -42,7 +48,7 @@ vec3 slabs(vec2 ground, vec2 footprint) {
   tone += 0.16 * (smooth_noise(ground * 0.11) - 0.5);
 
   float inlay = 0.0;
-  if (ground_style == 0u) {
+  if (ground_style == 0u && (ground_paved == 0.0 || loop_distance(ground, 0.0) < 0.0)) {
     float ring = length(ground) / inlay_spacing + 0.5;
     float ring_width = max(max(footprint.x, footprint.y) / inlay_spacing, 1e-4);
     inlay = band_share(ring, inlay_width / inlay_spacing, ring_width);
@@ -70,12 +76,6 @@ float stroke(float distance, float half_width, float footprint) {
 
 // Gives the share of a pixel where `distance` is below 0.
 float inside(float distance, float footprint) { return clamp(0.5 - distance / footprint, 0.0, 1.0); }
-
-// Gives the distance from the loop that the shape describes: negative inside.
-float loop_distance(vec2 ground, float radius) {
-  vec2 beyond = abs(ground) - ground_shape.xy / ground_unit;
-  return length(max(beyond, vec2(0.0))) + min(max(beyond.x, beyond.y), 0.0) - radius;
-}
 
 vec3 asphalt(vec2 ground, float wide) {
   float grain = 0.30 * (smooth_noise(ground * 37.0) - 0.5) * clamp(1.0 - wide * 30.0, 0.0, 1.0);
@@ -131,10 +131,26 @@ vec3 pitch(vec2 ground, vec2 footprint) {
   return mix(color, grass, inside(edge, wide));
 }
 
-// Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.
-vec3 paving(vec2 metres, vec2 metres_a_pixel) {
-  vec2 ground = metres / ground_unit, footprint = metres_a_pixel / ground_unit;
+// Gives meadows and fields, each of a colour of its own.
+vec3 fields(vec2 ground, float wide) {
+  vec2 field = floor((ground + 25.0 * smooth_noise(ground * 0.01)) / vec2(95.0, 70.0));
+  vec3 color = mix(vec3(0.075, 0.125, 0.030), vec3(0.165, 0.150, 0.045), random_of(field));
+  return color * (0.9 + 0.3 * (smooth_noise(ground * 0.07) - 0.5) + 0.25 * (smooth_noise(ground * 1.3) - 0.5) *
+                                                                      clamp(1.0 - wide, 0.0, 1.0));
+}
+
+vec3 town_ground(vec2 ground, vec2 footprint) {
   if (ground_style == 1u) return street(ground, footprint);
   if (ground_style == 2u) return pitch(ground, footprint);
   return slabs(ground, footprint);
+}
+
+// Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.
+vec3 paving(vec2 metres, vec2 metres_a_pixel) {
+  vec2 ground = metres / ground_unit, footprint = metres_a_pixel / ground_unit;
+  if (ground_paved == 0.0) return town_ground(ground, footprint);
+  float wide = max(max(footprint.x, footprint.y), 1e-4);
+  float beyond = loop_distance(ground, (ground_shape.z + ground_paved) / ground_unit);
+  if (beyond > wide) return fields(ground, wide);
+  return mix(town_ground(ground, footprint), fields(ground, wide), 1.0 - inside(beyond, wide));
 }

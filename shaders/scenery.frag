@@ -3,6 +3,7 @@
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
 #include "shadows.glsl"
+#include "lamps.glsl"
 
 in vec3 world_position;
 in vec3 world_normal;
@@ -43,7 +44,8 @@ void main() {
   if (kind == water) normal = rippled(normal);
   float facing = max(dot(normal, to_sun), 0.0);
   if (facing > 0.0) facing *= sun_visibility(world_position, normal);
-  vec3 light = albedo * (sun_light() * facing + ambient_light(normal) * openness(world_position));
+  vec3 light = albedo * (sun_light() * facing + ambient_light(normal) * openness(world_position) +
+                       lamp_light(world_position, normal));
   if (kind != 0u) light = mirrored(light, normal, direction);
   light += albedo * (glow * night() * glow_light);
   color = vec4(exposed(through_haze(light, direction, metres / distance_scale)), 1.0);

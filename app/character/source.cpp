@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/character/material_data.h"
 #include "app/character/morph_deltas.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
@@ -47,76 +48,6 @@ std::vector<int> to_be_repeated(const anim::Character& character, const std::vec
 double gait_speed(const CharacterSource& source, Role gait) {
   const int clip = source.roles.clip(gait);
   return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
-}
-
-template <typename Float, typename Vector>
-std::span<const Float> flat(const std::vector<Vector>& vectors) {
-  return {reinterpret_cast<const Float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(Float)};
-}
-
-std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Texture& texture) {
-  if (texture.image < 0) return {};
-  return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
-}
-
-// Returns the texture whose coordinates all others of the material share that do not say otherwise.
-const anim::Texture& leading_texture(const anim::Material& material) {
-  for (const anim::Texture* texture : {&material.base_color_texture, &material.emission_texture,
-                                       &material.metallic_roughness_texture, &material.normal_texture}) {
-    if (texture->image >= 0) return *texture;
-  }
-  return material.occlusion_texture;
-}
-
-render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
-  const anim::Texture& leading = leading_texture(material);
-  const auto own_coords = [&](const anim::Texture& texture) {
-    return texture.coords == leading.coords ? std::span<const float>() : coords_of(mesh, texture);
-  };
-  return {.positions = flat<float>(mesh.positions),
-          .normals = flat<float>(mesh.normals),
-          .texture_coords = coords_of(mesh, leading),
-          .emission_coords = own_coords(material.emission_texture),
-          .metallic_roughness_coords = own_coords(material.metallic_roughness_texture),
-          .normal_coords = own_coords(material.normal_texture),
-          .occlusion_coords = own_coords(material.occlusion_texture),
-          .tangents = flat<float>(mesh.tangents),
-          .colors = flat<float>(mesh.colors),
-          .regions = mesh.regions,
-          .shapes = flat<float>(mesh.shapes),
-          .hair = flat<float>(mesh.hair),
-          .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
-          .weights = flat<float>(mesh.weights),
-          .indices = mesh.indices,
-          .material = mesh.material};
-}
-
-render::TextureData texture_data(const anim::Texture& texture) {
-  return {.image = texture.image,
-          .wrap_u = static_cast<int>(texture.wrap_u),
-          .wrap_v = static_cast<int>(texture.wrap_v),
-          .magnified = static_cast<int>(texture.magnified),
-          .minified = static_cast<int>(texture.minified)};
-}
-
-render::MaterialData material_data(const anim::Material& material) {
-  const glm::vec4& color = material.base_color;
-  const glm::vec3& emission = material.emission;
-  return {.base_color = {color.r, color.g, color.b, color.a},
-          .base_color_texture = texture_data(material.base_color_texture),
-          .emission = {emission.r, emission.g, emission.b},
-          .emission_texture = texture_data(material.emission_texture),
-          .metallic = material.metallic,
-          .roughness = material.roughness,
-          .metallic_roughness_texture = texture_data(material.metallic_roughness_texture),
-          .normal_scale = material.normal_scale,
-          .normal_texture = texture_data(material.normal_texture),
-          .occlusion_strength = material.occlusion_strength,
-          .occlusion_texture = texture_data(material.occlusion_texture),
-          .unlit = material.unlit,
-          .double_sided = material.double_sided,
-          .blended = material.blended,
-          .alpha_cutoff = material.alpha_cutoff};
 }
 
 // What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.

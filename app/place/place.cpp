@@ -16,7 +16,7 @@ Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const Charac
   Placer placer(place, roles.spacing(), Random(seed, place_stream));
   switch (scene) {
     case Scene::plaza:
-      place.ground.unit = static_cast<float>(roles.spacing());
+      place.ground = plaza_ground(crowd);
       put_plaza(crowd, placer);
       break;
     case Scene::parade:

@@ -59,6 +59,15 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
   }
 }
 
+void Placer::put_block(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses) {
+  put_houses(from, to, facing, houses);
+  const double length = glm::distance(from, to);
+  if (length < 4.0 * house_depth * unit_) return;
+  const glm::dvec2 inset = (house_depth + 0.4) * unit_ * (to - from) / length;
+  const glm::dvec2 behind = -2.0 * house_depth * unit_ * facing;
+  put_houses(to - inset + behind, from + inset + behind, -facing, Houses::mixed);
+}
+
 void Placer::put_tree(glm::dvec2 at) {
   constexpr std::array<Prop, 3> trees{Prop::tree_a, Prop::tree_b, Prop::tree_c};
   const auto size = static_cast<double>(random_.between(0.85F, 1.1F));

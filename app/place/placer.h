@@ -14,6 +14,8 @@ namespace throng::app {
 
 /// The width of a bay of a house, in metres.
 inline constexpr double bay_width = 6.0;
+/// What a house is deep, in metres.
+inline constexpr double house_depth = 9.1;
 
 inline constexpr glm::dvec2 towards_x{1.0, 0.0}, towards_z{0.0, 1.0};
 
@@ -41,6 +43,9 @@ class Placer {
   /// the row.
   enum class Houses : std::uint8_t { mixed, arcades };
   void put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses);
+
+  /// Does the same, with more houses behind them that look the other way. These leave the corners of the block free.
+  void put_block(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses);
 
   /// Puts one of the trees, turned and grown at random.
   void put_tree(glm::dvec2 at);

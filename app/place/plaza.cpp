@@ -11,9 +11,10 @@ namespace {
 constexpr double street_corner = 8.0;  // of the sides, cut off for the street that leaves at the far corner
 constexpr double street_length = 60.0;
 constexpr double side_street = 9.0;
-constexpr double open_corner = 12.0;   // of the sides, where the camera stands
+constexpr double open_corner = 26.0;   // of the sides, where the camera stands and the sun shines in
 constexpr double tower_beyond = 78.0;  // the end of that street
 constexpr double tower_aside = 13.0;
+constexpr double paved_around = 70.0;  // of the square, until fields begin
 
 void put_fixture(const Fixture& fixture, Placer& placer) {
   switch (fixture.kind) {
@@ -39,11 +40,11 @@ void put_side_with_street(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, dou
                           Placer::Houses houses) {
   const glm::dvec2 along = (to - from) / glm::distance(from, to);
   const glm::dvec2 gap = glm::mix(from, to, gap_at), half = 0.5 * side_street * placer.unit() * along;
-  const glm::dvec2 out = -street_length * placer.unit() * facing;
-  placer.put_houses(from, gap - half, facing, houses);
-  placer.put_houses(gap + half, to, facing, houses);
-  placer.put_houses(gap - half, gap - half + out, along, Placer::Houses::mixed);
-  placer.put_houses(gap + half, gap + half + out, -along, Placer::Houses::mixed);
+  const glm::dvec2 back = -house_depth * placer.unit() * facing, out = -street_length * placer.unit() * facing;
+  placer.put_block(from, gap - half, facing, houses);
+  placer.put_block(gap + half, to, facing, houses);
+  placer.put_houses(gap - half + back, gap - half + out, along, Placer::Houses::mixed);
+  placer.put_houses(gap + half + back, gap + half + out, -along, Placer::Houses::mixed);
 }
 
 // A street along the diagonal, from the far corner to the tower that stands a little beside its end.
@@ -68,6 +69,12 @@ void put_steps(double edge, Placer& placer) {
 
 }  // namespace
 
+render::SceneGround plaza_ground(const PlacedCrowd& crowd) {
+  const double unit = crowd.roles.spacing();
+  const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit));
+  return {.unit = static_cast<float>(unit), .core = {edge, edge}, .paved = static_cast<float>(paved_around * unit)};
+}
+
 void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit);
   for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles).fixtures) {
@@ -77,8 +84,8 @@ void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   const double open = edge - std::max(open_corner * unit, 0.12 * edge);
   put_side_with_street({-edge, open}, {-edge, -edge + cut}, towards_x, 0.12, placer, Placer::Houses::mixed);
   put_side_with_street({-edge + cut, -edge}, {edge, -edge}, towards_z, 0.72, placer, Placer::Houses::arcades);
-  placer.put_houses({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
-  placer.put_houses({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
+  placer.put_block({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
+  placer.put_block({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
   placer.put_houses({-edge, edge}, {-edge, open}, towards_x, Placer::Houses::mixed);
   put_far_street(edge, placer);
   put_steps(edge, placer);

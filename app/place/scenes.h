@@ -22,6 +22,7 @@ void put_film(const PlacedCrowd& crowd, Placer& placer);
 void put_stadium(const PlacedCrowd& crowd, Placer& placer);
 
 /// These functions return the ground of a scene.
+render::SceneGround plaza_ground(const PlacedCrowd& crowd);
 render::SceneGround parade_ground(const PlacedCrowd& crowd);
 render::SceneGround film_ground(const PlacedCrowd& crowd);
 render::SceneGround stadium_ground(const PlacedCrowd& crowd);

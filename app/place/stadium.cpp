@@ -19,7 +19,10 @@ constexpr double wall_above = 1.0, wall_thick = 0.3;
 constexpr double track_width = 4.0, apron = 0.45, around_field = 1.2;
 constexpr double least_house = 5.0;  // height of the tiers from which houses stand around them
 constexpr double arcade_height = 15.5;
-constexpr double flag_pitch = 9.0;
+constexpr double roof_height = 13.0, roof_reach = 14.0;
+constexpr double flag_pitch = 5.0;
+constexpr double stadium_paved = 14.0;  // around it, until the lawn begins
+constexpr double to_park = 11.0;        // from the wall to the first trees
 
 constexpr std::uint32_t home = tint_of(40, 92, 170), away = tint_of(196, 46, 44), neutral = tint_of(226, 222, 214);
 
@@ -97,13 +100,17 @@ void put_back(const StadiumTier& last, double half_length, Placer& placer) {
                  {.stretch = {front.length / (bay_width * unit), tall, 0.1}});
     }
   }
-  for (const Chord& flag : chords(last.lane, out - 0.5 * wall_thick * unit, flag_pitch * unit)) {
-    placer.put(Prop::flag, flag.middle, inward(flag.outward),
-               {.height = top, .stretch = glm::dvec3(0.6), .tint = team_of(flag.middle, half_length)});
+  int number = 0;
+  for (const Chord& top_edge : chords(last.lane, out - 0.5 * wall_thick * unit, flag_pitch * unit)) {
+    const bool banner = number++ % 3 == 1;
+    if (forward_of(top_edge.outward).y > 0.3) continue;  // the camera looks over that side
+    placer.put(
+        banner ? Prop::banner : Prop::flag, top_edge.middle, inward(top_edge.outward),
+        {.height = top, .stretch = glm::dvec3(banner ? 0.75 : 0.6), .tint = team_of(top_edge.middle, half_length)});
   }
 }
 
-void put_field(const Lane& lowest, const render::SceneGround& ground, Placer& placer) {
+void put_field(const render::SceneGround& ground, Placer& placer) {
   const double unit = placer.unit();
   const glm::dvec2 half_sides =
       glm::dvec2(ground.core) + static_cast<double>(ground.radius - ground.half_width) - around_field * unit;
@@ -111,52 +118,69 @@ void put_field(const Lane& lowest, const render::SceneGround& ground, Placer& pl
   for (const double side : {-1.0, 1.0}) {
     placer.put(Prop::goal, {side * half_sides.x, 0.0}, heading_along({-side, 0.0}), {.stretch = glm::dvec3(size)});
   }
-  // Banners before the lowest tier, along both straights.
-  const auto count = static_cast<int>(2.0 * lowest.core.x / (3.0 * unit));
-  for (int i = 0; i < count; ++i) {
-    const double x = lowest.core.x * (2.0 * (i + 0.5) / count - 1.0);
-    for (const double side : {-1.0, 1.0}) {
-      const double z = side * (lowest.core.y + lowest.corner_radius - (tread_front + 0.12) * unit);
-      placer.put(Prop::banner, {x, z}, heading_along({0.0, -side}),
-                 {.tint = i % 3 == 0 ? neutral : team_of({x, z}, lowest.core.x)});
-    }
-  }
 }
 
-void put_lights(const StadiumTier& last, Placer& placer) {
+void put_lights(const StadiumTier& last, double half_length, Placer& placer) {
   const double unit = placer.unit(), out = last.lane.corner_radius + 3.5 * unit;
   for (const double x : {-1.0, 1.0}) {
     for (const double z : {-1.0, 1.0}) {
       const glm::dvec2 outward = glm::normalize(glm::dvec2(x, z));
-      const double tall = std::max(0.6, (last.height + 14.0 * unit) / (20.0 * unit));
+      const double tall = std::clamp((last.height + 0.35 * half_length + 6.0 * unit) / (30.0 * unit), 0.35, 1.5);
       placer.put(Prop::flood_light, glm::dvec2(x, z) * last.lane.core + out * outward, heading_along(-outward),
                  {.stretch = {std::sqrt(tall), tall, std::sqrt(tall)}});
     }
   }
 }
 
-void put_roof(const StadiumTier& last, Placer& placer) {
-  const double unit = placer.unit();
-  const auto bays = std::lround(2.0 * last.lane.core.x / (bay_width * unit));
+// Rings of trees and lamps around it, with kiosks between them.
+void put_park(const StadiumTier& last, Placer& placer) {
+  const double unit = placer.unit(), out = tread_back + wall_thick;
+  int number = 0;
+  for (const Chord& spot : chords(last.lane, (out + to_park) * unit, 8.5 * unit)) {
+    if (number % 9 == 4) {
+      placer.put(Prop::kiosk, spot.middle, spot.outward);
+    } else if (number % 3 == 1) {
+      placer.put(Prop::lamp, spot.middle, spot.outward);
+    } else {
+      placer.put_tree(spot.middle);
+    }
+    ++number;
+  }
+  for (const double further : {9.0, 18.0, 30.0}) {
+    for (const Chord& spot : chords(last.lane, (out + to_park + further) * unit, (8.0 + further) * unit)) {
+      const auto aside = [&] { return 3.0 * unit * static_cast<double>(placer.random().between(-1.0F, 1.0F)); };
+      placer.put_tree(spot.middle + glm::dvec2(aside(), aside()));
+    }
+  }
+}
+
+// Over the rows along the far side, from behind the wall.
+void put_roof(const StadiumTier& last, double depth, Placer& placer) {
+  const double unit = placer.unit(), length = 2.0 * last.lane.core.x;
+  const auto bays = std::lround(length / (bay_width * unit));
   const double z = -(last.lane.core.y + last.lane.corner_radius + (tread_back + wall_thick) * unit);
+  const double tall = std::clamp((last.height + 6.0 * unit) / (roof_height * unit), 0.5, 2.5);
+  const double deep = std::clamp(0.8 * depth / (roof_reach * unit), 0.4, 1.2);
   for (long bay = 0; bay < bays; ++bay) {
-    const double x = last.lane.core.x * (2.0 * (static_cast<double>(bay) + 0.5) / static_cast<double>(bays) - 1.0);
-    placer.put(Prop::roof_bay, {x, z}, heading_along({0.0, 1.0}),
-               {.height = last.height,
-                .stretch = {2.0 * last.lane.core.x / (static_cast<double>(bays) * bay_width * unit), 1.0, 1.0}});
+    const double x = 0.5 * length * (2.0 * (static_cast<double>(bay) + 0.5) / static_cast<double>(bays) - 1.0);
+    placer.put(Prop::roof_bay, {x, z}, heading_along(towards_z),
+               {.stretch = {length / (static_cast<double>(bays) * bay_width * unit), tall, deep}});
   }
 }
 
 }  // namespace
 
 render::SceneGround stadium_ground(const PlacedCrowd& crowd) {
-  const Lane lowest = stadium_tiers(crowd.agents, crowd.roles).front().lane;
+  const std::vector<StadiumTier> tiers = stadium_tiers(crowd.agents, crowd.roles);
+  const StadiumTier& last = tiers.back();
+  const Lane lowest = tiers.front().lane;
   const double unit = crowd.roles.spacing(), radius = lowest.corner_radius - apron * unit;
   return {.style = render::GroundStyle::pitch,
           .unit = static_cast<float>(unit),
           .core = lowest.core,
           .radius = static_cast<float>(radius),
-          .half_width = static_cast<float>(std::min(track_width * unit, radius - 0.2 * unit))};
+          .half_width = static_cast<float>(std::min(track_width * unit, radius - 0.2 * unit)),
+          .paved = static_cast<float>(last.lane.corner_radius - lowest.corner_radius + stadium_paved * unit)};
 }
 
 void put_stadium(const PlacedCrowd& crowd, Placer& placer) {
@@ -164,9 +188,11 @@ void put_stadium(const PlacedCrowd& crowd, Placer& placer) {
   const double half_length = tiers.front().lane.core.x + tiers.front().lane.corner_radius;
   for (const StadiumTier& tier : tiers) put_tier(tier, half_length, placer);
   put_back(tiers.back(), half_length, placer);
-  put_field(tiers.front().lane, stadium_ground(crowd), placer);
-  put_lights(tiers.back(), placer);
-  put_roof(tiers.back(), placer);
+  put_field(stadium_ground(crowd), placer);
+  put_lights(tiers.back(), half_length, placer);
+  put_park(tiers.back(), placer);
+  const StadiumSize size = stadium_size(crowd.agents, crowd.roles);
+  put_roof(tiers.back(), size.depth, placer);
   placer.put_horizon(tiers.back().lane.core.x + tiers.back().lane.corner_radius);
 }
 

@@ -15,8 +15,9 @@ namespace {
 constexpr double beyond_files = 0.62;  // from the outermost file to the kerb
 constexpr double to_barrier = 0.8;     // from the outermost file
 constexpr double barrier_pitch = 2.05;
-constexpr double pavement = 4.2;  // from the last spectators to the houses
-constexpr double to_lamps = 1.6;  // from the last spectators
+constexpr double pavement = 4.2;       // from the last spectators to the houses
+constexpr double street_paved = 75.0;  // from the last spectators until fields begin
+constexpr double to_lamps = 1.6;       // from the last spectators
 constexpr double lamp_pitch = 12.0;
 constexpr double bunting_pitch = 14.0;
 constexpr double bunting_width = 6.0;
@@ -97,25 +98,26 @@ Rectangle houses_of(const ParadeSize& size, double unit) {
 }
 
 void put_parade_houses(const Rectangle& houses, Placer& placer) {
-  constexpr double street_width = 9.0, street_length = 48.0;
-  const double unit = placer.unit(), out = street_length * unit;
+  constexpr double street_width = 9.0, street_length = 51.0;
+  const double unit = placer.unit(), out = street_length * unit, back = house_depth * unit;
   // Long sides with a street that leaves each.
   for (const double side : {-1.0, 1.0}) {
     const double at = side * 0.35 * houses.x, half = 0.5 * street_width * unit;
     const glm::dvec2 facing = -side * towards_z;
-    placer.put_houses({-houses.x, side * houses.z}, {at - half, side * houses.z}, facing, Placer::Houses::mixed);
-    placer.put_houses({at + half, side * houses.z}, {houses.x, side * houses.z}, facing, Placer::Houses::mixed);
+    placer.put_block({-houses.x, side * houses.z}, {at - half, side * houses.z}, facing, Placer::Houses::mixed);
+    placer.put_block({at + half, side * houses.z}, {houses.x, side * houses.z}, facing, Placer::Houses::mixed);
     for (const double bank : {-1.0, 1.0}) {
       const glm::dvec2 mouth(at + bank * half, side * houses.z);
-      placer.put_houses(mouth, mouth - out * facing, -bank * towards_x, Placer::Houses::mixed);
+      placer.put_houses(mouth - back * facing, mouth - out * facing, -bank * towards_x, Placer::Houses::mixed);
     }
   }
   // The ends: an arcade at one, a street at the other that goes on to the horizon.
-  placer.put_houses({-houses.x, -houses.z}, {-houses.x, houses.z}, towards_x, Placer::Houses::arcades);
+  placer.put_block({-houses.x, -houses.z}, {-houses.x, houses.z}, towards_x, Placer::Houses::arcades);
   const double half = std::min(0.5 * street_width * unit + 2.0 * unit, 0.5 * houses.z);
   for (const double bank : {-1.0, 1.0}) {
     placer.put_houses({houses.x, bank * half}, {houses.x, bank * houses.z}, -towards_x, Placer::Houses::mixed);
-    placer.put_houses({houses.x, bank * half}, {houses.x + out, bank * half}, -bank * towards_z, Placer::Houses::mixed);
+    placer.put_houses({houses.x + back, bank * half}, {houses.x + out, bank * half}, -bank * towards_z,
+                      Placer::Houses::mixed);
   }
   placer.put(Prop::tower, {houses.x + out + 40.0 * unit, -9.0 * unit}, heading_along(-towards_x));
   for (const double x : {-1.0, 1.0}) {  // the corners, which the loop leaves free
@@ -148,7 +150,8 @@ render::SceneGround parade_ground(const PlacedCrowd& crowd) {
           .unit = static_cast<float>(unit),
           .core = {size.half_length, 0.0},
           .radius = static_cast<float>(size.radius),
-          .half_width = static_cast<float>(size.half_width + beyond_files * unit)};
+          .half_width = static_cast<float>(size.half_width + beyond_files * unit),
+          .paved = static_cast<float>(size.outside + street_paved * unit)};
 }
 
 void put_parade(const PlacedCrowd& crowd, Placer& placer) {

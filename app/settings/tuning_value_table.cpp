@@ -97,6 +97,11 @@ std::vector<TuningValue> crowd_values() {
             .option = "--clothes NAME",
             .help = "Colours of clothes: {values} ({default}); pattern makes one large shape of all, seen from above"},
            at(&Tuning::clothes), clothes_words),
+      on_off({.key = "scenery",
+              .label = "Scenery",
+              .option = "--scenery on|off",
+              .help = "What stands around the crowd is drawn ({default})"},
+             at(&Tuning::scenery)),
       on_off({.key = "paused", .label = "Pause", .help = "The crowd stands still ({default})"}, at(&Tuning::paused)),
       number({.key = "time_scale",
               .label = "Speed",
@@ -262,11 +267,6 @@ std::vector<TuningValue> view_values() {
               .label = "Bones as lines",
               .help = "Skeletons are drawn over the characters ({default})"},
              at(&Tuning::bones_as_lines)),
-      on_off({.key = "scenery",
-              .label = "Scenery",
-              .option = "--scenery on|off",
-              .help = "What stands around the crowd is drawn ({default})"},
-             at(&Tuning::scenery)),
   };
 }
 

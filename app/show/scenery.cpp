@@ -3,6 +3,32 @@
 #include <algorithm>
 
 namespace throng::app {
+namespace {
+
+constexpr glm::vec3 lantern{11.0F, 7.6F, 4.2F}, shop{2.6F, 1.9F, 1.15F}, spotlight{9.0F, 8.6F, 7.8F};
+constexpr glm::vec3 flood{720.0F, 740.0F, 760.0F};
+
+/// A lamp of a prop, at a place of the prop's own.
+struct LampOfProp {
+  Prop prop;
+  glm::vec3 place;
+  glm::vec3 color;
+};
+
+constexpr LampOfProp lamps_of_props[] = {
+    {Prop::lamp, {0.0F, 3.7F, 0.0F}, lantern},    {Prop::kiosk, {0.0F, 3.0F, 0.0F}, lantern},
+    {Prop::arcade_bay, {0.0F, 3.2F, 0.6F}, shop}, {Prop::facade_a, {0.0F, 3.0F, 1.2F}, shop},
+    {Prop::facade_b, {0.0F, 3.0F, 1.2F}, shop},   {Prop::facade_c, {0.0F, 3.0F, 1.2F}, shop},
+    {Prop::stand, {0.0F, 3.0F, 1.5F}, spotlight}, {Prop::flood_light, {0.0F, 26.0F, 0.0F}, flood},
+};
+
+void add_lamps(const PlacedProp& prop, std::vector<render::SceneryLamp>& lamps) {
+  for (const LampOfProp& lamp : lamps_of_props) {
+    if (lamp.prop == prop.prop) lamps.push_back({prop.place * glm::vec4(lamp.place, 1.0F), lamp.color});
+  }
+}
+
+}  // namespace
 
 anim::Status Scenery::load(std::span<const render::SceneryMeshData> props, render::Renderer& renderer) {
   for (std::size_t prop = 0; prop < prop_count; ++prop) {
@@ -23,12 +49,15 @@ void Scenery::follow(const Tuning& tuning, const Crowd& crowd, render::Renderer&
   const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles);
   ground_ = place.ground;
   std::vector<render::SceneryInstance> instances;
+  std::vector<render::SceneryLamp> lamps;
   instances.reserve(place.props.size());
   for (const PlacedProp& prop : place.props) {
+    add_lamps(prop, lamps);
     const auto mesh = meshes_[static_cast<std::size_t>(prop.prop)];
     if (mesh) instances.push_back({*mesh, prop.place, prop.tint});
   }
   renderer.place_scenery(instances);
+  renderer.place_lamps(lamps);
 }
 
 }  // namespace throng::app

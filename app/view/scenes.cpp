@@ -70,12 +70,14 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
   const auto straight = static_cast<float>(size.radius), wide = static_cast<float>(size.half_width);
   const auto ahead = static_cast<float>(0.5 * size.half_length) + 7.0F * unit;
   const auto across = static_cast<float>(2.0 * (size.half_length + size.radius + size.half_width));
+  const auto end =
+      static_cast<float>(size.half_length + size.radius + size.outside) + 2.6F * unit;  // before the houses
   const float above = 0.62F * across + 6.0F * unit;
   return {
       {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
       {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
-      {"far", {0.35F * across, 0.2F * across + 5.0F * unit, straight + 0.3F * across, 48.0F, -26.0F, 50.0F}},
+      {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
       tower(across, 2.0F * (straight + wide), unit),
       {"street", {-ahead - 9.0F * unit, 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
   };

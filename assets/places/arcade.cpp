@@ -17,9 +17,9 @@ constexpr double arcade_spring = 3.3;
 constexpr double first_floor = 6.1;
 constexpr double eaves_y = 16.2;
 constexpr double arcade_house = 9.0;
-const std::vector<double> arcade_errors{0, 0.06, 0.25, 0.6};
+const std::vector<double> arcade_errors{0, 0.02, 0.07, 0.2};
 
-Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 12 : lod == 1 ? 8 : 4}; }
+Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 10 : lod == 1 ? 6 : 4}; }
 
 /// A pier with plinth and capital, from x0 to x1.
 void pier(MeshBuilder& builder, double x0, double x1, int lod) {
@@ -139,9 +139,9 @@ void arcade_bay(MeshBuilder& builder, int lod) {
   upper_front(builder, lod, 81);
   if (lod < 3) walk_back(builder, lod);
   if (lod == 3) panel(builder, -arcade_half, 0, arcade_half, arcade_spring + 2.1, -2.5, paints::matt(0x5B5142));
-  if (lod < 3) vault(builder, lod == 0 ? 8 : lod == 1 ? 4 : 2);
+  if (lod < 3) vault(builder, lod == 0 ? 6 : lod == 1 ? 4 : 2);
   const Paint side = shaded(paints::tinted(0xE6D2AC), 0.85);
-  closed_box(builder, 6, first_floor, eaves_y + 0.6, arcade_house, side, shaded(side, 0.95));
+  closed_box(builder, 6, first_floor, eaves_y + 0.75, arcade_house, side, shaded(side, 0.95));
   {
     const Moved behind(builder, {0, 0, -walk_depth});
     closed_box(builder, 6, 0, first_floor, arcade_house - walk_depth, side, shaded(side, 0.95));
@@ -158,16 +158,18 @@ void arcade_bay(MeshBuilder& builder, int lod) {
 }
 
 /// A pavilion that ends an arcade, or stands where two meet: open on three sides below, taller than what it joins.
-void arcade_corner(MeshBuilder& builder, int lod) {
+void arcade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = arcade_half;
   for (int side = 0; side < 4; ++side) {
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
     if (side == 2) {
-      panel(builder, -half, 0, half, first_floor, 0, paints::limestone);
-    } else {
-      open_front(builder, lod);
+      panel(builder, -half, 0, half, eaves_y + 2.2, 0, shaded(paints::limestone, 0.85));
+      cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, false);
+      continue;
     }
+    open_front(builder, lod);
     Front front{.windows = {-1.5, 1.5},
                 .top = eaves_y + 2.2,
                 .wall = paints::limestone,
@@ -180,6 +182,7 @@ void arcade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 13.6, 0.3, 0.2, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, eaves_y + 2.2, paints::pale_stone, lod, true);
   }
+  const int lod = front_lod;
   if (lod < 2)
     box(builder, {-half, arcade_spring + 2.1, -2 * half}, {half, arcade_spring + 2.2, 0}, paints::matt(0xE9DFCB),
         side::bottom);

@@ -10,11 +10,10 @@
 namespace throng::places {
 namespace {
 
-/// A cloth on a grid, seen from both sides. `at(u, v)` gives its places and `sway(u, v)` how far wind moves them.
+/// A cloth on a grid. `at(u, v)` gives its places and `sway(u, v)` how far wind moves them.
 template <typename At, typename Look>
 void hung_cloth(MeshBuilder& builder, int columns, int rows, At at, Look look) {
   const int one = builder.fresh_smooth();
-  const int other = builder.fresh_smooth();
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
       const double u0 = static_cast<double>(i) / columns, u1 = static_cast<double>(i + 1) / columns;
@@ -22,7 +21,6 @@ void hung_cloth(MeshBuilder& builder, int columns, int rows, At at, Look look) {
       const Corner a{at(u0, v0), look(u0, v0)}, b{at(u1, v0), look(u1, v0)}, c{at(u1, v1), look(u1, v1)},
           d{at(u0, v1), look(u0, v1)};
       builder.add({{a, b, c, d}, 4, one});
-      builder.add({{d, c, b, a}, 4, other});
     }
   }
 }
@@ -70,7 +68,6 @@ void bunting(MeshBuilder& builder, int lod) {
     tip.sway = 70;
     const Corner a{{x0, line(x0), 0}, paint}, b{{x1, line(x1), 0}, paint}, c{{middle, line(middle) - 0.46, 0.04}, tip};
     builder.add({{a, c, b, Corner{}}, 3});
-    builder.add({{a, b, c, Corner{}}, 3});
   }
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
-const std::vector<double> facade_errors{0, 0.06, 0.25, 0.6};
+const std::vector<double> facade_errors{0, 0.02, 0.07, 0.2};
 
 /// A ground floor of two stone piers and a lintel around a shop front.
 void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
@@ -44,7 +44,12 @@ void facade_a(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, 4.1, 0.3, 0.16, paints::pale_stone, lod);
   if (lod < 3) band(builder, -bay, bay, 7.9, 0.2, 0.1, paints::pale_stone, lod);
   if (lod == 0) {
-    for (const double x : {-bay, bay - 0.4}) rusticated(builder, x, x + 0.4, 4.5, 14.3, 14, paints::pale_stone, lod, 5);
+    for (int i = 0; i < 8; ++i) {
+      const double y = 4.5 + 1.2 * i;
+      const double wide = i % 2 == 0 ? 0.46 : 0.3;
+      box(builder, {-bay, y, 0}, {-bay + wide, y + 1.1, 0.05}, paints::pale_stone, side::front | side::right);
+      box(builder, {bay - wide, y, 0}, {bay, y + 1.1, 0.05}, paints::pale_stone, side::front | side::left);
+    }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);
   closed_box(builder, 6, 0, 14.9, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
@@ -154,14 +159,19 @@ void facade_c_whole(MeshBuilder& builder, int lod) {
 }
 
 /// The last house of a row: fronts on three sides under a roof of four slopes.
-void facade_corner(MeshBuilder& builder, int lod) {
+void facade_corner(MeshBuilder& builder, int front_lod) {
   constexpr double half = 3.0;
   const Paint wall = paints::stucco;
   const double top = 15.4;
   for (int side = 0; side < 4; ++side) {
-    if (side == 2 && lod > 0) continue;
     const Moved turned(builder, {0, 0, -half}, 0.25 * side);
     const Moved out(builder, {0, 0, half});
+    const int lod = side == 0 || front_lod > 1 ? front_lod : front_lod + 1;
+    if (side == 2) {
+      panel(builder, -half, 0, half, top, 0, shaded(wall, 0.8));
+      cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, false);
+      continue;
+    }
     if (side == 0) {
       ground_floor(builder, 4.2, paints::limestone, paints::matt(0x6B2F2A), true, lod, 51);
     } else {
@@ -177,6 +187,7 @@ void facade_corner(MeshBuilder& builder, int lod) {
     if (lod < 3) band(builder, -half, half, 11.4, 0.2, 0.1, paints::pale_stone, lod);
     cornice(builder, -half - 0.4, half + 0.4, top, paints::pale_stone, lod, true);
   }
+  const int lod = front_lod;
   const Moved middle(builder, {0, top + 0.7, -half});
   const double r = 1.41421356 * (half + 0.4);
   lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, false, 0.125);

@@ -20,14 +20,13 @@ void jet(MeshBuilder& builder, double turn, dvec2 from, dvec2 to, double bow, do
     const double t0 = static_cast<double>(i) / pieces, t1 = static_cast<double>(i + 1) / pieces;
     const double w0 = width * (0.6 + 0.7 * t0), w1 = width * (0.6 + 0.7 * t1);
     builder.quad(at(t0) - across * w0, at(t0) + across * w0, at(t1) + across * w1, at(t1) - across * w1, paint);
-    builder.quad(at(t0) + across * w0, at(t0) - across * w0, at(t1) - across * w1, at(t1) + across * w1, paint);
   }
 }
 
 /// Three basins above each other, 6 m across, with water that falls from one to the next.
 void fountain(MeshBuilder& builder, int lod) {
   const Paint stone = paints::pale_stone;
-  const int sides = lod == 0 ? 24 : lod == 1 ? 16 : 8;
+  const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
   const bool fine = lod < 2;
   if (fine) {
     lathe(builder,
@@ -57,19 +56,20 @@ void fountain(MeshBuilder& builder, int lod) {
   disc(builder, 2.56, 0.5, sides, paints::water);
   disc(builder, fine ? 1.24 : 1.4, 1.79, sides, paints::water);
   disc(builder, fine ? 0.56 : 0.66, 2.65, fine ? sides / 2 : 5, paints::water);
-  const int jets = lod == 0 ? 16 : lod == 1 ? 8 : 4;
+  const int jets = lod == 0 ? 24 : lod == 1 ? 12 : 6;
   const int pieces = lod == 0 ? 5 : 3;
   for (int i = 0; i < jets; ++i) {
     const double turn = (i + 0.5) / jets;
-    jet(builder, turn, {1.36, 1.84}, {1.85, 0.5}, 0.18, lod == 0 ? 0.06 : 0.12, pieces);
-    if (i % 2 == 0) jet(builder, turn, {0.62, 2.68}, {0.95, 1.79}, 0.1, lod == 0 ? 0.05 : 0.09, pieces);
+    const double reach = 0.18 * chance(44, static_cast<std::uint32_t>(i));
+    jet(builder, turn, {1.38, 1.84}, {1.62 + reach, 0.5}, 0.12, lod == 0 ? 0.028 : 0.05, pieces);
+    if (i % 2 == 0) jet(builder, turn, {0.64, 2.68}, {0.82 + 0.5 * reach, 1.79}, 0.08, lod == 0 ? 0.022 : 0.04, pieces);
   }
   for (int i = 0; i < (fine ? 6 : 3); ++i)
-    jet(builder, i / (fine ? 6.0 : 3.0), {0.02, 3.05}, {0.35, 2.65}, 0.4, 0.03, 4);
+    jet(builder, i / (fine ? 6.0 : 3.0), {0.02, 3.05}, {0.35, 2.65}, 0.45, 0.018, 4);
 }
 
 }  // namespace
 
-std::vector<Prop> fountain_props() { return {{"fountain", {0, 0.05, 0.2}, fountain, 1.0}}; }
+std::vector<Prop> fountain_props() { return {{"fountain", {0, 0.03, 0.12}, fountain, 1.0}}; }
 
 }  // namespace throng::places

@@ -75,16 +75,12 @@ void band(MeshBuilder& builder, double x0, double x1, double y, double height, d
   if (lod >= 2) {
     panel(builder, x0, y, x1, y + height, 0.07, paint);
   } else if (lod == 1) {
-    moulding(builder, {{0, y}, {out, y}, {out, y + height}, {0, y + height}}, x0, x1, paint);
+    moulding(builder, {{0, y}, {out, y + height * 0.5}, {out, y + height * 0.9}}, x0, x1, paint);
   } else {
-    moulding(builder,
-             {{0, y},
-              {out * 0.5, y},
-              {out * 0.5, y + height * 0.5},
-              {out, y + height * 0.62},
-              {out, y + height * 0.85},
-              {0, y + height}},
-             x0, x1, paint, true);
+    moulding(
+        builder,
+        {{0, y}, {out * 0.5, y + height * 0.45}, {out, y + height * 0.6}, {out, y + height * 0.85}, {0, y + height}},
+        x0, x1, paint);
   }
 }
 
@@ -94,12 +90,12 @@ double cornice(MeshBuilder& builder, double x0, double x1, double y, const Paint
     moulding(builder, {{0, y}, {out, y + 0.35}, {out, y + 0.7}, {0, y + 0.7}}, x0, x1, paint, lod == 2);
     return out;
   }
-  std::vector<dvec2> profile{{0, y},           {0.08, y},       {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
-                             {0.45, y + 0.55}, {out, y + 0.66}, {out, y + 0.7},   {0, y + 0.74}};
+  std::vector<dvec2> profile{{0.06, y},        {0.08, y + 0.28}, {0.3, y + 0.42}, {0.45, y + 0.42},
+                             {0.45, y + 0.55}, {out, y + 0.66},  {out, y + 0.7},  {0, y + 0.74}};
   if (lod == 1) profile = {{0, y}, {0.08, y + 0.28}, {0.45, y + 0.42}, {out, y + 0.68}, {0, y + 0.74}};
   moulding(builder, profile, x0, x1, paint, true);
   if (!brackets || lod > 0) return out;
-  constexpr int count = 8;
+  constexpr int count = 7;
   for (int i = 0; i < count; ++i) {
     const double x = x0 + (x1 - x0) * (i + 0.5) / count;
     box(builder, {x - 0.09, y + 0.16, 0.08}, {x + 0.09, y + 0.42, 0.4}, paint,
@@ -126,7 +122,7 @@ void rusticated(MeshBuilder& builder, double x0, double x1, double y0, double y1
   for (int i = 0; i < courses; ++i) {
     const double y = y0 + i * height;
     const Paint stone = shaded(paint, 0.9 + 0.16 * chance(seed, static_cast<std::uint32_t>(i)));
-    moulding(builder, {{0, y}, {0.05, y + joint}, {0.05, y + height - joint}, {0, y + height}}, x0, x1, stone);
+    moulding(builder, {{0, y}, {0.05, y + joint}, {0.05, y + height}}, x0, x1, stone);
   }
 }
 
@@ -141,16 +137,16 @@ void awning(MeshBuilder& builder, double x0, double x1, double y, double out, co
     const Paint& paint = count == 1 ? mixed : i % 2 == 0 ? one : other;
     const double a = x0 + (x1 - x0) * i / count;
     const double b = x0 + (x1 - x0) * (i + 1) / count;
-    const double sag = edge + drop * 0.44;
+    const double sag = edge + drop * 0.56;
     builder.quad({a, sag, out * 0.5}, {b, sag, out * 0.5}, {b, y, 0.02}, {a, y, 0.02}, paint);
     builder.quad({a, edge, out}, {b, edge, out}, {b, sag, out * 0.5}, {a, sag, out * 0.5}, paint);
     builder.quad({a, edge - 0.22, out}, {b, edge - 0.22, out}, {b, edge, out}, {a, edge, out}, shaded(paint, 0.9));
-    if (lod > 1) continue;
-    builder.quad({a, y, 0.02}, {b, y, 0.02}, {b, edge, out - 0.02}, {a, edge, out - 0.02}, shaded(paint, 0.7));
   }
+  if (lod < 2)
+    builder.quad({x0, y - 0.02, 0.02}, {x1, y - 0.02, 0.02}, {x1, edge, out - 0.02}, {x0, edge, out - 0.02},
+                 shaded(mixed, 0.6));
   for (const double x : {x0, x1}) {
     builder.triangle({x, y, 0.02}, {x, edge, 0.02}, {x, edge, out}, shaded(one, 0.85));
-    builder.triangle({x, y, 0.02}, {x, edge, out}, {x, edge, 0.02}, shaded(one, 0.85));
   }
 }
 
@@ -160,7 +156,7 @@ void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double 
   const double top_y = foot + height;
   if (lod >= 2) {
     panel(builder, x0, foot, x1, top_y, 0.03, wood);
-    panel(builder, x0 + 0.3, foot + 0.5, x1 - 0.3, top_y - 0.7, 0.06, shaded(paints::glass(180), 0.8));
+    panel(builder, x0 + 0.3, foot + 0.5, x1 - 0.3, top_y - 0.7, 0.06, paints::shop_glass);
     return;
   }
   builder.quad({x0, foot, 0}, {x0, foot, z}, {x0, top_y, z}, {x0, top_y, 0}, wood);
@@ -171,7 +167,7 @@ void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double 
   const double door_x = door_left ? x0 + 0.14 : x1 - 0.14 - door;
   const double glass_x0 = door_left ? door_x + door + 0.16 : x0 + 0.14;
   const double glass_x1 = door_left ? x1 - 0.14 : door_x - 0.16;
-  const Paint lit = paints::glass(150 + static_cast<int>(100 * chance(seed, 3)));
+  const Paint lit = paints::shop_glass;
   panel(builder, door_x + 0.12, foot + 0.75, door_x + door - 0.12, foot + 2.15, z + 0.02, lit);
   panel(builder, door_x, foot + 2.3, door_x + door, top_y - 0.55, z + 0.02, shaded(lit, 0.9));
   if (lod == 0) {

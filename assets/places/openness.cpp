@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,7 +14,7 @@ namespace throng::places {
 namespace {
 
 constexpr int ray_count = 96;       ///< over the whole sphere
-constexpr double strength = 0.8;    ///< of full occlusion
+constexpr double strength = 0.65;   ///< of full occlusion
 constexpr double clearance = 0.01;  ///< metres
 
 struct RayTriangle {
@@ -80,6 +82,29 @@ double openness_at(dvec3 origin, dvec3 normal, const std::vector<RayTriangle>& t
   return 1 - strength * closed / total;
 }
 
+/// Faces that lie in one plane and have one colour are equally dark where they meet, so that no seam shows.
+void even_out(const std::vector<Face>& faces, std::vector<std::array<double, 4>>& open) {
+  using Key = std::tuple<double, double, double, double, double, double, double, double>;
+  const auto key = [](const Corner& c) {
+    return Key{c.position.x, c.position.y, c.position.z,    c.normal.x,
+               c.normal.y,   c.normal.z,   c.paint.color.x, c.paint.color.y};
+  };
+  std::map<Key, std::pair<double, int>> sums;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t c = 0; c < faces[f].count; ++c) {
+      auto& [sum, count] = sums[key(faces[f].corners[c])];
+      sum += open[f][c];
+      ++count;
+    }
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t c = 0; c < faces[f].count; ++c) {
+      const auto& [sum, count] = sums[key(faces[f].corners[c])];
+      open[f][c] = sum / count;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& faces, double reach) {
@@ -92,13 +117,19 @@ std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& face
     for (std::size_t c = 0; c < face.count; ++c) middle += face.corners[c].position / static_cast<double>(face.count);
     for (std::size_t c = 0; c < face.count; ++c) {
       const Corner& corner = face.corners[c];
-      const dvec3 inwards = middle - corner.position;
-      const double far = glm::length(inwards);
-      const dvec3 origin =
-          corner.position + inwards * std::min(0.3, 0.06 / std::max(far, 1e-6)) + corner.normal * clearance;
-      open[f][c] = openness_at(origin, corner.normal, triangles, reach);
+      const auto from = [&](double metres) {
+        const dvec3 inwards = middle - corner.position;
+        const double share = std::min(0.6, metres / std::max(glm::length(inwards), 1e-6));
+        return openness_at(corner.position + inwards * share + corner.normal * clearance, corner.normal, triangles,
+                           reach);
+      };
+      // What lies upon the corner itself, such as a sill on a wall, must not darken all of the face.
+      const double beside = from(0.3);
+      const double here = from(0.05);
+      open[f][c] = here < 0.45 ? beside : 0.4 * here + 0.6 * beside;
     }
   }
+  even_out(faces, open);
   return open;
 }
 

@@ -23,13 +23,15 @@ inline const Paint steel = metal(0x9AA0A3);
 inline const Paint timber = matt(0x9A6B42);
 inline const Paint roof_tile = matt(0xB0684A);
 inline const Paint slate = matt(0x5E646B);
-inline const Paint copper = matt(0x6F9A86);
+inline const Paint copper = matt(0x5F8474);
 inline const Paint water{.color = rgb(0x3F6B73), .kind = Kind::water, .baked = false};
 
 /// Glass of a window that is lit at night where `lit` is above 0.
 inline Paint glass(int lit) {
-  return {.color = lit > 0 ? rgb(0xA08A62) : rgb(0x39434B), .glow = lit, .kind = Kind::glass};
+  return {.color = lit > 0 ? rgb(0x8C7A5A) : rgb(0x39434B), .glow = lit, .kind = Kind::glass};
 }
+/// Behind a shop's window it is warm, and dark by day.
+inline const Paint shop_glass{.color = rgb(0x6A583C), .glow = 255, .kind = Kind::glass};
 /// A lamp's glass.
 inline const Paint lantern{.color = rgb(0xFFE7B8), .glow = 255, .baked = false};
 

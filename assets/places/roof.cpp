@@ -28,8 +28,8 @@ void tiled(MeshBuilder& builder, dvec3 a, dvec3 b, dvec3 c, dvec3 d, const Paint
 
 void gable_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& party_wall) {
   const double middle = 0.5 * (roof.front_z + roof.back_z);
-  const int columns = lod == 0 ? 6 : lod == 1 ? 3 : 1;
-  const int rows = lod == 0 ? 4 : lod == 1 ? 2 : 1;
+  const int columns = lod == 0 ? 5 : lod == 1 ? 2 : 1;
+  const int rows = lod == 0 ? 3 : 1;
   const dvec3 ridge0(roof.x0, roof.ridge, middle);
   const dvec3 ridge1(roof.x1, roof.ridge, middle);
   const dvec3 f0(roof.x0, roof.eaves, roof.front_z);
@@ -37,7 +37,7 @@ void gable_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& pa
   const dvec3 b0(roof.x0, roof.eaves, roof.back_z);
   const dvec3 b1(roof.x1, roof.eaves, roof.back_z);
   tiled(builder, f0, f1, ridge1, ridge0, roof.tile, columns, rows, roof.seed);
-  tiled(builder, b1, b0, ridge0, ridge1, roof.tile, lod == 0 ? 2 : 1, 1, roof.seed + 9);
+  tiled(builder, b1, b0, ridge0, ridge1, roof.tile, 1, 1, roof.seed + 9);
   builder.triangle(b0, f0, ridge0, party_wall);
   builder.triangle(f1, b1, ridge1, party_wall);
   if (lod >= 2) return;
@@ -50,8 +50,8 @@ void gable_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& pa
 }
 
 void mansard_roof(MeshBuilder& builder, const Roof& roof, int lod, const Paint& party_wall) {
-  const int columns = lod == 0 ? 6 : lod == 1 ? 3 : 1;
-  const int rows = lod == 0 ? 3 : 1;
+  const int columns = lod == 0 ? 5 : lod == 1 ? 2 : 1;
+  const int rows = lod == 0 ? 2 : 1;
   constexpr double back_by = 1.1;
   const double f = roof.front_z - back_by;
   const double b = roof.back_z + back_by;
@@ -124,12 +124,12 @@ void chimney(MeshBuilder& builder, dvec3 at, double height, const Paint& paint, 
   const Moved moved(builder, at);
   box(builder, {-0.5, -1, -0.3}, {0.5, height, 0.3}, paint);
   if (lod >= 2) return;
-  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08), side::all_sides);
+  box(builder, {-0.57, height - 0.35, -0.37}, {0.57, height - 0.12, 0.37}, shaded(paint, 1.08),
+      side::all_sides & ~side::top);
   if (lod >= 1) return;
   for (const double x : {-0.28, 0.02, 0.3}) {
     const Moved pot(builder, {x, height, 0});
-    lathe(builder, {{0.13, 0}, {0.1, 0.45}, {0.13, 0.5}}, 6, paints::matt(0xB4623E));
-    disc(builder, 0.12, 0.47, 6, paints::matt(0x2A2420));
+    lathe(builder, {{0.13, 0}, {0.11, 0.5}}, 5, paints::matt(0xB4623E));
   }
 }
 

@@ -123,8 +123,8 @@ void arch_ring(MeshBuilder& builder, const Arch& arch, double width, double z, d
     const dvec2 s = outer.point(i);
     const Paint stone = shaded(paint, i % 2 == 0 ? 1.0 : 0.9);
     builder.quad({p.x, p.y, face}, {q.x, q.y, face}, {r.x, r.y, face}, {s.x, s.y, face}, stone);
-    builder.quad({s.x, s.y, face}, {r.x, r.y, face}, {r.x, r.y, z}, {s.x, s.y, z}, stone);
-    builder.quad({p.x, p.y, z}, {q.x, q.y, z}, {q.x, q.y, face}, {p.x, p.y, face}, stone);
+    if (out > 0) builder.quad({s.x, s.y, face}, {r.x, r.y, face}, {r.x, r.y, z}, {s.x, s.y, z}, stone);
+    if (out > 0) builder.quad({p.x, p.y, z}, {q.x, q.y, z}, {q.x, q.y, face}, {p.x, p.y, face}, stone);
   }
   if (!keystone) return;
   const double crown = arch.spring + arch.rise;

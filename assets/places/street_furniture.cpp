@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "assets/places/arithmetic.h"
 #include "assets/places/paints.h"
 #include "assets/places/props.h"
@@ -117,27 +119,29 @@ void planter(MeshBuilder& builder, int lod) {
     lathe(builder, {{0.4, 0}, {0.64, 0.55}, {0.64, 0.68}}, sides, stone);
   }
   disc(builder, 0.58, 0.6, sides, paints::matt(0x4A3B2C));
-  const int count = lod == 0 ? 90 : lod == 1 ? 26 : 8;
+  const int count = lod == 0 ? 130 : lod == 1 ? 40 : 9;
   for (int i = 0; i < count; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
-    const double radius = 0.52 * std::sqrt((i + 0.5) / count);
+    const double radius = 0.56 * std::sqrt((i + 0.5) / count);
     const double turn = i * 0.38196601125;
-    const double size = (lod == 0 ? 0.12 : lod == 1 ? 0.2 : 0.32) * (0.8 + 0.5 * chance(6, n));
-    const double y = 0.66 + 0.34 * (1 - radius) * (0.7 + 0.5 * chance(7, n));
+    const double dome = 0.34 * std::sqrt(1 - 0.9 * radius * radius / 0.3136);
+    const double y = 0.64 + dome * (0.75 + 0.45 * chance(7, n));
     const dvec3 at(radius * sine(turn), y, radius * cosine(turn));
+    const dvec3 normal = glm::normalize(dvec3(at.x, 0.45, at.z));
+    const bool flower = n % 4 == 0;
+    const double size = (lod == 0 ? 0.075 : lod == 1 ? 0.13 : 0.28) * (flower ? 0.8 : 1.1) * (0.8 + 0.5 * chance(6, n));
     const double lean = chance(8, n);
-    const dvec3 u(cosine(lean) * size, size * 0.2, sine(lean) * size);
-    const dvec3 v(-sine(lean) * size * 0.6, size * 0.5, cosine(lean) * size * 0.6);
-    constexpr std::array<std::uint32_t, 6> colors{0x5F8A3C, 0x7FA24B, 0x476F33, 0xD86A7A, 0x6D9440, 0xF0C85A};
-    Paint leaf = paints::matt(colors[n % colors.size()]);
-    leaf.sway = 50;
+    const dvec3 u = dvec3(cosine(lean), -0.4 * cosine(lean) * normal.x, sine(lean)) * size;
+    const dvec3 v = glm::cross(u, normal) * 0.7;
+    constexpr std::array<std::uint32_t, 3> greens{0x557F38, 0x74994A, 0x476B33};
+    constexpr std::array<std::uint32_t, 3> petals{0xCC4A5E, 0xE0A83C, 0xE9DCE4};
+    Paint leaf = paints::matt(flower ? petals[n / 4 % 3] : greens[n % 3]);
+    leaf.sway = 40;
     leaf.baked = false;
-    leaf.color *= 0.6 + 0.5 * (y - 0.6) / 0.4;
-    Face face{{Corner{at - u, leaf, {0, 1, 0}}, Corner{at + v, shaded(leaf, 1.15), {0, 1, 0}},
-               Corner{at + u, leaf, {0, 1, 0}}, Corner{at - v, shaded(leaf, 0.7), {0, 1, 0}}},
-              4};
-    for (std::size_t c = 0; c < 4; ++c) face.corners[c].normal = dvec3(at.x, 0.8, at.z);
-    builder.add(face);
+    leaf.color *= 0.55 + 0.5 * std::min(1.0, (y - 0.62) / 0.34);
+    builder.add({{Corner{at - u, leaf, normal}, Corner{at + v, shaded(leaf, 1.12), normal},
+                  Corner{at + u, leaf, normal}, Corner{at - v, shaded(leaf, 0.75), normal}},
+                 4});
   }
 }
 
@@ -268,10 +272,10 @@ void barrier(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> furniture_props() {
-  return {{"planter", {0, 0.05, 0.12}, planter, 0.5}, {"lamp", {0, 0.02, 0.04}, lamp, 0.4},
-          {"bench", {0, 0.02, 0.06}, bench, 0.4},     {"steps", {0, 0.03}, steps, 0.5},
-          {"statue", {0, 0.05, 0.25}, statue, 1.0},   {"bollard", {0, 0.02, 0.04}, bollard, 0.4},
-          {"barrier", {0, 0.015, 0.08}, barrier, 0.3}};
+  return {{"planter", {0, 0.02, 0.06}, planter, 0.5}, {"lamp", {0, 0.012, 0.03}, lamp, 0.4},
+          {"bench", {0, 0.01, 0.03}, bench, 0.4},     {"steps", {0, 0.03}, steps, 0.5},
+          {"statue", {0, 0.03, 0.12}, statue, 1.0},   {"bollard", {0, 0.02, 0.04}, bollard, 0.4},
+          {"barrier", {0, 0.01, 0.04}, barrier, 0.3}};
 }
 
 }  // namespace throng::places

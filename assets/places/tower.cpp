@@ -10,7 +10,7 @@ constexpr double tower_half = 3.2;
 
 void clock_face(MeshBuilder& builder, double y, int lod) {
   constexpr double radius = 1.35;
-  constexpr int sides = 20;
+  const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
   const Paint face{.color = rgb(0xF4EEDC), .glow = 160};
   for (int i = 0; i < sides; ++i) {
     const double t0 = static_cast<double>(i) / sides, t1 = static_cast<double>(i + 1) / sides;
@@ -47,8 +47,7 @@ void tower_side(MeshBuilder& builder, int lod, int side) {
   panel(builder, -h, 4.5, h, 23.0, -0.1, wall);
   panel(builder, -h, 23.0, h, 27.2, 0, stone);
   for (const double x : {-h, h - 0.9}) {
-    if (lod < 2) rusticated(builder, x, x + 0.9, 4.5, 23.0, 20, stone, lod, 200);
-    if (lod >= 2) panel(builder, x, 4.5, x + 0.9, 23.0, 0, stone);
+    rusticated(builder, x, x + 0.9, 4.5, 23.0, 14, stone, lod, 200);
   }
   band(builder, -h - 0.1, h + 0.1, 4.3, 0.5, 0.25, paints::pale_stone, lod);
   band(builder, -h - 0.1, h + 0.1, 22.8, 0.5, 0.3, paints::pale_stone, lod);
@@ -80,12 +79,12 @@ void belfry_side(MeshBuilder& builder, int lod) {
     for (const double x : {-1.15, 1.15}) panel(builder, x - 0.65, 28.8, x + 0.65, 32.6, 0.04, paints::matt(0x33302B));
   } else {
     for (const double x : {-1.2, 1.2}) {
-      const Arch arch{x, 0.75, 31.4, 0.75, lod == 0 ? 8 : 4};
+      const Arch arch{x, 0.75, 31.4, 0.75, lod == 0 ? 6 : 4};
       wall_over_arch(builder, arch, 34, 0, stone);
       arch_reveal(builder, arch, 28.6, 0, -0.5, shaded(stone, 0.9));
       panel(builder, x - 0.75, 28, x + 0.75, 28.6, 0, stone);
-      for (int i = 0; i < (lod == 0 ? 7 : 3); ++i) {
-        const double step = lod == 0 ? 0.45 : 1.05;
+      for (int i = 0; i < (lod == 0 ? 5 : 3); ++i) {
+        const double step = lod == 0 ? 0.63 : 1.05;
         const double y = 28.7 + step * i;
         builder.quad({x - 0.75, y, -0.2}, {x + 0.75, y, -0.2}, {x + 0.75, y + step * 0.6, -0.5},
                      {x - 0.75, y + step * 0.6, -0.5}, paints::matt(0x5A4A3A));
@@ -117,7 +116,7 @@ void tower(MeshBuilder& builder, int lod) {
       const Moved turned(builder, {0, 0, 0}, 0.25 * i);
       for (int j = 0; j < 6; ++j)
         box(builder, {-3.3 + 1.2 * j - 0.1, 27.9, 3.3}, {-3.1 + 1.2 * j + 0.1, 28.7, 3.5}, paints::limestone,
-            side::all_sides);
+            lod == 0 ? side::front | side::back | side::left | side::right : unsigned{side::front});
       box(builder, {-3.5, 28.7, 3.25}, {3.5, 28.9, 3.55}, paints::limestone, side::all_sides);
     }
   }
@@ -131,6 +130,6 @@ void tower(MeshBuilder& builder, int lod) {
 
 }  // namespace
 
-std::vector<Prop> tower_props() { return {{"tower", {0, 0.15, 0.5}, tower, 2.5}}; }
+std::vector<Prop> tower_props() { return {{"tower", {0, 0.05, 0.2}, tower, 2.5}}; }
 
 }  // namespace throng::places

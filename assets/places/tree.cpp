@@ -88,30 +88,47 @@ void ball(MeshBuilder& builder, const Species& species, const Bounds& bounds, co
   }
 }
 
-/// A clump of leaves: a bent leaf-shaped card on the outside of a lobe.
-void clump(MeshBuilder& builder, const Species& species, const Bounds& bounds, const Lobe& lobe, int i, int count,
-           std::uint32_t seed, double size) {
+/// Says where a clump of leaves sits and how it is turned.
+struct Clump {
+  dvec3 at, facing, u, v, normal;
+  double length = 0;
+  Paint paint = {};
+};
+
+Clump clump_at(const Species& species, const Bounds& bounds, const Lobe& lobe, int i, int count, std::uint32_t seed,
+               double size) {
   const auto n = static_cast<std::uint32_t>(i);
-  const dvec3 way =
-      glm::normalize(spiral(i, count) + 0.25 * dvec3(chance(seed, n + 1000) - 0.5, chance(seed, n + 2000) - 0.5,
-                                                     chance(seed, n + 3000) - 0.5));
-  const double out = 0.86 + 0.24 * chance(seed, n + 5000);
-  const dvec3 at = lobe.centre + lobe.radius * way * out;
-  const dvec3 facing = glm::normalize(
-      way + 0.9 * dvec3(chance(seed, n + 11) - 0.5, chance(seed, n + 4111) - 0.3, chance(seed, n + 6111) - 0.5));
-  const double turn = chance(seed, n + 7000);
-  const dvec3 helper = facing.y > 0.9 || facing.y < -0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-  const dvec3 u0 = glm::normalize(glm::cross(helper, facing));
-  const dvec3 v0 = glm::cross(facing, u0);
-  const dvec3 u = u0 * cosine(turn) + v0 * sine(turn);
-  const dvec3 v = glm::cross(facing, u);
-  const double length = size * (0.75 + 0.6 * chance(seed, n + 8000));
-  const Paint paint = leaf_paint(species, bounds, at, 0.15 - 0.5 * (out - 0.86), chance(seed, n + 9000));
-  const dvec3 normal = glm::normalize(way / lobe.radius * 0.75 / glm::length(way / lobe.radius) + facing * 0.4);
-  const auto corner = [&](dvec3 place, double shade) { return Corner{place, shaded(paint, shade), normal}; };
-  const dvec3 bend = -facing * (0.22 * length);
-  builder.add({{corner(at - u * length + bend, 0.8), corner(at - v * (length * 0.62), 0.95),
-                corner(at + u * length + bend, 1.1), corner(at + v * (length * 0.62), 1.0)},
+  const auto dice = [&](std::uint32_t what) { return chance(seed, n + 1000 * what) - 0.5; };
+  Clump clump;
+  const dvec3 way = glm::normalize(spiral(i, count) + 0.3 * dvec3(dice(1), dice(2), dice(3)));
+  const double out = 0.92 + 0.24 * (dice(4) + 0.5);
+  clump.at = lobe.centre + lobe.radius * way * out;
+  clump.facing = glm::normalize(way + 1.2 * dvec3(dice(5), dice(6) + 0.2, dice(7)));
+  const double turn = dice(8);
+  const dvec3 helper = clump.facing.y > 0.9 || clump.facing.y < -0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+  const dvec3 u = glm::normalize(glm::cross(helper, clump.facing));
+  const dvec3 v = glm::cross(clump.facing, u);
+  clump.u = u * cosine(turn) + v * sine(turn);
+  clump.v = glm::cross(clump.facing, clump.u);
+  clump.length = size * (1.05 + 0.7 * dice(9));
+  clump.paint = leaf_paint(species, bounds, clump.at, 1.2 * (0.98 - out), dice(10) + 0.5);
+  // Soft light over the whole crown, a little of each leaf's own.
+  const dvec3 round = glm::normalize(way / lobe.radius);
+  const dvec3 crown = glm::normalize(clump.at - dvec3(0, 0.5 * (bounds.low + bounds.high), 0));
+  clump.normal = glm::normalize(round * 0.5 + crown * 0.4 + clump.facing * 0.25);
+  return clump;
+}
+
+/// A card in the shape of a leaf, its ends bent back a little.
+void leaf_card(MeshBuilder& builder, const Clump& clump) {
+  const auto corner = [&](dvec3 place, double shade) {
+    return Corner{place, shaded(clump.paint, shade), clump.normal};
+  };
+  const dvec3 along = clump.u * clump.length;
+  const dvec3 across = clump.v * (0.62 * clump.length);
+  const dvec3 bend = clump.facing * (-0.16 * clump.length);
+  builder.add({{corner(clump.at - along + bend, 0.8), corner(clump.at - across * 1.1 + along * 0.2, 0.98),
+                corner(clump.at + along + bend, 1.12), corner(clump.at + across - along * 0.15, 1.0)},
                4});
 }
 
@@ -120,13 +137,31 @@ void trunk(MeshBuilder& builder, const Species& species, int lod) {
   const int sides = lod == 0 ? 8 : lod == 1 ? 6 : 4;
   const double r = species.trunk_radius;
   const double h = species.trunk_height;
-  if (lod < 2) bar(builder, {0, -0.05, 0}, {0.02, 0.35, 0.01}, r * 1.7, r * 1.1, sides, bark);
+  if (lod < 2) bar(builder, {0, 0, 0}, {0.02, 0.35, 0.01}, r * 1.7, r * 1.1, sides, bark);
   bar(builder, lod < 2 ? dvec3(0.02, 0.35, 0.01) : dvec3(0, 0, 0), {0.08, h, 0.05}, r * 1.1, r * 0.75, sides, bark);
-  if (lod >= 2) return;
+  if (lod >= 2) {
+    bar(builder, {0.08, h, 0.05}, species.lobes.front().centre, r * 0.75, r * 0.4, 4, bark);
+    return;
+  }
   for (std::size_t i = 0; i < species.lobes.size(); ++i) {
     if (lod == 1 && i % 2 == 1) continue;
     const dvec3 from(0.05, h * (0.82 + 0.03 * static_cast<double>(i % 5)), 0.03);
     bar(builder, from, species.lobes[i].centre, r * 0.55, r * 0.15, lod == 0 ? 5 : 3, bark);
+  }
+}
+
+/// All lobes as three balls of ten faces.
+void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bounds) {
+  constexpr std::size_t balls = 3;
+  const std::size_t count = species.lobes.size();
+  for (std::size_t i = 0; i < balls; ++i) {
+    dvec3 low(1e9), high(-1e9);
+    for (std::size_t k = i * count / balls; k < (i + 1) * count / balls; ++k) {
+      low = glm::min(low, species.lobes[k].centre - species.lobes[k].radius);
+      high = glm::max(high, species.lobes[k].centre + species.lobes[k].radius);
+    }
+    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2,
+         species.seed * 50 + static_cast<std::uint32_t>(i));
   }
 }
 
@@ -141,22 +176,15 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
     }
     const double area = lobe.radius.x * lobe.radius.y;
     if (lod == 2) {
-      ball(builder, species, bounds, lobe, 5, 3, 1.08, 0.0, seed);
-      continue;
+      ball(builder, species, bounds, lobe, 5, 3, 0.95, 0.4, seed);
+    } else {
+      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.85, seed);
     }
-    ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, lod == 0 ? 0.84 : 0.92,
-         lod == 0 ? 0.55 : 0.3, seed);
-    const int count = static_cast<int>((lod == 0 ? 52 : 14) * area);
-    for (int i = 0; i < count; ++i)
-      clump(builder, species, bounds, lobe, i, count, seed, species.leaf * (lod == 0 ? 1.0 : 1.55));
+    const int count = static_cast<int>((lod == 0 ? 74 : lod == 1 ? 26 : 5) * area);
+    const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.5 : 2.0);
+    for (int i = 0; i < count; ++i) leaf_card(builder, clump_at(species, bounds, lobe, i, count, seed, size));
   }
-  if (lod < 3) return;
-  dvec3 low(1e9), high(-1e9);
-  for (const Lobe& lobe : species.lobes) {
-    low = glm::min(low, lobe.centre - lobe.radius);
-    high = glm::max(high, lobe.centre + lobe.radius);
-  }
-  ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 6, 3, 0.97, 0.1, seed);
+  if (lod == 3) far_crown(builder, species, bounds);
 }
 
 /// A broad crown, as of a plane tree.
@@ -166,7 +194,7 @@ void tree_a(MeshBuilder& builder, int lod) {
             .bark = rgb(0x8A7B66),
             .light = rgb(0x9DB45A),
             .dark = rgb(0x33491F),
-            .leaf = 0.3,
+            .leaf = 0.24,
             .seed = 1};
   s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}},      {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}},
              {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}},  {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}},
@@ -182,7 +210,7 @@ void tree_b(MeshBuilder& builder, int lod) {
             .bark = rgb(0x6B5B49),
             .light = rgb(0x7FA04A),
             .dark = rgb(0x2A4420),
-            .leaf = 0.26,
+            .leaf = 0.21,
             .seed = 2};
   s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}},       {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}},
              {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}},
@@ -195,9 +223,9 @@ void tree_c(MeshBuilder& builder, int lod) {
   Species s{.trunk_height = 2.2,
             .trunk_radius = 0.12,
             .bark = rgb(0x5F5146),
-            .light = rgb(0xC7B04C),
-            .dark = rgb(0x5C6022),
-            .leaf = 0.25,
+            .light = rgb(0xB4A350),
+            .dark = rgb(0x4C5424),
+            .leaf = 0.19,
             .seed = 3};
   s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}},
              {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}},
@@ -210,7 +238,7 @@ void tree_c(MeshBuilder& builder, int lod) {
 }  // namespace
 
 std::vector<Prop> tree_props() {
-  const std::vector<double> errors{0, 0.12, 0.3, 0.7};
+  const std::vector<double> errors{0, 0.03, 0.1, 0.3};
   return {{"tree_a", errors, tree_a, 0.6}, {"tree_b", errors, tree_b, 0.6}, {"tree_c", errors, tree_c, 0.6}};
 }
 

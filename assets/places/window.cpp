@@ -27,7 +27,7 @@ void panes(MeshBuilder& builder, const Opening& at, const WindowStyle& style, in
   constexpr double bar = 0.05;
   const double z = -style.reveal;
   panel(builder, at.x0, at.y0, at.x1, at.y1, z, style.frame);
-  const int columns = lod == 0 ? style.columns : 1;
+  const int columns = lod == 0 ? style.columns : 2;
   const int rows = lod == 0 ? style.rows : 1;
   const Paint glass = paints::glass(light_of(seed));
   const double w = (at.x1 - at.x0 - bar) / columns;
@@ -51,7 +51,6 @@ void reveal(MeshBuilder& builder, const Opening& at, const WindowStyle& style, c
     builder.quad({at.x1, at.y0, z}, {at.x1, at.y0, 0}, {at.x1, at.y1, 0}, {at.x1, at.y1, z}, paint);
     builder.quad({at.x0, at.y1, z}, {at.x1, at.y1, z}, {at.x1, at.y1, 0}, {at.x0, at.y1, 0}, paint);
   }
-  builder.quad({at.x0, at.y0, 0}, {at.x1, at.y0, 0}, {at.x1, at.y0, z}, {at.x0, at.y0, z}, paint);
 }
 
 void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style) {
@@ -63,14 +62,15 @@ void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style)
     return;
   }
   if (style.surround) {
-    box(builder, {at.x0 - width, at.y0, 0}, {at.x0, at.y1, out}, trim, side::front | side::left | side::right);
-    box(builder, {at.x1, at.y0, 0}, {at.x1 + width, at.y1, out}, trim, side::front | side::left | side::right);
+    box(builder, {at.x0 - width, at.y0, 0}, {at.x0, at.y1, out}, trim, side::front | side::left);
+    box(builder, {at.x1, at.y0, 0}, {at.x1 + width, at.y1, out}, trim, side::front | side::right);
   }
-  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim, side::on_wall);
+  box(builder, {at.x0 - width, at.y1, 0}, {at.x1 + width, at.y1 + 0.2, out}, trim,
+      side::front | side::left | side::right);
   const double y = at.y1 + 0.2;
   const double x0 = at.x0 - width - 0.08;
   const double x1 = at.x1 + width + 0.08;
-  box(builder, {x0, y, 0}, {x1, y + 0.07, 0.16}, trim, side::on_wall);
+  box(builder, {x0, y, 0}, {x1, y + 0.07, 0.16}, trim, side::front | side::top | side::bottom);
   if (style.head != WindowStyle::Head::pediment) return;
   const double middle = 0.5 * (x0 + x1);
   const dvec3 peak(middle, y + 0.42, 0.12);
@@ -79,11 +79,32 @@ void surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style)
   builder.quad({middle, y + 0.44, 0.16}, {x1, y + 0.07, 0.16}, {x1, y + 0.07, 0}, {middle, y + 0.44, 0}, trim);
 }
 
+/// The same from afar.
+void flat_surround(MeshBuilder& builder, const Opening& at, const WindowStyle& style) {
+  constexpr double width = 0.14;
+  constexpr double z = 0.04;
+  if (style.surround && style.head != WindowStyle::Head::round) {
+    panel(builder, at.x0 - width, at.y0, at.x0, at.y1, z, style.trim);
+    panel(builder, at.x1, at.y0, at.x1 + width, at.y1, z, style.trim);
+  }
+  const double x0 = at.x0 - width;
+  const double x1 = at.x1 + width;
+  if (style.head == WindowStyle::Head::round) {
+    arch_ring(builder, head_of(at, style), width + 0.06, z, 0, style.trim, false);
+    return;
+  }
+  panel(builder, x0, at.y1, x1, at.y1 + 0.2, z, style.trim);
+  box(builder, {x0 - 0.08, at.y1 + 0.2, 0}, {x1 + 0.08, at.y1 + 0.27, 0.14}, style.trim, side::front | side::bottom);
+  if (style.head != WindowStyle::Head::pediment) return;
+  builder.triangle({x0 - 0.08, at.y1 + 0.27, 0.13}, {x1 + 0.08, at.y1 + 0.27, 0.13},
+                   {0.5 * (x0 + x1), at.y1 + 0.64, 0.13}, style.trim);
+}
+
 void shutters(MeshBuilder& builder, const Opening& at, const WindowStyle& style, int lod) {
   const double leaf = 0.5 * style.width;
   for (const double x : {at.x0 - leaf - 0.02, at.x1 + 0.02}) {
     box(builder, {x, at.y0 + 0.02, 0.01}, {x + leaf, at.y1, 0.06}, style.shutter,
-        lod == 0 ? unsigned{side::on_wall} : side::front);
+        lod == 0 ? side::front | side::left | side::right : side::front);
     if (lod > 0) continue;
     for (const double y : {0.08, 0.54}) {
       const double from = at.y0 + style.height * y;
@@ -97,25 +118,21 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
   const double x1 = at.x1 + 0.3;
   box(builder, {x0 - 0.05, at.y0 - 0.16, 0}, {x1 + 0.05, at.y0, 0.62}, style.trim, side::on_wall);
   if (lod > 0) return;
-  for (const double side : {x0 + 0.15, x1 - 0.15}) {
-    box(builder, {side - 0.07, at.y0 - 0.46, 0}, {side + 0.07, at.y0 - 0.16, 0.3}, style.trim,
-        side::on_wall & ~side::top);
+  for (const double x : {x0 + 0.15, x1 - 0.15}) {
+    box(builder, {x - 0.07, at.y0 - 0.46, 0}, {x + 0.07, at.y0 - 0.16, 0.3}, style.trim,
+        side::front | side::left | side::right);
   }
   const Paint& iron = paints::iron;
-  box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron,
-      side::front | side::top | side::back | side::bottom);
-  box(builder, {x0, at.y0 + 0.08, 0.55}, {x1, at.y0 + 0.11, 0.58}, iron, side::front | side::top | side::back);
-  const int bars = static_cast<int>((x1 - x0) / 0.16);
+  box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron, side::front | side::top);
+  box(builder, {x0, at.y0 + 0.08, 0.55}, {x1, at.y0 + 0.11, 0.58}, iron, side::front | side::top);
+  const int bars = static_cast<int>((x1 - x0) / 0.19);
   for (int i = 0; i <= bars; ++i) {
     const double x = x0 + (x1 - x0 - 0.024) * i / bars;
     panel(builder, x, at.y0, x + 0.024, at.y0 + 0.95, 0.57, iron);
   }
   for (const double x : {x0, x1}) {
-    box(builder, {x - 0.015, at.y0 + 0.93, 0}, {x + 0.015, at.y0 + 0.98, 0.56}, iron,
-        side::left | side::right | side::top);
-    for (const double z : {0.12, 0.28, 0.44}) {
-      box(builder, {x - 0.012, at.y0, z}, {x + 0.012, at.y0 + 0.95, z + 0.024}, iron, side::left | side::right);
-    }
+    box(builder, {x, at.y0 + 0.93, 0}, {x, at.y0 + 0.98, 0.56}, iron, side::right);
+    for (const double z : {0.18, 0.38}) box(builder, {x, at.y0, z}, {x, at.y0 + 0.95, z + 0.03}, iron, side::right);
   }
 }
 
@@ -123,7 +140,7 @@ void flowers(MeshBuilder& builder, const Opening& at, int lod, std::uint32_t see
   const Paint pot = paints::matt(0x9C5A3C);
   box(builder, {at.x0 + 0.05, at.y0 + 0.02, 0.02}, {at.x1 - 0.05, at.y0 + 0.18, 0.2}, pot,
       side::front | side::left | side::right);
-  const int count = lod == 0 ? 9 : 3;
+  const int count = lod == 0 ? 8 : 3;
   for (int i = 0; i < count; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
     const double x = at.x0 + 0.1 + (at.x1 - at.x0 - 0.2) * (i + 0.5) / count;
@@ -153,8 +170,8 @@ void window(MeshBuilder& builder, double x, double y, const WindowStyle& style, 
   panes(builder, at, style, lod, seed);
   reveal(builder, at, style, shaded(style.trim, 0.95));
   if (lod == 0) surround(builder, at, style);
-  if (lod == 1) panel(builder, at.x0 - 0.12, at.y1, at.x1 + 0.12, at.y1 + 0.24, 0.05, style.trim);
-  const unsigned sill_sides = lod == 0 ? unsigned{side::on_wall} : side::front | side::top;
+  if (lod == 1) flat_surround(builder, at, style);
+  const unsigned sill_sides = lod == 0 ? side::front | side::top | side::bottom : side::front | side::bottom;
   box(builder, {at.x0 - 0.12, at.y0 - 0.11, 0}, {at.x1 + 0.12, at.y0, 0.12}, style.trim, sill_sides);
   if (style.shutters) shutters(builder, at, style, lod);
   if (style.railing) railing(builder, at, style, lod);

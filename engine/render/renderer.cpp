@@ -167,6 +167,7 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
     add(counts, crowd_shade_.draw(frame, depths_of(frame).farthest));
     crowd_shade_.describe(uniforms);
   }
+  if (frame.scenery) lamps_.describe(uniforms);
   glNamedBufferSubData(shadow_uniforms_.id(), 0, sizeof uniforms, &uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, shadow_uniforms_binding, shadow_uniforms_.id());
   glDisable(GL_RASTERIZER_DISCARD);

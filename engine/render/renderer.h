@@ -17,6 +17,7 @@
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
 #include "engine/render/lens.h"
+#include "engine/render/light/lamp_map.h"
 #include "engine/render/light/sky_light.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/frame_fences.h"
@@ -78,6 +79,8 @@ class Renderer {
   Status load_scenery(std::span<const SceneryMeshData> meshes) { return scenery_.load(meshes); }
   /// Replaces what stands around the crowd. SceneryInstance::mesh is an index into those meshes.
   void place_scenery(std::span<const SceneryInstance> instances) { scenery_.place(instances); }
+  /// Replaces the lamps that shine there at night.
+  void place_lamps(std::span<const SceneryLamp> lamps) { lamps_.place(lamps); }
 
   /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
   PalettePageSource& palette_pages() { return palettes_; }
@@ -149,6 +152,7 @@ class Renderer {
   RendererOptions options_;
   FrameData frame_data_;
   SkyLight sky_;
+  LampMap lamps_;
   gl::Buffer shadow_uniforms_ = gl::create_buffer(nullptr, sizeof(ShadowUniforms), GL_DYNAMIC_STORAGE_BIT);
   PaletteBuffer palettes_;
   FrameFences fences_;

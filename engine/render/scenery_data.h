@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
 
 namespace throng::render {
 
@@ -44,6 +45,12 @@ struct SceneryInstance {
   std::uint32_t mesh = 0;        ///< its index in the order of loading
   glm::mat4x3 place{1.0F};       ///< from the mesh to the world
   std::uint32_t tint = no_tint;  ///< sRGB, red in the lowest byte
+};
+
+/// A lamp of a place, which shines at night.
+struct SceneryLamp {
+  glm::vec3 position{0.0F};  ///< metres
+  glm::vec3 color{0.0F};     ///< linear: what a white surface one metre away that faces it reflects
 };
 
 }  // namespace throng::render

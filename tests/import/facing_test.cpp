@@ -78,11 +78,31 @@ TEST(Tangents, PointAlongTheTextureAndSayWhetherItIsMirrored) {
   shade_flat(sheet);
   add_tangents(sheet, material);
   ASSERT_THAT(sheet.tangents, SizeIs(sheet.positions.size()));
-  EXPECT_EQ(sheet.tangents[0], glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(sheet.tangents[0], glm::vec4(1, 0, 0, -1)) << "v grows upwards, as in the mirror image of an image";
   for (glm::vec2& place : sheet.texture_coords[0]) place.x = -place.x;
   sheet.tangents.clear();
   add_tangents(sheet, material);
-  EXPECT_EQ(sheet.tangents[0], glm::vec4(-1, 0, 0, -1));
+  EXPECT_EQ(sheet.tangents[0], glm::vec4(-1, 0, 0, 1)) << "an image that stands on its head";
+}
+
+TEST(Tangents, KeepATextureApartFromItsMirrorImage) {
+  anim::SkinnedMesh sheet;
+  sheet.positions = {{-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}};
+  sheet.normals.assign(4, {0, 0, 1});
+  sheet.texture_coords = {{{0, 0.5F}, {1, 0}, {1, 1}, {0, 0.5F}}};
+  sheet.palette_entries.assign(4, glm::u16vec4(0));
+  sheet.weights.assign(4, glm::vec4(1, 0, 0, 0));
+  sheet.indices = {0, 2, 1, 3, 1, 2};
+  anim::Material material;
+  material.normal_texture.image = 0;
+  add_tangents(sheet, material);
+  ASSERT_THAT(sheet.tangents, SizeIs(6)) << "both ends of the seam twice";
+  for (std::size_t i = 0; i < 6; ++i) {
+    const float side = i < 3 ? 1.0F : -1.0F;
+    EXPECT_EQ(sheet.tangents[sheet.indices[i]], glm::vec4(side, 0, 0, side)) << i;
+  }
+  EXPECT_THAT(sheet.normals, SizeIs(6));
+  EXPECT_THAT(sheet.weights, SizeIs(6));
 }
 
 TEST(Tangents, AreLeftOutWithoutANormalTexture) {

@@ -67,26 +67,57 @@ TEST(Materials, ThatDoNotShineNeedNoTextureForIt) {
   EXPECT_EQ(material_of(document_with({{"emissiveTexture", {{"index", 0}}}})).emission_texture.image, -1);
 }
 
+anim::ImportedFile of_specular_glossiness(const json& extension, json material = json::object()) {
+  material["extensions"] = {{"KHR_materials_pbrSpecularGlossiness", extension}};
+  return imported(document_with(material));
+}
+
 TEST(Materials, OfSpecularGlossinessHaveTheirDiffuseColor) {
-  const json extension = {
-      {"diffuseFactor", {0.5, 0.25, 1.0, 0.75}}, {"diffuseTexture", {{"index", 0}}}, {"glossinessFactor", 0.25}};
-  const anim::Material material =
-      material_of(document_with({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", extension}}}}));
+  const json extension = {{"diffuseFactor", {0.5, 0.25, 1.0, 0.75}},
+                          {"diffuseTexture", {{"index", 0}}},
+                          {"specularFactor", {0.04, 0.04, 0.04}},
+                          {"glossinessFactor", 0.25}};
+  const anim::ImportedFile file = of_specular_glossiness(extension);
+  const anim::Material& material = file.models.at(0).materials.at(0);
   EXPECT_EQ(material.base_color, glm::vec4(0.5F, 0.25F, 1.0F, 0.75F));
   EXPECT_EQ(material.base_color_texture.image, 0);
   EXPECT_EQ(material.metallic, 0.0F);
   EXPECT_EQ(material.roughness, 0.75F);
+  EXPECT_THAT(file.models.at(0).images, SizeIs(1)) << "which need no conversion";
 }
 
 TEST(Materials, OfSpecularGlossinessThatAreMetalHaveTheirSpecularColor) {
   const json extension = {{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {1.0, 0.5, 0.25}}};
-  const anim::Material material =
-      material_of(document_with({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", extension}}}}));
-  EXPECT_EQ(material.base_color, glm::vec4(1.0F, 0.5F, 0.25F, 1.0F));
+  const anim::ImportedFile file = of_specular_glossiness(extension);
+  const anim::Material& material = file.models.at(0).materials.at(0);
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(material.base_color[c], glm::vec4(1.0F, 0.5F, 0.25F, 1.0F)[c], 1e-4F);
+  EXPECT_NEAR(material.metallic, 1.0F, 1e-4F);
+}
+
+TEST(Materials, OfSpecularGlossinessInATextureAreConvertedTexelByTexel) {
+  // A mirror of red light, and a blue one of which half the alpha is glossy.
+  const json extension = {{"diffuseFactor", {0, 0, 0, 1}}, {"specularGlossinessTexture", {{"index", 0}}}};
+  const anim::ImportedFile file = of_specular_glossiness(extension);
+  const anim::Model& model = file.models.at(0);
+  const anim::Material& material = model.materials.at(0);
+  ASSERT_THAT(model.images, SizeIs(2)) << "not the one of the file";
+  const anim::Image& colors = model.images.at(static_cast<std::size_t>(material.base_color_texture.image));
+  const anim::Image& numbers = model.images.at(static_cast<std::size_t>(material.metallic_roughness_texture.image));
+  EXPECT_THAT(colors.rgba, ElementsAre(255, 0, 0, 255, 0, 0, 255, 255));
+  EXPECT_THAT(numbers.rgba, ElementsAre(255, 0, 255, 255, 255, 127, 255, 255)) << "green is 1 - alpha, blue metal";
+  EXPECT_EQ(material.roughness, 1.0F);
   EXPECT_EQ(material.metallic, 1.0F);
 }
 
-TEST(Materials, KeepWhatTheLightWillRead) {
+TEST(Materials, OfBothKindsAreReadAsMetallicAndRough) {
+  const json both = {
+      {"pbrMetallicRoughness", {{"roughnessFactor", 0.5}, {"metallicRoughnessTexture", {{"index", 0}}}}}};
+  const anim::ImportedFile file = of_specular_glossiness({{"glossinessFactor", 0.0}}, both);
+  EXPECT_EQ(file.models.at(0).materials.at(0).roughness, 0.5F);
+  EXPECT_EQ(file.models.at(0).materials.at(0).metallic_roughness_texture.image, 0);
+}
+
+TEST(Materials, KeepWhatTheLightReads) {
   const anim::Material material = material_of(document_with(
       {{"pbrMetallicRoughness",
         {{"metallicFactor", 0.25}, {"roughnessFactor", 0.5}, {"metallicRoughnessTexture", {{"index", 0}}}}},

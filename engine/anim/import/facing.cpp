@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -70,13 +71,13 @@ float mirrored_share(const anim::SkinnedMesh& mesh, std::uint32_t vertex, const 
   return share;
 }
 
-/// The directions in which a surface's texture coordinates grow.
-struct TextureAxes {
-  glm::dvec3 u{0.0};
-  glm::dvec3 v{0.0};
+/// How a triangle lies on its texture. In images v grows downwards, and green bumps point up (glTF 2.0, 3.9.3).
+struct TextureSide {
+  glm::dvec3 u{0.0};  ///< the direction in which u grows, unit; 0: the coordinates say none
+  float side = 1.0F;  ///< of the bitangent; -1 where the texture is mirrored
 };
 
-TextureAxes texture_axes(const anim::SkinnedMesh& mesh, const std::vector<glm::vec2>& coords,
+TextureSide texture_side(const anim::SkinnedMesh& mesh, const std::vector<glm::vec2>& coords,
                          const std::uint32_t* corners) {
   const glm::dvec3 a(mesh.positions[corners[0]]);
   const glm::dvec3 ab = glm::dvec3(mesh.positions[corners[1]]) - a;
@@ -84,16 +85,53 @@ TextureAxes texture_axes(const anim::SkinnedMesh& mesh, const std::vector<glm::v
   const glm::dvec2 uv_ab(coords[corners[1]] - coords[corners[0]]);
   const glm::dvec2 uv_ac(coords[corners[2]] - coords[corners[0]]);
   const double area = uv_ab.x * uv_ac.y - uv_ac.x * uv_ab.y;
-  if (area == 0.0) return {};
-  return {.u = (ab * uv_ac.y - ac * uv_ab.y) / area, .v = (ac * uv_ab.x - ab * uv_ac.x) / area};
+  const glm::dvec3 u = (ab * uv_ac.y - ac * uv_ab.y) * (area < 0.0 ? -1.0 : 1.0);
+  const double length = glm::length(u);
+  if (area == 0.0 || !(length > 0.0)) return {};
+  return {.u = u / length, .side = area > 0.0 ? -1.0F : 1.0F};
 }
 
-glm::vec4 tangent_of(const TextureAxes& axes, const glm::dvec3& normal) {
+/// Returns the angle of a triangle's corner, of which `corner` is the index among the mesh's indices.
+double angle_at(const anim::SkinnedMesh& mesh, std::size_t corner) {
+  const std::size_t first = corner / 3 * 3;
+  const auto edge_to = [&](std::size_t other) {
+    return glm::dvec3(mesh.positions[mesh.indices[first + other % 3]]) -
+           glm::dvec3(mesh.positions[mesh.indices[corner]]);
+  };
+  const glm::dvec3 a = edge_to(corner - first + 1), b = edge_to(corner - first + 2);
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Lets no vertex lie on a texture and on its mirror image: copies come last. Returns the side of each vertex.
+std::vector<float> split_by_side(anim::SkinnedMesh& mesh, std::span<const TextureSide> triangles) {
+  std::vector<float> sides(mesh.positions.size(), 0.0F);
+  std::vector<std::uint32_t> copies(sides.size(), 0U), sources(sides.size());
+  std::iota(sources.begin(), sources.end(), 0U);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const TextureSide& triangle = triangles[i / 3];
+    const std::uint32_t vertex = mesh.indices[i];
+    if (triangle.u == glm::dvec3(0.0)) continue;
+    if (sides[vertex] == 0.0F) sides[vertex] = triangle.side;
+    if (sides[vertex] == triangle.side) continue;
+    if (copies[vertex] == 0U) {
+      copies[vertex] = static_cast<std::uint32_t>(sources.size());
+      sources.push_back(vertex);
+      sides.push_back(triangle.side);
+    }
+    mesh.indices[i] = copies[vertex];
+  }
+  if (sources.size() > mesh.positions.size()) {
+    pick(mesh.normals, sources);
+    pick_vertices(mesh, sources);
+  }
+  return sides;
+}
+
+glm::vec4 tangent_of(const glm::dvec3& sum, float side, const glm::dvec3& normal) {
   const glm::dvec3 other = std::abs(normal.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-  glm::dvec3 along = axes.u - normal * glm::dot(normal, axes.u);
-  if (glm::length(along) == 0.0) along = glm::cross(normal, other);
-  const bool mirrored = glm::dot(glm::cross(normal, along), axes.v) < 0.0;
-  return {glm::vec3(glm::normalize(along)), mirrored ? -1.0F : 1.0F};
+  glm::dvec3 along = sum - normal * glm::dot(normal, sum);
+  if (!(glm::length(along) > 0.0)) along = glm::cross(normal, other);
+  return {glm::vec3(glm::normalize(along)), side < 0.0F ? -1.0F : 1.0F};
 }
 
 }  // namespace
@@ -150,17 +188,22 @@ void add_tangents(anim::SkinnedMesh& mesh, const anim::Material& material) {
   if (material.normal_texture.image < 0) return;
   const auto& coords = mesh.texture_coords[static_cast<std::size_t>(material.normal_texture.coords)];
   if (coords.empty()) return;
-  std::vector<TextureAxes> sums(mesh.positions.size());
+  std::vector<TextureSide> triangles;
+  triangles.reserve(mesh.indices.size() / 3);
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const TextureAxes axes = texture_axes(mesh, coords, &mesh.indices[i]);
-    for (std::size_t corner = i; corner < i + 3; ++corner) {
-      sums[mesh.indices[corner]].u += axes.u;
-      sums[mesh.indices[corner]].v += axes.v;
-    }
+    triangles.push_back(texture_side(mesh, coords, &mesh.indices[i]));
+  }
+  const std::vector<float> sides = split_by_side(mesh, triangles);
+  std::vector<glm::dvec3> sums(sides.size(), glm::dvec3(0.0));
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const glm::dvec3 normal(mesh.normals[mesh.indices[i]]), &u = triangles[i / 3].u;
+    const glm::dvec3 along = u - normal * glm::dot(normal, u);
+    const double length = glm::length(along);
+    if (length > 0.0) sums[mesh.indices[i]] += along * (angle_at(mesh, i) / length);
   }
   mesh.tangents.reserve(sums.size());
   for (std::size_t vertex = 0; vertex < sums.size(); ++vertex) {
-    mesh.tangents.push_back(tangent_of(sums[vertex], glm::dvec3(mesh.normals[vertex])));
+    mesh.tangents.push_back(tangent_of(sums[vertex], sides[vertex], glm::dvec3(mesh.normals[vertex])));
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace throng::import {
 
-/// add_tangents() takes so many bytes for each vertex, with the sums that it needs on the way.
-inline constexpr std::size_t bytes_of_tangents = 6 * sizeof(double) + sizeof(glm::vec4);
+/// add_tangents() takes at most so many bytes for each index and vertex, besides the mesh once more.
+inline constexpr std::size_t bytes_of_tangents = 16 * sizeof(double);
 
 // These functions let light fall on the right side of a mesh. All of them take a mesh with its influences.
 
@@ -23,6 +23,7 @@ std::vector<bool> mirrored_entries(const anim::Skeleton& skeleton);
 void turn_mirrored_triangles(anim::SkinnedMesh& mesh, const std::vector<bool>& mirrored_entries);
 
 /// Adds tangents along the normal texture's u axis if the material has such a texture, and the mesh its coordinates.
+/// Triangles add to their corners as in MikkTSpace. Vertices where a texture meets its mirror image become two.
 void add_tangents(anim::SkinnedMesh& mesh, const anim::Material& material);
 
 }  // namespace throng::import

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "engine/anim/import/images.h"
+#include "engine/anim/import/pixels/decode.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -117,6 +118,12 @@ glm::vec3 emission_of(const tinygltf::Material& source) {
   return glm::vec3(factor[0], factor[1], factor[2]) * times;
 }
 
+/// Counts the bytes of an image that import makes: first those that images may take for nothing.
+void charge_for_image(MemoryAccount& memory, std::uint64_t bytes, const std::string& name) {
+  const std::uint64_t free = memory.take_image_allowance(bytes / free_memory_an_image_byte);
+  memory.charge_for_good(bytes - std::min(free, bytes), name);
+}
+
 }  // namespace
 
 int MaterialCollector::material(int file_material) {
@@ -139,7 +146,8 @@ anim::Material MaterialCollector::convert(const tinygltf::Material& source) {
   if (color.size() == 4) material.base_color = glm::vec4(color[0], color[1], color[2], color[3]);
   material.metallic = static_cast<float>(surface.metallicFactor);
   material.roughness = static_cast<float>(surface.roughnessFactor);
-  if (const auto* extension = find_extension(source.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+  const auto* extension = find_extension(source.extensions, "KHR_materials_pbrSpecularGlossiness");
+  if (extension != nullptr && surface.metallicRoughnessTexture.index < 0) {
     read_specular_glossiness(*extension, material);
   } else {
     material.base_color_texture = texture(reference_of(surface.baseColorTexture));
@@ -157,28 +165,81 @@ anim::Material MaterialCollector::convert(const tinygltf::Material& source) {
   return material;
 }
 
-/// Takes the diffuse colour as that of a surface that is no metal. Metals reflect their specular colour instead, and
-/// most files leave their diffuse colour black: they get the specular one.
+/// Converts factors, or factors and images where a texture or two of the same coordinates need it. A file that brings
+/// metallic and roughness in a texture besides is read by that one.
 void MaterialCollector::read_specular_glossiness(const tinygltf::Value& extension, anim::Material& material) {
   constexpr float brightest_dielectric = 0.08F;  // specular: gems reflect more, but nobody is made of them
-  material.base_color = read_vector(extension, "diffuseFactor", glm::vec4(1.0F));
-  material.base_color_texture = texture(reference_in(extension, "diffuseTexture"));
-  material.metallic = 0.0F;
-  material.roughness = 1.0F - read_number(extension, "glossinessFactor", 1.0F);
-  const auto specular = read_vector(extension, "specularFactor", glm::vec3(1.0F));
-  const glm::vec3 diffuse(material.base_color);
-  const float brightest = std::max({specular.r, specular.g, specular.b});
-  if (diffuse != glm::vec3(0.0F) || brightest <= brightest_dielectric) return;
-  material.base_color = glm::vec4(specular, material.base_color.a);
+  const SpecularGlossiness factors{.diffuse = read_vector(extension, "diffuseFactor", glm::vec4(1.0F)),
+                                   .specular = read_vector(extension, "specularFactor", glm::vec3(1.0F)),
+                                   .glossiness = read_number(extension, "glossinessFactor", 1.0F)};
+  const MetallicRoughness plain = to_metallic_roughness(factors);
+  material.base_color = plain.base_color;
+  material.metallic = plain.metallic;
+  material.roughness = plain.roughness;
+  const TextureReference diffuse = reference_in(extension, "diffuseTexture");
+  const TextureReference specular = reference_in(extension, "specularGlossinessTexture");
+  const bool has_both = diffuse.texture >= 0 && specular.texture >= 0;
+  const bool mirrors = std::max({factors.specular.r, factors.specular.g, factors.specular.b}) > brightest_dielectric;
+  if (has_both && coords_source(diffuse) == coords_source(specular)) {
+    convert_images(diffuse, specular, factors, material);
+  } else if (diffuse.texture < 0 && specular.texture >= 0) {
+    convert_images(diffuse, specular, factors, material);
+  } else if (diffuse.texture >= 0 && specular.texture < 0 && mirrors) {
+    convert_images(diffuse, specular, factors, material);
+  } else if (diffuse.texture >= 0) {
+    material.base_color = factors.diffuse;
+    material.base_color_texture = texture(diffuse);
+    material.metallic = 0.0F;
+  }
+}
+
+void MaterialCollector::convert_images(const TextureReference& diffuse, const TextureReference& specular,
+                                       const SpecularGlossiness& factors, anim::Material& material) {
+  const auto read = [this](const TextureReference& reference) {
+    const auto found = reference.texture < 0 ? std::nullopt : image_of(reference.texture);
+    return found ? *found : anim::Image{};
+  };
+  const anim::Image diffuse_image = read(diffuse), specular_image = read(specular);
+  if (sides_of_both(diffuse_image, specular_image).x == 0) return;
+  const int base_color = index_of_converted(diffuse_image, specular_image, factors);
+  material.base_color = glm::vec4(1.0F);
   material.metallic = 1.0F;
-  material.base_color_texture = texture(reference_in(extension, "specularGlossinessTexture"));
+  material.roughness = 1.0F;
+  material.base_color_texture = placed(diffuse.texture >= 0 ? diffuse : specular);
+  material.base_color_texture.image = base_color;
+  material.metallic_roughness_texture = material.base_color_texture;
+  material.metallic_roughness_texture.image = base_color + 1;
+}
+
+int MaterialCollector::index_of_converted(const anim::Image& diffuse, const anim::Image& specular,
+                                          const SpecularGlossiness& factors) {
+  const ConvertedImages key{diffuse.rgba.data(), specular.rgba.data(), factors, static_cast<int>(images_.size())};
+  const auto is_same = [&key](const ConvertedImages& other) {
+    return other.diffuse == key.diffuse && other.specular == key.specular && other.factors == key.factors;
+  };
+  const auto known = std::ranges::find_if(converted_, is_same);
+  if (known != converted_.end()) return known->base_color;
+  const glm::ivec2 sides = sides_of_both(diffuse, specular);
+  charge_for_image(*document_.memory, 2 * rgba_size(sides.x, sides.y), "images of specular and glossy materials");
+  MetallicRoughnessImages images = to_metallic_roughness(diffuse, specular, factors);
+  images_.push_back(std::move(images.base_color));
+  images_.push_back(std::move(images.metallic_roughness));
+  converted_.push_back(key);
+  return key.base_color;
 }
 
 anim::Texture MaterialCollector::texture(const TextureReference& reference) {
   anim::Texture texture;
   if (reference.texture < 0) return texture;
-  texture.image = image_of_texture(reference.texture);
-  if (texture.image < 0) return texture;
+  const std::optional<anim::Image> image = image_of(reference.texture);
+  if (!image) return texture;
+  texture = placed(reference);
+  texture.image = index_of(*image);
+  return texture;
+}
+
+anim::Texture MaterialCollector::placed(const TextureReference& reference) {
+  anim::Texture texture;
   texture.coords = coords_index(coords_source(reference));
   read_sampler(document_.gltf.textures[static_cast<std::size_t>(reference.texture)].sampler, texture);
   return texture;
@@ -205,11 +266,11 @@ void MaterialCollector::read_sampler(int sampler, anim::Texture& texture) {
 }
 
 /// Prefers WebP, because a texture that has it keeps the PNG or JPEG beside it for programs that cannot read it.
-int MaterialCollector::image_of_texture(int texture) {
+std::optional<anim::Image> MaterialCollector::image_of(int texture) {
   const tinygltf::Texture& source = document_.gltf.textures[static_cast<std::size_t>(texture)];
   for (const int candidate : {image_in(source, "EXT_texture_webp"), source.source}) {
     if (candidate < 0) continue;
-    if (const int found = image(candidate); found >= 0) return found;
+    if (const auto found = image(candidate)) return found;
   }
   if (source.source < 0 && image_in(source, "EXT_texture_webp") < 0) {
     const bool is_ktx2 = image_in(source, "KHR_texture_basisu") >= 0;
@@ -218,21 +279,25 @@ int MaterialCollector::image_of_texture(int texture) {
         (is_ktx2 ? "KTX2, which is not decoded, and no PNG or JPEG beside it" : "no image that is supported") +
         ", left out");
   }
-  return -1;
+  return std::nullopt;
 }
 
-int MaterialCollector::image(int file_image) {
-  const auto [found, is_new] = image_of_.try_emplace(file_image, -1);
+std::optional<anim::Image> MaterialCollector::image(int file_image) {
+  const auto [found, is_new] = read_images_.try_emplace(file_image, std::nullopt);
   if (!is_new) return found->second;
   try {
-    const anim::Image read = read_image(document_, file_image);
-    const auto same = std::ranges::find(images_, read.rgba.data(), [](const anim::Image& i) { return i.rgba.data(); });
-    found->second = static_cast<int>(same - images_.begin());
-    if (same == images_.end()) images_.push_back(read);
+    found->second = read_image(document_, file_image);
   } catch (const Refusal& refusal) {
     document_.repairs.push_back(image_label(document_, file_image) + ": left out, because " + refusal.what());
   }
   return found->second;
+}
+
+int MaterialCollector::index_of(const anim::Image& image) {
+  const auto same = std::ranges::find(images_, image.rgba.data(), [](const anim::Image& i) { return i.rgba.data(); });
+  const auto index = static_cast<int>(same - images_.begin());
+  if (same == images_.end()) images_.push_back(image);
+  return index;
 }
 
 }  // namespace throng::import

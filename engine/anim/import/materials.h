@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/import/document.h"
+#include "engine/anim/import/specular_glossiness.h"
 
 namespace throng::import {
 
@@ -41,15 +43,28 @@ class MaterialCollector {
  private:
   anim::Material convert(const tinygltf::Material& source);
   void read_specular_glossiness(const tinygltf::Value& extension, anim::Material& material);
+  void convert_images(const TextureReference& diffuse, const TextureReference& specular,
+                      const SpecularGlossiness& factors, anim::Material& material);
+  int index_of_converted(const anim::Image& diffuse, const anim::Image& specular, const SpecularGlossiness& factors);
   anim::Texture texture(const TextureReference& reference);
+  anim::Texture placed(const TextureReference& reference);  // without its image
   int coords_index(const CoordsSource& source);
   void read_sampler(int sampler, anim::Texture& texture);
-  int image_of_texture(int texture);
-  int image(int file_image);
+  std::optional<anim::Image> image_of(int texture);
+  std::optional<anim::Image> image(int file_image);
+  int index_of(const anim::Image& image);
 
   Document& document_;
-  std::map<int, int> material_of_;  ///< index in the file -> in the model
-  std::map<int, int> image_of_;     ///< index in the file -> in the model, -1 for a dropped image
+  std::map<int, int> material_of_;                         ///< index in the file -> in the model
+  std::map<int, std::optional<anim::Image>> read_images_;  ///< by index in the file, none for a dropped image
+  /// Two images that were made of two others; the second has metallic and roughness and follows the base colour.
+  struct ConvertedImages {
+    const std::uint8_t* diffuse;  ///< pixels
+    const std::uint8_t* specular;
+    SpecularGlossiness factors;
+    int base_color;
+  };
+  std::vector<ConvertedImages> converted_;
   std::vector<anim::Material> materials_;
   std::vector<std::vector<CoordsSource>> coords_;  ///< by material of the model
   std::vector<anim::Image> images_;

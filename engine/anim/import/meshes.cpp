@@ -307,9 +307,11 @@ class MeshReader {
       shade_flat(result);
     }
     turn_mirrored_triangles(result, mirrored_entries_);
-    if (result.tangents.empty()) {
-      document_.memory->charge(result.positions.size() * bytes_of_tangents, name);
-      add_tangents(result, materials_.at(result.material));
+    const anim::Material& material = materials_.at(result.material);
+    if (result.tangents.empty() && material.normal_texture.image >= 0) {
+      const std::uint64_t elements = result.positions.size() + result.indices.size();
+      document_.memory->charge(elements * bytes_of_tangents + bytes_of(result), name);
+      add_tangents(result, material);
     }
     meshes_.push_back(std::move(result));
     return bytes_of(meshes_.back());

@@ -24,6 +24,7 @@ FrameUniforms frame_uniforms(const CrowdFrame& frame) {
   uniforms.ground_shape = glm::vec4(ground.core, ground.radius, ground.half_width);
   uniforms.ground_style = static_cast<std::uint32_t>(ground.style);
   uniforms.ground_unit = ground.unit;
+  uniforms.ground_paved = ground.paved;
   return uniforms;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "engine/render/crowd_draw.h"
@@ -33,7 +32,7 @@ enum StorageBinding : unsigned {
 ///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
 ///    128  now in microseconds, distance scale, first and number of the palette entries whose weights are shown
 ///    144  shape of the ground: half sides of the core along x and z, radius of the corners, half width
-///    160  style and unit of the ground, two unused
+///    160  style and unit of the ground, metres until fields begin, unused
 struct FrameUniforms {
   glm::mat4 view_projection;
   glm::vec4 camera_position;
@@ -47,7 +46,8 @@ struct FrameUniforms {
   glm::vec4 ground_shape;
   std::uint32_t ground_style;
   float ground_unit;
-  glm::vec2 unused;
+  float ground_paved;
+  float unused;
 };
 static_assert(sizeof(FrameUniforms) == 176);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);

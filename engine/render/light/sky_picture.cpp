@@ -23,7 +23,7 @@ constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
 
 // Once the sun is down, the moon and a city give light. Exposed colours.
 constexpr glm::vec3 moonlight{0.30F, 0.36F, 0.50F};
-constexpr glm::vec3 night_zenith{0.016F, 0.028F, 0.070F}, night_horizon{0.130F, 0.105F, 0.110F};
+constexpr glm::vec3 night_zenith{0.016F, 0.028F, 0.072F}, night_horizon{0.100F, 0.100F, 0.135F};
 
 float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F)); }
 

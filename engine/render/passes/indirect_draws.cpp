@@ -18,7 +18,7 @@ void IndirectDraws::add(const MaterialRun& run, const CrowdBatch& batch) {
 
 void IndirectDraws::upload() {
   buffer_.upload(commands_);
-  bind();
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.id());
 }
 
 void IndirectDraws::draw(const Group& group) const {

@@ -39,8 +39,6 @@ class IndirectDraws {
 
   /// Copies the commands to the device and binds them.
   void upload();
-  /// Binds them again, after others were.
-  void bind() const { glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.id()); }
 
   struct Group {
     std::uint32_t page;

@@ -70,6 +70,7 @@ const std::map<std::string_view, std::string> other_values{
     {"crowd_shade", "off"},
     {"debug_view", "interval"},
     {"bones_as_lines", "on"},
+    {"scenery", "off"},
     {"cost_tile_ns", "90000"},
     {"cost_tile_packet_ns", "90000"},
     {"cost_agent_ns", "90000"},
@@ -154,6 +155,7 @@ class Seen {
 
   void add_picture(const Tuning& tuning) {
     add(tuning.bones_as_lines);
+    add(tuning.scenery);
     add(tuning.light.sun_elevation);
     add(tuning.light.sun_azimuth);
     add(tuning.light.clouds);
@@ -283,7 +285,8 @@ TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {
   tuning.inspection.split = Split::shown;
   EXPECT_FALSE(idle_reason("split_at", tuning, {}));
   tuning.taken_away.drawing = true;
-  for (const char* const key : {"split", "split_at", "thresholds", "debug_view", "bones_as_lines", "pixels"}) {
+  for (const char* const key :
+       {"split", "split_at", "thresholds", "debug_view", "bones_as_lines", "scenery", "pixels"}) {
     EXPECT_TRUE(idle_reason(key, tuning, {})) << key;
   }
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/render/gl/handles.h"
+#include "engine/render/light/shadow_uniforms.h"
+#include "engine/render/scenery_data.h"
+
+namespace throng::render {
+
+/// What lamps give to a white surface at breast height that faces upwards, seen from above.
+struct LampLight {
+  static constexpr int side = 512;  ///< pixels
+
+  glm::vec2 corner{0.0F};         ///< x and z in metres
+  float metres = 0.0F;            ///< of a side; 0: there are no lamps
+  float ceiling = 0.0F;           ///< metres: what is higher is lit no more
+  std::vector<glm::vec4> pixels;  ///< [row along z][column along x]
+};
+
+/// Sums up the light of lamps.
+LampLight sum_of_lamps(std::span<const SceneryLamp> lamps);
+
+/// Holds the light of the lamps of a place on the device, for shaders/lamps.glsl.
+class LampMap {
+ public:
+  /// Replaces the lamps.
+  void place(std::span<const SceneryLamp> lamps);
+
+  /// Binds the map and says in `uniforms` where it lies.
+  void describe(ShadowUniforms& uniforms) const;
+
+ private:
+  gl::Texture map_;  // without storage where there are no lamps
+  glm::vec4 lies_at_{0.0F};
+};
+
+}  // namespace throng::render

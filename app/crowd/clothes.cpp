@@ -24,16 +24,17 @@ constexpr std::array<Paint, 4> rings{Paint{244.0F, 240.0F, 228.0F}, Paint{24.0F,
 // Shares of the way from the middle to the edge.
 constexpr double disc = 0.16, rays_end = 0.52, ring_width = 0.12;
 constexpr double swell_of_rays = 0.05, swell_of_rings = 0.025;
-constexpr double rays = 16.0, waves = 8.0;
+constexpr double rays = 12.0, waves = 8.0;
 constexpr double trousers_light = 0.72;
 constexpr float share_who_wear_what_they_like = 0.06F;
 constexpr std::size_t shirt = 2, legs = 3;
 
 const Paint& paint_at(double away, double quarters) {
-  const double ray = std::fabs(cosine_sine(0.25 * rays * quarters).x), wave = cosine_sine(waves * quarters).y;
+  const double ray = cosine_sine(rays * quarters).x, wave = cosine_sine(waves * quarters).y;
   if (away < disc) return gold;
-  if (away < rays_end + swell_of_rays * (2.0 * ray - 1.0)) {
-    return cosine_sine(0.25 * rays * quarters).x > 0.0 ? gold : (away < 0.5 * (disc + rays_end) ? ember : crimson);
+  if (away < rays_end + swell_of_rays * (2.0 * std::fabs(ray) - 1.0)) {
+    if (ray > 0.0) return gold;
+    return away < 0.5 * (disc + rays_end) ? ember : crimson;
   }
   const double ring = (away - rays_end + swell_of_rings * wave) / ring_width;
   return rings.at(static_cast<std::size_t>(std::max(ring, 0.0)) % rings.size());

@@ -53,7 +53,7 @@ TEST(ClothesPattern, HasRaysAroundTheSun) {
     if (step > 0 && now != gold) ++changes;
     gold = now;
   }
-  EXPECT_NEAR(changes, 32, 1) << "sixteen rays begin and end";
+  EXPECT_NEAR(changes, 24, 1) << "twelve rays begin and end";
 }
 
 TEST(ClothesPattern, LeavesSkinAndHairAndAFewPeopleAsTheyAre) {

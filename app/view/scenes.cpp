@@ -95,7 +95,7 @@ std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRole
       {"close", {0.0F, 1.6F * unit, 4.5F * unit - width, 0.0F, 2.0F, 45.0F}},
       {"far", {0.9F * length, height + 7.0F * unit, width + depth + 6.0F * unit, 35.0F, -19.0F, 55.0F}},
       tower(2.0F * (length + depth), 2.0F * (width + depth), unit),
-      {"tiers", {0.3F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 58.0F, -7.0F, 46.0F}},
+      {"tiers", {0.55F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 46.0F, -7.0F, 46.0F}},
       {"pitch", {-0.35F * length, 1.5F * unit, 0.3F * width, -38.0F, 5.0F, 52.0F}},
   };
 }

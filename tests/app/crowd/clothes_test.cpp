@@ -71,7 +71,7 @@ TEST(ClothesPattern, LeavesSkinAndHairAndAFewPeopleAsTheyAre) {
 }
 
 TEST(ClothesPattern, IsOfEveryScene) {
-  for (const Scene scene : {Scene::parade, Scene::stadium, Scene::grid, Scene::film}) {
+  for (const Scene scene : {Scene::parade, Scene::stadium, Scene::grid}) {
     for (const std::size_t agents : {1U, 60U}) {
       const std::vector<CharacterRoles> people{person()};
       const Crowd crowd(scene, agents, 1, people, pattern);

@@ -103,11 +103,31 @@ DrawCounts Renderer::draw(const CrowdFrame& frame) {
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
   DrawCounts counts = draw_light(frame);
+  add(counts, options_.lens ? draw_through_lens(frame, *options_.lens) : draw_tiles(frame));
+  return counts;
+}
+
+DrawCounts Renderer::draw_tiles(const CrowdFrame& frame) {
+  DrawCounts counts;
   target_.draw_tiles([&](const PixelRect& drawn) {
     const CrowdFrame tile = part_of(frame, size(), drawn);
-    if (target_.is_tiled()) frame_data_.upload_view(tile);
+    if (target_.is_tiled() || options_.lens) frame_data_.upload_view(tile);
     add(counts, draw_scene(tile));
   });
+  return counts;
+}
+
+DrawCounts Renderer::draw_through_lens(const CrowdFrame& frame, const Lens& lens) {
+  DrawCounts counts;
+  AveragedPicture average;
+  const float radius = radius_of(lens, frame.camera);
+  for (int point = 0; point < lens.points; ++point) {
+    CrowdFrame seen = frame;
+    seen.camera = seen_through(frame.camera, radius * point_of_disc(point, lens.points), lens.focus);
+    add(counts, draw_tiles(seen));
+    average.add(target_.read());
+  }
+  target_.write(average.finish());
   return counts;
 }
 

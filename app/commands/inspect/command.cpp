@@ -185,7 +185,7 @@ std::string inspection_json(const anim::ImportedFile& file, const std::vector<In
 std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::PlacementChoice& choice) {
   std::vector<InspectedModel> models;
   for (anim::Model& model : file.models) {
-    const anim::GuessedPlacement placed = anim::guess_placement(model, choice);
+    const anim::GuessedPlacement placed = anim::guess_placement(model, choice, anim::SizeRule::among_people);
     anim::place_model(model, placed.placement);
     models.push_back({std::move(model), placed});
   }

@@ -6,15 +6,16 @@
 #include "lighting.glsl"
 #include "shadows.glsl"
 
+// The depths that are drawn first are the same, to the bit.
+invariant gl_Position;
+
 out vec3 world_position;
 out vec3 world_normal;
 out vec3 albedo;
 out vec3 light_around;
 out vec3 haze_before;
 out vec3 clear_share;
-#ifdef SHINY
 flat out uint kind;
-#endif
 
 const float glow_light = 2.2;
 
@@ -33,8 +34,6 @@ void main() {
   float metres = length(from_eye);
   clear_share = clear_after(metres / distance_scale);
   haze_before = haze_towards(from_eye / metres) * (1.0 - clear_share);
-#ifdef SHINY
   kind = uint(nature.w * 255.0 + 0.5);
-#endif
   gl_Position = view_projection * vec4(world_position, 1.0);
 }

@@ -48,6 +48,9 @@ struct Passage {
 
 inline constexpr double person_height = 1.8;  ///< metres; every distance of a scene is meant for this height
 
+/// Small animals stand at least so far apart, of what people do, because a place is made for people.
+inline constexpr double least_spacing = 0.6;
+
 /// The clips of a character that the crowd plays for each role, and the body that it needs room for.
 struct CharacterRoles {
   RoleClips clips = no_clips();
@@ -72,9 +75,9 @@ struct CharacterRoles {
   }
   /// Returns the character's height over that of a person.
   double size() const { return height / person_height; }
-  /// Returns how much more room the character needs than a person 1.8 metres tall. Every distance of a scene is
-  /// multiplied by it.
-  double spacing() const { return std::max(size(), radius / 0.5); }
+  /// Returns how much more room the character needs than a person 1.8 metres tall, but at least least_spacing. Every
+  /// distance of a scene is multiplied by it.
+  double spacing() const { return std::max({size(), radius / 0.5, least_spacing}); }
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
   /// Returns the metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
   double ground_speed(Role gait) const;

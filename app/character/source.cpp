@@ -151,7 +151,7 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
   source.name = anim::plain_text(how.name);
   source.clip_files = std::move(*added);
   source.model = std::move(one.models.front());
-  source.placement = anim::guess_placement(source.model, how.placement);
+  source.placement = anim::guess_placement(source.model, how.placement, anim::SizeRule::among_people);
   anim::place_model(source.model, source.placement.placement);
   if (how.kept != nullptr) {
     const auto choice = how.kept->read(source.model.skeleton);

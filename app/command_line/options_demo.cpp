@@ -71,6 +71,11 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
       "--camera-path", "NAME", "orbit around the crowd, or pan to both sides, from where --camera stands (none)",
       choice<CameraPath>(options.camera_path,
                          {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}}));
+  reader.value(
+      "--focus", "METRES", "Of a screenshot: what lies so far ahead is sharp, and the rest is not (all is sharp)",
+      [&options](const std::string& text) { return number_between(options.focus.emplace(), 0.1F, 10'000.0F)(text); });
+  reader.value("--aperture", "F", "The f-number of its lens on film 24 mm high, 0.1 to 64 (1.4)",
+               number_between(options.aperture, 0.1F, 64));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
   const auto take_ui = [&options](const std::string& text) {
@@ -206,6 +211,11 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
     return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
   }
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
+  const bool is_still = !window && !options.screenshot.empty() && options.draw != DrawWhich::all;
+  if (options.focus && !is_still) return "--focus: is for stills; use --headless and --screenshot";
+  if (!options.focus && std::ranges::find(options.given, "--aperture") != options.given.end()) {
+    return "--aperture: goes with --focus";
+  }
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
   if (window && std::max(options.width, options.height) > most_window_pixels) {
     return "--size: a window has at most " + std::to_string(most_window_pixels) + " pixels a side; use --headless";

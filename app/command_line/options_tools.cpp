@@ -1,4 +1,3 @@
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -9,39 +8,6 @@
 
 namespace throng::app {
 namespace {
-
-/// A reader of several texts with commas between them; `read_one` takes each.
-template <typename Value, typename ReadOne>
-ValueReader list_of(std::vector<Value>& target, ReadOne read_one) {
-  return [&target, read_one](const std::string& text) -> Complaint {
-    std::vector<Value> values;
-    for (const std::string& part : parts_between_commas(text)) {
-      if (const Complaint complaint = read_one(part, values.emplace_back())) {
-        return *complaint + ", or several with commas between them";
-      }
-    }
-    target = std::move(values);
-    return {};
-  };
-}
-
-ValueReader number_list(std::vector<int>& target, int least, int most) {
-  return list_of(target, [=](const std::string& text, int& number) { return read_number(text, least, most, number); });
-}
-
-/// A list of what the option of one value of the tuning takes; `get` takes each out of its tuning.
-template <typename Value, typename Get>
-void list(OptionReader& reader, const char* option, std::vector<Value>& target, Get get, const char* more = "") {
-  const TuningValue& row = tuning_value(option);
-  const std::string hint(row.hint());
-  const auto read_one = [&row, get](const std::string& text, Value& value) {
-    Tuning tuning;
-    Complaint complaint = row.read_option(tuning, text);
-    if (!complaint) value = get(tuning);
-    return complaint;
-  };
-  reader.value(option, hint + "[," + hint + "...]", description(row) + more, list_of(target, read_one));
-}
 
 void clips_from(OptionReader& reader, std::vector<std::string>& target) {
   reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be", file_names(target));
@@ -148,64 +114,6 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
   reading(reader, options.reading);
   declare_placement(reader, options.placement);
   reader.footer("Example:\n  throng bake fox.glb horse.glb -o animals.pack");
-  if (auto stop = reader.read(arguments)) return *stop;
-  return options;
-}
-
-namespace {
-
-void declare_measured(OptionReader& reader, BenchOptions& options) {
-  reader.option_defaults()->group("What is measured");
-  reader.model(options.model, "A glTF file or a pack; without it, a branching skeleton is built");
-  declare_memory_limit(reader, options.reading);
-  list(
-      reader, "--agents", options.agents, [](const Tuning& tuning) { return tuning.agents; },
-      "; of every list each, in every combination");
-  reader
-      .value("--bones", "N[,N...]", "Bones of the built skeleton, 1 to 1024 (62)", number_list(options.bones, 1, 1024))
-      ->excludes("MODEL");
-  reader.value("--clips", "K[,K...]", "Different clips for it, 1 to 256 (2)", number_list(options.clips, 1, 256))
-      ->excludes("MODEL");
-  reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
-               whole_number(options.frames, 1, std::numeric_limits<int>::max()));
-  reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
-               choice<Sweep>(options.sweep, {{"grain", Sweep::grain}}));
-  reader
-      .value("--machine", "FILE", "Instead: what a machine with other local stores would do; ps2, spe or a file",
-             file_name(options.machine))
-      ->excludes("--sweep");
-}
-
-void declare_scheduling(OptionReader& reader, BenchOptions& options) {
-  reader.option_defaults()->group("Scheduling");
-  list(reader, "--pus", options.pus, [](const Tuning& tuning) { return tuning.system.pus; });
-  list(reader, "--schedule", options.schedules, [](const Tuning& tuning) { return tuning.system.schedule; });
-  list(reader, "--stream", options.streams, [](const Tuning& tuning) { return tuning.system.stream; });
-  for (const char* const shared : {"--local-store", "--tile", "--double-buffer", "--palette"}) {
-    reader.tuning_value(app::tuning_value(shared), options.tuning);
-  }
-  declare_simd(reader, options.kernels);
-}
-
-void declare_files(OptionReader& reader, BenchOptions& options) {
-  reader.option_defaults()->group("Files");
-  reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
-  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot))->excludes("--machine");
-  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace))
-      ->excludes("--sweep", "--machine");
-  reader.value("--data", "DIR", "Folder of assets/machines", existing_folder(options.data));
-  reader.parts_remover(options.remove_parts);
-}
-
-}  // namespace
-
-ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
-  BenchOptions options;
-  OptionReader reader("throng bench", "Measures what an update of many agents costs, with LOD and crowd logic off.");
-  declare_measured(reader, options);
-  declare_scheduling(reader, options);
-  declare_files(reader, options);
-  reader.footer("Example:\n  throng bench --agents 1000,10000 --pus 1,2,4 --json -");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }

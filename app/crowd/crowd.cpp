@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/clothes.h"
 #include "app/crowd/cut_scene_layout.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
@@ -29,6 +30,7 @@ constexpr int slowness_to_catch_up = 4;  // who is behind makes up one second in
 constexpr std::uint64_t looks_stream = 4;
 constexpr std::uint64_t variants_stream = 9;
 constexpr std::uint64_t painted_stream = 11;
+constexpr std::uint64_t clothes_stream = 14;
 
 // The wave: how long somebody is up, and how unevenly they rise.
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
@@ -94,8 +96,10 @@ class BodyLooks {
 
 CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed, const CrowdCast& cast,
                     const Variety& variety) {
-  Random random(seed, looks_stream);
+  Random random(seed, looks_stream), clothes(seed, clothes_stream);
   BodyLooks bodies(seed, variety);
+  const std::vector<glm::dvec2> places = variety.pattern ? places_of(layout) : std::vector<glm::dvec2>();
+  const ClothesPattern pattern(places);
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
     const CharacterRoles& character = cast.of(agent);
@@ -109,7 +113,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, st
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(pace);
     looks.start_phases.push_back(phase);
-    looks.tints.push_back(body.tints);
+    looks.tints.push_back(variety.pattern ? pattern.at(places[agent], body.tints, clothes) : body.tints);
     looks.variants.push_back(body.variant);
     looks.shades.push_back(body.shade);
     if (!marches) continue;

@@ -32,7 +32,9 @@ struct CrowdLooks {
 };
 
 /// Returns how much a tuning lets agents differ.
-inline Variety variety_of(const Tuning& tuning) { return {tuning.variety, tuning.tint, tuning.size_variety}; }
+inline Variety variety_of(const Tuning& tuning) {
+  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes == Clothes::pattern};
+}
 
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/crowd/turn.h"
@@ -18,10 +19,10 @@ constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F,
 // Metres, for a person 1.8 m tall. With the jitter, neighbours in a ring stay 0.7 m apart and more.
 constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
 constexpr double ring_jitter = 0.12;
-constexpr double between_groups = 0.8;
-constexpr double from_obstacle = 0.6;  // to the feet of a group; a person passes sideways
+constexpr double between_groups = 0.62, between_few_groups = 1.2;  // where the crowd swells, and where it thins
+constexpr double from_obstacle = 0.6;                              // to the feet of a group; a person passes sideways
 constexpr double clear_view = 4.6;
-constexpr double bucket = 3.2;  // more than two of the largest groups' radii and the gap between them
+constexpr double bucket = 3.6;  // more than two of the largest groups' radii and the gap between them
 
 constexpr double lane_cell = 8.0;
 
@@ -194,6 +195,44 @@ void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& 
   }
 }
 
+/// Waves that cross, by which the crowd swells and thins as one walks through it.
+class Swell {
+ public:
+  Swell(double spacing, Random& random) {
+    for (Wave& wave : waves_) {
+      const double length = spacing * static_cast<double>(random.between(shortest, longest));
+      wave.quarters_a_metre = 4.0 / length * cosine_sine(4.0 * static_cast<double>(random.unit()));
+      wave.phase = 4.0 * static_cast<double>(random.unit());
+    }
+  }
+
+  /// Returns 0 where the crowd is thinnest, and 1 where it is densest.
+  double at(glm::dvec2 place) const {
+    double sum = 0.0;
+    for (const Wave& wave : waves_) sum += cosine_sine(wave.phase + glm::dot(wave.quarters_a_metre, place)).x;
+    return std::clamp(0.5 + steepness * sum, 0.0, 1.0);
+  }
+
+  /// Returns how likely a place there is taken.
+  float chance_at(glm::dvec2 place) const {
+    const double height = at(place);
+    return static_cast<float>(least + (1.0 - least) * height * height);
+  }
+
+  /// Returns the metres between groups there, for a person 1.8 m tall.
+  double gap_at(glm::dvec2 place) const { return glm::mix(between_few_groups, between_groups, at(place)); }
+
+ private:
+  static constexpr float shortest = 14.0F, longest = 40.0F;  // metres, for a person 1.8 m tall
+  static constexpr double least = 0.05, steepness = 0.33;
+
+  struct Wave {
+    glm::dvec2 quarters_a_metre;
+    double phase;
+  };
+  std::array<Wave, 3> waves_{};
+};
+
 class GroupPlacer {
  public:
   GroupPlacer(const GroundPlan& ground, Random random)
@@ -202,13 +241,14 @@ class GroupPlacer {
         groups_(ground.side, ground.spacing),
         lanes_(ground),
         obstacles_(ground),
+        swell_(ground.spacing, random_),
         half_(0.5 * ground.side) {}
 
   Group place(std::size_t size, bool in_foreground) {
     const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
     for (int tries = 1;; ++tries) {
       const bool foreground = in_foreground && tries <= tries_before_spreading;
-      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere(half_, random_), radius};
+      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere_likely(), radius};
       if (fits(group)) {
         groups_.add(group);
         return group;
@@ -218,9 +258,15 @@ class GroupPlacer {
   }
 
  private:
+  glm::dvec2 somewhere_likely() {
+    glm::dvec2 place = somewhere(half_, random_);
+    while (!random_.chance(swell_.chance_at(place))) place = somewhere(half_, random_);
+    return place;
+  }
+
   bool fits(const Group& group) const {
     if (glm::distance(group.centre, ground_.viewpoint) < clear_view * ground_.spacing + group.radius) return false;
-    return groups_.is_free(group, between_groups * ground_.spacing) && lanes_.is_free(group) &&
+    return groups_.is_free(group, swell_.gap_at(group.centre) * ground_.spacing) && lanes_.is_free(group) &&
            obstacles_.is_free(group);
   }
 
@@ -229,6 +275,7 @@ class GroupPlacer {
   GroupMap groups_;
   LaneMap lanes_;
   ObstacleMap obstacles_;
+  Swell swell_;
   double half_;  // metres, of the square in which places are looked for
 };
 

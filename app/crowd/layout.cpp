@@ -18,7 +18,9 @@ constexpr double area_per_agent = 3.6;
 constexpr double least_gap_in_lane = 1.1;
 
 constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is nobody
-constexpr double most_seated = 0.2;       // of those who do not walk
+constexpr double seats_beyond_edge = 2.5;
+constexpr double room_of_seat = 0.35;
+constexpr double most_seated = 0.2;  // of those who do not walk
 
 // Walkers at even distances, give or take what keeps them `least_gap` apart.
 void fill_lane(std::uint32_t index, double length, std::size_t count, double least_gap, Random& random,
@@ -50,16 +52,32 @@ std::vector<WalkerStart> fill_lanes(std::span<const Lane> lanes, std::size_t wan
   return walkers;
 }
 
+// Benches that stand behind the crowd stay empty.
+std::vector<BenchSeat> seats_in(double side, double spacing, std::span<const Fixture> fixtures) {
+  std::vector<BenchSeat> seats = bench_seats(fixtures, spacing);
+  std::erase_if(seats, [&](const BenchSeat& seat) {
+    return std::max(std::abs(seat.position.x), std::abs(seat.position.y)) > 0.5 * side + seats_beyond_edge * spacing;
+  });
+  return seats;
+}
+
 // Some of the seats stay empty, and few people sit.
 std::vector<StanderPlace> seat_some(std::vector<BenchSeat> seats, std::size_t people, Random random) {
-  for (std::size_t i = seats.size(); i > 1; --i)
+  for (std::size_t i = seats.size(); i > 1; --i) {
     std::swap(seats[i - 1], seats[random.below(static_cast<std::uint32_t>(i))]);
+  }
   seats.resize(std::min(seats.size() * 2 / 3, static_cast<std::size_t>(most_seated * static_cast<double>(people))));
   std::vector<StanderPlace> places;
   for (const BenchSeat& seat : seats) {
     places.push_back({.position = seat.position, .heading = seat.heading, .habit = Habit::rest});
   }
   return places;
+}
+
+// Those who stand keep clear of the seats too.
+std::vector<Obstacle> with_seats(std::vector<Obstacle> obstacles, std::span<const BenchSeat> seats, double spacing) {
+  for (const BenchSeat& seat : seats) obstacles.push_back({seat.position, room_of_seat * spacing});
+  return obstacles;
 }
 
 }  // namespace
@@ -84,9 +102,11 @@ CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const Character
   layout.lanes = std::move(plan.lanes);
   layout.obstacles = obstacles_of(plan.fixtures, spacing);
   const std::size_t left = agents - layout.walkers.size();
-  std::vector<StanderPlace> seated = seat_some(bench_seats(plan.fixtures, spacing), left, Random(seed, 12));
-  const GroundPlan ground{plaza_side(agents, spacing), spacing, plaza_viewpoint(agents, spacing), plan.ground,
-                          layout.obstacles};
+  const double side = plaza_side(agents, spacing);
+  const std::vector<BenchSeat> seats = seats_in(side, spacing, plan.fixtures);
+  const std::vector<Obstacle> taken = with_seats(layout.obstacles, seats, spacing);
+  const std::vector<StanderPlace> seated = seat_some(seats, left, Random(seed, 12));
+  const GroundPlan ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
   layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
   layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());
   return layout;

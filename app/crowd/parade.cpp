@@ -151,8 +151,8 @@ double marcher_phase(const Lane& route, const MarcherStart& marcher, const Chara
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles) {
   const Formation formation = formation_of(agents, roles);
   const Lane route = route_of(formation, roles);
-  ParadeSize size{route.core.x, route.corner_radius, formation.half_width(), formation.half_width(),
-                  formation.half_width()};
+  const double first_row = formation.half_width() + clear_of_route * roles.spacing();
+  ParadeSize size{route.core.x, route.corner_radius, formation.half_width(), first_row, formation.half_width()};
   for (const SpectatorRow& row :
        spectator_rows(agents - formation.marchers, route, formation.half_width(), roles.spacing())) {
     const double away = row.stand.row.corner_radius - route.corner_radius;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -156,6 +157,15 @@ int plaza_blocks(double side, double spacing) {
 
 double plaza_edge(std::size_t agents, double spacing) {
   return std::max(0.5 * plaza_side(agents, spacing) + from_edge * spacing, least_edge * spacing);
+}
+
+glm::dvec2 plaza_fountain(std::size_t agents, double spacing) {
+  std::vector<Fixture> fixtures;
+  add_middle_fixtures(plaza_side(agents, spacing), spacing, fixtures);
+  const auto distance = [](const Fixture& fixture) {
+    return fixture.kind == FixtureKind::fountain ? glm::length(fixture.position) : std::numeric_limits<double>::max();
+  };
+  return std::ranges::min_element(fixtures, {}, distance)->position;
 }
 
 PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {

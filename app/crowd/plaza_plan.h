@@ -34,6 +34,9 @@ PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRole
 /// Returns the number of blocks in a row of the plaza. A large plaza is cut into blocks, with avenues between them.
 int plaza_blocks(double side, double spacing);
 
+/// Returns where the fountain stands that is nearest to the middle, x and z in metres.
+glm::dvec2 plaza_fountain(std::size_t agents, double spacing);
+
 /// Returns half the side of the square that houses surround, in metres: a few more than the crowd takes.
 double plaza_edge(std::size_t agents, double spacing);
 

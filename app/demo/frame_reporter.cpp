@@ -34,7 +34,7 @@ PlacementReport placement_of(const CharacterSource& source) {
                          .units_tall = 0.0,
                          .reasons = guessed.reasons};
   if (!guessed.extent) return report;
-  report.guessed_scale = anim::guessed_scale(*guessed.extent);
+  report.guessed_scale = anim::guessed_scale(*guessed.extent, anim::SizeRule::among_people);
   report.units_tall = guessed.extent->size.y;
   return report;
 }

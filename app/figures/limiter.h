@@ -1,17 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+
+#include "app/stage/stage.h"
 
 namespace throng::app {
 
 /// The parts of a drawn frame, in milliseconds of the calling thread, one after the other.
 struct FrameTimes {
-  double animation_ms = 0;   ///< crowd, level of detail, poses and palettes
-  double upload_ms = 0;      ///< records composed and handed to the device
-  double submission_ms = 0;  ///< draw calls
-  double wait_ms = 0;        ///< for the device to be done
+  double animation_ms = 0;               ///< crowd, level of detail, poses and palettes
+  double upload_ms = 0;                  ///< records composed and handed to the device
+  double submission_ms = 0;              ///< draw calls
+  double wait_ms = 0;                    ///< for the device to be done
+  StageTimes stage = {};                 ///< the parts of the animation
+  std::optional<double> device_ms = {};  ///< of the device's own timer; beside these parts, which it runs beside
 
   double drawing_ms() const { return upload_ms + submission_ms + wait_ms; }
   double frame_ms() const { return animation_ms + drawing_ms(); }

@@ -6,6 +6,7 @@ namespace throng::app {
 
 void RunFigures::add_update(const Stage& stage, Clock::time_point start, double milliseconds) {
   times_.animation_ms = milliseconds;
+  times_.stage = times_of(stage);
   if (timeline_) {
     const ErrorMeter& meter = stage.error_meter();
     timeline_->add_update(stage.system(), start,
@@ -28,6 +29,7 @@ void RunFigures::add_overlay(double milliseconds) {
 
 void RunFigures::add_drawing(Clock::time_point start, FrameTimes times, const render::DrawCounts& counts) {
   times.animation_ms = times_.animation_ms;
+  times.stage = times_.stage;
   times_ = times;
   if (timeline_) timeline_->add_drawing(start, Clock::now());
   statistics_.set_draw(counts.draw_calls, counts.triangles);

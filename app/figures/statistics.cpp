@@ -31,7 +31,7 @@ Json bones_per_agent(const Stage& stage) {
   return mean(bones, agents);
 }
 
-// Each with its share and how many agents are it.
+// Each with its share, its size and how many agents are it.
 Json characters_of(const Stage& stage) {
   Json characters = Json::array();
   const auto numbers = stage.crowd().characters();
@@ -39,6 +39,8 @@ Json characters_of(const Stage& stage) {
     const std::size_t number = characters.elements().size();
     characters.push_back({{"name", person.name},
                           {"share", person.roles.share},
+                          {"scale", person.placement.placement.scale},
+                          {"placement", person.placement.reasons},
                           {"agents", std::ranges::count(numbers, static_cast<std::uint8_t>(number))}});
   }
   return characters;

@@ -1,4 +1,6 @@
 // The cameras, in the tab Crowd.
+#include <algorithm>
+#include <span>
 #include <string>
 
 #include "app/overlay/tabs.h"
@@ -9,10 +11,14 @@ namespace throng::app {
 namespace {
 
 void show_scene_cameras(const TabContext& context) {
-  ButtonRow buttons(context.widgets, static_cast<int>(scene_camera_names.size()));
-  for (std::size_t i = 0; i < scene_camera_names.size(); ++i) {
-    const bool pressed = buttons.button(scene_camera_names.at(i), {.what = "Goes to this camera of the scene."});
-    if (pressed) context.commands.cameras.named = i;
+  constexpr std::size_t in_a_row = 4;
+  const std::span<const char* const> names = scene_camera_names(context.tuning.scene);
+  for (std::size_t first = 0; first < names.size(); first += in_a_row) {
+    ButtonRow buttons(context.widgets, static_cast<int>(in_a_row));
+    for (std::size_t i = first; i < std::min(first + in_a_row, names.size()); ++i) {
+      const bool pressed = buttons.button(names[i], {.what = "Goes to this camera of the scene."});
+      if (pressed) context.commands.cameras.named = i;
+    }
   }
 }
 

@@ -62,6 +62,10 @@ void show_who(const TabContext& context) {
   context.row("size_variety", {.what = "How much agents differ in size, as a share of it.",
                                .unit = "0 to 0.3",
                                .cost = "Changing it places all agents anew."});
+  context.row("clothes",
+              {.what = "own: everybody wears colours of their own. pattern: colours by place, which make one "
+                       "large shape that is seen from above; the camera tower shows it.",
+               .cost = "Changing it places all agents anew."});
   context.row("placed_feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",

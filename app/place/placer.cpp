@@ -93,9 +93,12 @@ void Placer::put_horizon(double reach) {
   for (int roof = 0; roof < roofs; ++roof) {
     const double quarters = 4.0 * (roof + static_cast<double>(random_.between(-0.4F, 0.4F))) / roofs;
     const glm::dvec2 way = cosine_sine(quarters);
+    const auto away = static_cast<double>(random_.between(0.8F, 1.7F)),
+               tall = static_cast<double>(random_.between(0.6F, 1.2F));
+    const auto wide = static_cast<double>(random_.between(0.7F, 1.4F)) * (random_.chance(0.5F) ? 1.0 : -1.0);
+    if (random_.chance(0.3F)) continue;                                       // so that hills show between the roofs
     const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // a dome that one meets too often is none
-    put(town, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
-        {.stretch = {far / (to_horizon * unit_), 1.0, 1.0}});
+    put(town, way * (far * away), heading_along(-way), {.stretch = {wide * far / (to_horizon * unit_), tall, 1.0}});
   }
 }
 

@@ -11,9 +11,11 @@ namespace {
 constexpr double street_corner = 8.0;  // of the sides, cut off for the street that leaves at the far corner
 constexpr double street_length = 60.0;
 constexpr double side_street = 9.0;
-constexpr double open_corner = 26.0;   // of the sides, where the camera stands and the sun shines in
-constexpr double tower_beyond = 78.0;  // the end of that street
-constexpr double tower_aside = 13.0;
+constexpr double open_corner = 26.0;  // of the sides, where the camera stands and the sun shines in
+constexpr double far_street_length = 120.0;
+constexpr double tower_beyond = 150.0;  // the corner
+constexpr double tower_aside = 6.0;
+constexpr int bollards = 6;            // across the mouth of a side street
 constexpr double paved_around = 70.0;  // of the square, until fields begin
 
 void put_fixture(const Fixture& fixture, Placer& placer) {
@@ -45,6 +47,9 @@ void put_side_with_street(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, dou
   placer.put_block(gap + half, to, facing, houses);
   placer.put_houses(gap - half + back, gap - half + out, along, Placer::Houses::mixed);
   placer.put_houses(gap + half + back, gap + half + out, -along, Placer::Houses::mixed);
+  for (int bollard = 0; bollard < bollards; ++bollard) {
+    placer.put(Prop::bollard, gap + half * (2.0 * (bollard + 0.5) / bollards - 1.0), heading_along(facing));
+  }
 }
 
 // A street along the diagonal, from the far corner to the tower that stands a little beside its end.
@@ -52,9 +57,9 @@ void put_far_street(double edge, Placer& placer) {
   const double unit = placer.unit(), cut = street_corner * unit;
   const glm::dvec2 away = -glm::normalize(glm::dvec2(1.0, 1.0)), across(away.y, -away.x);
   const glm::dvec2 left(-edge + cut, -edge), right(-edge, -edge + cut);
-  placer.put_houses(left, left + street_length * unit * away, -across * glm::sign(glm::dot(left, across)),
+  placer.put_houses(left, left + far_street_length * unit * away, -across * glm::sign(glm::dot(left, across)),
                     Placer::Houses::mixed);
-  placer.put_houses(right, right + street_length * unit * away, -across * glm::sign(glm::dot(right, across)),
+  placer.put_houses(right, right + far_street_length * unit * away, -across * glm::sign(glm::dot(right, across)),
                     Placer::Houses::mixed);
   const glm::dvec2 end = (glm::length(left + right) * 0.5 + tower_beyond * unit) * away;
   placer.put(Prop::tower, end + tower_aside * unit * across, heading_along(-away));
@@ -62,8 +67,8 @@ void put_far_street(double edge, Placer& placer) {
 
 void put_steps(double edge, Placer& placer) {
   const double unit = placer.unit();
-  for (int step = -1; step <= 1; ++step) {
-    placer.put(Prop::steps, {-edge + 0.9 * unit, step * bay_width * unit}, heading_along(towards_x));
+  for (int step = -1; step <= 0; ++step) {
+    placer.put(Prop::steps, {-edge + 0.55 * unit, step * bay_width * unit}, heading_along(towards_x));
   }
 }
 
@@ -82,11 +87,10 @@ void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   }
   const double cut = street_corner * unit;
   const double open = edge - std::max(open_corner * unit, 0.12 * edge);
-  put_side_with_street({-edge, open}, {-edge, -edge + cut}, towards_x, 0.12, placer, Placer::Houses::mixed);
+  put_side_with_street({-edge, edge}, {-edge, -edge + cut}, towards_x, 0.25, placer, Placer::Houses::mixed);
   put_side_with_street({-edge + cut, -edge}, {edge, -edge}, towards_z, 0.72, placer, Placer::Houses::arcades);
   placer.put_block({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
   placer.put_block({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
-  placer.put_houses({-edge, edge}, {-edge, open}, towards_x, Placer::Houses::mixed);
   put_far_street(edge, placer);
   put_steps(edge, placer);
   placer.put_horizon(edge);

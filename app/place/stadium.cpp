@@ -18,7 +18,7 @@ constexpr double longest_block = 18.0;
 constexpr double wall_above = 1.0, wall_thick = 0.3;
 constexpr double track_width = 4.0, apron = 0.45, around_field = 1.2;
 constexpr double least_house = 5.0;  // height of the tiers from which houses stand around them
-constexpr double arcade_height = 15.5;
+constexpr double arcade_height = 20.8;
 constexpr double roof_height = 13.0, roof_reach = 14.0;
 constexpr double flag_pitch = 5.0;
 constexpr double stadium_paved = 14.0;  // around it, until the lawn begins

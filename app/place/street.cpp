@@ -127,7 +127,7 @@ void put_parade_houses(const Rectangle& houses, Placer& placer) {
 
 // Lights and a crane behind the actor, out of the way on which it comes.
 void put_film_set(const CutSceneStreet& street, Placer& placer) {
-  const double unit = placer.unit(), beside = street.half_road - 0.35 * unit;
+  const double unit = placer.unit(), beside = street.half_road - 0.85 * unit;
   for (const double side : {-1.0, 1.0}) {
     const Heading inward = heading_along(glm::normalize(glm::dvec2(-side * 0.5, 1.0)));
     placer.put(Prop::stand, {side * beside, -7.0 * unit}, inward);

@@ -25,6 +25,8 @@ enum class ErrorSampling : std::uint8_t { some, all, off };
 /// Divides the picture at a line. Left of it is the exact crowd; right of it the crowd as shown, or the difference of
 /// the two.
 enum class Split : std::uint8_t { off, shown, difference };
+/// The colours that people wear: each their own, or those of a shape that is seen from above.
+enum class Clothes : std::uint8_t { own, pattern };
 /// The way that the camera moves by itself from its first place.
 enum class CameraPath : std::uint8_t { none, orbit, pan };
 
@@ -71,6 +73,7 @@ struct Tuning {
   bool variety = true;        ///< agents of one character differ in size and colours, as the next two say
   float tint = 1.0F;          ///< how much they differ in colours, 0 to 1
   float size_variety = 0.1F;  ///< how much they differ in size, as a share, 0 to 0.3
+  Clothes clothes = Clothes::own;
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
@@ -160,6 +163,8 @@ struct DemoOptions {
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool error_given = false;        ///< a software renderer allows a larger error in a window unless given
+  std::optional<float> focus;      ///< metres ahead of the camera that are sharp in a still; unset: all is sharp
+  float aperture = 1.4F;           ///< the f-number of its lens, on film 24 mm high
   bool shadows_given = false;      ///< a software renderer draws no shadows and no crowd shade unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
   bool force_software = false;     ///< EGL: never the graphics card; for tests

@@ -78,8 +78,10 @@ std::vector<FramedBox> boxes_of(const Stage& stage) {
   boxes.reserve(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     const UprightBody body = stage.animated().body_of(agent);
-    const glm::vec3 beside(body.radius, 0.0F, body.radius);
-    boxes.push_back({.low = body.foot - beside, .high = body.foot + beside + glm::vec3(0.0F, body.height, 0.0F)});
+    const anim::CharacterBounds& bounds = stage.character_of(agent).character->bounds;
+    const float reach = stage.crowd().scales()[agent] * static_cast<float>(bounds.reach);
+    const glm::vec3 beside(reach, 0.0F, reach), up(0.0F, 0.5F * body.height + reach, 0.0F);
+    boxes.push_back({.low = body.foot - beside, .high = body.foot + beside + up});
   }
   return boxes;
 }

@@ -28,7 +28,7 @@ inline constexpr float framing_margin = 0.05F;
 render::Camera framed(const render::Camera& camera, std::span<const FramedBox> boxes, float aspect,
                       const PicturePart& part);
 
-/// Returns a box around each agent.
+/// Returns a box around each agent that holds it in all poses of its clips.
 std::vector<FramedBox> boxes_of(const Stage& stage);
 
 }  // namespace throng::app

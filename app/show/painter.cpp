@@ -47,6 +47,11 @@ std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
   return meshes;
 }
 
+std::optional<render::Lens> lens_of(const DemoOptions& options) {
+  if (!options.focus) return {};
+  return render::Lens{.focus = *options.focus, .aperture = options.aperture};
+}
+
 }  // namespace
 
 anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
@@ -83,6 +88,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
+                  .lens = lens_of(options),
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
@@ -186,6 +192,10 @@ render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView&
                                {.divider = look.split_at, .difference = look.split == Split::difference});
 }
 
+void Painter::time_device() {
+  if (draws() && !is_on_software()) device_timer_.emplace();
+}
+
 anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
@@ -193,12 +203,15 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   if (!taken_away.upload) times.upload_ms = time_of([&] { upload(stage, view); });
   if (!taken_away.drawing) {
     times.submission_ms = time_of([&] {
+      if (device_timer_) device_timer_->begin();
       draw_counts_ = draw_pictures(stage, view);
+      if (device_timer_) device_timer_->end();
       renderer_->fences().insert(stage.frame());
     });
   }
   anim::Status drawn = anim::Done{};
   times.wait_ms = time_of([&] { drawn = renderer_->finish(); });
+  if (device_timer_ && !taken_away.drawing) times.device_ms = device_timer_->milliseconds();
   figures.add_drawing(start, times, draw_counts_);
   return drawn;
 }

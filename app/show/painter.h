@@ -16,6 +16,7 @@
 #include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
 #include "engine/render/gl/context.h"
+#include "engine/render/gl/device_timer.h"
 #include "engine/render/renderer.h"
 
 namespace throng::app {
@@ -61,6 +62,8 @@ class Painter {
   /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's. Errors: the
   /// device failed at it; the picture is not whole.
   anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
+  /// Has the device time itself in each draw() from now on, where its clock is true; see FrameTimes::device_ms.
+  void time_device();
   /// Draws what is no stage's in the same way; the figures of a run know nothing of it.
   anim::Status draw(const render::CrowdFrame& frame);
   /// These functions describe the picture drawn last.
@@ -81,6 +84,7 @@ class Painter {
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
+  std::optional<render::gl::DeviceTimer> device_timer_;  // goes before the context
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;

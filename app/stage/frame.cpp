@@ -1,7 +1,9 @@
 // What happens on a stage in a frame: move, then pose, then say what to draw.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -46,6 +48,18 @@ anim::LodForce lod_force(const LodInspection& inspection, std::optional<std::uin
           .agent = inspection.force_selected_only ? selected : std::nullopt};
 }
 
+/// Tells the milliseconds since it was asked last, or made.
+class StopWatch {
+ public:
+  double lap() {
+    const auto before = std::exchange(since_, std::chrono::steady_clock::now());
+    return std::chrono::duration<double, std::milli>(since_ - before).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
 std::uint32_t microseconds(anim::Ticks ticks) {
   return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
 }
@@ -53,8 +67,10 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 }  // namespace
 
 void Stage::move(anim::Ticks delta) {
+  StopWatch watch;
   moving_ = delta > anim::Ticks{};
   animated_->move(delta);
+  times_.crowd_ms = watch.lap();
 }
 
 std::uint32_t Stage::now() const { return microseconds(system().clock()); }
@@ -80,6 +96,7 @@ anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec
 
 void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
                  std::uint64_t completed_frame) {
+  StopWatch watch;
   const glm::vec2 size(static_cast<float>(width), static_cast<float>(height));
   const std::uint64_t last_frame = frame_++;
   exact_.give_back(last_frame);
@@ -90,6 +107,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                .clips = crowd().clips(),
                .left_out = animated_->left_out()},
               lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);
+  times_.selection_ms = watch.lap();
   shown_.hide_unseen(selection().visible, last_frame);
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   for (anim::AgentUpdate& update : lod_.updates()) {
@@ -113,6 +131,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                      selection().visible.size() >= least_agents_to_learn_from;
   lod_.settle(system().figures().report().predicted_nanoseconds, tells ? std::optional(error.p99) : std::nullopt);
   animated_->let_fallen_get_up();
+  times_.pose_ms = watch.lap();
 }
 
 void Stage::pose_exactly() {

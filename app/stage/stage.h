@@ -19,6 +19,13 @@
 
 namespace throng::app {
 
+/// The milliseconds that the parts of the last frame took on the calling thread.
+struct StageTimes {
+  double crowd_ms = 0;      ///< move(): where everybody goes, and what is played
+  double selection_ms = 0;  ///< who is in view, and how exactly each is posed
+  double pose_ms = 0;       ///< the rest of pose(): slots, feet, palettes, errors
+};
+
 /// A stage brings the crowd, its level of detail, its animation and its palette slots together. A frame is
 ///     move(dt)            the crowd walks on, asks for clips, every clock advances
 ///     pose(...)           level of detail chooses, slots are taken, the PUs write them
@@ -94,6 +101,7 @@ class Stage {
   std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
 
  private:
+  friend const StageTimes& times_of(const Stage& stage);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -117,8 +125,12 @@ class Stage {
   std::unique_ptr<AnimatedCrowd> animated_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
+  StageTimes times_;
   bool moving_ = true;
 };
+
+/// Returns how long the parts of the last frame took.
+inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

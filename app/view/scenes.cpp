@@ -4,6 +4,7 @@
 
 #include "app/crowd/layout.h"
 #include "app/crowd/parade.h"
+#include "app/crowd/plaza_plan.h"
 #include "app/crowd/stadium.h"
 
 namespace throng::app {
@@ -11,6 +12,25 @@ namespace {
 
 // Yaw grows counter-clockwise seen from above: 45 degrees look along -X, -Z, from the corner at +X, +Z to the middle.
 constexpr float to_the_middle = 45.0F;
+
+// From a tower at one side of a ground that is so wide and deep, down on all of it: low enough for people to hide the
+// ground between them.
+NamedCamera tower(float wide, float deep, float unit) {
+  const float away = std::max(0.62F * deep, 0.52F * wide) + 6.0F * unit;
+  return {"tower", {0.0F, 0.36F * away + 6.0F * unit, away, 0.0F, -20.0F, 50.0F}};
+}
+
+NamedCamera moved(NamedCamera camera, float z) {
+  camera.place.z += z;
+  return camera;
+}
+
+// Across the fountain to the tower behind it, from a little beside the way between them.
+NamedCamera fountain_camera(std::size_t agents, double spacing) {
+  const auto unit = static_cast<float>(spacing);
+  const glm::vec2 fountain(plaza_fountain(agents, spacing));
+  return {"fountain", {fountain.x + 8.6F * unit, 2.1F * unit, fountain.y + 10.2F * unit, 40.0F, 0.5F, 46.0F}};
+}
 
 std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
@@ -23,6 +43,8 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
       {"above", {0.0F, above, 0.55F * above, 0.0F, -64.0F, 50.0F}},
       {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -6.0F, 40.0F}},
       {"far", {corner + beyond, 0.16F * side + 5.0F * unit, corner + beyond, to_the_middle, -19.0F, 45.0F}},
+      tower(side, side, unit),
+      fountain_camera(agents, spacing),
   };
 }
 
@@ -37,6 +59,7 @@ std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& 
       {"above", {0.0F, above, 0.5F * (above - side), 0.0F, -64.0F, 50.0F}},
       {"close", {0.0F, 1.3F * near - 1.1F * lower, 3.0F * near, 0.0F, -4.0F, 45.0F}},
       {"far", {0.0F, 0.35F * side + 4.0F * unit, 0.6F * side + 10.0F * unit, 0.0F, -20.0F, 45.0F}},
+      moved(tower(side, side, unit), -0.5F * side),
   };
 }
 
@@ -48,13 +71,15 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
   const auto ahead = static_cast<float>(0.5 * size.half_length) + 7.0F * unit;
   const auto across = static_cast<float>(2.0 * (size.half_length + size.radius + size.half_width));
   const auto end =
-      static_cast<float>(size.half_length + size.radius + size.outside) + 2.6F * unit;  // before the houses
-  const float above = 0.62F * across + 6.0F * unit;
+      static_cast<float>(size.half_length + size.radius + size.outside) + 2.2F * unit;  // before the houses
+  const float above = 0.62F * across + 10.0F * unit;  // above the roofs beside the street
   return {
       {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
-      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"above", {0.0F, above, 0.3F * above, 0.0F, -73.0F, 50.0F}},
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
       {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
+      tower(across, 2.0F * (straight + wide), unit),
+      {"street", {-ahead - 9.0F * unit, 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
   };
 }
 
@@ -69,6 +94,9 @@ std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRole
       {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
       {"close", {0.0F, 1.6F * unit, 4.5F * unit - width, 0.0F, 2.0F, 45.0F}},
       {"far", {0.9F * length, height + 7.0F * unit, width + depth + 6.0F * unit, 35.0F, -19.0F, 55.0F}},
+      tower(2.0F * (length + depth), 2.0F * (width + depth), unit),
+      {"tiers", {0.55F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 46.0F, -7.0F, 46.0F}},
+      {"pitch", {-0.35F * length, 1.5F * unit, 0.3F * width, -38.0F, 5.0F, 52.0F}},
   };
 }
 
@@ -79,10 +107,29 @@ std::vector<NamedCamera> cut_scene_cameras(double spacing) {
       {"above", {0.0F, 16.0F * unit, 7.0F * unit, 0.0F, -64.0F, 50.0F}},
       {"close", {-0.9F * unit, 1.5F * unit, 2.2F * unit, -20.0F, -3.0F, 45.0F}},
       {"far", {8.0F * unit, 6.0F * unit, 13.0F * unit, 32.0F, -17.0F, 45.0F}},
+      {"tower", {3.0F * unit, 22.0F * unit, 24.0F * unit, 7.0F, -38.0F, 45.0F}},
   };
 }
 
 }  // namespace
+
+std::span<const char* const> scene_camera_names(Scene scene) {
+  static constexpr std::array plaza = {"front", "above", "close", "far", "tower", "fountain"};
+  static constexpr std::array parade = {"front", "above", "close", "far", "tower", "street"};
+  static constexpr std::array stadium = {"front", "above", "close", "far", "tower", "tiers", "pitch"};
+  switch (scene) {
+    case Scene::plaza:
+      return plaza;
+    case Scene::parade:
+      return parade;
+    case Scene::stadium:
+      return stadium;
+    case Scene::grid:
+    case Scene::film:
+      break;
+  }
+  return std::span(plaza).first<5>();
+}
 
 std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles) {
   switch (scene) {

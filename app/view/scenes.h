@@ -19,8 +19,9 @@ struct NamedCamera {
 /// The vertical field of view of the film's own camera, in degrees.
 inline constexpr float film_field_of_view = 50.0F;
 
-/// The names of a scene's cameras, in their order. The first is where a scene begins.
-inline constexpr std::array<const char*, 4> scene_camera_names = {"front", "above", "close", "far"};
+/// Returns the names of a scene's cameras, in their order. The first is where a scene begins. Every scene has front,
+/// above, close, far and tower; some have more to show.
+std::span<const char* const> scene_camera_names(Scene scene);
 
 /// Returns the cameras of a scene, one a name. They depend on the size of the crowd and of the character.
 std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles);

@@ -34,10 +34,27 @@ void Turntable::face_front() {
   nearness_ = 1.0F;
 }
 
+// Each point of both rims asks for a distance, at which it touches an edge of the picture.
+float Turntable::distance_to_see(const render::Camera& camera, float aspect) const {
+  constexpr int points = 48;
+  const glm::vec3 ahead = render::forward(camera), right = render::right(camera), up = glm::cross(right, ahead);
+  const float tall = std::tan(camera.vertical_view / 2), wide = tall * aspect;
+  float distance = 0.0F;
+  for (int point = 0; point < points; ++point) {
+    const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(point) / points;
+    for (const float height : {-half_height_, half_height_}) {
+      const glm::vec3 rim(radius_ * std::cos(angle), height, radius_ * std::sin(angle));
+      const float near = -glm::dot(rim, ahead);
+      distance =
+          std::max({distance, near + std::abs(glm::dot(rim, right)) / wide, near + std::abs(glm::dot(rim, up)) / tall});
+    }
+  }
+  return distance;
+}
+
 render::Camera Turntable::camera(float aspect, float covered) const {
   render::Camera camera{.position = {}, .yaw = yaw_, .pitch = pitch_};
-  camera = render::frame_sphere(camera, centre_, radius_, aspect * (1.0F - covered));
-  const float distance = nearness_ * glm::distance(camera.position, centre_);
+  const float distance = nearness_ * distance_to_see(camera, aspect * (1.0F - covered));
   const float half_width = distance * std::tan(camera.vertical_view / 2) * aspect;
   camera.position = centre_ - distance * render::forward(camera) + covered * half_width * render::right(camera);
   return camera;

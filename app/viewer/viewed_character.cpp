@@ -1,6 +1,7 @@
 #include "app/viewer/viewed_character.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -119,7 +120,7 @@ std::vector<glm::vec3> ViewedCharacter::surface_at_many_times() {
   return points;
 }
 
-ViewedSphere ViewedCharacter::surroundings() {
+ViewedRoom ViewedCharacter::surroundings() {
   const std::vector<glm::vec3> points = surface_at_many_times();
   if (points.empty()) return {};
   glm::vec3 lowest = points.front(), highest = points.front();
@@ -127,10 +128,16 @@ ViewedSphere ViewedCharacter::surroundings() {
     lowest = glm::min(lowest, point);
     highest = glm::max(highest, point);
   }
-  ViewedSphere sphere{.centre = (lowest + highest) / 2.0F, .radius = 0.0F};
-  for (const glm::vec3& point : points) sphere.radius = std::max(sphere.radius, glm::distance(point, sphere.centre));
-  sphere.radius = std::max(sphere.radius * room_around, least_radius);
-  return sphere;
+  ViewedRoom room{.centre = (lowest + highest) / 2.0F, .radius = 0.0F, .across = 0.0F};
+  for (const glm::vec3& point : points) {
+    const glm::vec3 away = point - room.centre;
+    room.radius = std::max(room.radius, glm::length(away));
+    room.across = std::max(room.across, std::hypot(away.x, away.z));
+  }
+  room.radius = std::max(room.radius * room_around, least_radius);
+  room.across = std::max(room.across * room_around, least_radius);
+  room.half_height = std::max((highest.y - lowest.y) / 2.0F * room_around, least_radius);
+  return room;
 }
 
 std::span<const anim::PaletteMatrix> ViewedCharacter::palette() const {

@@ -25,10 +25,12 @@ struct ViewedPose {
   std::uint8_t bone_level = 0;
 };
 
-/// A sphere in model space, in metres.
-struct ViewedSphere {
+/// The room that a character takes in all of its clips, in model space, in metres: a sphere, and an upright cylinder
+/// about the same middle.
+struct ViewedRoom {
   glm::vec3 centre{0.0F};
-  float radius = 1.0F;
+  float radius = 1.0F;                      ///< of the sphere
+  float across = 1.0F, half_height = 1.0F;  ///< radius and half the height of the cylinder
 };
 
 /// One agent of a character, in an animation system of its own, which is asked for a pose in each frame.
@@ -38,8 +40,8 @@ class ViewedCharacter {
   static anim::Result<std::unique_ptr<ViewedCharacter>> create(const CharacterSource& source, anim::StreamKind stream);
 
   void pose(const ViewedPose& wanted);
-  /// Returns a sphere about the points that stand for its surface, at several times of each clip.
-  ViewedSphere surroundings();
+  /// Returns the room of the points that stand for its surface, at several times of each clip.
+  ViewedRoom surroundings();
 
   /// Returns the palette of the last pose; entries that its bone level lacks are left as they were.
   std::span<const anim::PaletteMatrix> palette() const;

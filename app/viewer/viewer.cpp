@@ -85,9 +85,9 @@ Viewer::Viewer(const Stage& stage, const ViewRequest& request, std::unique_ptr<V
       slots_(&stage.shown().slots()),
       slot_(slots_->acquire(viewed_->palette_bytes())),
       stage_frame_(stage.frame()),
-      sphere_(viewed_->surroundings()),
-      scale_(view_radius / sphere_.radius),
-      turntable_(scale_ * sphere_.centre, view_radius),
+      room_(viewed_->surroundings()),
+      scale_(view_radius / room_.radius),
+      turntable_(scale_ * room_.centre, scale_ * room_.across, scale_ * room_.half_height),
       preview_(request.preview) {
   settings_.clip = first_clip(stage, request);
   dress(stage, request.agent ? request.agent : first_agent_of(stage.crowd(), character_));

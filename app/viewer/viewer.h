@@ -58,8 +58,8 @@ class Viewer {
   render::PaletteSlots* slots_;
   render::PaletteSlot slot_;
   std::uint64_t stage_frame_;
-  ViewedSphere sphere_;  // about the character, in its own size
-  float scale_;          // at which it has a radius of a metre
+  ViewedRoom room_;  // of the character, in its own size
+  float scale_;      // at which its sphere has a radius of a metre
   Turntable turntable_;
   ViewerSettings settings_;
   std::optional<RolePreview> preview_;

@@ -33,10 +33,6 @@ glm::vec3 seen_by(const Camera& camera, const glm::vec3& way) {
   return {glm::dot(way, right(camera)), glm::dot(way, up(camera)), glm::dot(way, forward(camera))};
 }
 
-// Returns how far ahead a point lies that is one metre from two planes through the camera. Each leans to its own side,
-// by `lean` metres a metre.
-float distance_of_unit(float lean) { return std::hypot(1.0F, lean) / lean; }
-
 glm::vec4 normalized(const glm::vec4& plane) { return plane / glm::length(glm::vec3(plane)); }
 
 }  // namespace
@@ -82,14 +78,6 @@ Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, floa
   Camera next = turned;
   next.position = about - (seen.x * right(turned) + seen.y * up(turned) + seen.z * forward(turned));
   return next;
-}
-
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect) {
-  const float tall = std::tan(camera.vertical_view * 0.5F), wide = tall * aspect;
-  const float ahead = radius * std::max(distance_of_unit(wide), distance_of_unit(tall));
-  Camera framed = camera;
-  framed.position = centre - ahead * forward(camera);
-  return framed;
 }
 
 }  // namespace throng::render

@@ -55,7 +55,4 @@ Camera fly(const Camera& camera, const FlyInput& input, float seconds);
 /// which the camera turns; it never looks straight up or down.
 Camera orbit(const Camera& camera, const glm::vec3& about, float turn_left, float turn_up);
 
-/// Moves the camera, which keeps its direction, until the sphere just fits into the picture.
-Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect);
-
 }  // namespace throng::render

@@ -103,11 +103,31 @@ DrawCounts Renderer::draw(const CrowdFrame& frame) {
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
   DrawCounts counts = draw_light(frame);
+  add(counts, options_.lens ? draw_through_lens(frame, *options_.lens) : draw_tiles(frame));
+  return counts;
+}
+
+DrawCounts Renderer::draw_tiles(const CrowdFrame& frame) {
+  DrawCounts counts;
   target_.draw_tiles([&](const PixelRect& drawn) {
     const CrowdFrame tile = part_of(frame, size(), drawn);
-    if (target_.is_tiled()) frame_data_.upload_view(tile);
+    if (target_.is_tiled() || options_.lens) frame_data_.upload_view(tile);
     add(counts, draw_scene(tile));
   });
+  return counts;
+}
+
+DrawCounts Renderer::draw_through_lens(const CrowdFrame& frame, const Lens& lens) {
+  DrawCounts counts;
+  AveragedPicture average;
+  const float radius = radius_of(lens, frame.camera);
+  for (int point = 0; point < lens.points; ++point) {
+    CrowdFrame seen = frame;
+    seen.camera = seen_through(frame.camera, radius * point_of_disc(point, lens.points), lens.focus);
+    add(counts, draw_tiles(seen));
+    average.add(target_.read());
+  }
+  target_.write(average.finish());
   return counts;
 }
 
@@ -165,12 +185,11 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame, light_parts_);
-  DrawCounts counts;
-  // Scenery goes before the ground, which then costs nothing where it is hidden.
+  // From near to far, as a rule: what is hidden then costs little on a processor.
+  DrawCounts counts = crowd_.draw(frame, meshes_, palettes_);
   if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y), light_parts_));
-  add(counts, ground_.draw(frame.ground.style, light_parts_));
+  add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
-  add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {
     blend_.begin(target);
     add(counts, crowd_.draw_blended(meshes_, palettes_));

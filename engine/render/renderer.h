@@ -16,6 +16,7 @@
 #include "engine/render/frame/tiled_target.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
+#include "engine/render/lens.h"
 #include "engine/render/light/lamp_map.h"
 #include "engine/render/light/sky_light.h"
 #include "engine/render/mesh/mesh.h"
@@ -38,10 +39,11 @@
 namespace throng::render {
 
 struct RendererOptions {
-  std::filesystem::path data;  ///< folder that has `shaders`
-  glm::ivec2 size{1280, 720};  ///< pixels of the picture
-  int samples = 0;             ///< 0 or 4
-  int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  std::filesystem::path data;     ///< folder that has `shaders`
+  glm::ivec2 size{1280, 720};     ///< pixels of the picture
+  int samples = 0;                ///< 0 or 4
+  int longest_tile = 4096;        ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  std::optional<Lens> lens = {};  ///< unset: all is sharp; else each picture takes Lens::points times as long
   std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
 
@@ -130,6 +132,8 @@ class Renderer {
   Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
 
   DrawCounts draw_light(const CrowdFrame& frame);
+  DrawCounts draw_tiles(const CrowdFrame& frame);
+  DrawCounts draw_through_lens(const CrowdFrame& frame, const Lens& lens);
   DrawCounts draw_scene(const CrowdFrame& frame);
 
   gl::Context* context_;

@@ -108,11 +108,11 @@ TEST_F(Scenery, IsDrawnWhereTheFrameAsksForIt) {
   const DrawCounts with = counts();
   frame.scenery = false;
   EXPECT_EQ(red_pixels(drawn(frame)), 0);
-  EXPECT_EQ(with.draw_calls, counts().draw_calls + 1);
-  EXPECT_GE(with.triangles, counts().triangles + 14);
+  EXPECT_EQ(with.draw_calls, counts().draw_calls + 2) << "depths and what scatters light";
+  EXPECT_GE(with.triangles, counts().triangles + 2 * 14);
 }
 
-TEST_F(Scenery, IsOneCallHoweverMuchStandsThere) {
+TEST_F(Scenery, TakesNoMoreCallsHoweverMuchStandsThere) {
   renderer().place_scenery(std::vector{at({0.0F, 1.6F, -6.0F}, 0)});
   drawn(empty_frame());
   const std::uint32_t calls = counts().draw_calls;

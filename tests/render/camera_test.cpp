@@ -105,23 +105,6 @@ TEST(FlyCamera, NeverTurnsOverAndWrapsItsYaw) {
   EXPECT_LE(std::abs(turned.yaw), 3.1416F);
 }
 
-TEST(FrameSphere, JustFitsItKeepingTheDirection) {
-  Camera camera = at_origin();
-  camera.yaw = 0.7F;
-  camera.pitch = -0.4F;
-  const glm::vec3 centre{3.0F, 1.0F, -20.0F};
-  for (const float aspect : {0.5F, 1.0F, 2.0F}) {
-    const Camera framed = frame_sphere(camera, centre, 6.0F, aspect);
-    EXPECT_EQ(framed.yaw, camera.yaw);
-    const CameraView view = view_of(framed, aspect);
-    float nearest_edge = 1e9F;
-    for (const glm::vec4& plane : frustum_planes(view)) {
-      nearest_edge = std::min(nearest_edge, glm::dot(glm::vec3(plane), centre) + plane.w);
-    }
-    EXPECT_NEAR(nearest_edge, 6.0F, 1e-3F) << aspect;
-  }
-}
-
 TEST(Orbit, KeepsThePointInItsPlaceInThePicture) {
   Camera camera = at_origin();
   camera.position = {3.0F, 2.0F, 7.0F};

@@ -57,7 +57,8 @@ TEST(SurfacePaint, AddsWhatShinesByItself) {
   EXPECT_EQ(triangle.look().color, glm::vec3(0.0F, 0.0F, 1.0F));
   triangle.data.materials[0].emission_texture.image = 0;
   EXPECT_EQ(triangle.look().color, glm::vec3(0.0F)) << "the texture is red at 0";
-  triangle.surface.detail_coords.assign(3, {.emission = {0.75F, 0.0F}});
+  triangle.surface.detail_coords.assign(3, DetailCoords{});
+  for (DetailCoords& coords : triangle.surface.detail_coords) coords.emission = {0.75F, 0.0F};
   EXPECT_EQ(triangle.look().color, glm::vec3(0.0F, 0.0F, 1.0F)) << "and blue where its own coordinates are";
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/bench/drawing.h"
 #include "app/commands/bench/grain.h"
 #include "app/commands/bench/machine.h"
 #include "app/commands/bench/plot.h"
@@ -107,6 +108,7 @@ int run_table(const BenchOptions& options) {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
+  if (options.draws) return end_with_report(options, measure_drawing(options));
   if (!options.machine.empty()) return end_with_report(options, run_machine(options));
   if (options.sweep != Sweep::none) return end_with_report(options, sweep_grain(options));
   return run_table(options);

@@ -16,6 +16,7 @@ enum class Sweep : std::uint8_t {
 };
 
 /// The options of `throng bench`. It runs without LOD and crowd logic, and measures every combination of the lists.
+/// With `draws`, it measures what a frame of each number of agents costs.
 struct BenchOptions {
   std::string model;              ///< empty: a branching skeleton of `bones` bones with `clips` different clips
   std::vector<int> agents{1000};  ///< each 1 to 100,000
@@ -28,6 +29,9 @@ struct BenchOptions {
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
   Sweep sweep = Sweep::none;
+  bool draws = false;         ///< whole frames are measured, crowd logic, level of detail and drawing included
+  DemoOptions shown;          ///< what they show, from where, on which device
+  float seconds = 20;         ///< that each number of agents may take, above 0
   std::string machine;        ///< a file, or the name of a preset; empty: none
   std::string data;           ///< folder of presets; empty: the usual places
   std::string json;           ///< a file, "-" for standard output, empty: lines for a person

@@ -91,16 +91,22 @@ double tick_step(double most) {
 struct Frame {
   double left = 64, top = 48, width = 520, height = 300;
   double least_x = 1, most_x = 2, most_y = 1;
+  double least_y = 0;  ///< above 0: the scale is logarithmic
 
   double x(double value) const {
     const double range = std::log2(most_x / least_x);
     return left + (range > 0 ? std::log2(value / least_x) / range : 0.5) * width;
   }
-  double y(double value) const { return top + height - value / most_y * height; }
+  double y(double value) const { return top + height - share(value) * height; }
+  double share(double value) const {
+    return least_y > 0 ? std::log(std::max(value, least_y) / least_y) / std::log(most_y / least_y) : value / most_y;
+  }
 };
 
-Frame frame_of(const std::vector<PlotLine>& lines) {
+Frame frame_of(const std::vector<PlotLine>& lines, const PlotStyle& style) {
   Frame frame;
+  if (!style.note.empty()) frame.top += 18;
+  double least_y = 1e300;
   frame.least_x = 1e300;
   frame.most_x = frame.most_y = 1e-300;
   for (const PlotLine& line : lines) {
@@ -108,17 +114,34 @@ Frame frame_of(const std::vector<PlotLine>& lines) {
       frame.least_x = std::min(frame.least_x, x);
       frame.most_x = std::max(frame.most_x, x);
     }
-    for (const double y : line.y) frame.most_y = std::max(frame.most_y, y);
+    for (const double y : line.y) {
+      frame.most_y = std::max(frame.most_y, y);
+      if (y > 0) least_y = std::min(least_y, y);
+    }
+  }
+  if (style.logarithmic && least_y < frame.most_y) {
+    frame.least_y = std::pow(10.0, std::floor(std::log10(least_y)));
+    frame.most_y = std::pow(10.0, std::ceil(std::log10(frame.most_y)));
+    return frame;
   }
   frame.most_y = std::ceil(frame.most_y / tick_step(frame.most_y)) * tick_step(frame.most_y);
   return frame;
 }
 
-void draw_axes(Canvas& canvas, const Frame& frame, const std::vector<PlotLine>& lines) {
+std::vector<double> ticks_of(const Frame& frame) {
+  std::vector<double> ticks;
+  if (frame.least_y > 0) {
+    for (double tick = frame.least_y; tick < frame.most_y * 1.001; tick *= 10) ticks.push_back(tick);
+    return ticks;
+  }
   const double step = tick_step(frame.most_y);
-  const auto ticks = static_cast<int>(frame.most_y * 1.001 / step);
-  for (int i = 0; i <= ticks; ++i) {
-    const double tick = i * step;
+  const auto count = static_cast<int>(frame.most_y * 1.001 / step);
+  for (int i = 0; i <= count; ++i) ticks.push_back(i * step);
+  return ticks;
+}
+
+void draw_axes(Canvas& canvas, const Frame& frame, const std::vector<PlotLine>& lines) {
+  for (const double tick : ticks_of(frame)) {
     canvas.line(frame.left, frame.y(tick), frame.left + frame.width, frame.y(tick), faint);
     canvas.text(frame.left - 8, frame.y(tick) + 4, number(tick), quiet, "end");
   }
@@ -142,10 +165,12 @@ void draw_names(Canvas& canvas, const Frame& frame, const std::vector<PlotLine>&
   std::vector<Name> names;
   for (std::size_t i = 0; i < lines.size(); ++i) names.push_back({frame.y(lines[i].y.back()) + 4, i});
   std::ranges::sort(names, {}, &Name::y);
-  double lowest = 0;
-  for (Name& name : names) {
-    name.y = std::max(name.y, lowest + 14);
-    lowest = name.y;
+  constexpr double line_height = 14;
+  double last = 0;
+  for (Name& name : names) last = name.y = std::max(name.y, last + line_height);
+  double next = frame.top + frame.height + line_height;
+  for (auto name = names.rbegin(); name != names.rend(); ++name) next = name->y = std::min(name->y, next - line_height);
+  for (const Name& name : names) {
     canvas.text(frame.left + frame.width + 10, name.y, lines[name.line].name, colours[name.line % colours.size()]);
   }
 }
@@ -170,10 +195,11 @@ std::string bars_as_svg(const std::string& title, const std::string& unit, const
 }
 
 std::string lines_as_svg(const std::string& title, const std::string& x_name, const std::string& y_name,
-                         const std::vector<PlotLine>& lines) {
-  const Frame frame = frame_of(lines);
+                         const std::vector<PlotLine>& lines, const PlotStyle& style) {
+  const Frame frame = frame_of(lines, style);
   Canvas canvas(frame.left + frame.width + 250, frame.top + frame.height + 56);
   canvas.text(24, 26, title, ink, "start", bold);
+  if (!style.note.empty()) canvas.text(24, 44, style.note, quiet);
   draw_axes(canvas, frame, lines);
   canvas.text(frame.left, frame.top - 8, y_name, quiet);
   canvas.text(frame.left + frame.width, frame.top + frame.height + 40, x_name, quiet, "end");

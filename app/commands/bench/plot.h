@@ -20,8 +20,14 @@ struct PlotLine {
   bool dashed = false;       ///< true for a line that is only compared with
 };
 
-/// Draws lines over an axis of doublings, with a scale from 0 upwards and names at their ends, as a whole SVG file.
+struct PlotStyle {
+  bool logarithmic =
+      false;              ///< the scale has powers of ten, for values above 0 that lie far apart; else it begins at 0
+  std::string note = {};  ///< a line below the title
+};
+
+/// Draws lines over an axis of doublings, with a scale and names at their ends, as a whole SVG file.
 std::string lines_as_svg(const std::string& title, const std::string& x_name, const std::string& y_name,
-                         const std::vector<PlotLine>& lines);
+                         const std::vector<PlotLine>& lines, const PlotStyle& style = {});
 
 }  // namespace throng::app

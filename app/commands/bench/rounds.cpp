@@ -28,14 +28,13 @@ double time(const BenchSubject& subject) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// Rewrites its own line on standard error, and only where that is a terminal; an empty text clears it.
+}  // namespace
+
 void show_progress(const std::string& text) {
   constexpr int width = 78;
   if (isatty(STDERR_FILENO) == 0) return;
   std::fprintf(stderr, text.empty() ? "\r%-*.*s\r" : "\r%-*.*s", width, width, text.c_str());
 }
-
-}  // namespace
 
 void BenchRounds::run(int rounds, const std::string& label) {
   for (int round = -warm_up_rounds; round < rounds; ++round) {

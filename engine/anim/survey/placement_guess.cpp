@@ -11,8 +11,9 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double least_side = 0.04;      // metres: a mouse
-constexpr double largest_side = 40.0;    // metres: a tall house
+constexpr double least_side = 0.04;                                   // metres: a mouse
+constexpr double largest_side = 40.0;                                 // metres: a tall house
+constexpr double upright_over_depth = 0.8, upright_over_width = 0.6;  // an animal is longer; arms may be spread
 constexpr double off_the_middle = 0.25;  // of the largest side: nobody who stands on the origin is so far off
 constexpr double sunk = 0.02;            // of the height: soles lie a little below the ground in many files
 constexpr double afloat = 0.5;           // of the height: who hovers on purpose is lower
@@ -25,6 +26,20 @@ double guess_scale(double side) {
   if (side >= least_side && side <= largest_side) return 1.0;
   const double power = std::round(std::log10(tall_person / side));
   return std::pow(10.0, side > largest_side ? std::min(power, -2.0) : power);
+}
+
+bool stands_upright(const glm::dvec3& size) {
+  return size.y >= upright_over_depth * size.z && size.y >= upright_over_width * size.x;
+}
+
+/// Returns by how much a model of that size in metres grows to fit among people: 1 for one that does. No unit makes a
+/// figure of 5 cm or of 6 m that stands upright, so it is a person in a unit that nobody knows.
+double growth_among_people(const glm::dvec3& metres) {
+  const bool upright = stands_upright(metres);
+  const double side = upright ? metres.y : largest_of(metres);
+  const double most = upright ? tallest_among_people : longest_among_people;
+  if (side >= least_among_people && side <= most) return 1.0;
+  return (upright ? tall_person : std::clamp(side, least_among_people, most)) / side;
 }
 
 glm::dquat upright(UpAxis up) {
@@ -76,7 +91,8 @@ class Reasons {
 
 class PlacementGuesser {
  public:
-  PlacementGuesser(const ModelExtent& extent, const PlacementChoice& choice) : extent_(extent), choice_(choice) {}
+  PlacementGuesser(const ModelExtent& extent, const PlacementChoice& choice, SizeRule rule)
+      : extent_(extent), choice_(choice), rule_(rule) {}
 
   GuessedPlacement guess() {
     guessed_.choice = choice_;
@@ -94,12 +110,23 @@ class PlacementGuesser {
  private:
   void set_scale() {
     double& scale = guessed_.placement.scale;
-    scale = choice_.scale.value_or(guess_scale(largest_of(extent_.size)));
     if (choice_.scale) {
-      reasons_.add("scaled by " + number(scale) + " as asked");
-    } else if (scale != 1.0) {
+      scale = *choice_.scale;
+      return reasons_.add("scaled by " + number(scale) + " as asked");
+    }
+    scale = guess_scale(largest_of(extent_.size));
+    if (scale != 1.0) {
       reasons_.add("taken as " + unit_named(scale) + " (" + number(extent_.size.y) + " units tall in its file)");
     }
+    if (rule_ == SizeRule::among_people) fit_among_people();
+  }
+
+  void fit_among_people() {
+    double& scale = guessed_.placement.scale;
+    const double tall = scale * extent_.size.y, growth = growth_among_people(scale * extent_.size);
+    if (growth == 1.0) return;
+    scale *= growth;
+    reasons_.add("scaled by " + number(growth) + " from " + number(tall) + " m to fit among people");
   }
 
   void set_place() {
@@ -122,16 +149,22 @@ class PlacementGuesser {
 
   ModelExtent extent_;
   PlacementChoice choice_;
+  SizeRule rule_;
   GuessedPlacement guessed_;
   Reasons reasons_;
 };
 
 }  // namespace
 
-double guessed_scale(const ModelExtent& extent) { return guess_scale(largest_of(extent.size)); }
+double guessed_scale(const ModelExtent& extent, SizeRule rule) {
+  const double scale = guess_scale(largest_of(extent.size));
+  return rule == SizeRule::among_people ? scale * growth_among_people(scale * extent.size) : scale;
+}
 
-GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice) {
-  if (const auto extent = measure_extent(model, upright(choice.up))) return PlacementGuesser(*extent, choice).guess();
+GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice, SizeRule rule) {
+  if (const auto extent = measure_extent(model, upright(choice.up))) {
+    return PlacementGuesser(*extent, choice, rule).guess();
+  }
   return {.placement = {.scale = choice.scale.value_or(1.0), .rotation = upright(choice.up)},
           .is_plain = false,
           .choice = choice,

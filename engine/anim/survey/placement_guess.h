@@ -15,6 +15,10 @@ enum class UpAxis : unsigned char { x, y, z, minus_x, minus_y, minus_z };
 /// reaches below it.
 enum class GroundRule : unsigned char { guess, file, feet };
 
+/// Says what becomes of a size that a file probably has. `kept` leaves it. `among_people` brings a model that is too
+/// small or too large for a place that is made for people to a size that fits there.
+enum class SizeRule : unsigned char { kept, among_people };
+
 /// Holds what a person asks about a model's size and place. The rest is guessed.
 struct PlacementChoice {
   std::optional<double> scale = std::nullopt;  ///< metres a unit of the file, above 0
@@ -34,13 +38,19 @@ struct GuessedPlacement {
   std::string reasons{};  ///< one sentence for people, plain or not: "1.76 m tall: taken as centimetres, ..."
 };
 
+/// These sizes fit among people, in metres: the height of what stands upright, the largest side of anything else.
+inline constexpr double least_among_people = 0.25, tallest_among_people = 3.0, longest_among_people = 4.0;
+
 /// Returns the metres a unit of the file that a model of that size, in units of its file, is taken to have.
-double guessed_scale(const ModelExtent& extent);
+double guessed_scale(const ModelExtent& extent, SizeRule rule);
 
 /// Finds the size and place of a model that a person would expect. Sizes that people, animals and houses have in metres
 /// are kept (largest side from 4 cm to 40 m); others are taken as centimetres, millimetres or whatever power of ten
 /// brings them nearest to a person. Who stands beside the origin is moved there, and who reaches below the ground or
-/// floats far above it is put on it. `model` is as imported.
-GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice = {});
+/// floats far above it is put on it. `model` is as imported. By SizeRule::among_people, what stands upright and does
+/// not fit becomes as tall as a person, and anything else the nearest size that fits, so that a mouse stays the
+/// smallest.
+GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice = {},
+                                 SizeRule rule = SizeRule::kept);
 
 }  // namespace throng::anim

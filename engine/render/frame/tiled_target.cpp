@@ -42,4 +42,12 @@ const Image& TiledTarget::read() {
   return image_;
 }
 
+void TiledTarget::write(const Image& image) {
+  if (is_tiled()) {
+    image_ = image;
+  } else {
+    target_.write(image, {{0, 0}, size()});
+  }
+}
+
 }  // namespace throng::render

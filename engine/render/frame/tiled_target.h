@@ -42,6 +42,8 @@ class TiledTarget {
 
   /// Reads the last picture. The image is valid until the next one is drawn.
   const Image& read();
+  /// Makes the last picture that image, which is as large.
+  void write(const Image& image);
 
  private:
   TiledTarget(ImageTarget target, const PictureTiles& tiles);

@@ -2,6 +2,8 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -28,10 +30,20 @@ struct SceneryRecord {
 };
 static_assert(sizeof(SceneryRecord) == 56);
 
+void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool matt,
+                   std::vector<std::uint32_t>& indices) {
+  for (std::size_t corner = 0; corner + 2 < lod.indices.size(); corner += 3) {
+    if ((mesh.vertices[lod.indices[corner]].kind == SceneryKind::matt) != matt) continue;
+    for (std::size_t i = 0; i < 3; ++i) indices.push_back(lod.indices[corner + i]);
+  }
+}
+
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : surface_(shaders, {"scenery.vert", "scenery.frag"}, light_switches({"SHINY"})),
+    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
+      mirror_(shaders, {"scenery.vert", "scenery_mirror.frag"}, light_switches()),
+      own_depth_(shaders.load({"scenery.vert", "scenery_depth.frag"})),
       depth_(shaders.load({"scenery_depth.vert", "scenery_depth.frag"})) {}
 
 Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
@@ -46,9 +58,11 @@ Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     std::vector<LodRun>& runs = lods_.emplace_back();
     for (const SceneryLodData& lod : mesh.lods) {
-      LodRun& run = runs.emplace_back(LodRun{static_cast<std::uint32_t>(indices.size()), 0, 0});
-      run.matt_count = add_triangles(mesh, lod, false, indices);
-      run.shiny_count = add_triangles(mesh, lod, true, indices);
+      const auto first = static_cast<std::uint32_t>(indices.size());
+      add_triangles(mesh, lod, true, indices);
+      const auto matt_end = static_cast<std::uint32_t>(indices.size());
+      add_triangles(mesh, lod, false, indices);
+      runs.push_back({first, matt_end - first, static_cast<std::uint32_t>(indices.size()) - matt_end});
     }
   }
   vertices_ = gl::create_buffer(vertices.data(), vertices.size() * sizeof(SceneryVertex));
@@ -73,74 +87,80 @@ void SceneryPass::place(std::span<const SceneryInstance> instances) {
   instances_ = gl::create_buffer(records.data(), records.size() * sizeof(SceneryRecord));
   std::size_t runs = 0;
   for (const SceneryShape& shape : shapes_) runs += shape.errors.size();
-  commands_.assign(runs, {});
+  commands_.assign(part_count * runs, {});
   chosen_.upload(order);  // makes room for as many as there are
 }
 
-// A triangle mirrors if its first corner does. Processors that draw compute all of a program for each pixel, so most of
-// a place must not be drawn with one that can mirror.
-std::uint32_t SceneryPass::add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool shiny,
-                                         std::vector<std::uint32_t>& indices) const {
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i + 2 < lod.indices.size(); i += 3) {
-    if ((mesh.vertices[lod.indices[i]].kind != SceneryKind::matt) != shiny) continue;
-    indices.insert(indices.end(), {lod.indices[i], lod.indices[i + 1], lod.indices[i + 2]});
-    count += 3;
+// Makes the commands of the first `parts` parts for what was chosen, and binds what they read.
+void SceneryPass::compose(std::uint32_t parts) {
+  std::uint32_t end = 0;
+  for (std::uint32_t part = 0; part < part_count; ++part) {
+    parts_.at(part) = end;
+    triangles_.at(part) = 0;
+    for (const ScenerySelection::Run& run : selection_.runs()) {
+      const LodRun& lod = lods_[run.mesh][run.lod];
+      const std::uint32_t first = lod.first_index + (part == mirrors ? lod.matt_count : 0);
+      const std::uint32_t count = (part == mirrors ? 0 : lod.matt_count) + (part == matt ? 0 : lod.mirror_count);
+      if (part >= parts || count == 0) continue;
+      commands_[end++] = {count, run.count, first, first_vertices_[run.mesh], run.first};
+      triangles_.at(part) += std::uint64_t{count / 3} * run.count;
+    }
   }
-  return count;
-}
-
-void SceneryPass::upload_chosen() {
+  parts_.back() = end;
+  if (end == 0) return;
   chosen_.upload(selection_.chosen());
+  command_buffer_.upload(std::span(commands_.data(), end));
   glBindVertexArray(array_.id());
   glVertexArrayVertexBuffer(array_.id(), instance_stream, chosen_.id(), 0, sizeof(std::uint32_t));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, scenery_binding, instances_.id());
-}
-
-DrawCounts SceneryPass::draw_chosen(Part part) {
-  DrawCounts counts;
-  std::size_t command = 0;
-  for (const ScenerySelection::Run& run : selection_.runs()) {
-    const LodRun& lod = lods_[run.mesh][run.lod];
-    const std::uint32_t first = lod.first_index + (part == Part::shiny ? lod.matt_count : 0U);
-    const std::uint32_t count =
-        (part == Part::shiny ? 0U : lod.matt_count) + (part == Part::matt ? 0U : lod.shiny_count);
-    if (count == 0) continue;
-    commands_[command++] = {count, run.count, first, first_vertices_[run.mesh], run.first};
-    counts.triangles += std::uint64_t{count / 3} * run.count;
-  }
-  if (command == 0) return counts;
-  command_buffer_.upload(std::span(commands_.data(), command));
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_buffer_.id());
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(command),
-                              sizeof(DrawCommand));
-  counts.draw_calls = 1;
-  return counts;
 }
 
+DrawCounts SceneryPass::draw_part(Part part) const {
+  const std::uint32_t first = parts_.at(part), count = parts_.at(part + 1U) - first;
+  if (count == 0) return {};
+  // OpenGL takes an offset into the bound buffer as a pointer.
+  const void* const commands =
+      reinterpret_cast<const void*>(std::uintptr_t{first} * sizeof(DrawCommand));  // NOLINT(performance-no-int-to-ptr)
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, commands, static_cast<GLsizei>(count),
+                              sizeof(DrawCommand));
+  return {1, triangles_.at(part)};
+}
+
+// A point of the picture is lit only once, whatever lies behind it.
 DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
-  upload_chosen();
+  compose(part_count);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);  // depth is reversed
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  glUseProgram(surface_.with(light).id());
-  DrawCounts counts = draw_chosen(Part::matt);
-  glUseProgram(surface_.with(light | 1U << light_part_count).id());
-  add(counts, draw_chosen(Part::shiny));
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glUseProgram(own_depth_.id());
+  DrawCounts counts = draw_part(whole);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
+    glUseProgram(program->with(light).id());
+    const DrawCounts lit = draw_part(part);
+    counts.draw_calls += lit.draw_calls;
+    counts.triangles += lit.triangles;
+  }
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
   return counts;
 }
 
 DrawCounts SceneryPass::draw_depth(const glm::mat4& view_projection, float texel_metres) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(view_projection, texel_metres), 1);
-  upload_chosen();
+  compose(1);
   glUseProgram(depth_.id());
   glUniformMatrix4fv(depth_matrix_location, 1, GL_FALSE, glm::value_ptr(view_projection));
-  return draw_chosen(Part::all);
+  return draw_part(whole);
 }
 
 }  // namespace throng::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,7 +17,8 @@
 
 namespace throng::render {
 
-/// Draws what stands around a crowd, all of it with one call. Frame data and light must be bound.
+/// Draws what stands around a crowd, all of it with three calls: depths, what scatters light, and what mirrors too.
+/// Frame data and light must be bound.
 class SceneryPass {
  public:
   /// `shaders` must outlive the pass.
@@ -35,20 +37,20 @@ class SceneryPass {
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
 
  private:
-  /// A run of the index buffer: matt triangles, and after them those that mirror.
+  /// A run of the index buffer: triangles that scatter light, then those that mirror too.
   struct LodRun {
     std::uint32_t first_index;
     std::uint32_t matt_count;
-    std::uint32_t shiny_count;
+    std::uint32_t mirror_count;
   };
-  enum class Part : std::uint8_t { matt, shiny, all };
+  enum Part : std::uint8_t { whole, matt, mirrors, part_count };
 
-  std::uint32_t add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool shiny,
-                              std::vector<std::uint32_t>& indices) const;
-  void upload_chosen();
-  DrawCounts draw_chosen(Part part);
+  void compose(std::uint32_t parts);
+  DrawCounts draw_part(Part part) const;
 
-  ProgramVariants surface_;
+  ProgramVariants matt_;
+  ProgramVariants mirror_;
+  const gl::Program& own_depth_;
   const gl::Program& depth_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
@@ -58,7 +60,9 @@ class SceneryPass {
   std::vector<std::vector<LodRun>> lods_;  // [mesh][LOD]
   std::vector<std::int32_t> first_vertices_;
   ScenerySelection selection_;
-  std::vector<DrawCommand> commands_;  // of matt parts, then of those that mirror, or of both at once
+  std::vector<DrawCommand> commands_;                  // by part
+  std::array<std::uint32_t, part_count + 1> parts_{};  // [part] where its commands begin
+  std::array<std::uint64_t, part_count> triangles_{};
   gl::GrowingBuffer<std::uint32_t> chosen_;
   gl::GrowingBuffer<DrawCommand> command_buffer_;
 };

@@ -66,6 +66,43 @@ TEST(PlacementGuess, TakesCentimetresMillimetresAndTinyUnitsAsMetres) {
   EXPECT_THAT(guess_placement(body(1760.0F)).reasons, HasSubstr("taken as millimetres"));
 }
 
+/// An animal, lower than it is long.
+Model animal(float length) { return box({-length / 12, 0.0F, -length / 2}, {length / 12, length / 2.5F, length / 2}); }
+
+double side_among_people(const Model& model, const PlacementChoice& choice = {}) {
+  const GuessedPlacement guessed = guess_placement(model, choice, SizeRule::among_people);
+  EXPECT_EQ(guessed.is_plain, guessed.placement.scale == 1.0 && !choice.scale);
+  const double expected = choice.scale.value_or(guessed_scale(*guessed.extent, SizeRule::among_people));
+  EXPECT_EQ(guessed.placement.scale, expected);
+  const glm::dvec3 size = guessed.placement.scale * guessed.extent->size;
+  return std::max({size.x, size.y, size.z});
+}
+
+TEST(PlacementGuess, KeepsAmongPeopleWhatFitsThere) {
+  for (const float height : {0.3F, 1.1F, 1.8F, 2.9F}) EXPECT_NEAR(side_among_people(body(height)), height, 1e-6);
+  for (const float length : {0.4F, 1.5F, 2.4F, 3.9F}) EXPECT_NEAR(side_among_people(animal(length)), length, 1e-6);
+}
+
+TEST(PlacementGuess, MakesWhoStandsUprightAndDoesNotFitAsTallAsAPerson) {
+  for (const float height : {0.05F, 0.2F, 3.55F, 5.6F, 30.0F}) {
+    EXPECT_NEAR(side_among_people(body(height)), tall_person, 1e-6) << height;
+    EXPECT_EQ(guess_placement(body(height)).placement, Placement{}) << "only where it is asked for";
+  }
+  EXPECT_EQ(guess_placement(body(5.6F), {}, SizeRule::among_people).reasons,
+            "1.8 m tall: scaled by 0.321 from 5.6 m to fit among people");
+}
+
+TEST(PlacementGuess, BringsAnAnimalToTheNearestSizeThatFits) {
+  EXPECT_NEAR(side_among_people(animal(0.05F)), least_among_people, 1e-6) << "a mouse";
+  EXPECT_NEAR(side_among_people(animal(12.0F)), longest_among_people, 1e-6) << "a dragon";
+  EXPECT_NEAR(side_among_people(animal(155.0F)), 1.55, 1e-5) << "a fox in centimetres";
+}
+
+TEST(PlacementGuess, TakesAScaleThatIsAskedForAmongPeopleToo) {
+  EXPECT_NEAR(side_among_people(body(0.05F), {.scale = 1.0}), 0.05, 1e-6);
+  EXPECT_NEAR(side_among_people(body(79.0F), {.scale = 1.0}), 79.0, 1e-4);
+}
+
 TEST(PlacementGuess, MovesWhoStandsBesideTheOriginToItsPlace) {
   const GuessedPlacement guessed = guess_placement(box({19.7F, 0.0F, -3.2F}, {20.3F, 1.8F, -2.8F}));
   EXPECT_LT(glm::distance(guessed.placement.offset, glm::dvec3(-20.0, 0.0, 3.0)), 1e-5);

@@ -88,13 +88,23 @@ TEST(Framing, FillsTheFreePartOfThePictureWithEachScene) {
 
 TEST(Framing, FillsItWithOneAgent) { expect_framed(*test::show_of(test::demo("--agents 1"))); }
 
+TEST(Framing, HoldsAllThatAnAgentAnimates) {
+  const auto show = test::show_of(test::demo("--agents 1"));
+  const FramedBox box = boxes_of(show->stage()).front();
+  const anim::CharacterBounds& bounds = show->stage().people().front().character->bounds;
+  const float scale = show->stage().crowd().scales().front();
+  const auto reach = scale * static_cast<float>(bounds.reach), tall = scale * static_cast<float>(bounds.height);
+  EXPECT_GE(box.high.y - box.low.y, 0.5F * tall + reach - 1e-4F) << "arms that wave are above the head";
+  EXPECT_GE(box.high.x - box.low.x, 2.0F * reach - 1e-4F);
+}
+
 TEST(Framing, FillsItWithCharactersOfFiveCentimetres) {
   for (const char* const agents : {"1", "20"}) {
     SCOPED_TRACE(agents);
     const auto show = test::show_of(test::demo("--agents " + std::string(agents)));
     ASSERT_TRUE(show->set_placement(0, {.scale = 0.028}));
     const FramedBox box = boxes_of(show->stage()).front();
-    ASSERT_LT(box.high.y - box.low.y, 0.06F);
+    ASSERT_LT(box.high.y - box.low.y, 0.08F) << "arms reach above the head";
     expect_framed(*show);
   }
 }

@@ -51,6 +51,16 @@ TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
                                                               "--up and --ground overrule it."));
 }
 
+TEST(PlacementNotice, SaysWhoIsMadeToFitAmongPeople) {
+  std::vector<CharacterSource> people;
+  const std::string column = THRONG_SOURCE_DIR "/tests/data/features/joints-8-influences.glb";
+  people.push_back(*load_character(column, "column"));
+  EXPECT_NEAR(people[0].roles.height, 1.8, 1e-3) << "4.5 m in its file";
+  EXPECT_THAT(placement_notice(people), HasSubstr("1.8 m tall: scaled by 0.4 from 4.5 m to fit among people; --scale"));
+  people[0] = *load_character(column, "column", nullptr, {.placement = {.scale = 1.0}});
+  EXPECT_NEAR(people[0].roles.height, 4.5, 1e-3) << "as asked";
+}
+
 TEST(PlacementNotice, SaysOnceWhatHoldsForSeveral) {
   std::vector<CharacterSource> people(3);
   for (CharacterSource& person : people) {

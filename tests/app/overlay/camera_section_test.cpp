@@ -24,7 +24,9 @@ class CameraSection : public testing::Test {
 };
 
 TEST_F(CameraSection, GoesHomeAndToEachCameraOfTheScene) {
-  for (std::size_t i = 0; i < scene_camera_names.size(); ++i) EXPECT_EQ(click(scene_camera_names.at(i)).named, i);
+  const auto names = scene_camera_names(person_.tuning.scene);
+  ASSERT_GT(names.size(), 4U);
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(click(names[i]).named, i) << names[i];
   EXPECT_TRUE(click("Home").home);
   EXPECT_TRUE(press(Key::home).home);
   EXPECT_TRUE(person_.click("Frame crowd").frame_crowd);

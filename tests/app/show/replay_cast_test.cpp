@@ -105,6 +105,8 @@ TEST_F(CastShow, IsInTheStatistics) {
   EXPECT_EQ(characters[2]["share"], 3.0);
   EXPECT_EQ(characters[2]["agents"], 30);
   EXPECT_EQ(characters[0]["agents"], 10);
+  EXPECT_EQ(characters[0]["scale"], 1.0);
+  EXPECT_THAT(characters[0]["placement"].get<std::string>(), HasSubstr(" m tall"));
   EXPECT_THAT(run.errors, HasSubstr("broken.glb"));
 }
 

@@ -168,7 +168,7 @@ TEST_F(ViewedAlone, IsDrawnEquallyLargeWhateverItsSize) {
     EXPECT_NEAR(report.drawn_scale * report.height, 1.435F, 1e-3F) << scale;
     const render::Camera camera = viewer_->turntable().camera(16.0F / 9.0F, 0.0F);
     const float away = glm::length(camera.position);
-    EXPECT_GT(away - 2.0F, render::Camera::near_distance) << "nothing is cut off";
+    EXPECT_GT(away - 1.0F, render::Camera::near_distance) << "nothing is cut off";
     EXPECT_LT(away, 5.0F);
   }
 }

@@ -54,6 +54,17 @@ TEST(Plot, HasALineAndANameForEachSeriesAndADotForEachPoint) {
   }
 }
 
+TEST(Plot, HasPowersOfTenWhereValuesLieFarApartAndNoNameBelowItsAxis) {
+  std::vector<PlotLine> lines{{.name = "most", .x = {1000, 10000}, .y = {2000, 9000}}};
+  for (int i = 0; i < 6; ++i) lines.push_back({.name = "least", .x = {1000, 10000}, .y = {0.02, 0.03}});
+  const std::string svg = lines_as_svg("Title", "agents", "ms", lines, {.logarithmic = true, .note = "Note"});
+  for (const char* const word : {">0.01<", ">1<", ">100<", ">10000<", ">Note<"}) EXPECT_THAT(svg, HasSubstr(word));
+  for (std::size_t at = svg.find(">least<"); at != std::string::npos; at = svg.find(">least<", at + 1)) {
+    const std::size_t y = svg.rfind(" y=\"", at) + 4;
+    EXPECT_LE(std::stod(svg.substr(y)), 366.0) << "the axis lies at 48 + 18 + 300";
+  }
+}
+
 TEST(Plot, DrawsBarsAsLongAsTheirValues) {
   const std::string svg = bars_as_svg("Title", "ns", {{"half", 5, false}, {"whole", 10, true}});
   EXPECT_THAT(svg, HasSubstr("width=\"210.0\" height=\"18.0\""));

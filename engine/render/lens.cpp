@@ -1,0 +1,87 @@
+#include "engine/render/lens.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
+
+namespace throng::render {
+namespace {
+
+constexpr float half_film = 0.012F;          // metres
+constexpr float golden_angle = 2.39996323F;  // radians
+constexpr float most_of_a_byte = 255.0F;
+
+// IEC 61966-2-1.
+float light_of(std::uint8_t byte) {
+  const float value = static_cast<float>(byte) / most_of_a_byte;
+  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+}
+
+std::uint8_t byte_of(float light) {
+  const float value = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * most_of_a_byte));
+}
+
+const std::array<float, 256>& lights() {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> made{};
+    for (std::size_t byte = 0; byte < made.size(); ++byte) made.at(byte) = light_of(static_cast<std::uint8_t>(byte));
+    return made;
+  }();
+  return table;
+}
+
+}  // namespace
+
+float radius_of(const Lens& lens, const CameraView& view) {
+  const float focal_length = half_film * view.projection[1][1];
+  return 0.5F * focal_length / lens.aperture;
+}
+
+glm::vec2 point_of_disc(int index, int count) {
+  const float radius = std::sqrt((static_cast<float>(index) + 0.5F) / static_cast<float>(count));
+  const float angle = golden_angle * static_cast<float>(index);
+  return radius * glm::vec2(std::cos(angle), std::sin(angle));
+}
+
+// A shift of the eye moves what is `focus` ahead by that over `focus`; the projection moves it back.
+CameraView seen_through(const CameraView& view, const glm::vec2& aside, float focus) {
+  CameraView seen = view;
+  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]);
+  const glm::vec3 up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  seen.position += aside.x * right + aside.y * up;
+  seen.view[3][0] -= aside.x;
+  seen.view[3][1] -= aside.y;
+  seen.projection[2] -= (aside.x * view.projection[0] + aside.y * view.projection[1]) / focus;
+  return seen;
+}
+
+void AveragedPicture::add(const Image& image) {
+  if (count_++ == 0) {
+    width_ = image.width;
+    height_ = image.height;
+    light_.assign(image.rgba.size() / 4, glm::vec3(0.0F));
+  }
+  assert(image.width == width_ && image.height == height_);
+  const std::array<float, 256>& table = lights();
+  for (std::size_t pixel = 0; pixel < light_.size(); ++pixel) {
+    const std::uint8_t* const bytes = image.rgba.data() + 4 * pixel;
+    light_[pixel] += glm::vec3(table.at(bytes[0]), table.at(bytes[1]), table.at(bytes[2]));
+  }
+}
+
+Image AveragedPicture::finish() const {
+  Image image = Image::blank(width_, height_);
+  for (std::size_t pixel = 0; pixel < light_.size(); ++pixel) {
+    const glm::vec3 light = light_[pixel] / static_cast<float>(count_);
+    std::uint8_t* const bytes = image.rgba.data() + 4 * pixel;
+    for (int channel = 0; channel < 3; ++channel) bytes[channel] = byte_of(light[channel]);
+    bytes[3] = 255;
+  }
+  return image;
+}
+
+}  // namespace throng::render

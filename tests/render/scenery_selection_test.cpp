@@ -72,7 +72,7 @@ TEST(ScenerySelection, IsTheCoarsestLevelWhoseErrorIsBelowAPixel) {
 TEST(ScenerySelection, LeavesOutWhatIsLessThanAPixelLong) {
   const auto all = shapes();
   ScenerySelection selection;
-  selection.place(std::vector{at({0, 0, -900}, 1), at({0, 0, -300}, 1)}, all);
+  selection.place(std::vector{at({0, 0, -1200}, 1), at({0, 0, -300}, 1)}, all);
   selection.choose(SceneryView(front(), picture_height));
   EXPECT_EQ(selection.chosen().size(), 1U);
 }

@@ -23,8 +23,8 @@ float weight_at(float metres) { return clamp(10.0 / (1e-3 + metres * metres * 0.
 
 void main() {
   vec4 surface = surface_color();
-  if (surface.a >= solid_alpha || surface.a < least_alpha) discard;
   float weight = weight_at(distance(world_position, camera_position.xyz));
   sum = vec4(glowing(surface.rgb), 1.0) * (surface.a * weight);
   hidden = surface.a;
+  if (surface.a >= solid_alpha || surface.a < least_alpha) discard;
 }

@@ -15,6 +15,6 @@ out vec4 color;
 
 void main() {
   vec4 surface = surface_color();
-  if (surface.a < alpha_cutoff) discard;
   color = vec4(glowing(surface.rgb), 1.0);
+  if (surface.a < alpha_cutoff) discard;  // last, so that neighbours find the slopes of what they read
 }

@@ -30,10 +30,20 @@ vec3 bumped_normal(vec3 bump) {
 }
 
 // Bumps that are too small to be seen spread the light as roughness does (Pettineo, "Rendering The Order: 1886", 2013).
-float roughness_with(float roughness, vec3 bump) {
+float spread_of_bumps(vec3 bump) {
   float alike = min(length(bump) + 0.006, 1.0);  // 8 bits a channel make it a little short
   float squared = alike * alike;
-  float spread = alike < 1.0 ? 0.5 * (1.0 - squared) / (3.0 * alike - alike * squared) : 0.0;
+  return alike < 1.0 ? 0.5 * (1.0 - squared) / (3.0 * alike - alike * squared) : 0.0;
+}
+
+// So do shapes that turn within a pixel (Tokuyoshi and Kaplanyan, "Improved Geometric Specular Antialiasing", 2019). Far
+// armour would flicker without it.
+float spread_of_shape(vec3 normal) {
+  vec3 across = dFdx(normal), down = dFdy(normal);
+  return min(0.25 * (dot(across, across) + dot(down, down)), 0.18);
+}
+
+float spread_out(float roughness, float spread) {
   float alpha = roughness * roughness;
   return sqrt(sqrt(min(alpha * alpha + spread, 1.0)));
 }
@@ -44,15 +54,16 @@ Microfacets microfacets_of(vec3 base, vec3 to_eye) {
   float metallic = clamp(rough_and_metallic.y, 0.0, 1.0);
   Microfacets surface;
   surface.normal = facing_normal();
+  float spread = spread_of_shape(surface.normal);
   if (factors.z != 0.0) {
     vec3 bump = read_bump();
     surface.normal = bumped_normal(bump);
-    roughness = roughness_with(roughness, bump);
+    spread += spread_of_bumps(bump);
   }
   surface.to_eye = to_eye;
   surface.scattered = base * (1.0 - metallic);
   surface.mirrored = mix(vec3(dielectric), base, metallic);
-  surface.roughness = roughness;
+  surface.roughness = spread_out(roughness, spread);
   return surface;
 }
 
@@ -61,6 +72,6 @@ vec3 reflected_by_material(vec3 base) {
   float occlusion = 1.0 + factors.w * (texture(occlusion_texture, passed_occlusion_coord).r - 1.0);
   float lit = sun_visibility(world_position, facing_normal());
   float open = openness_on_body(world_position) * occlusion;
-  vec3 lamps = surface.scattered * lamp_light(world_position, facing_normal());
+  vec3 lamps = surface.scattered * lamp_light(world_position, surface.normal);
   return lit * from_sun(surface) + open * from_around(surface) + lamps;
 }

@@ -9,7 +9,6 @@ layout(std140, binding = 0) uniform FrameUniforms {
   float distance_scale;  // the haze is thinner by it
   uint weighed_entry, weighed_entries;  // palette entries whose weights are shown; 0 entries: none
   vec4 ground_shape;  // half sides of the core along x and z, radius of the corners, half width
-  uint ground_style;
+  bool ground_is_endless;  // no fields begin around it
   float ground_unit;
-  float ground_paved;  // metres from the loop to where fields begin; 0: there are none
 };

@@ -4,23 +4,18 @@
 #include "lighting.glsl"
 #include "shadows.glsl"
 #include "lamps.glsl"
+#include "pixel_ray.glsl"
 #include "paving.glsl"
-
-in vec3 ray;
 
 out vec4 color;
 
 void main() {
-  vec3 direction = normalize(ray);
+  vec3 direction = normalize(ray_of_pixel());
   // Every ray stays just below the horizon, so that the derivatives are valid on both sides of it.
   float drop = max(-direction.y, 1e-4);
   float metres = max(camera_position.y, 0.01) / drop;
   vec2 ground = camera_position.xz + direction.xz * metres;
   vec2 footprint = abs(dFdx(ground)) + abs(dFdy(ground));
-  if (direction.y >= 0.0) {
-    color = vec4(exposed(sky_color(direction)), 1.0);
-    return;
-  }
   vec3 place = vec3(ground.x, 0.0, ground.y), up = vec3(0.0, 1.0, 0.0);
   vec3 light = sun_light() * (to_sun.y * sun_visibility(place, up)) + ambient_light(up) * openness(place) +
                lamp_light(place, up);

@@ -34,14 +34,23 @@ vec3 environment(vec3 direction, float roughness) {
 // Gives the haze in a direction along the ground.
 vec3 haze_towards(vec3 direction) {
   vec2 along = normalize(direction.xz + vec2(1e-6));
-  float towards = max(0.5 + 0.5 * dot(along, normalize(to_sun.xz + vec2(1e-6))), 0.0);
+  float towards = max(0.5 + 0.5 * dot(along, vec2(haze.a, haze_at_sun.a)), 0.0);
   float glow = towards * towards;
   return haze.rgb + haze_at_sun.rgb * (glow * glow);
 }
 
-// `metres` are those of a scene of people.
+// Gives the share of light that comes through so many metres of haze, which takes blue away sooner than red. `metres` are
+// those of a scene of people.
+vec3 clear_after(float metres) { return exp(-metres * clearing.rgb); }
+
+// Gives the haze in front of what is so many metres away; alpha is the share that it leaves of that.
+vec4 haze_in_front(vec3 direction, float metres) {
+  float clear = clear_after(metres).g;
+  return vec4(haze_towards(direction) * (1.0 - clear), clear);
+}
+
 vec3 through_haze(vec3 light, vec3 direction, float metres) {
-  return mix(haze_towards(direction), light, exp(-metres * clearing.rgb));
+  return mix(haze_towards(direction), light, clear_after(metres));
 }
 
 vec3 sky_color(vec3 direction) {
@@ -60,13 +69,45 @@ const float film_speed = 0.62;
 const vec2 film_bright = vec2(2.51, 0.12);
 const vec3 film_dark = vec3(2.43, 0.68, 0.16);
 
-vec3 exposed(vec3 light) {
+vec3 film(vec3 light) {
   vec3 x = light * film_speed;
   return (x * (film_bright.x * x + film_bright.y)) / (x * (film_dark.x * x + film_dark.y) + film_dark.z);
 }
 
-// Gives the light that exposed() turns into `color`: the positive root of its quadratic equation.
-vec3 light_that_shows(vec3 color) {
+// The slope of film().
+vec3 film_slope(vec3 light) {
+  vec3 x = light * film_speed;
+  vec3 over = x * (film_bright.x * x + film_bright.y), under = x * (film_dark.x * x + film_dark.y) + film_dark.z;
+  vec3 slope = (2.0 * film_bright.x * x + film_bright.y) * under - over * (2.0 * film_dark.x * x + film_dark.y);
+  return film_speed * slope / (under * under);
+}
+
+// Gives the light that film() turns into `color`: the positive root of its quadratic equation.
+vec3 light_on_film(vec3 color) {
   vec3 a = film_bright.x - film_dark.x * color, b = film_bright.y - film_dark.y * color;
   return (sqrt(b * b + 4.0 * film_dark.z * a * color) - b) / (2.0 * film_speed * a);
+}
+
+float brightest(vec3 color) { return max(max(color.r, color.g), max(color.b, 1e-5)); }
+
+// A curve for each channel alone turns orange into yellow and blue into cyan in the sun. So a part of the color only
+// becomes as bright as its brightest channel, and keeps its hue.
+const float hue_kept = 0.6;
+
+vec3 exposed(vec3 light) {
+  float most = brightest(light);
+  return mix(film(light), light * (film(vec3(most)).r / most), hue_kept);
+}
+
+// Gives the light that exposed() turns into `color`. The brightest channel is the same on film; for the others a few
+// steps of Newton's method do.
+vec3 light_that_shows(vec3 color) {
+  float most = brightest(color);
+  float kept = hue_kept * most / light_on_film(vec3(most)).r;
+  vec3 light = light_on_film(color);
+  for (int i = 0; i < 3; ++i) {
+    vec3 off = (1.0 - hue_kept) * film(light) + kept * light - color;
+    light = max(light - off / ((1.0 - hue_kept) * film_slope(light) + kept), vec3(0.0));
+  }
+  return light;
 }

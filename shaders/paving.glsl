@@ -48,11 +48,13 @@ vec3 slabs(vec2 ground, vec2 footprint) {
   tone += 0.16 * (smooth_noise(ground * 0.11) - 0.5);
 
   float inlay = 0.0;
-  if (ground_style == 0u && (ground_paved == 0.0 || loop_distance(ground, 0.0) < 0.0)) {
+#ifndef STREET
+  if (ground_is_endless || loop_distance(ground, 0.0) < 0.0) {
     float ring = length(ground) / inlay_spacing + 0.5;
     float ring_width = max(max(footprint.x, footprint.y) / inlay_spacing, 1e-4);
     inlay = band_share(ring, inlay_width / inlay_spacing, ring_width);
   }
+#endif
   vec3 stone = mix(stone_color, inlay_color, inlay) * tone;
   return mix(stone, joint_color, joint * (1.0 - 0.6 * inlay));
 }
@@ -139,18 +141,16 @@ vec3 fields(vec2 ground, float wide) {
                                                                       clamp(1.0 - wide, 0.0, 1.0));
 }
 
-vec3 town_ground(vec2 ground, vec2 footprint) {
-  if (ground_style == 1u) return street(ground, footprint);
-  if (ground_style == 2u) return pitch(ground, footprint);
-  return slabs(ground, footprint);
-}
-
 // Gives the colour of the ground, filtered over `footprint`. Include frame_uniforms.glsl before.
 vec3 paving(vec2 metres, vec2 metres_a_pixel) {
   vec2 ground = metres / ground_unit, footprint = metres_a_pixel / ground_unit;
-  if (ground_paved == 0.0) return town_ground(ground, footprint);
-  float wide = max(max(footprint.x, footprint.y), 1e-4);
-  float beyond = loop_distance(ground, (ground_shape.z + ground_paved) / ground_unit);
-  if (beyond > wide) return fields(ground, wide);
-  return mix(town_ground(ground, footprint), fields(ground, wide), 1.0 - inside(beyond, wide));
+#if defined(FIELDS)
+  return fields(ground, max(max(footprint.x, footprint.y), 1e-4));
+#elif defined(STREET)
+  return street(ground, footprint);
+#elif defined(PITCH)
+  return pitch(ground, footprint);
+#else
+  return slabs(ground, footprint);
+#endif
 }

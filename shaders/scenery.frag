@@ -8,13 +8,17 @@
 in vec3 world_position;
 in vec3 world_normal;
 in vec3 albedo;
-in float glow;
+in vec3 light_around;  // what a white surface reflects of the sky, or sends out at night
+in vec3 haze_before;
+in vec3 clear_share;  // that the haze leaves of what is behind it
+#ifdef SHINY
 flat in uint kind;
+#endif
 
 out vec4 color;
 
+#ifdef SHINY
 const uint glass = 1u, water = 2u, metal = 3u;
-const float glow_light = 2.2;
 
 // Three trains of waves, a hand wide and less.
 vec3 rippled(vec3 normal) {
@@ -27,7 +31,8 @@ vec3 rippled(vec3 normal) {
 }
 
 // Adds what the surface mirrors to the light that it scatters.
-vec3 mirrored(vec3 scattered, vec3 normal, vec3 direction) {
+vec3 mirrored(vec3 scattered, vec3 normal) {
+  vec3 direction = normalize(world_position - camera_position.xyz);
   float edge = 1.0 - max(-dot(normal, direction), 0.0);
   float fresnel = edge * edge * edge * edge * edge;
   vec3 mirror_way = reflect(direction, normal);
@@ -35,18 +40,20 @@ vec3 mirrored(vec3 scattered, vec3 normal, vec3 direction) {
   float share = kind == water ? 0.04 + 0.96 * fresnel : 0.16 + 0.84 * fresnel;
   return mix(scattered, environment(mirror_way, kind == water ? 0.0 : 0.1), share);
 }
+#endif
 
 void main() {
-  vec3 from_eye = world_position - camera_position.xyz;
-  float metres = length(from_eye);
-  vec3 direction = from_eye / metres;
   vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
+#ifdef SHINY
   if (kind == water) normal = rippled(normal);
+#endif
   float facing = max(dot(normal, to_sun), 0.0);
-  if (facing > 0.0) facing *= sun_visibility(world_position, normal);
-  vec3 light = albedo * (sun_light() * facing + ambient_light(normal) * openness(world_position) +
-                       lamp_light(world_position, normal));
-  if (kind != 0u) light = mirrored(light, normal, direction);
-  light += albedo * (glow * night() * glow_light);
-  color = vec4(exposed(through_haze(light, direction, metres / distance_scale)), 1.0);
+#ifdef SHADOWS
+  facing *= sun_visibility(world_position, normal);
+#endif
+  vec3 light = albedo * (sun_light() * facing + light_around + lamp_light(world_position, normal));
+#ifdef SHINY
+  light = mirrored(light, normal);
+#endif
+  color = vec4(exposed(light * clear_share + haze_before), 1.0);
 }

@@ -3,12 +3,20 @@
 #include "frame_uniforms.glsl"
 #include "scenery_instance.glsl"
 #include "color.glsl"
+#include "lighting.glsl"
+#include "shadows.glsl"
 
 out vec3 world_position;
 out vec3 world_normal;
 out vec3 albedo;
-out float glow;
+out vec3 light_around;
+out vec3 haze_before;
+out vec3 clear_share;
+#ifdef SHINY
 flat out uint kind;
+#endif
+
+const float glow_light = 2.2;
 
 void main() {
   SceneryRecord record = scenery[instance];
@@ -19,7 +27,14 @@ void main() {
   albedo = vertex_color.rgb * mix(vec3(1.0), to_linear(unpackUnorm4x8(record.tint).rgb), nature.y);
   // Not every window is lit.
   float lit = fract(sin(float(record.number) * 12.9898) * 43758.5453);
-  glow = nature.x * (0.45 + 0.55 * lit);
+  float glow = nature.x * (0.45 + 0.55 * lit) * night() * glow_light;
+  light_around = ambient_light(normalize(world_normal)) * openness(world_position) + glow;
+  vec3 from_eye = world_position - camera_position.xyz;
+  float metres = length(from_eye);
+  clear_share = clear_after(metres / distance_scale);
+  haze_before = haze_towards(from_eye / metres) * (1.0 - clear_share);
+#ifdef SHINY
   kind = uint(nature.w * 255.0 + 0.5);
+#endif
   gl_Position = view_projection * vec4(world_position, 1.0);
 }

@@ -6,6 +6,4 @@ layout(std140, binding = 2) uniform ShadowUniforms {
   vec4 depth_of_place;
   vec4 crowd_map_place;
   vec4 lamp_map_place;
-  uint cascades;
-  uint crowd_shade;
 };

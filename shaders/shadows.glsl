@@ -1,8 +1,9 @@
-// Says how much of the sun and of the sky reaches a place. Include light_uniforms.glsl before it.
+// Says how much of the sun and of the sky reaches a place. Include light_uniforms.glsl before it. Its parts are in
+// programs with the switches SHADOWS and CROWD_SHADE alone (engine/render/light/light_parts.h).
 #include "shadow_uniforms.glsl"
 
+#ifdef SHADOWS
 layout(binding = 8) uniform sampler2DArrayShadow shadow_maps;
-layout(binding = 11) uniform sampler2D crowd_map;  // people a square metre
 
 float lit_share_at(vec2 place, int cascade, float depth) {
   return texture(shadow_maps, vec4(place, float(cascade), depth));
@@ -37,9 +38,11 @@ float lit_share_in(int cascade, vec3 position, vec3 normal) {
   return lit_share((cascade_to_map[cascade] * vec4(outside, 1.0)).xyz, cascade);
 }
 
+#endif
+
 // Gives 0 in shadow and 1 in the sun. Where a cascade ends, the next one takes over little by little.
 float sun_visibility(vec3 position, vec3 normal) {
-  if (cascades == 0u) return 1.0;
+#ifdef SHADOWS
   float depth = dot(depth_of_place, vec4(position, 1.0));
   int cascade = int(depth > cascade_reach.x) + int(depth > cascade_reach.y) + int(depth > cascade_reach.z);
   float reach = cascade_reach[cascade];
@@ -48,7 +51,13 @@ float sun_visibility(vec3 position, vec3 normal) {
   float leaving = clamp((depth / reach - 0.9) * 10.0, 0.0, 1.0);
   if (leaving == 0.0) return lit;
   return mix(lit, cascade < 3 ? lit_share_in(cascade + 1, position, normal) : 1.0, leaving);
+#else
+  return 1.0;
+#endif
 }
+
+#ifdef CROWD_SHADE
+layout(binding = 11) uniform sampler2D crowd_map;  // people a square metre
 
 // Gives the share of the sky that a crowd of so many people a square metre leaves at a height in metres: bodies are
 // cylinders that stand at random, so a ray towards the elevation e goes free with exp(-crowding * cot(e)). The average
@@ -64,14 +73,23 @@ float people_at(vec3 position) {
   return texture(crowd_map, (position.xz - crowd_map_place.xy) * crowd_map_place.z).r;
 }
 
+#endif
+
 // Gives how much of the sky the crowd around a place leaves, 0 to 1.
 float openness(vec3 position) {
-  return crowd_shade == 0u ? 1.0 : sky_share(people_at(position), position.y);
+#ifdef CROWD_SHADE
+  return sky_share(people_at(position), position.y);
+#else
+  return 1.0;
+#endif
 }
 
 // Does the same for a place on a body, which does not count itself.
 float openness_on_body(vec3 position) {
-  // Without the map, feet see less of the sky than heads, because a crowd surrounds them as a rule.
-  if (crowd_shade == 0u) return 0.62 + 0.38 * smoothstep(0.0, 1.1, position.y);
+#ifdef CROWD_SHADE
   return sky_share(max(people_at(position) - crowd_map_place.w, 0.0), position.y);
+#else
+  // Feet see less of the sky than heads, because a crowd surrounds them as a rule.
+  return 0.62 + 0.38 * smoothstep(0.0, 1.1, position.y);
+#endif
 }

@@ -15,7 +15,9 @@ namespace {
 constexpr std::array<std::uint32_t, 8> walls{tint_of(255, 250, 240), tint_of(250, 226, 190), tint_of(238, 205, 170),
                                              tint_of(247, 236, 214), tint_of(232, 196, 158), tint_of(240, 222, 206),
                                              tint_of(222, 206, 184), tint_of(248, 216, 176)};
-constexpr std::array<Prop, 3> fronts{Prop::facade_a, Prop::facade_b, Prop::facade_c};
+constexpr std::uint32_t front_count = 5;
+constexpr std::array<Prop, front_count> fronts{Prop::facade_a, Prop::facade_b, Prop::facade_c, Prop::facade_d,
+                                               Prop::facade_e};
 
 constexpr double to_horizon = 420.0;  // metres beyond a place
 constexpr int hills = 18, roofs = 22;
@@ -42,19 +44,21 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
   const glm::dvec2 step = (to - from) / static_cast<double>(bays);
   const double stretch = length / (static_cast<double>(bays) * bay_width * unit_);
   const Heading heading = heading_along(facing);
-  std::uint32_t left_of_house = 0, front = random_.below(3), wall = 0;
+  std::uint32_t left_of_house = 0, front = random_.below(front_count), wall = 0;
   double tall = 1.0;
   for (long bay = 0; bay < bays; ++bay) {
-    if (left_of_house == 0) {
-      left_of_house = 2 + random_.below(3);
-      front = (front + 1 + random_.below(2)) % 3;  // never the same twice
+    const bool ends_row = bay == 0 || bay + 1 == bays;  // where a side is seen
+    if (left_of_house == 0 || ends_row) {
+      left_of_house = ends_row ? 1 : 1 + random_.below(3);
+      front = (front + 1 + random_.below(front_count - 1)) % front_count;  // never the same twice
       wall = walls[random_.below(walls.size())];
       tall = static_cast<double>(random_.between(0.92F, 1.08F));
     }
     --left_of_house;
     const bool arcade = houses == Houses::arcades;
+    const Prop house = ends_row ? Prop::facade_corner : fronts[front];
     const glm::dvec2 at = from + (static_cast<double>(bay) + 0.5) * step;
-    put(arcade ? Prop::arcade_bay : fronts[front], at, heading,
+    put(arcade ? Prop::arcade_bay : house, at, heading,
         {.stretch = {stretch, arcade ? 1.0 : tall, 1.0}, .tint = arcade ? render::no_tint : wall});
   }
 }
@@ -89,7 +93,8 @@ void Placer::put_horizon(double reach) {
   for (int roof = 0; roof < roofs; ++roof) {
     const double quarters = 4.0 * (roof + static_cast<double>(random_.between(-0.4F, 0.4F))) / roofs;
     const glm::dvec2 way = cosine_sine(quarters);
-    put(Prop::skyline, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
+    const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // a dome that one meets too often is none
+    put(town, way * (far * static_cast<double>(random_.between(0.8F, 1.2F))), heading_along(-way),
         {.stretch = {far / (to_horizon * unit_), 1.0, 1.0}});
   }
 }

@@ -3,21 +3,20 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/files/data_folder.h"
+#include "engine/anim/import/json/json.h"
+#include "engine/files/input_file.h"
 
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::json;
 using render::SceneryMeshData;
 using render::SceneryVertex;
 
@@ -30,6 +29,17 @@ struct PropFile {
   Json json;
   std::string buffer;
 };
+
+template <typename Value>
+Value member(const Json& object, std::string_view key) {
+  if (!object[key].is<Value>()) throw Damage("its description lacks \"" + std::string(key) + "\"");
+  return object[key].get<Value>();
+}
+
+const Json& element_at(const Json& array, std::size_t i) {
+  if (i >= array.elements().size()) throw Damage("its description names what is not there");
+  return array.elements()[i];
+}
 
 template <typename Value>
 Value value_at(const std::string& bytes, std::size_t offset) {
@@ -50,7 +60,9 @@ PropFile parse(const std::string& bytes) {
   constexpr std::uint32_t magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
   if (value_at<std::uint32_t>(bytes, 0) != magic) throw Damage("it is no binary glTF 2.0 file");
   const std::string text = chunk(bytes, 12, json_chunk);
-  return {Json::parse(text), chunk(bytes, 20 + text.size(), binary_chunk)};
+  auto json = parse_json(text);
+  if (!json) throw Damage(json.error().message);
+  return {std::move(*json), chunk(bytes, 20 + text.size(), binary_chunk)};
 }
 
 /// The bytes of an accessor's elements.
@@ -59,11 +71,11 @@ struct Elements {
 };
 
 Elements elements_of(const PropFile& file, std::size_t accessor, std::size_t size, int component) {
-  const Json& described = file.json.at("accessors").at(accessor);
-  const Json& view = file.json.at("bufferViews").at(described.at("bufferView").get<std::size_t>());
-  if (described.at("componentType").get<int>() != component) throw Damage("an accessor has another type than expected");
-  const Elements found{view.at("byteOffset").get<std::size_t>() + described.value("byteOffset", std::size_t{0}),
-                       view.value("byteStride", size), described.at("count").get<std::size_t>()};
+  const Json& described = element_at(file.json["accessors"], accessor);
+  const Json& view = element_at(file.json["bufferViews"], member<std::size_t>(described, "bufferView"));
+  if (member<int>(described, "componentType") != component) throw Damage("an accessor has another type than expected");
+  const Elements found{member<std::size_t>(view, "byteOffset") + described.value("byteOffset", std::size_t{0}),
+                       view.value("byteStride", size), member<std::size_t>(described, "count")};
   const std::size_t room = file.buffer.size();
   const bool inside = found.stride >= size && found.count > 0 && found.offset <= room &&
                       found.count <= (room - found.offset + found.stride - size) / found.stride;
@@ -79,10 +91,10 @@ std::array<Value, N> element(const PropFile& file, const Elements& elements, std
 constexpr int byte_type = 5120, unsigned_byte_type = 5121, short_type = 5122, unsigned_short_type = 5123;
 
 std::vector<SceneryVertex> read_vertices(const PropFile& file, const Json& attributes, float step) {
-  const Elements positions = elements_of(file, attributes.at("POSITION").get<std::size_t>(), 6, short_type);
-  const Elements normals = elements_of(file, attributes.at("NORMAL").get<std::size_t>(), 3, byte_type);
-  const Elements colors = elements_of(file, attributes.at("COLOR_0").get<std::size_t>(), 4, unsigned_byte_type);
-  const Elements surfaces = elements_of(file, attributes.at("_SURFACE").get<std::size_t>(), 4, unsigned_byte_type);
+  const Elements positions = elements_of(file, member<std::size_t>(attributes, "POSITION"), 6, short_type);
+  const Elements normals = elements_of(file, member<std::size_t>(attributes, "NORMAL"), 3, byte_type);
+  const Elements colors = elements_of(file, member<std::size_t>(attributes, "COLOR_0"), 4, unsigned_byte_type);
+  const Elements surfaces = elements_of(file, member<std::size_t>(attributes, "_SURFACE"), 4, unsigned_byte_type);
   if (normals.count != positions.count || colors.count != positions.count || surfaces.count != positions.count) {
     throw Damage("a mesh has fewer of one attribute than of another");
   }
@@ -112,11 +124,11 @@ std::vector<SceneryVertex> read_vertices(const PropFile& file, const Json& attri
 }
 
 render::SceneryLodData read_lod(const PropFile& file, const Json& mesh, std::size_t vertex_count) {
-  const Json& primitive = mesh.at("primitives").at(0);
-  const Elements elements = elements_of(file, primitive.at("indices").get<std::size_t>(), 2, unsigned_short_type);
+  const Json& primitive = element_at(mesh["primitives"], 0);
+  const Elements elements = elements_of(file, member<std::size_t>(primitive, "indices"), 2, unsigned_short_type);
   if (elements.count % 3 != 0) throw Damage("a mesh has a part of a triangle");
   render::SceneryLodData lod;
-  lod.error = mesh.at("extras").at("error").get<float>();
+  lod.error = member<float>(mesh["extras"], "error");
   lod.indices.reserve(elements.count);
   for (std::size_t i = 0; i < elements.count; ++i) {
     lod.indices.push_back(element<std::uint16_t, 1>(file, elements, i)[0]);
@@ -128,14 +140,15 @@ render::SceneryLodData read_lod(const PropFile& file, const Json& mesh, std::siz
 /// Meshes stand in the file with their coarser levels behind them: NAME, NAME.1, NAME.2.
 std::vector<SceneryMeshData> read_meshes(const PropFile& file) {
   std::vector<SceneryMeshData> props;
-  for (const Json& node : file.json.at("nodes")) {
-    const Json& mesh = file.json.at("meshes").at(node.at("mesh").get<std::size_t>());
-    const auto name = mesh.at("name").get<std::string>();
+  for (const Json& node : file.json["nodes"].elements()) {
+    const Json& mesh = element_at(file.json["meshes"], member<std::size_t>(node, "mesh"));
+    const auto name = member<std::string>(mesh, "name");
     const bool coarser = !props.empty() && name == props.back().name + "." + std::to_string(props.back().lods.size());
     if (!coarser) {
-      const auto step = node.at("scale").at(0).get<float>();
-      const Json& attributes = mesh.at("primitives").at(0).at("attributes");
-      props.push_back({name, read_vertices(file, attributes, step), {}});
+      const Json& step = element_at(node["scale"], 0);
+      if (!step.is<float>()) throw Damage("a node has no scale");
+      const Json& attributes = element_at(mesh["primitives"], 0)["attributes"];
+      props.push_back({name, read_vertices(file, attributes, step.get<float>()), {}});
     }
     props.back().lods.push_back(read_lod(file, mesh, props.back().vertices.size()));
   }
@@ -146,14 +159,11 @@ std::vector<SceneryMeshData> read_meshes(const PropFile& file) {
 }  // namespace
 
 anim::Result<std::vector<SceneryMeshData>> read_props(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return anim::Error{file.string() + ": the file of props cannot be opened"};
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+  const auto bytes = read_text(file, "the file of props", most_bytes);
+  if (!bytes) return anim::Error{file.string() + ": " + bytes.error().message};
   try {
-    return read_meshes(parse(bytes));
-  } catch (const Json::exception&) {
-    return anim::Error{file.string() +
-                       ": the file of props is damaged: a part of its description is not as expected; install it anew"};
+    return read_meshes(parse(*bytes));
   } catch (const Damage& damage) {
     return anim::Error{file.string() + ": the file of props is damaged: " + damage.what() + "; install it anew"};
   }

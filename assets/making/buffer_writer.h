@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,7 @@ class BufferWriter {
 
   /// Gives an accessor the least and the greatest value of every component; `elements` is not empty.
   template <std::size_t N, typename Number = float>
-  void set_bounds(std::size_t accessor, std::span<const std::array<Number, N>> elements) {
+  void set_bounds(std::size_t accessor, std::type_identity_t<std::span<const std::array<Number, N>>> elements) {
     std::array<Number, N> low = elements[0];
     std::array<Number, N> high = elements[0];
     for (const auto& element : elements) {

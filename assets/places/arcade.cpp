@@ -17,7 +17,7 @@ constexpr double arcade_spring = 3.3;
 constexpr double first_floor = 6.1;
 constexpr double eaves_y = 16.2;
 constexpr double arcade_house = 9.0;
-const std::vector<double> arcade_errors{0, 0.02, 0.07, 0.2};
+const std::vector<double> arcade_errors{0, 0.035, 0.1, 0.3};
 
 Arch front_arch(int lod) { return {0, 2.0, arcade_spring, 2.0, lod == 0 ? 10 : lod == 1 ? 6 : 4}; }
 
@@ -103,7 +103,7 @@ void open_front(MeshBuilder& builder, int lod) {
     const double x0 = side < 0 ? -arcade_half : arch.half;
     panel(builder, x0, arcade_spring, x0 + 1.0, first_floor, 0, stone);
   }
-  arch_reveal(builder, arch, 0, 0, -wall_depth, shaded(stone, 0.95));
+  if (lod < 3) arch_reveal(builder, arch, 0, 0, -wall_depth, shaded(stone, 0.95));
   if (lod < 2) arch_ring(builder, arch, 0.38, 0, 0.07, paints::pale_stone, lod == 0);
   if (lod > 1) return;
   // The inner face of the wall.
@@ -139,7 +139,11 @@ void arcade_bay(MeshBuilder& builder, int lod) {
   upper_front(builder, lod, 81);
   if (lod < 3) walk_back(builder, lod);
   if (lod == 3) panel(builder, -arcade_half, 0, arcade_half, arcade_spring + 2.1, -2.5, paints::matt(0x5B5142));
-  if (lod < 3) vault(builder, lod == 0 ? 6 : lod == 1 ? 4 : 2);
+  if (lod < 2) vault(builder, lod == 0 ? 6 : 4);
+  if (lod == 2) {
+    box(builder, {-arcade_half, arcade_spring + 1.9, -walk_depth}, {arcade_half, arcade_spring + 2.1, -wall_depth},
+        paints::matt(0x9E9584), side::bottom);
+  }
   const Paint side = shaded(paints::tinted(0xE6D2AC), 0.85);
   closed_box(builder, 6, first_floor, eaves_y + 0.75, arcade_house, side, shaded(side, 0.95));
   {
@@ -188,7 +192,7 @@ void arcade_corner(MeshBuilder& builder, int front_lod) {
         side::bottom);
   const Moved roof(builder, {0, eaves_y + 2.9, -half});
   const double r = 1.41421356 * (half + 0.5);
-  lathe(builder, {{r, 0}, {r * 0.55, 1.6}, {0, 3.6}}, 4, paints::roof_tile, false, 0.125);
+  lathe(builder, {{r, 0}, {r * 0.55, 1.6}, {0, 3.6}}, 4, paints::roof_tile, Turned::faceted, 0.125);
   if (lod < 2) lathe(builder, {{0.25, 3.4}, {0.32, 3.75}, {0.1, 4.1}, {0.04, 5.2}, {0, 5.3}}, 6, paints::copper);
 }
 

@@ -8,25 +8,7 @@ namespace {
 
 constexpr double bay = 3.0;  ///< half a bay's width
 constexpr double house_depth = 8.0;
-const std::vector<double> facade_errors{0, 0.02, 0.07, 0.2};
-
-/// A ground floor of two stone piers and a lintel around a shop front.
-void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
-                  std::uint32_t seed) {
-  constexpr double pier = 0.62;
-  const double top = height - 0.55;
-  const Paint plinth = shaded(stone, 0.72);
-  for (const double x : {-bay, bay - pier}) {
-    rusticated(builder, x, x + pier, 0.5, top, 6, stone, lod, seed + static_cast<std::uint32_t>(x + 9));
-    if (lod < 2) {
-      moulding(builder, {{0, 0}, {0.09, 0}, {0.09, 0.44}, {0.02, 0.5}}, x, x + pier, plinth);
-    } else {
-      panel(builder, x, 0, x + pier, 0.5, 0.03, plinth);
-    }
-  }
-  panel(builder, -bay, top, bay, height, 0.02, stone);
-  shop_front(builder, -bay + pier, bay - pier, 0, top, 0.45, wood, door_left, lod, seed);
-}
+const std::vector<double> facade_errors{0, 0.035, 0.1, 0.3};
 
 WindowStyle classical(double height, WindowStyle::Head head) {
   return {.head = head, .width = 1.15, .height = height, .trim = paints::pale_stone, .frame = paints::white_paint};
@@ -52,7 +34,7 @@ void facade_a(MeshBuilder& builder, int lod) {
     }
   }
   cornice(builder, -bay, bay, 14.3, paints::pale_stone, lod, true);
-  closed_box(builder, 6, 0, 14.9, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
+  closed_box(builder, 6, 0, 14.95, house_depth, shaded(paints::stucco, 0.85), shaded(paints::stucco, 0.8));
   mansard_roof(
       builder,
       {.front_z = 0.1, .back_z = -house_depth, .eaves = 14.95, .ridge = 18.2, .tile = paints::slate, .seed = 3}, lod,
@@ -117,10 +99,13 @@ void stepped_gable(MeshBuilder& builder, double foot, const Paint& wall, int lod
   const Paint cap = paints::limestone;
   for (int i = 0; i < steps; ++i) {
     const double half = bay - 0.68 * i;
+    const double over = i == 0 ? 0.0 : 0.06;
     const double y0 = foot + 0.95 * i;
     const double y1 = y0 + 0.95;
+    if (lod == 3) panel(builder, -half, y0, half, y1 + 0.1, 0, wall);
+    if (lod == 3) continue;
     box(builder, {-half, y0, -0.4}, {half, y1, 0}, wall, side::front | side::back | side::left | side::right);
-    if (lod < 2) box(builder, {-half - 0.06, y1 - 0.02, -0.46}, {half + 0.06, y1 + 0.1, 0.08}, cap, side::all_sides);
+    if (lod < 2) box(builder, {-half - over, y1 - 0.02, -0.46}, {half + over, y1 + 0.1, 0.08}, cap, side::all_sides);
     if (lod >= 2) box(builder, {-half, y1 - 0.02, -0.4}, {half, y1 + 0.1, 0.02}, cap, side::top | side::front);
   }
 }
@@ -136,7 +121,7 @@ void facade_c(MeshBuilder& builder, int lod) {
   band(builder, -bay, bay, top - 0.2, 0.25, 0.12, paints::limestone, lod);
   stepped_gable(builder, top, paints::brick, lod);
   const Moved up(builder, {0, top, 0.003});
-  window(builder, 0, 0.55, brick_window(1.7), 2 + (lod == 3), 77);
+  window(builder, 0, 0.55, brick_window(1.7), lod == 3 ? 3 : 2, 77);
   const Moved down(builder, {0, -top, -0.003});
   closed_box(builder, 6, 0, top, house_depth, shaded(paints::brick, 0.85), shaded(paints::brick, 0.8));
   const Moved turned(builder, {0, 0, -house_depth / 2 - 0.2}, 0.25);
@@ -190,8 +175,8 @@ void facade_corner(MeshBuilder& builder, int front_lod) {
   const int lod = front_lod;
   const Moved middle(builder, {0, top + 0.7, -half});
   const double r = 1.41421356 * (half + 0.4);
-  lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, false, 0.125);
-  lathe(builder, {{r * 0.34, 3.4}, {0, 3.9}}, 4, shaded(paints::slate, 0.8), false, 0.125);
+  lathe(builder, {{r, 0}, {r * 0.82, 1.4}, {r * 0.62, 2.7}, {r * 0.34, 3.4}}, 4, paints::slate, Turned::faceted, 0.125);
+  lathe(builder, {{r * 0.34, 3.4}, {0, 3.9}}, 4, shaded(paints::slate, 0.8), Turned::faceted, 0.125);
   if (lod < 2) {
     for (int side = 0; side < 4; ++side) {
       const Moved turned(builder, {0, 0, 0}, 0.25 * side);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "assets/places/props.h"
@@ -15,7 +16,9 @@ struct MadeVertex {
   std::array<std::int8_t, 3> normal;     ///< by 127
   std::array<std::uint8_t, 4> colour;    ///< linear; alpha is 255
   std::array<std::uint8_t, 4> surface;   ///< glow, tinted, sway, kind
-  auto operator<=>(const MadeVertex&) const = default;
+  friend bool operator<(const MadeVertex& a, const MadeVertex& b) {
+    return std::tie(a.position, a.normal, a.colour, a.surface) < std::tie(b.position, b.normal, b.colour, b.surface);
+  }
 };
 
 struct MadeLevel {

@@ -49,7 +49,7 @@ void fountain(MeshBuilder& builder, int lod) {
     lathe(builder, {{0.22, 2.4}, {0.5, 2.5}, {0.68, 2.62}, {0.66, 2.7}, {0.58, 2.68}, {0.54, 2.6}}, sides / 2, stone);
     lathe(builder, {{0.1, 2.6}, {0.16, 2.78}, {0.08, 2.95}, {0, 3.1}}, 8, stone);
   } else {
-    lathe(builder, {{3.0, 0}, {2.9, 0.62}, {2.6, 0.62}, {2.55, 0.4}}, sides, stone, false);
+    lathe(builder, {{3.0, 0}, {2.9, 0.62}, {2.6, 0.62}, {2.55, 0.4}}, sides, stone, Turned::faceted);
     lathe(builder, {{0.6, 0.4}, {0.3, 1.3}, {1.4, 1.78}}, 6, stone);
     lathe(builder, {{0.2, 1.7}, {0.2, 2.4}, {0.66, 2.65}}, 5, stone);
   }

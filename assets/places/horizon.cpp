@@ -51,25 +51,25 @@ void hill(MeshBuilder& builder, int lod) {
   }
 }
 
-/// A far town, 120 m long: roofs and walls at many heights, a dome and two towers; it faces +Z.
-void skyline(MeshBuilder& builder, int lod) {
+/// The houses of a far town, 120 m long, that faces +Z.
+void far_houses(MeshBuilder& builder, int lod, std::uint32_t seed) {
   const int houses = 26;
   for (int i = 0; i < houses; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
-    const double width = 4 + 5 * chance(31, n);
+    const double width = 4 + 5 * chance(seed + 31U, n);
     const double x = -60 + 120.0 * (i + 0.5) / houses;
-    const double z = -18 * chance(32, n);
-    const double height = 7 + 11 * chance(33, n);
+    const double z = -18 * chance(seed + 32U, n);
+    const double height = 7 + 11 * chance(seed + 33U, n);
     constexpr std::array<std::uint32_t, 5> walls{0xE0CFAE, 0xD8B48E, 0xE6DCC6, 0xC9A588, 0xDAC7A2};
     Paint wall = paints::matt(walls[n % walls.size()]);
     wall.baked = false;
-    Paint tile = chance(34, n) < 0.7 ? paints::roof_tile : paints::slate;
+    Paint tile = chance(seed + 34U, n) < 0.7 ? paints::roof_tile : paints::slate;
     tile.baked = false;
     const Moved moved(builder, {x, 0, z});
     const double h = width / 2;
     box(builder, {-h, 0, -8}, {h, height, 0}, wall, side::front | side::left | side::right);
-    const double ridge = height + 1.5 + 2 * chance(35, n);
-    if (chance(36, n) < 0.6) {
+    const double ridge = height + 1.5 + 2 * chance(seed + 35U, n);
+    if (chance(seed + 36U, n) < 0.6) {
       builder.quad({-h, height, 0.3}, {h, height, 0.3}, {h, ridge, -4}, {-h, ridge, -4}, tile);
       builder.triangle({h, height, 0}, {h, height, -8}, {h, ridge, -4}, wall);
       builder.triangle({-h, height, -8}, {-h, height, 0}, {-h, ridge, -4}, wall);
@@ -84,27 +84,46 @@ void skyline(MeshBuilder& builder, int lod) {
         const double wx = -h + 1.0 + 2.1 * k, wy = 1.2 + 3.1 * storey;
         if (wx + 0.9 > h || wy + 1.5 > height) continue;
         const auto m = n * 64 + static_cast<std::uint32_t>(storey * 8 + k);
-        panel(builder, wx, wy, wx + 0.9, wy + 1.5, 0.1, paints::glass(chance(37, m) < 0.4 ? 200 : 0));
+        panel(builder, wx, wy, wx + 0.9, wy + 1.5, 0.1, paints::glass(chance(seed + 37U, m) < 0.4 ? 200 : 0));
       }
     }
   }
+}
+
+/// A church tower of a far town.
+void far_tower(MeshBuilder& builder, dvec3 at, double height, double half, const Paint& roof) {
+  const Moved moved(builder, at);
   const Paint stone = paints::matt(0xDDCFB4);
-  const Paint copper = paints::copper;
+  lathe(builder, {{half * 1.4, 0}, {half * 1.4, height}, {half * 1.6, height + 0.5}}, 4, stone, Turned::faceted, 0.125);
+  lathe(builder, {{half * 1.6, height + 0.5}, {0, height + 4.2 * half}}, 4, roof, Turned::faceted, 0.125);
+}
+
+/// Roofs and walls at many heights and one small tower, which may stand many times around a place.
+void skyline(MeshBuilder& builder, int lod) {
+  far_houses(builder, lod, 0);
+  far_tower(builder, {33, 0, -16}, 19, 1.9, paints::roof_tile);
+}
+
+/// The same with a dome and two towers, which show from afar: for one place of a horizon.
+void skyline_center(MeshBuilder& builder, int lod) {
+  far_houses(builder, lod, 40);
   {
+    const Paint stone = paints::matt(0xDDCFB4);
     const Moved dome(builder, {-22, 0, -20});
-    lathe(builder, {{8, 0}, {8, 20}, {8.4, 20.5}, {7, 21}, {6.6, 25}}, 12, stone, false);
-    lathe(builder, {{6.8, 25}, {6.2, 28}, {4.4, 31}, {1.5, 33}, {1.2, 35.5}, {0, 38}}, 12, copper);
+    lathe(builder, {{8, 0}, {8, 20}, {8.4, 20.5}, {7, 21}, {6.6, 25}}, 12, stone, Turned::faceted);
+    lathe(builder, {{6.8, 25}, {6.2, 28}, {4.4, 31}, {1.5, 33}, {1.2, 35.5}, {0, 38}}, 12, paints::copper,
+          Turned::round);
   }
-  for (const double x : {18.0, 41.0}) {
-    const Moved tall(builder, {x, 0, -16});
-    const double height = x < 30 ? 30 : 24;
-    lathe(builder, {{3.4, 0}, {3.4, height}, {3.8, height + 0.5}}, 4, stone, false, 0.125);
-    lathe(builder, {{3.8, height + 0.5}, {0, height + 11}}, 4, x < 30 ? copper : paints::slate, false, 0.125);
-  }
+  far_tower(builder, {18, 0, -16}, 30, 2.5, paints::copper);
+  far_tower(builder, {41, 0, -16}, 24, 2.4, paints::slate);
 }
 
 }  // namespace
 
-std::vector<Prop> horizon_props() { return {{"hill", {0, 2.5}, hill, 1.0}, {"skyline", {0, 0.3}, skyline, 1.0}}; }
+std::vector<Prop> horizon_props() {
+  return {{"hill", {0, 2.5}, hill, 1.0},
+          {"skyline", {0, 0.3}, skyline, 1.0},
+          {"skyline_center", {0, 0.3}, skyline_center, 1.0}};
+}
 
 }  // namespace throng::places

@@ -56,6 +56,9 @@ void awning(MeshBuilder& builder, double x0, double x1, double y, double out, co
 /// A shop's wooden front between x0 and x1, set back by `reveal` into a hole that its wall leaves.
 void shop_front(MeshBuilder& builder, double x0, double x1, double foot, double height, double reveal,
                 const Paint& wood, bool door_left, int lod, std::uint32_t seed);
+/// The ground floor of a bay: two stone piers and a lintel around a shop front.
+void ground_floor(MeshBuilder& builder, double height, const Paint& stone, const Paint& wood, bool door_left, int lod,
+                  std::uint32_t seed);
 /// A row of house-front stones: a pier of courses from x0 to x1.
 void rusticated(MeshBuilder& builder, double x0, double x1, double y0, double y1, int courses, const Paint& paint,
                 int lod, std::uint32_t seed);

@@ -45,7 +45,7 @@ void kiosk_side(MeshBuilder& builder, int lod, bool open, std::uint32_t seed) {
   for (int i = 0; i < 4; ++i) {
     constexpr std::array<std::uint32_t, 4> covers{0xD95F4A, 0x4A7FB5, 0xEADBB0, 0x6FA36A};
     const double x = -half + 0.13 + 0.44 * (i % 2);
-    const double y = 1.15 + 0.58 * (i / 2);
+    const double y = 1.15 + (i < 2 ? 0.0 : 0.58);
     panel(builder, x, y, x + 0.36, y + 0.48, 0.02, paints::matt(covers[static_cast<std::size_t>(i)]));
   }
 }

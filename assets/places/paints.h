@@ -20,7 +20,7 @@ inline const Paint brick = tinted(0xB5755A);
 inline const Paint white_paint = matt(0xEFEAE0);
 inline const Paint iron = metal(0x2B2E30);
 inline const Paint steel = metal(0x9AA0A3);
-inline const Paint timber = matt(0x9A6B42);
+inline const Paint timber = matt(0x8C6A4C);
 inline const Paint roof_tile = matt(0xB0684A);
 inline const Paint slate = matt(0x5E646B);
 inline const Paint copper = matt(0x5F8474);
@@ -32,6 +32,13 @@ inline Paint glass(int lit) {
 }
 /// Behind a shop's window it is warm, and dark by day.
 inline const Paint shop_glass{.color = rgb(0x6A583C), .glow = 255, .kind = Kind::glass};
+/// Below the lamps of a room or shop it is darker.
+inline Paint dimmed(Paint glass, double share) {
+  glass.glow = static_cast<int>(glass.glow * share);
+  glass.color *= 0.7 + 0.3 * share;
+  return glass;
+}
+
 /// A lamp's glass.
 inline const Paint lantern{.color = rgb(0xFFE7B8), .glow = 255, .baked = false};
 

@@ -20,6 +20,7 @@ std::vector<Prop> all_props();
 
 // By subject, each in the file of its name.
 std::vector<Prop> facade_props();
+std::vector<Prop> town_house_props();
 std::vector<Prop> arcade_props();
 std::vector<Prop> tower_props();
 std::vector<Prop> tree_props();

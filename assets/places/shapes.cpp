@@ -1,27 +1,41 @@
 #include "assets/places/shapes.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "assets/places/arithmetic.h"
 
 namespace throng::places {
 
-void box(MeshBuilder& builder, dvec3 a, dvec3 b, const Paint& paint, unsigned sides) {
-  if (sides & side::front) builder.quad({a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}, paint);
-  if (sides & side::back) builder.quad({b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, paint);
-  if (sides & side::left) builder.quad({a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}, paint);
-  if (sides & side::right) builder.quad({b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, paint);
-  if (sides & side::top) builder.quad({a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z}, paint);
-  if (sides & side::bottom) builder.quad({a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}, paint);
+void box(MeshBuilder& builder, dvec3 low, dvec3 high, const Paint& paint, unsigned sides) {
+  const auto corner = [&](int x, int y, int z) {
+    return dvec3(x == 0 ? low.x : high.x, y == 0 ? low.y : high.y, z == 0 ? low.z : high.z);
+  };
+  const auto face = [&](unsigned bit, dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
+    if ((sides & bit) != 0) builder.quad(a, b, c, d, paint);
+  };
+  face(side::front, corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));
+  face(side::back, corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0));
+  face(side::left, corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0));
+  face(side::right, corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1));
+  face(side::top, corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0));
+  face(side::bottom, corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));
 }
 
 void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& paint) {
   builder.quad({x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}, paint);
 }
 
+void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& low,
+           const Paint& high) {
+  builder.add(
+      {{Corner{{x0, y0, z}, low}, Corner{{x1, y0, z}, low}, Corner{{x1, y1, z}, high}, Corner{{x0, y1, z}, high}}, 4});
+}
+
 void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0, double x1, const Paint& paint,
               bool ends) {
-  const double wall = profile.front().x;
+  const double wall = std::min(profile.front().x, profile.back().x);
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     const dvec2 p = profile[i];
     const dvec2 q = profile[i + 1];
@@ -32,14 +46,15 @@ void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0
   }
 }
 
-void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, bool smooth,
+void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, Turned look,
            double from_turn) {
+  const int whole = look == Turned::round ? builder.fresh_smooth() : 0;
   const auto at = [&](dvec2 p, int i) {
     const double turn = from_turn + static_cast<double>(i % sides) / sides;
     return dvec3(p.x * sine(turn), p.y, p.x * cosine(turn));
   };
   for (std::size_t p = 0; p + 1 < profile.size(); ++p) {
-    const int group = smooth ? builder.fresh_smooth() : 0;
+    const int group = look == Turned::edged ? builder.fresh_smooth() : whole;
     for (int i = 0; i < sides; ++i) {
       const dvec3 a = at(profile[p], i);
       const dvec3 b = at(profile[p], i + 1);
@@ -79,7 +94,7 @@ void bar(MeshBuilder& builder, dvec3 from, dvec3 to, double from_radius, double 
 }
 
 void disc(MeshBuilder& builder, double radius, double y, int sides, const Paint& paint, double from_turn) {
-  lathe(builder, {{radius, y}, {0, y}}, sides, paint, false, from_turn);
+  lathe(builder, {{radius, y}, {0, y}}, sides, paint, Turned::faceted, from_turn);
 }
 
 dvec2 Arch::point(int i) const {

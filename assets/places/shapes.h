@@ -30,13 +30,19 @@ void box(MeshBuilder& builder, dvec3 low, dvec3 high, const Paint& paint, unsign
 /// A rectangle that faces +Z.
 void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& paint);
 
+/// The same, from one paint below to another above.
+void panel(MeshBuilder& builder, double x0, double y0, double x1, double y1, double z, const Paint& low,
+           const Paint& high);
+
 /// A moulding along X on a wall that faces +Z: the profile's points are (z, y), from below upwards.
 void moulding(MeshBuilder& builder, const std::vector<dvec2>& profile, double x0, double x1, const Paint& paint,
               bool ends = false);
 
 /// A body of revolution about +Y: the profile's points are (radius, y), from below upwards.
-void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint, bool smooth = true,
-           double from_turn = 0);
+/// Its rings keep their edges unless it is `round`.
+enum class Turned { faceted, edged, round };
+void lathe(MeshBuilder& builder, const std::vector<dvec2>& profile, int sides, const Paint& paint,
+           Turned look = Turned::edged, double from_turn = 0);
 
 /// A round or square bar from one point to another.
 void bar(MeshBuilder& builder, dvec3 from, dvec3 to, double from_radius, double to_radius, int sides,

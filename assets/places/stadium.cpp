@@ -22,7 +22,8 @@ void seat(MeshBuilder& builder, int lod) {
   const Paint plastic = paints::tinted(0xF0EEEA);
   const Paint under = shaded(plastic, 0.6);
   if (lod >= 1) {
-    box(builder, {-0.22, 0.4, -0.2}, {0.22, 0.44, 0.2}, plastic, side::front | side::top);
+    box(builder, {-0.22, 0.4, -0.2}, {0.22, 0.44, 0.2}, plastic,
+        lod == 1 ? side::front | side::top : unsigned{side::top});
     panel(builder, -0.22, 0.44, 0.22, 0.82, -0.2, plastic);
     if (lod == 1)
       builder.quad({0.22, 0.44, -0.22}, {-0.22, 0.44, -0.22}, {-0.22, 0.82, -0.26}, {0.22, 0.82, -0.26}, under);
@@ -46,9 +47,10 @@ void seat(MeshBuilder& builder, int lod) {
 /// Six metres of a stadium's roof: a truss on a mast at z = 0 that carries a roof 14 m out to +Z, 14 m up.
 void roof_bay(MeshBuilder& builder, int lod) {
   const Paint white = paints::metal(0xE3E6E6);
-  const Paint sheet = paints::matt(0xE9ECEA);
+  Paint sheet = paints::matt(0xE9ECEA);
+  sheet.baked = false;
   const int sides = lod == 0 ? 8 : lod == 1 ? 5 : 4;
-  bar(builder, {0, 0, -1.5}, {0, 19, -2.2}, 0.35, 0.22, sides, white);
+  bar(builder, {0, 0.02, -1.5}, {0, 19, -2.2}, 0.35, 0.22, sides, white);
   const dvec3 tip(0, 15.2, 14), root(0, 13.2, -1.9), head(0, 19, -2.2);
   bar(builder, root, tip, 0.2, 0.14, sides, white);
   if (lod < 2) {
@@ -65,7 +67,7 @@ void roof_bay(MeshBuilder& builder, int lod) {
     const Paint shade = shaded(sheet, i % 2 == 0 ? 1.0 : 0.93);
     builder.quad({-3, b.y + y, b.z}, {3, b.y + y, b.z}, {3, a.y + y, a.z}, {-3, a.y + y, a.z}, shade);
     builder.quad({-3, a.y + y - 0.08, a.z}, {3, a.y + y - 0.08, a.z}, {3, b.y + y - 0.08, b.z},
-                 {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.72));
+                 {-3, b.y + y - 0.08, b.z}, shaded(shade, 0.85));
     if (lod == 0) bar(builder, {-3, b.y + 0.12, b.z}, {3, b.y + 0.12, b.z}, 0.08, 0.08, 4, white, false);
   }
   box(builder, {-3, 15.1, 13.9}, {3, 15.6, 14.1}, paints::matt(0x2E4A7A), side::all_sides);
@@ -92,12 +94,12 @@ void goal(MeshBuilder& builder, int lod) {
   for (int i = 0; i <= step; ++i) {
     const double x = -half + 2 * half * i / step;
     bar(builder, {x, height, 0}, {x, back_y(-0.9), -0.9}, w, w, 3, net, false);
-    bar(builder, {x, back_y(-0.9), -0.9}, {x, 0, -deep}, w, w, 3, net, false);
+    bar(builder, {x, back_y(-0.9), -0.9}, {x, 0.02, -deep}, w, w, 3, net, false);
   }
   const int rows = lod == 0 ? 9 : 4;
   for (int j = 0; j <= rows; ++j) {
     const double t = static_cast<double>(j) / rows;
-    const double y = back_y(-0.9) * (1 - t), z = -0.9 - (deep - 0.9) * t;
+    const double y = 0.02 + (back_y(-0.9) - 0.02) * (1 - t), z = -0.9 - (deep - 0.9) * t;
     bar(builder, {-half, y, z}, {half, y, z}, w, w, 3, net, false);
     for (const double x : {-half, half}) bar(builder, {x, y, 0}, {x, y, z}, w, w, 3, net, false);
   }

@@ -15,7 +15,7 @@ namespace {
 /// A street lamp of cast iron, 4 m to the top of its lantern.
 void lamp(MeshBuilder& builder, int lod) {
   const Paint iron = paints::metal(0x2F3A36);
-  const int sides = lod == 0 ? 10 : lod == 1 ? 6 : 4;
+  const int sides = lod == 0 ? 10 : 6;
   if (lod == 0) {
     lathe(builder,
           {{0.24, 0},
@@ -33,11 +33,12 @@ void lamp(MeshBuilder& builder, int lod) {
            {0.14, 3.3}},
           sides, iron);
   } else {
-    lathe(builder, {{0.22, 0}, {0.15, 0.5}, {0.07, 0.8}, {0.05, 3.2}, {0.14, 3.28}}, sides, iron, lod == 1);
+    if (lod == 1) lathe(builder, {{0.22, 0}, {0.15, 0.5}, {0.07, 0.8}, {0.05, 3.2}, {0.14, 3.28}}, sides, iron);
+    if (lod == 2) lathe(builder, {{0.2, 0}, {0.07, 0.8}, {0.05, 3.3}}, 3, iron);
   }
   constexpr double eighth = 0.125;
-  lathe(builder, {{0.16, 3.3}, {0.25, 3.75}}, 4, paints::lantern, false, eighth);
-  lathe(builder, {{0.25, 3.75}, {0.3, 3.77}, {0.08, 3.95}, {0, 4.05}}, 4, iron, false, eighth);
+  lathe(builder, {{0.16, 3.3}, {0.25, 3.75}}, 4, paints::lantern, Turned::faceted, eighth);
+  lathe(builder, {{0.25, 3.75}, {0.3, 3.77}, {0.08, 3.95}, {0, 4.05}}, 4, iron, Turned::faceted, eighth);
   if (lod > 0) return;
   for (int i = 0; i < 4; ++i) {
     const double t = eighth + 0.25 * i;
@@ -118,14 +119,16 @@ void planter(MeshBuilder& builder, int lod) {
   } else {
     lathe(builder, {{0.4, 0}, {0.64, 0.55}, {0.64, 0.68}}, sides, stone);
   }
-  disc(builder, 0.58, 0.6, sides, paints::matt(0x4A3B2C));
+  Paint inside = paints::matt(0x2F4A22);
+  inside.baked = false;
+  lathe(builder, {{0.57, 0.6}, {0.52, 0.76}, {0.34, 0.9}, {0, 0.96}}, sides / 2 + 2, inside, Turned::round);
   const int count = lod == 0 ? 130 : lod == 1 ? 40 : 9;
   for (int i = 0; i < count; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
     const double radius = 0.56 * std::sqrt((i + 0.5) / count);
     const double turn = i * 0.38196601125;
-    const double dome = 0.34 * std::sqrt(1 - 0.9 * radius * radius / 0.3136);
-    const double y = 0.64 + dome * (0.75 + 0.45 * chance(7, n));
+    const double dome = 0.36 * std::sqrt(1 - 0.9 * radius * radius / 0.3136);
+    const double y = 0.64 + dome * (0.9 + 0.3 * chance(7, n));
     const dvec3 at(radius * sine(turn), y, radius * cosine(turn));
     const dvec3 normal = glm::normalize(dvec3(at.x, 0.45, at.z));
     const bool flower = n % 4 == 0;
@@ -205,7 +208,7 @@ void statue(MeshBuilder& builder, int lod) {
   const double r2 = 1.41421356;
   if (lod < 2) {
     lathe(builder, {{0.7 * r2, 2.3}, {0.78 * r2, 2.36}, {0.9 * r2, 2.46}, {0.9 * r2, 2.58}, {0.8 * r2, 2.62}}, 4, stone,
-          false, 0.125);
+          Turned::faceted, 0.125);
     panel(builder, -0.45, 1.1, 0.45, 1.9, 0.72, paints::metal(0x6E6244));
   }
   box(builder, {-0.8, 2.5, -0.8}, {0.8, 2.62, 0.8}, stone);
@@ -214,20 +217,23 @@ void statue(MeshBuilder& builder, int lod) {
   {
     const Moved narrow(builder, {0, 0, 0}, 0, {1.0, 1.0, 0.72});
     lathe(builder,
-          {{0.46, 0},
-           {0.43, 0.2},
+          {{0.47, 0},
+           {0.45, 0.15},
            {0.36, 0.7},
-           {0.31, 1.1},
-           {0.34, 1.4},
-           {0.38, 1.62},
-           {0.3, 1.78},
-           {0.13, 1.86},
-           {0.11, 1.96}},
-          sides, bronze);
+           {0.3, 1.1},
+           {0.33, 1.35},
+           {0.385, 1.6},
+           {0.34, 1.74},
+           {0.16, 1.83},
+           {0.1, 1.88},
+           {0.1, 1.98}},
+          sides, bronze, Turned::round);
   }
   {
-    const Moved head(builder, {0, 1.94, 0.03}, 0, {0.9, 1, 1});
-    lathe(builder, {{0.0, 0}, {0.12, 0.05}, {0.16, 0.17}, {0.13, 0.3}, {0, 0.36}}, sides, bronze);
+    const Moved head(builder, {0, 1.93, 0.03}, 0, {0.88, 1, 1});
+    lathe(builder, {{0.0, 0}, {0.09, 0.03}, {0.125, 0.13}, {0.13, 0.22}, {0.11, 0.3}, {0, 0.36}}, sides, bronze,
+          Turned::round);
+    lathe(builder, {{0.13, 0.23}, {0.25, 0.25}, {0.14, 0.29}, {0.12, 0.4}, {0, 0.43}}, sides, shaded(bronze, 0.9));
   }
   if (lod >= 2) return;
   bar(builder, {0.33, 1.66, 0}, {0.5, 1.36, 0.12}, 0.12, 0.09, 6, bronze);

@@ -10,7 +10,7 @@ constexpr double tower_half = 3.2;
 
 void clock_face(MeshBuilder& builder, double y, int lod) {
   constexpr double radius = 1.35;
-  const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
+  const int sides = lod == 0 ? 16 : lod == 1 ? 12 : 8;
   const Paint face{.color = rgb(0xF4EEDC), .glow = 160};
   for (int i = 0; i < sides; ++i) {
     const double t0 = static_cast<double>(i) / sides, t1 = static_cast<double>(i + 1) / sides;
@@ -47,7 +47,7 @@ void tower_side(MeshBuilder& builder, int lod, int side) {
   panel(builder, -h, 4.5, h, 23.0, -0.1, wall);
   panel(builder, -h, 23.0, h, 27.2, 0, stone);
   for (const double x : {-h, h - 0.9}) {
-    rusticated(builder, x, x + 0.9, 4.5, 23.0, 14, stone, lod, 200);
+    rusticated(builder, x, x + 0.9, 4.5, 23.0, 9, stone, lod, 200);
   }
   band(builder, -h - 0.1, h + 0.1, 4.3, 0.5, 0.25, paints::pale_stone, lod);
   band(builder, -h - 0.1, h + 0.1, 22.8, 0.5, 0.3, paints::pale_stone, lod);
@@ -121,7 +121,7 @@ void tower(MeshBuilder& builder, int lod) {
     }
   }
   const double r = 1.41421356 * 3.0;
-  lathe(builder, {{r, 34.2}, {r * 0.6, 36.0}, {r * 0.42, 38.0}, {0, 42.0}}, 4, paints::copper, false, 0.125);
+  lathe(builder, {{r, 34.2}, {r * 0.6, 36.0}, {r * 0.42, 38.0}, {0, 42.0}}, 4, paints::copper, Turned::faceted, 0.125);
   if (lod < 2) {
     lathe(builder, {{0.12, 41.5}, {0.32, 42.0}, {0.12, 42.4}, {0.03, 42.5}, {0.03, 44.0}, {0, 44.1}}, 6,
           paints::metal(0xB8923F));

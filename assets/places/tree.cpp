@@ -47,6 +47,7 @@ Paint leaf_paint(const Species& species, const Bounds& bounds, dvec3 at, double 
   Paint paint;
   paint.color = species.dark + (species.light - species.dark) * share;
   paint.color *= 0.85 + 0.3 * dice;
+  paint.tinted = 255;
   paint.sway = static_cast<int>(60 + 150 * std::min(1.0, height));
   paint.baked = false;
   return paint;
@@ -134,10 +135,14 @@ void leaf_card(MeshBuilder& builder, const Clump& clump) {
 
 void trunk(MeshBuilder& builder, const Species& species, int lod) {
   const Paint bark{.color = species.bark};
-  const int sides = lod == 0 ? 8 : lod == 1 ? 6 : 4;
+  const int sides = lod == 0 ? 8 : lod == 1 ? 6 : lod == 2 ? 4 : 3;
   const double r = species.trunk_radius;
   const double h = species.trunk_height;
   if (lod < 2) bar(builder, {0, 0, 0}, {0.02, 0.35, 0.01}, r * 1.7, r * 1.1, sides, bark);
+  if (lod == 3) {
+    bar(builder, {0, 0, 0}, {0.1, h * 1.35, 0.05}, r * 1.1, r * 0.7, sides, bark);
+    return;
+  }
   bar(builder, lod < 2 ? dvec3(0.02, 0.35, 0.01) : dvec3(0, 0, 0), {0.08, h, 0.05}, r * 1.1, r * 0.75, sides, bark);
   if (lod >= 2) {
     bar(builder, {0.08, h, 0.05}, species.lobes.front().centre, r * 0.75, r * 0.4, 4, bark);
@@ -150,9 +155,9 @@ void trunk(MeshBuilder& builder, const Species& species, int lod) {
   }
 }
 
-/// All lobes as three balls of ten faces.
+/// All lobes as two balls.
 void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bounds) {
-  constexpr std::size_t balls = 3;
+  constexpr std::size_t balls = 2;
   const std::size_t count = species.lobes.size();
   for (std::size_t i = 0; i < balls; ++i) {
     dvec3 low(1e9), high(-1e9);
@@ -160,7 +165,7 @@ void far_crown(MeshBuilder& builder, const Species& species, const Bounds& bound
       low = glm::min(low, species.lobes[k].centre - species.lobes[k].radius);
       high = glm::max(high, species.lobes[k].centre + species.lobes[k].radius);
     }
-    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 2, 1.0, 0.2,
+    ball(builder, species, bounds, {0.5 * (low + high), 0.5 * (high - low)}, 5, 3, 1.0, 0.2,
          species.seed * 50 + static_cast<std::uint32_t>(i));
   }
 }
@@ -178,10 +183,10 @@ void grow(MeshBuilder& builder, const Species& species, int lod) {
     if (lod == 2) {
       ball(builder, species, bounds, lobe, 5, 3, 0.95, 0.4, seed);
     } else {
-      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.85, seed);
+      ball(builder, species, bounds, lobe, lod == 0 ? 7 : 5, lod == 0 ? 4 : 3, 0.84, 0.7, seed);
     }
-    const int count = static_cast<int>((lod == 0 ? 74 : lod == 1 ? 26 : 5) * area);
-    const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.5 : 2.0);
+    const int count = static_cast<int>((lod == 0 ? 100 : lod == 1 ? 34 : 6) * area);
+    const double size = species.leaf * (lod == 0 ? 1.0 : lod == 1 ? 1.55 : 2.4);
     for (int i = 0; i < count; ++i) leaf_card(builder, clump_at(species, bounds, lobe, i, count, seed, size));
   }
   if (lod == 3) far_crown(builder, species, bounds);
@@ -194,7 +199,7 @@ void tree_a(MeshBuilder& builder, int lod) {
             .bark = rgb(0x8A7B66),
             .light = rgb(0x9DB45A),
             .dark = rgb(0x33491F),
-            .leaf = 0.24,
+            .leaf = 0.195,
             .seed = 1};
   s.lobes = {{{0.1, 6.9, 0}, {1.6, 1.3, 1.6}},      {{1.5, 5.7, 0.4}, {1.35, 1.1, 1.3}},
              {{-1.4, 5.6, 0.7}, {1.4, 1.15, 1.3}},  {{0.2, 5.4, -1.5}, {1.4, 1.15, 1.3}},
@@ -210,7 +215,7 @@ void tree_b(MeshBuilder& builder, int lod) {
             .bark = rgb(0x6B5B49),
             .light = rgb(0x7FA04A),
             .dark = rgb(0x2A4420),
-            .leaf = 0.21,
+            .leaf = 0.18,
             .seed = 2};
   s.lobes = {{{0, 8.0, 0}, {0.85, 1.1, 0.85}},       {{0.35, 6.7, 0.25}, {1.15, 1.15, 1.1}},
              {{-0.4, 6.2, -0.3}, {1.2, 1.15, 1.15}}, {{0.3, 5.1, -0.4}, {1.35, 1.1, 1.3}},
@@ -223,9 +228,9 @@ void tree_c(MeshBuilder& builder, int lod) {
   Species s{.trunk_height = 2.2,
             .trunk_radius = 0.12,
             .bark = rgb(0x5F5146),
-            .light = rgb(0xB4A350),
-            .dark = rgb(0x4C5424),
-            .leaf = 0.19,
+            .light = rgb(0xC2B055),
+            .dark = rgb(0x565A26),
+            .leaf = 0.165,
             .seed = 3};
   s.lobes = {{{0, 5.2, 0}, {1.1, 0.95, 1.1}},
              {{0.8, 4.3, 0.3}, {1.0, 0.85, 1.0}},

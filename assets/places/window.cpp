@@ -28,7 +28,7 @@ void panes(MeshBuilder& builder, const Opening& at, const WindowStyle& style, in
   const double z = -style.reveal;
   panel(builder, at.x0, at.y0, at.x1, at.y1, z, style.frame);
   const int columns = lod == 0 ? style.columns : 2;
-  const int rows = lod == 0 ? style.rows : 1;
+  const int rows = lod == 0 ? style.rows : 2;
   const Paint glass = paints::glass(light_of(seed));
   const double w = (at.x1 - at.x0 - bar) / columns;
   const double h = (at.y1 - at.y0 - bar) / rows;
@@ -37,7 +37,10 @@ void panes(MeshBuilder& builder, const Opening& at, const WindowStyle& style, in
       const double x = at.x0 + bar + i * w;
       const double y = at.y0 + bar + j * h;
       const auto pane = static_cast<std::uint32_t>(i * 8 + j);
-      panel(builder, x, y, x + w - bar, y + h - bar, z + 0.02, shaded(glass, 0.85 + 0.3 * chance(seed, pane + 20)));
+      const Paint pane_glass = shaded(glass, 0.85 + 0.3 * chance(seed, pane + 20));
+      const double low = 0.45 + 0.55 * j / rows;
+      panel(builder, x, y, x + w - bar, y + h - bar, z + 0.02, paints::dimmed(pane_glass, low),
+            paints::dimmed(pane_glass, low + 0.55 / rows));
     }
   }
 }
@@ -117,12 +120,19 @@ void railing(MeshBuilder& builder, const Opening& at, const WindowStyle& style, 
   const double x0 = at.x0 - 0.3;
   const double x1 = at.x1 + 0.3;
   box(builder, {x0 - 0.05, at.y0 - 0.16, 0}, {x1 + 0.05, at.y0, 0.62}, style.trim, side::on_wall);
-  if (lod > 0) return;
+  const Paint& iron = paints::iron;
+  if (lod > 0) {
+    panel(builder, x0, at.y0 + 0.9, x1, at.y0 + 0.98, 0.59, iron);
+    for (int i = 0; i < 5; ++i) {
+      const double x = x0 + (x1 - x0 - 0.04) * i / 4;
+      panel(builder, x, at.y0, x + 0.04, at.y0 + 0.9, 0.59, iron);
+    }
+    return;
+  }
   for (const double x : {x0 + 0.15, x1 - 0.15}) {
     box(builder, {x - 0.07, at.y0 - 0.46, 0}, {x + 0.07, at.y0 - 0.16, 0.3}, style.trim,
         side::front | side::left | side::right);
   }
-  const Paint& iron = paints::iron;
   box(builder, {x0, at.y0 + 0.93, 0.54}, {x1, at.y0 + 0.98, 0.59}, iron, side::front | side::top);
   box(builder, {x0, at.y0 + 0.08, 0.55}, {x1, at.y0 + 0.11, 0.58}, iron, side::front | side::top);
   const int bars = static_cast<int>((x1 - x0) / 0.19);

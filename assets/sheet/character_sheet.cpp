@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "assets/sheet/contact_sheet.h"
 #include "assets/sheet/studio.h"
 #include "engine/anim/asset/reference_pose.h"
 
@@ -27,37 +28,6 @@ app::Tints dressed(std::uint32_t person) {
 const app::Tints plain_clothes = dressed(12);
 
 float column_place(int column, float pitch) { return (static_cast<float>(column) - 0.5F * (columns - 1)) * pitch; }
-
-/// Pictures of one width, one below the other.
-class Sheet {
- public:
-  void add(const render::Image& row) { rows_.push_back(row); }
-
-  /// Rounded to five bits a channel, so that the file stays small.
-  bool write(const fs::path& file) const {
-    int width = 1;
-    int height = 0;
-    for (const render::Image& row : rows_) {
-      width = std::max(width, row.width);
-      height += row.height;
-    }
-    render::Image sheet = render::Image::blank(width, height);
-    int top = 0;
-    for (const render::Image& row : rows_) {
-      for (int y = 0; y < row.height; ++y) {
-        std::copy_n(row.pixel(0, y), static_cast<std::size_t>(row.width) * 4, sheet.pixel(0, top + y));
-      }
-      top += row.height;
-    }
-    for (std::uint8_t& channel : sheet.rgba) channel = static_cast<std::uint8_t>((channel & 0xF8U) | channel >> 5U);
-    const auto written = render::write_png(sheet, file);
-    if (!written) std::fprintf(stderr, "throng_character_sheet: %s\n", written.error().message.c_str());
-    return written.has_value();
-  }
-
- private:
-  std::vector<render::Image> rows_;
-};
 
 render::Image views_of_bind_pose(Studio& studio) {
   constexpr float pitch = 1.5F;
@@ -129,24 +99,6 @@ render::Image bent_joints(Studio& studio) {
 
 render::Image close_ups(Studio& studio, float metres, glm::vec3 centre, const std::vector<Figure>& figures) {
   return studio.take({.width = 300, .height = 300, .metres = metres, .centre = centre}, figures);
-}
-
-render::Image beside(const std::vector<render::Image>& pictures) {
-  int width = 0;
-  int height = 0;
-  for (const render::Image& picture : pictures) {
-    width += picture.width;
-    height = std::max(height, picture.height);
-  }
-  render::Image row = render::Image::blank(width, height);
-  int left = 0;
-  for (const render::Image& picture : pictures) {
-    for (int y = 0; y < picture.height; ++y) {
-      std::copy_n(picture.pixel(0, y), static_cast<std::size_t>(picture.width) * 4, row.pixel(left, y));
-    }
-    left += picture.width;
-  }
-  return row;
 }
 
 render::Image joints_close_up(Studio& studio) {
@@ -264,7 +216,7 @@ render::Image at_six_hundred_pixels(Studio& studio) {
 }
 
 int write_sheets(Studio& studio, const fs::path& folder) {
-  Sheet body;
+  ContactSheet body;
   body.add(views_of_bind_pose(studio));
   body.add(face_and_hands(studio));
   body.add(bent_joints(studio));
@@ -274,7 +226,7 @@ int write_sheets(Studio& studio, const fs::path& folder) {
   body.add(mesh_lods(studio));
   body.add(at_thirty_pixels(studio));
   body.add(at_six_hundred_pixels(studio));
-  Sheet clips;
+  ContactSheet clips;
   for (const anim::Clip& clip : studio.character().model.clips) clips.add(phases_of_clip(studio, clip, 0.9F));
   const bool written = body.write(folder / "character_body.png") && clips.write(folder / "character_clips.png");
   return written ? 0 : 1;

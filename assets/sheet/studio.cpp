@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <span>
 
+#include "assets/sheet/contact_sheet.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/render/camera.h"
@@ -43,16 +44,6 @@ std::vector<std::size_t> palette_bytes_by_level(const anim::Skeleton& skeleton) 
     bytes.push_back(palette_bytes(static_cast<std::size_t>(anim::palette_count_for_bones(skeleton, bones))));
   }
   return bytes;
-}
-
-/// What is the same with and without figures becomes one colour, so that paving does not fill the file.
-void flatten_background(render::Image& picture, const render::Image& empty) {
-  constexpr std::array<std::uint8_t, 4> plain{214, 212, 206, 255};
-  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-    if (std::equal(&picture.rgba[i], &picture.rgba[i] + 3, &empty.rgba[i])) {
-      std::ranges::copy(plain, &picture.rgba[i]);
-    }
-  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "engine/files/free_memory.h"
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/light/light_parts.h"
 
 namespace throng::render {
 namespace {
@@ -168,6 +169,9 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
     crowd_shade_.describe(uniforms);
   }
   if (frame.scenery) lamps_.describe(uniforms);
+  const bool lamps = frame.scenery && lamps_.has_lamps() && sky_.uniforms().night > 0.0F;
+  light_parts_ =
+      (frame.shadows ? shadow_part : 0U) | (frame.crowd_shade ? crowd_shade_part : 0U) | (lamps ? lamp_part : 0U);
   glNamedBufferSubData(shadow_uniforms_.id(), 0, sizeof uniforms, &uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, shadow_uniforms_binding, shadow_uniforms_.id());
   glDisable(GL_RASTERIZER_DISCARD);
@@ -180,11 +184,11 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   target.bind_scene();
   target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
-  crowd_.begin(frame);
+  crowd_.begin(frame, light_parts_);
   DrawCounts counts;
   // Scenery goes before the ground, which then costs nothing where it is hidden.
-  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y)));
-  add(counts, ground_.draw());
+  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y), light_parts_));
+  add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {
@@ -195,6 +199,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   if (frame.bones_as_lines) add(counts, bones_.draw(frame, meshes_, palettes_, target.size()));
   add(counts, lines_.draw(frame.lines, target.size()));
   glDisable(GL_RASTERIZER_DISCARD);
+  if (!shaders_.status()) trouble_ = shaders_.status().error();
   target.resolve();
   return counts;
 }

@@ -157,8 +157,9 @@ class Renderer {
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;
-  bool splits_ = false;           // two crowds are drawn into one picture
-  std::optional<Error> trouble_;  // what finish() tells
+  std::uint32_t light_parts_ = 0;  // of the picture that is drawn
+  bool splits_ = false;            // two crowds are drawn into one picture
+  std::optional<Error> trouble_;   // what finish() tells
 };
 
 }  // namespace throng::render

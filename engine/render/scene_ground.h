@@ -6,7 +6,7 @@
 
 namespace throng::render {
 
-/// Says what the ground at y = 0 is made of. `shaders/paving.glsl` repeats the order.
+/// Says what the ground at y = 0 is made of.
 enum class GroundStyle : std::uint32_t {
   paving,  ///< stone slabs everywhere
   street,  ///< asphalt along a closed route, kerbs, and slabs beyond
@@ -20,7 +20,7 @@ struct SceneGround {
   glm::vec2 core{0.0F};     ///< half sides of the rectangle of corner centres, along x and z, in metres
   float radius = 0.0F;      ///< of the corners, in metres; a street runs along the loop, a pitch lies within it
   float half_width = 0.0F;  ///< of the street, or of the track around a pitch, in metres
-  float paved = 0.0F;       ///< metres from the loop outwards to where fields begin; 0: there are none
+  float paved = 0.0F;       ///< metres from the rectangle around the loop to where fields begin; 0: there are none
 
   friend bool operator==(const SceneGround&, const SceneGround&) = default;
 };

@@ -129,6 +129,12 @@ TEST_F(Material, ThatIsUnlitShowsItsOwnColor) {
   material.unlit = true;
   for (int i = 0; i < 3; ++i) material.base_color[i] = 0.2159F;  // 128 in sRGB
   for (const int channel : middle(picture(material))) EXPECT_NEAR(channel, 128, 2);
+  material.base_color[0] = 0.8F;   // 231 in sRGB
+  material.base_color[2] = 0.01F;  // 25
+  const auto color = middle(picture(material));
+  EXPECT_NEAR(color[0], 231, 2);
+  EXPECT_NEAR(color[1], 128, 3);
+  EXPECT_NEAR(color[2], 25, 6) << "but for the haze";
 }
 
 TEST_F(Material, WithoutATintIsAsBrightAsTheShadeOfItsAgentSays) {

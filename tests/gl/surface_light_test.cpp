@@ -113,6 +113,25 @@ TEST_F(SurfaceLight, IsWidestOnTheRoughest) {
   EXPECT_GT(middle(), 250.0) << "and brightest on the smoothest";
 }
 
+TEST_F(SurfaceLight, IsSpreadByBumpsThatAreTooSmallToBeSeen) {
+  constexpr std::array<std::uint8_t, 16> bumps = {188, 128, 240, 255, 128, 188, 240, 255,
+                                                  128, 68,  240, 255, 68,  128, 240, 255};
+  constexpr std::array<std::uint8_t, 16> flat = {128, 128, 255, 255, 128, 128, 255, 255,
+                                                 128, 128, 255, 255, 128, 128, 255, 255};
+  sheet().face(glm::normalize(glm::vec3(0.0F, std::sqrt(0.5F), std::sqrt(0.5F)) + glm::vec3(0.0F, 0.0F, 1.0F)));
+  sheet().tangents = {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1};
+  for (float& coord : sheet().coords) coord *= 500.0F;
+  paint(0.0F, 0.0F, 0.0F);
+  material().roughness = 0.2F;
+  material().normal_texture = show(bumps, 2);
+  material().normal_texture.minified = 9987;  // between mip levels, of which the last is flat
+  const Image rough = sheet().picture();
+  sheet().images[0].rgba = flat;
+  const Image smooth = sheet().picture();
+  EXPECT_GT(Sheet::brightness(smooth, 0.5F, 0.5F), Sheet::brightness(rough, 0.5F, 0.5F) + 15.0);
+  EXPECT_LT(Sheet::brightness(smooth, 0.7F, 0.5F), Sheet::brightness(rough, 0.7F, 0.5F));
+}
+
 TEST_F(SurfaceLight, OfTheSkyAloneIsKeptAwayByOcclusion) {
   constexpr std::array<std::uint8_t, 4> dark = {0, 255, 255, 255};
   material().roughness = 0.5F;
@@ -144,6 +163,15 @@ TEST_F(SurfaceLight, ReadsNumbersOfAnImageAsTheyAreAndItsColorsAsSrgb) {
   EXPECT_LT(compare(by_texture, sheet().picture())->mean, 0.6);
   material().roughness = 0.2159F;
   EXPECT_GT(compare(by_texture, sheet().picture())->mean, 2.0) << "as if decoded from sRGB";
+}
+
+TEST_F(SurfaceLight, TurnsNoOrangeIntoYellow) {
+  paint(0.72F, 0.24F, 0.02F);  // 220, 134, 39 in sRGB
+  sheet().face(glm::normalize(glm::vec3(0.0F, 1.0F, 1.0F)));
+  const Image image = sheet().picture();
+  const double red = Sheet::brightness(image, 0.5F, 0.5F, 0), green = Sheet::brightness(image, 0.5F, 0.5F, 1);
+  EXPECT_GT(red, 200.0);
+  EXPECT_LT(green / red, 0.72) << "134 of 220 is 0.61; a curve for each channel alone makes it 0.8";
 }
 
 TEST_F(SurfaceLight, TakesTheColorsOfVertices) {

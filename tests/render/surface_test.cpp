@@ -97,5 +97,31 @@ TEST(Surface, PutsEndsOfBonesBehindItsVerticesMovedByTheirEntryAlone) {
   EXPECT_EQ(surface.entries[surface.vertices.size() + 8][0], 0);
 }
 
+TEST(Surface, HasNoTangentsNorFurtherCoordinatesWhereNoPartHasAny) {
+  const Surface surface = build_surface(TwoQuads().data);
+  EXPECT_TRUE(surface.tangents.empty());
+  EXPECT_TRUE(surface.detail_coords.empty());
+}
+
+TEST(Surface, HasTangentsAndFurtherCoordinatesAtEachVertexWhereAPartHasThem) {
+  const std::vector<float> tangents = {1, 0, 0, -1, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0, -1, 1};
+  const std::vector<float> coords = {0, 0, 1, 0, 1, 1, 0, 1}, others = {5, 6, 5, 6, 5, 6, 7, 8};
+  TwoQuads quads;
+  quads.data.parts[1].tangents = tangents;
+  quads.data.parts[1].texture_coords = coords;
+  quads.data.parts[1].normal_coords = others;
+  quads.data.baked_lods.push_back({{quads.data.parts[0], quads.data.parts[1]}});
+  const Surface surface = build_surface(quads.data);
+  ASSERT_EQ(surface.tangents.size(), surface.vertices.size()) << "bone ends too";
+  ASSERT_EQ(surface.detail_coords.size(), surface.vertices.size());
+  EXPECT_EQ(surface.tangents[0], PackedTangent{});
+  for (const std::size_t first : {4U, 12U}) {
+    EXPECT_EQ(surface.tangents[first], (PackedTangent{32767, 0, 0, -32767}));
+    EXPECT_EQ(surface.tangents[first + 3], (PackedTangent{0, 0, -32767, 32767}));
+    EXPECT_EQ(surface.detail_coords[first + 3].normal, (TextureCoord{7, 8}));
+    EXPECT_EQ(surface.detail_coords[first + 2].occlusion, (TextureCoord{1, 1})) << "those of the base colour";
+  }
+}
+
 }  // namespace
 }  // namespace throng::render::surface_test

@@ -127,7 +127,14 @@ Json materials_json(const anim::Model& model) {
                          {"emission", Json::array({emission.r, emission.g, emission.b})},
                          {"emission_image", material.emission_texture.image},
                          {"image", material.base_color_texture.image},
+                         {"metallic", material.metallic},
+                         {"metallic_roughness_image", material.metallic_roughness_texture.image},
                          {"name", material.name},
+                         {"normal_image", material.normal_texture.image},
+                         {"normal_scale", material.normal_scale},
+                         {"occlusion_image", material.occlusion_texture.image},
+                         {"occlusion_strength", material.occlusion_strength},
+                         {"roughness", material.roughness},
                          {"unlit", material.unlit}});
   }
   return materials;

@@ -22,9 +22,8 @@ FrameUniforms frame_uniforms(const CrowdFrame& frame) {
   uniforms.weighed_entries = frame.weighed.count;
   const SceneGround& ground = frame.ground;
   uniforms.ground_shape = glm::vec4(ground.core, ground.radius, ground.half_width);
-  uniforms.ground_style = static_cast<std::uint32_t>(ground.style);
+  uniforms.ground_is_endless = ground.paved == 0.0F ? 1U : 0U;
   uniforms.ground_unit = ground.unit;
-  uniforms.ground_paved = ground.paved;
   return uniforms;
 }
 

@@ -32,7 +32,7 @@ enum StorageBinding : unsigned {
 ///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
 ///    128  now in microseconds, distance scale, first and number of the palette entries whose weights are shown
 ///    144  shape of the ground: half sides of the core along x and z, radius of the corners, half width
-///    160  style and unit of the ground, metres until fields begin, unused
+///    160  whether the ground is endless, its unit, unused
 struct FrameUniforms {
   glm::mat4 view_projection;
   glm::vec4 camera_position;
@@ -44,10 +44,9 @@ struct FrameUniforms {
   std::uint32_t weighed_entry;
   std::uint32_t weighed_entries;
   glm::vec4 ground_shape;
-  std::uint32_t ground_style;
+  std::uint32_t ground_is_endless;
   float ground_unit;
-  float ground_paved;
-  float unused;
+  float unused[2];
 };
 static_assert(sizeof(FrameUniforms) == 176);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);

@@ -32,6 +32,8 @@ class LampMap {
   /// Replaces the lamps.
   void place(std::span<const SceneryLamp> lamps);
 
+  bool has_lamps() const { return static_cast<bool>(map_); }
+
   /// Binds the map and says in `uniforms` where it lies.
   void describe(ShadowUniforms& uniforms) const;
 

@@ -16,8 +16,8 @@ inline constexpr int sky_harmonics = 9;
 ///     16  sun light r g b             what a white surface that faces the sun reflects
 ///     32  sky harmonics               nine of r g b and nothing: a polynomial of the normal, which gives what a white
 ///                                     surface reflects of sky and ground
-///    176  haze r g b                  where the sun is not
-///    192  haze at the sun r g b       is added to it towards the sun
+///    176  haze r g b                  where the sun is not; x of the unit way to the sun along the ground
+///    192  haze at the sun r g b       is added to it towards the sun; z of that way
 ///    208  clearing r g b              1 / metres: how fast haze takes the place of what is behind it
 struct LightUniforms {
   glm::vec3 to_sun;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -19,8 +18,6 @@ namespace throng::render {
 ///    288  depth                     x y z and w: their product with a place is its depth
 ///    304  crowd map x, z            its corner, metres; 1 / metres of its side; a person's own part in it
 ///    320  lamp map x, z              its corner, metres; 1 / metres of its side; the height up to which lamps shine
-///    336  cascades                  0: nothing casts a shadow
-///    340  crowd shade               0: nobody keeps light from others
 struct ShadowUniforms {
   glm::mat4 to_map[cascade_count];
   glm::vec4 reach;
@@ -28,14 +25,11 @@ struct ShadowUniforms {
   glm::vec4 depth;
   glm::vec4 crowd_map;
   glm::vec4 lamp_map;
-  std::uint32_t cascades;
-  std::uint32_t crowd_shade;
-  std::uint32_t unused[2];
 };
 static_assert(cascade_count == 4);
-static_assert(sizeof(ShadowUniforms) == 352);
+static_assert(sizeof(ShadowUniforms) == 336);
 static_assert(offsetof(ShadowUniforms, reach) == 256);
 static_assert(offsetof(ShadowUniforms, crowd_map) == 304);
-static_assert(offsetof(ShadowUniforms, cascades) == 336);
+static_assert(offsetof(ShadowUniforms, lamp_map) == 320);
 
 }  // namespace throng::render

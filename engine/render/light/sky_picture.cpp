@@ -178,8 +178,8 @@ void SkyPicture::light_ground() {
     towards += radiance(glm::normalize(aside)) / 3.0F;
     away += radiance(glm::normalize(glm::vec3(-aside.x, low, -aside.z))) / 3.0F;
   }
-  uniforms_.haze = glm::vec4(away, 0.0F);
-  uniforms_.haze_at_sun = glm::vec4(glm::max(towards - away, glm::vec3(0.0F)), 0.0F);
+  uniforms_.haze = glm::vec4(away, along.x);
+  uniforms_.haze_at_sun = glm::vec4(glm::max(towards - away, glm::vec3(0.0F)), along.z);
   uniforms_.clearing = glm::vec4(clearing, 0.0F);
 }
 

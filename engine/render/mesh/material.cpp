@@ -72,6 +72,7 @@ Result<MaterialSet> MaterialSet::create(const CrowdMeshData& data) {
          .normal_texture = set.texture(material.normal_texture, set.numbers_),
          .occlusion_texture = set.texture(material.occlusion_texture, set.numbers_),
          .factors = {material.metallic, material.roughness, bumps, occlusion},
+         .is_textured = material.base_color_texture.image >= 0,
          .is_plain = is_plain(material),
          .unlit = material.unlit,
          .double_sided = material.double_sided,

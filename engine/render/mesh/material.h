@@ -28,6 +28,7 @@ struct CrowdMaterial {
   CrowdTexture normal_texture;
   CrowdTexture occlusion_texture;
   float factors[4];  ///< metallic, roughness, scale of the normal texture, strength of occlusion; 0: no such texture
+  bool is_textured;  ///< its base colour has a texture
   bool is_plain;     ///< its base colour is all that light needs to know, and nothing shines by itself
   bool unlit;
   bool double_sided;

@@ -42,10 +42,10 @@ using TextureCoord = std::array<float, 2>;
 
 /// The coordinates u v at which a vertex reads what lies over the base colour.
 struct DetailCoords {
-  TextureCoord emission;
-  TextureCoord metallic_roughness;
-  TextureCoord normal;
-  TextureCoord occlusion;
+  TextureCoord emission{};
+  TextureCoord metallic_roughness{};
+  TextureCoord normal{};
+  TextureCoord occlusion{};
 };
 static_assert(sizeof(DetailCoords) == 32);
 

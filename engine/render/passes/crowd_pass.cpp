@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/light/light_parts.h"
 #include "engine/render/passes/crowd_runs.h"
 
 namespace throng::render {
@@ -19,6 +20,9 @@ enum Location : GLint {
 };
 
 enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
+
+// Switches of crowd.frag, after those of the light.
+constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit = 2U << light_part_count;
 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
 constexpr float solid_alpha = 0.9F;
@@ -90,16 +94,25 @@ void test_depth() {
 
 }  // namespace
 
-CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex)
-    : plain(shaders.load({vertex, "crowd.frag"})),
-      material(shaders.load({vertex, "crowd_material.frag"})),
-      cut_out(shaders.load({vertex, "crowd_cut_out.frag"})),
-      blended_part(shaders.load({vertex, "crowd_blended.frag"})) {}
+CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& plain_vertex, const std::string& vertex)
+    : plain(shaders, {plain_vertex, "crowd.frag"}, light_switches({"DEBUG_COLORS", "TEXTURED"})),
+      material(shaders, {vertex, "crowd_material.frag"}, light_switches()),
+      cut_out(shaders, {vertex, "crowd_cut_out.frag"}, light_switches()),
+      blended_part(shaders, {vertex, "crowd_blended.frag"}, light_switches()) {}
 
-CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd.vert") {}
+CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd_plain.vert", "crowd.vert") {}
 
 void CrowdPass::prepare_morphs() {
-  if (!morphed_) morphed_.emplace(*shaders_, "crowd_morphed.vert");
+  if (!morphed_) morphed_.emplace(*shaders_, "crowd_plain_morphed.vert", "crowd_morphed.vert");
+}
+
+void CrowdPass::begin(const CrowdFrame& frame, std::uint32_t light) {
+  constexpr std::uint32_t opacity = 0xFF000000U;
+  morphs_ = morphed_.has_value() && !frame.morph_weights.empty();
+  light_ = light;
+  debug_colors_ = frame.weighed.count > 0 || std::ranges::any_of(frame.instances, [](const InstanceRecord& record) {
+                    return (record.debug_color & opacity) != 0;
+                  });
 }
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
@@ -119,13 +132,15 @@ DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> m
   return surfaces_.counts();
 }
 
-void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) const {
+void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) {
   const CrowdMaterial& material = mesh.materials()[of_mesh];
-  const Programs& programs = programs_for(mesh);
+  Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    glUseProgram(material.is_plain ? programs.plain.id() : programs.material.id());
+    const std::uint32_t plain =
+        light_ | (debug_colors_ ? debug_colors_bit : 0U) | (material.is_textured ? textured_bit : 0U);
+    glUseProgram(material.is_plain ? programs.plain.with(plain).id() : programs.material.with(light_).id());
   } else {
-    glUseProgram(programs.cut_out.id());
+    glUseProgram(programs.cut_out.with(light_).id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
   }
   set_uniforms(material);
@@ -136,7 +151,7 @@ DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const Pale
   blended_.upload();
   for (const IndirectDraws::Group& group : blended_.groups()) {
     const CrowdMaterial& material = meshes[group.character].materials()[group.material];
-    glUseProgram(programs_for(meshes[group.character]).blended_part.id());
+    glUseProgram(programs_for(meshes[group.character]).blended_part.with(light_).id());
     glUniform1f(alpha_cutoff_location, solid_alpha);
     set_uniforms(material);
     set_culling(material);

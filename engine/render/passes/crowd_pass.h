@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,7 +9,7 @@
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/indirect_draws.h"
-#include "engine/render/shader/shader_library.h"
+#include "engine/render/shader/program_variants.h"
 
 namespace throng::render {
 
@@ -35,29 +36,30 @@ class CrowdPass {
   DrawCounts draw_blended(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
   /// Takes note of what all draws of a frame have in common. Call it before the others.
-  void begin(const CrowdFrame& frame) { morphs_ = morphed_.has_value() && !frame.morph_weights.empty(); }
+  /// `light` has the parts that the frame's light has (light_parts.h).
+  void begin(const CrowdFrame& frame, std::uint32_t light);
 
  private:
   /// The programs that draw surfaces; all have the same uniforms.
   struct Programs {
-    Programs(ShaderLibrary& shaders, const std::string& vertex);
+    Programs(ShaderLibrary& shaders, const std::string& plain_vertex, const std::string& vertex);
 
-    const gl::Program& plain;
-    const gl::Program& material;
-    const gl::Program& cut_out;
-    const gl::Program& blended_part;
+    ProgramVariants plain;
+    ProgramVariants material;
+    ProgramVariants cut_out;
+    ProgramVariants blended_part;
   };
 
   /// Returns the programs for a mesh; those that morph cost more.
-  const Programs& programs_for(const CrowdMesh& mesh) const {
-    return morphs_ && mesh.has_morphs() ? *morphed_ : plain_;
-  }
-  void use_material(const CrowdMesh& mesh, int material) const;
+  Programs& programs_for(const CrowdMesh& mesh) { return morphs_ && mesh.has_morphs() ? *morphed_ : plain_; }
+  void use_material(const CrowdMesh& mesh, int material);
 
   ShaderLibrary* shaders_;
   Programs plain_;
   std::optional<Programs> morphed_;
-  bool morphs_ = false;  // an instance of the frame has weights
+  bool morphs_ = false;        // an instance of the frame has weights
+  bool debug_colors_ = false;  // a colour stands for a value of an instance or a vertex
+  std::uint32_t light_ = 0;
   IndirectDraws surfaces_;
   IndirectDraws blended_;
 };

@@ -69,7 +69,6 @@ DrawCounts CrowdShadePass::draw(const CrowdFrame& frame, float farthest) {
 void CrowdShadePass::describe(ShadowUniforms& uniforms) const {
   const float own = 1.0F / (2.0F * std::numbers::pi_v<float> * spread_ * spread_);
   uniforms.crowd_map = {corner_, 1.0F / side_, own};
-  uniforms.crowd_shade = 1;
   glBindTextureUnit(crowd_map_unit, map_.id());
 }
 

@@ -1,25 +1,67 @@
 #include "engine/render/passes/ground_pass.h"
 
+#include "engine/render/light/light_parts.h"
+
 namespace throng::render {
 namespace {
 
 constexpr GLint sun_side_location = 0;
-constexpr GLsizei corners_of_a_disc = 4;
+constexpr GLint pixels_location = 0, half_sides_location = 1, outside_location = 2;
+constexpr GLsizei corners_of_a_part = 4, parts_of_fields = 4;
+constexpr float everywhere = 60'000.0F;  // metres
+
+// Switches of ground.frag, after those of the light.
+constexpr std::uint32_t street_bit = 1U << light_part_count, pitch_bit = 2U << light_part_count,
+                        fields_bit = 4U << light_part_count;
+
+std::uint32_t bit_of(GroundStyle style) {
+  return style == GroundStyle::street ? street_bit : style == GroundStyle::pitch ? pitch_bit : 0U;
+}
+
+glm::vec2 half_sides_of(const SceneGround& ground) {
+  return ground.paved > 0.0F ? ground.core + ground.radius + ground.paved : glm::vec2(everywhere);
+}
+
+/// Lets pixels be drawn where nothing has been, each of them once.
+void draw_each_pixel_once() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);  // at the farthest depth
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_EQUAL, 0, 0xFF);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+}
 
 }  // namespace
 
 GroundPass::GroundPass(ShaderLibrary& shaders)
-    : ground_(shaders.load({"ground.vert", "ground.frag"})), spots_(shaders.load({"contact.vert", "contact.frag"})) {}
+    : ground_(shaders, {"ground.vert", "ground.frag"}, light_switches({"STREET", "PITCH", "FIELDS"})),
+      sky_(shaders.load({"whole_picture.vert", "sky.frag"})),
+      spots_(shaders.load({"contact.vert", "contact.frag"})) {}
 
-DrawCounts GroundPass::draw() const {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_EQUAL);  // at the farthest depth, where nothing has been drawn
-  glDepthMask(GL_FALSE);
-  glDisable(GL_CULL_FACE);
-  glUseProgram(ground_.id());
+DrawCounts GroundPass::draw(const SceneGround& ground, glm::ivec2 pixels, std::uint32_t light) {
+  draw_each_pixel_once();
   glBindVertexArray(no_vertices_.id());
+  DrawCounts counts = draw_part(light | bit_of(ground.style), ground, pixels, false);
+  if (ground.paved > 0.0F) add(counts, draw_part(light | fields_bit, ground, pixels, true));
+  glUseProgram(sky_.id());
+  glUniform2f(pixels_location, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  return {1, 1};
+  add(counts, {1, 1});
+  glDisable(GL_STENCIL_TEST);
+  return counts;
+}
+
+DrawCounts GroundPass::draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels, bool outside) {
+  const glm::vec2 half_sides = half_sides_of(ground);
+  glUseProgram(ground_.with(switches).id());
+  glUniform2f(pixels_location, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
+  glUniform2f(half_sides_location, half_sides.x, half_sides.y);
+  glUniform1i(outside_location, outside ? 1 : 0);
+  const GLsizei parts = outside ? parts_of_fields : 1;
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_part, parts);
+  return {1, std::uint64_t{2} * static_cast<std::uint64_t>(parts)};
 }
 
 DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_side) const {
@@ -33,7 +75,7 @@ DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_si
   glUseProgram(spots_.id());
   glUniform1f(sun_side_location, with_sun_side ? 1.0F : 0.0F);
   glBindVertexArray(no_vertices_.id());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_disc, static_cast<GLsizei>(instance_count));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_part, static_cast<GLsizei>(instance_count));
   glDisable(GL_BLEND);
   return {1, std::uint64_t{2} * instance_count};
 }

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 
+#include <glm/vec2.hpp>
+
 #include "engine/render/crowd_draw.h"
-#include "engine/render/shader/shader_library.h"
+#include "engine/render/shader/program_variants.h"
 
 namespace throng::render {
 
@@ -13,16 +15,21 @@ class GroundPass {
  public:
   explicit GroundPass(ShaderLibrary& shaders);
 
-  /// Covers the picture with one triangle; the fragment shader finds where each pixel's ray meets the ground. It writes
-  /// no depth and must come first, because nothing in the scene lies below the ground. Frame data must be bound.
-  DrawCounts draw() const;
+  /// Draws ground and sky where nothing has been drawn, into a target of so many pixels whose stencil is all zeros;
+  /// afterwards it is not. Each pixel is computed once: the town's ground, the fields around it and the sky have a
+  /// program each. Writes no depth. Frame data and light must be bound. `light` has the parts of the light
+  /// (light_parts.h).
+  DrawCounts draw(const SceneGround& ground, glm::ivec2 pixels, std::uint32_t light);
 
   /// Draws the spots in one call, after the ground and before the crowd. `with_sun_side` adds a soft streak away from
   /// the sun to each, in place of a cast shadow. Frame data must be bound.
   DrawCounts draw_spots(std::uint32_t instance_count, bool with_sun_side) const;
 
  private:
-  const gl::Program& ground_;
+  DrawCounts draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels, bool outside);
+
+  ProgramVariants ground_;
+  const gl::Program& sky_;
   const gl::Program& spots_;
   gl::VertexArray no_vertices_ = gl::create_vertex_array();
 };

@@ -195,7 +195,6 @@ void ShadowPass::describe(const CrowdFrame& frame, ShadowUniforms& uniforms) con
   }
   const glm::mat4& view = frame.camera.view;
   uniforms.depth = -glm::vec4(view[0][2], view[1][2], view[2][2], view[3][2]);
-  uniforms.cascades = cascade_count;
   glBindTextureUnit(shadow_maps_unit, maps_.id());
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/light/light_parts.h"
 
 namespace throng::render {
 namespace {
@@ -30,7 +31,7 @@ static_assert(sizeof(SceneryRecord) == 56);
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : surface_(shaders.load({"scenery.vert", "scenery.frag"})),
+    : surface_(shaders, {"scenery.vert", "scenery.frag"}, light_switches({"SHINY"})),
       depth_(shaders.load({"scenery_depth.vert", "scenery_depth.frag"})) {}
 
 Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
@@ -45,8 +46,9 @@ Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     std::vector<LodRun>& runs = lods_.emplace_back();
     for (const SceneryLodData& lod : mesh.lods) {
-      runs.push_back({static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(lod.indices.size())});
-      indices.insert(indices.end(), lod.indices.begin(), lod.indices.end());
+      LodRun& run = runs.emplace_back(LodRun{static_cast<std::uint32_t>(indices.size()), 0, 0});
+      run.matt_count = add_triangles(mesh, lod, false, indices);
+      run.shiny_count = add_triangles(mesh, lod, true, indices);
     }
   }
   vertices_ = gl::create_buffer(vertices.data(), vertices.size() * sizeof(SceneryVertex));
@@ -75,20 +77,40 @@ void SceneryPass::place(std::span<const SceneryInstance> instances) {
   chosen_.upload(order);  // makes room for as many as there are
 }
 
-DrawCounts SceneryPass::draw_chosen() {
+// A triangle mirrors if its first corner does. Processors that draw compute all of a program for each pixel, so most of
+// a place must not be drawn with one that can mirror.
+std::uint32_t SceneryPass::add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool shiny,
+                                         std::vector<std::uint32_t>& indices) const {
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i + 2 < lod.indices.size(); i += 3) {
+    if ((mesh.vertices[lod.indices[i]].kind != SceneryKind::matt) != shiny) continue;
+    indices.insert(indices.end(), {lod.indices[i], lod.indices[i + 1], lod.indices[i + 2]});
+    count += 3;
+  }
+  return count;
+}
+
+void SceneryPass::upload_chosen() {
+  chosen_.upload(selection_.chosen());
+  glBindVertexArray(array_.id());
+  glVertexArrayVertexBuffer(array_.id(), instance_stream, chosen_.id(), 0, sizeof(std::uint32_t));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, scenery_binding, instances_.id());
+}
+
+DrawCounts SceneryPass::draw_chosen(Part part) {
   DrawCounts counts;
   std::size_t command = 0;
   for (const ScenerySelection::Run& run : selection_.runs()) {
     const LodRun& lod = lods_[run.mesh][run.lod];
-    commands_[command++] = {lod.index_count, run.count, lod.first_index, first_vertices_[run.mesh], run.first};
-    counts.triangles += std::uint64_t{lod.index_count / 3} * run.count;
+    const std::uint32_t first = lod.first_index + (part == Part::shiny ? lod.matt_count : 0U);
+    const std::uint32_t count =
+        (part == Part::shiny ? 0U : lod.matt_count) + (part == Part::matt ? 0U : lod.shiny_count);
+    if (count == 0) continue;
+    commands_[command++] = {count, run.count, first, first_vertices_[run.mesh], run.first};
+    counts.triangles += std::uint64_t{count / 3} * run.count;
   }
   if (command == 0) return counts;
-  chosen_.upload(selection_.chosen());
   command_buffer_.upload(std::span(commands_.data(), command));
-  glBindVertexArray(array_.id());
-  glVertexArrayVertexBuffer(array_.id(), instance_stream, chosen_.id(), 0, sizeof(std::uint32_t));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, scenery_binding, instances_.id());
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_buffer_.id());
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(command),
                               sizeof(DrawCommand));
@@ -96,24 +118,29 @@ DrawCounts SceneryPass::draw_chosen() {
   return counts;
 }
 
-DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height) {
+DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
+  upload_chosen();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);  // depth is reversed
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  glUseProgram(surface_.id());
-  return draw_chosen();
+  glUseProgram(surface_.with(light).id());
+  DrawCounts counts = draw_chosen(Part::matt);
+  glUseProgram(surface_.with(light | 1U << light_part_count).id());
+  add(counts, draw_chosen(Part::shiny));
+  return counts;
 }
 
 DrawCounts SceneryPass::draw_depth(const glm::mat4& view_projection, float texel_metres) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(view_projection, texel_metres), 1);
+  upload_chosen();
   glUseProgram(depth_.id());
   glUniformMatrix4fv(depth_matrix_location, 1, GL_FALSE, glm::value_ptr(view_projection));
-  return draw_chosen();
+  return draw_chosen(Part::all);
 }
 
 }  // namespace throng::render

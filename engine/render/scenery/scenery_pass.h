@@ -11,7 +11,7 @@
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/scenery/selection.h"
 #include "engine/render/scenery_data.h"
-#include "engine/render/shader/shader_library.h"
+#include "engine/render/shader/program_variants.h"
 #include "engine/result.h"
 
 namespace throng::render {
@@ -28,21 +28,27 @@ class SceneryPass {
   void place(std::span<const SceneryInstance> instances);
 
   /// Draws what is in view, into the colours and depths that are bound. Allocates nothing.
-  DrawCounts draw(const CameraView& camera, float picture_height);
+  /// `light` has the parts of the light (light_parts.h).
+  DrawCounts draw(const CameraView& camera, float picture_height, std::uint32_t light);
   /// Draws depths alone along parallel rays, with coarser meshes, into the target that is bound. Depth tests and
   /// offsets are the caller's. `texel_metres` is the size of a texel.
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
 
  private:
-  /// A run of the index buffer.
+  /// A run of the index buffer: matt triangles, and after them those that mirror.
   struct LodRun {
     std::uint32_t first_index;
-    std::uint32_t index_count;
+    std::uint32_t matt_count;
+    std::uint32_t shiny_count;
   };
+  enum class Part : std::uint8_t { matt, shiny, all };
 
-  DrawCounts draw_chosen();
+  std::uint32_t add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool shiny,
+                              std::vector<std::uint32_t>& indices) const;
+  void upload_chosen();
+  DrawCounts draw_chosen(Part part);
 
-  const gl::Program& surface_;
+  ProgramVariants surface_;
   const gl::Program& depth_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
@@ -52,7 +58,7 @@ class SceneryPass {
   std::vector<std::vector<LodRun>> lods_;  // [mesh][LOD]
   std::vector<std::int32_t> first_vertices_;
   ScenerySelection selection_;
-  std::vector<DrawCommand> commands_;
+  std::vector<DrawCommand> commands_;  // of matt parts, then of those that mirror, or of both at once
   gl::GrowingBuffer<std::uint32_t> chosen_;
   gl::GrowingBuffer<DrawCommand> command_buffer_;
 };

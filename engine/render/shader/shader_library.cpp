@@ -62,7 +62,7 @@ Status ShaderLibrary::reload() {
 }
 
 Result<gl::Program> ShaderLibrary::build(const ProgramFiles& files) const {
-  const Result<gl::Shader> vertex = compile(GL_VERTEX_SHADER, files.vertex);
+  const Result<gl::Shader> vertex = compile(GL_VERTEX_SHADER, files.vertex, files.switches);
   if (!vertex) return vertex.error();
   gl::Program program(glCreateProgram());
   glAttachShader(program.id(), vertex->id());
@@ -70,7 +70,7 @@ Result<gl::Program> ShaderLibrary::build(const ProgramFiles& files) const {
                                                           {GL_FRAGMENT_SHADER, files.fragment}};
   for (const auto& [stage, file] : others) {
     if (file.empty()) continue;
-    const Result<gl::Shader> shader = compile(stage, file);
+    const Result<gl::Shader> shader = compile(stage, file, files.switches);
     if (!shader) return shader.error();
     glAttachShader(program.id(), shader->id());
   }
@@ -86,8 +86,9 @@ Result<gl::Program> ShaderLibrary::build(const ProgramFiles& files) const {
   return program;
 }
 
-Result<gl::Shader> ShaderLibrary::compile(GLenum stage, const std::string& file) const {
-  const Result<ShaderSource> source = read_shader_source(folder_, file);
+Result<gl::Shader> ShaderLibrary::compile(GLenum stage, const std::string& file,
+                                          const std::vector<std::string>& switches) const {
+  const Result<ShaderSource> source = read_shader_source(folder_, file, switches);
   if (!source) return source.error();
   gl::Shader shader(glCreateShader(stage));
   const char* text = source->text.c_str();

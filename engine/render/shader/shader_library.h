@@ -19,6 +19,7 @@ struct ProgramFiles {
   std::string fragment;                    ///< empty: the program only captures vertices
   std::vector<std::string> captured = {};  ///< varyings that transform feedback captures, interleaved
   std::string geometry = {};               ///< empty: none
+  std::vector<std::string> switches = {};  ///< macros that all stages have
 };
 
 /// Builds programs from a folder of GLSL files. A line `#include "name.glsl"` stands for that file of the same folder,
@@ -51,7 +52,7 @@ class ShaderLibrary {
 
   FolderState state_on_disk() const;
   Result<gl::Program> build(const ProgramFiles& files) const;
-  Result<gl::Shader> compile(GLenum stage, const std::string& file) const;
+  Result<gl::Shader> compile(GLenum stage, const std::string& file, const std::vector<std::string>& switches) const;
 
   std::filesystem::path folder_;
   FolderState built_from_;

@@ -39,9 +39,15 @@ Status append_file(const std::filesystem::path& folder, const std::string& name,
 
 }  // namespace
 
-Result<ShaderSource> read_shader_source(const std::filesystem::path& folder, const std::string& file) {
+Result<ShaderSource> read_shader_source(const std::filesystem::path& folder, const std::string& file,
+                                        const std::vector<std::string>& switches) {
   ShaderSource source;
   if (const Status appended = append_file(folder, file, source); !appended) return appended.error();
+  std::string defined;
+  for (const std::string& name : switches) defined += "#define " + name + "\n";
+  source.text.insert(std::min(source.text.find('\n'), source.text.size() - 1) + 1, defined);
+  source.lines.insert(source.lines.begin() + std::min<std::ptrdiff_t>(1, std::ssize(source.lines)), switches.size(),
+                      ShaderLine{});
   return source;
 }
 

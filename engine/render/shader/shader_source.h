@@ -23,7 +23,9 @@ struct ShaderSource {
 };
 
 /// Reads `file` of `folder`, and puts each file that it includes in the place of the first line that asks for it.
-Result<ShaderSource> read_shader_source(const std::filesystem::path& folder, const std::string& file);
+/// Defines each of `switches` after its first line, which must say the version.
+Result<ShaderSource> read_shader_source(const std::filesystem::path& folder, const std::string& file,
+                                        const std::vector<std::string>& switches = {});
 
 /// Gives the first message of a driver's log as one sentence, "name.glsl:12: message"; `source` knows the file.
 std::string first_complaint(const std::string& log, const ShaderSource& source);

@@ -19,7 +19,7 @@ constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F,
 // Metres, for a person 1.8 m tall. With the jitter, neighbours in a ring stay 0.7 m apart and more.
 constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
 constexpr double ring_jitter = 0.12;
-constexpr double between_groups = 0.62, between_few_groups = 1.2;  // where the crowd swells, and where it thins
+constexpr double between_groups = 0.72, between_few_groups = 1.2;  // where the crowd swells, and where it thins
 constexpr double from_obstacle = 0.6;                              // to the feet of a group; a person passes sideways
 constexpr double clear_view = 4.6;
 constexpr double bucket = 3.6;  // more than two of the largest groups' radii and the gap between them

@@ -1,4 +1,40 @@
 #version 450 core
 #extension GL_ARB_shader_draw_parameters : require
 
-#include "crowd_vertex_main.glsl"
+// The crowd.
+#include "frame_uniforms.glsl"
+#include "instance_record.glsl"
+#ifdef MORPHED
+#include "morphs.glsl"
+#endif
+#include "skinning.glsl"
+#include "variants.glsl"
+#include "crowd_vertex.glsl"
+#include "crowd_colors.glsl"
+
+out vec3 world_position;
+out vec3 world_normal;
+out vec2 passed_texture_coord;
+out vec2 passed_emission_coord;
+out vec2 passed_metallic_roughness_coord;
+out vec2 passed_normal_coord;
+out vec2 passed_occlusion_coord;
+out vec4 world_tangent;
+out vec4 passed_color;
+out vec4 debug_color;
+
+void main() {
+  InstanceRecord instance = drawn_instance();
+  SkinnedVertex vertex = skinned(instance);
+  world_position = to_world(instance, vertex.position);
+  world_normal = turned(instance, vertex.normal);
+  passed_texture_coord = texture_coord;
+  passed_emission_coord = emission_coord;
+  passed_metallic_roughness_coord = metallic_roughness_coord;
+  passed_normal_coord = normal_coord;
+  passed_occlusion_coord = occlusion_coord;
+  world_tangent = vec4(turned(instance, vertex.tangent), tangent.w);
+  passed_color = tinted(instance);
+  debug_color = color_for_people(instance);
+  gl_Position = view_projection * vec4(world_position, 1.0);
+}

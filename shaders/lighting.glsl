@@ -95,8 +95,8 @@ float brightest(vec3 color) { return max(max(color.r, color.g), max(color.b, 1e-
 const float hue_kept = 0.6;
 
 vec3 exposed(vec3 light) {
-  float most = brightest(light);
-  return mix(film(light), light * (film(vec3(most)).r / most), hue_kept);
+  vec3 on_film = film(light);  // its brightest channel is that of the light
+  return mix(on_film, light * (brightest(on_film) / brightest(light)), hue_kept);
 }
 
 // Gives the light that exposed() turns into `color`. The brightest channel is the same on film; for the others a few

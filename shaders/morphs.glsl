@@ -1,6 +1,5 @@
-// Adds the morphs of an instance to a vertex in the bind pose. Include instance_record.glsl before it, and it before
-// crowd_vertex.glsl, which then calls it.
-#define MORPHED
+// Adds the morphs of an instance to a vertex in the bind pose, in programs with the switch MORPHED. Include
+// instance_record.glsl before it, and it before crowd_vertex.glsl, which calls it.
 
 // Repeats the layout of engine/render/mesh/morph_table.h.
 struct MorphEntry {

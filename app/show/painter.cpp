@@ -161,6 +161,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .distance_scale = distance_scale_,
           .light = stage.tuning().light,
           .ground = scenery_.ground(),
+          .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
           .scenery = stage.tuning().scenery,
           .shadows = stage.tuning().shadows,
           .crowd_shade = stage.tuning().crowd_shade};

@@ -1,6 +1,7 @@
 // throng_places_sheet FILE.png: what stands in the scenes, looked at from its best side and at its levels of detail.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -147,7 +148,8 @@ Image portrait(PropStudio& studio, const std::string& name, int size, std::size_
   studio.put(name, standing({0.0F, lifted, 0.0F}, turn), tint_of(name), level);
   const bool flat = name == "steps" || name == "hill";
   render::Camera camera{.position = centre, .pitch = flat ? -0.45F : -0.16F, .vertical_view = 0.35F};
-  camera = render::frame_sphere(camera, centre + glm::vec3(0.0F, lifted, 0.0F), ball.radius * 0.98F, 1.0F);
+  const float ahead = 0.98F * ball.radius / std::sin(0.5F * camera.vertical_view);
+  camera.position = centre + glm::vec3(0.0F, lifted, 0.0F) - ahead * render::forward(camera);
   return studio.take(camera, size, size, true);
 }
 

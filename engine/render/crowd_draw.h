@@ -53,10 +53,11 @@ struct CrowdFrame {
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   SceneLight light = {};
   SceneGround ground = {};
-  bool scenery = false;         ///< what Renderer::place_scenery() placed is drawn
-  bool shadows = true;          ///< everything casts shadows on everything
-  bool crowd_shade = true;      ///< bodies keep the light of the sky from each other and from the ground
-  WeighedEntries weighed = {};  ///< each vertex shows as a colour how much it follows these; none: no vertex does
+  float scenery_error_px = 1.0F;  ///< pixels that a coarser mesh of scenery is off at most
+  bool scenery = false;           ///< what Renderer::place_scenery() placed is drawn
+  bool shadows = true;            ///< everything casts shadows on everything
+  bool crowd_shade = true;        ///< bodies keep the light of the sky from each other and from the ground
+  WeighedEntries weighed = {};    ///< each vertex shows as a colour how much it follows these; none: no vertex does
 };
 
 /// The difference of two pictures is shown so many times as bright.

@@ -187,7 +187,9 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   crowd_.begin(frame, light_parts_);
   // From near to far, as a rule: what is hidden then costs little on a processor.
   DrawCounts counts = crowd_.draw(frame, meshes_, palettes_);
-  if (frame.scenery) add(counts, scenery_.draw(frame.camera, static_cast<float>(target.size().y), light_parts_));
+  if (frame.scenery)
+    add(counts,
+        scenery_.draw(frame.camera, static_cast<float>(target.size().y) / frame.scenery_error_px, light_parts_));
   add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
   if (crowd_.has_blended()) {

@@ -9,7 +9,10 @@ namespace throng::render::test {
 SkinningReadBack::SkinningReadBack(Renderer& renderer)
     : renderer_(&renderer),
       shaders_(THRONG_SOURCE_DIR "/shaders"),
-      program_(shaders_.load({"skinning_read_back.vert", "", {"world_position", "world_normal"}})) {
+      program_(shaders_.load({.vertex = "skinning_read_back.vert",
+                              .fragment = "",
+                              .captured = {"world_position", "world_normal"},
+                              .switches = {"MORPHED"}})) {
   if (!shaders_.status()) throw std::runtime_error(shaders_.status().error().message);
 }
 

@@ -94,16 +94,20 @@ void test_depth() {
 
 }  // namespace
 
-CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& plain_vertex, const std::string& vertex)
-    : plain(shaders, {plain_vertex, "crowd.frag"}, light_switches({"DEBUG_COLORS", "TEXTURED"})),
-      material(shaders, {vertex, "crowd_material.frag"}, light_switches()),
-      cut_out(shaders, {vertex, "crowd_cut_out.frag"}, light_switches()),
-      blended_part(shaders, {vertex, "crowd_blended.frag"}, light_switches()) {}
+CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::vector<std::string>& always)
+    : plain(shaders, {.vertex = "crowd_plain.vert", .fragment = "crowd.frag", .switches = always},
+            light_switches({"DEBUG_COLORS", "TEXTURED"})),
+      material(shaders, {.vertex = "crowd.vert", .fragment = "crowd_material.frag", .switches = always},
+               light_switches()),
+      cut_out(shaders, {.vertex = "crowd.vert", .fragment = "crowd_cut_out.frag", .switches = always},
+              light_switches()),
+      blended_part(shaders, {.vertex = "crowd.vert", .fragment = "crowd_blended.frag", .switches = always},
+                   light_switches()) {}
 
-CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "crowd_plain.vert", "crowd.vert") {}
+CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, {}) {}
 
 void CrowdPass::prepare_morphs() {
-  if (!morphed_) morphed_.emplace(*shaders_, "crowd_plain_morphed.vert", "crowd_morphed.vert");
+  if (!morphed_) morphed_.emplace(*shaders_, std::vector<std::string>{"MORPHED"});
 }
 
 void CrowdPass::begin(const CrowdFrame& frame, std::uint32_t light) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/render/crowd_draw.h"
 #include "engine/render/mesh/mesh.h"
@@ -42,7 +43,8 @@ class CrowdPass {
  private:
   /// The programs that draw surfaces; all have the same uniforms.
   struct Programs {
-    Programs(ShaderLibrary& shaders, const std::string& plain_vertex, const std::string& vertex);
+    /// `always` are switches that all of them have.
+    Programs(ShaderLibrary& shaders, const std::vector<std::string>& always);
 
     ProgramVariants plain;
     ProgramVariants material;

@@ -56,13 +56,15 @@ bool is_opaque(const CrowdMesh& mesh, int material) { return mesh.materials()[ma
 
 }  // namespace
 
-ShadowPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex)
-    : opaque(shaders.load({vertex, "shadow_map.frag"})), cut_out(shaders.load({vertex, "shadow_map_cut_out.frag"})) {}
+ShadowPass::Programs::Programs(ShaderLibrary& shaders, const std::vector<std::string>& switches)
+    : opaque(shaders.load({.vertex = "shadow_map.vert", .fragment = "depth_only.frag", .switches = switches})),
+      cut_out(
+          shaders.load({.vertex = "shadow_map.vert", .fragment = "shadow_map_cut_out.frag", .switches = switches})) {}
 
-ShadowPass::ShadowPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, "shadow_map.vert") {}
+ShadowPass::ShadowPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, {}) {}
 
 void ShadowPass::prepare_morphs() {
-  if (!morphed_) morphed_.emplace(*shaders_, "shadow_map_morphed.vert");
+  if (!morphed_) morphed_.emplace(*shaders_, std::vector<std::string>{"MORPHED"});
 }
 
 bool ShadowPass::is_due(int cascade, bool in_turns) const {

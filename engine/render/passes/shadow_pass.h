@@ -57,7 +57,7 @@ class ShadowPass {
 
  private:
   struct Programs {
-    Programs(ShaderLibrary& shaders, const std::string& vertex);
+    Programs(ShaderLibrary& shaders, const std::vector<std::string>& switches);
 
     const gl::Program& opaque;
     const gl::Program& cut_out;

@@ -43,8 +43,8 @@ void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
     : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
       mirror_(shaders, {"scenery.vert", "scenery_mirror.frag"}, light_switches()),
-      own_depth_(shaders.load({"scenery.vert", "scenery_depth.frag"})),
-      depth_(shaders.load({"scenery_depth.vert", "scenery_depth.frag"})) {}
+      own_depth_(shaders.load({"scenery.vert", "depth_only.frag"})),
+      depth_(shaders.load({"scenery_depth.vert", "depth_only.frag"})) {}
 
 Status SceneryPass::load(std::span<const SceneryMeshData> meshes) {
   std::vector<SceneryVertex> vertices;
@@ -127,7 +127,17 @@ DrawCounts SceneryPass::draw_part(Part part) const {
   return {1, triangles_.at(part)};
 }
 
-// A point of the picture is lit only once, whatever lies behind it.
+/// Draws depths alone first, so that each point of the picture is lit only once, whatever lies behind it.
+DrawCounts SceneryPass::draw_own_depth() {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glUseProgram(own_depth_.id());
+  const DrawCounts counts = draw_part(whole);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  return counts;
+}
+
 DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
@@ -137,17 +147,12 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glUseProgram(own_depth_.id());
-  DrawCounts counts = draw_part(whole);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
+  DrawCounts counts;
+  // Reading shadow maps costs more than another pass over the vertices.
+  if ((light & shadow_part) != 0) counts = draw_own_depth();
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
     glUseProgram(program->with(light).id());
-    const DrawCounts lit = draw_part(part);
-    counts.draw_calls += lit.draw_calls;
-    counts.triangles += lit.triangles;
+    add(counts, draw_part(part));
   }
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);

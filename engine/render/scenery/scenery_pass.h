@@ -46,6 +46,7 @@ class SceneryPass {
   enum Part : std::uint8_t { whole, matt, mirrors, part_count };
 
   void compose(std::uint32_t parts);
+  DrawCounts draw_own_depth();
   DrawCounts draw_part(Part part) const;
 
   ProgramVariants matt_;

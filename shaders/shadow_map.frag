@@ -1,3 +1,0 @@
-#version 450 core
-
-void main() {}

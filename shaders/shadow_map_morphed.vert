@@ -1,6 +1,0 @@
-#version 450 core
-#extension GL_ARB_shader_draw_parameters : require
-
-#include "instance_record.glsl"
-#include "morphs.glsl"
-#include "shadow_map_main.glsl"

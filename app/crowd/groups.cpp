@@ -27,7 +27,7 @@ constexpr double bucket = 3.6;  // more than two of the largest groups' radii an
 constexpr double lane_cell = 8.0;
 
 constexpr std::size_t foreground_groups = 4;
-constexpr int tries_before_spreading = 20;
+constexpr int tries_before_any_place = 40, tries_before_spreading = 100;
 
 struct Group {
   glm::dvec2 centre;
@@ -247,9 +247,10 @@ class GroupPlacer {
   Group place(std::size_t size, bool in_foreground) {
     const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
     for (int tries = 1;; ++tries) {
-      const bool foreground = in_foreground && tries <= tries_before_spreading;
-      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere_likely(), radius};
-      if (fits(group)) {
+      // Who finds no place where the crowd likes to be takes any that is left, before it spreads.
+      const bool choosy = tries <= tries_before_any_place;
+      const Group group{place_to_try(in_foreground && choosy, choosy), radius};
+      if (fits(group, choosy)) {
         groups_.add(group);
         return group;
       }
@@ -264,10 +265,15 @@ class GroupPlacer {
     return place;
   }
 
-  bool fits(const Group& group) const {
+  glm::dvec2 place_to_try(bool in_foreground, bool choosy) {
+    if (in_foreground) return somewhere_in_front(ground_, random_);
+    return choosy ? somewhere_likely() : somewhere(half_, random_);
+  }
+
+  bool fits(const Group& group, bool choosy) const {
     if (glm::distance(group.centre, ground_.viewpoint) < clear_view * ground_.spacing + group.radius) return false;
-    return groups_.is_free(group, swell_.gap_at(group.centre) * ground_.spacing) && lanes_.is_free(group) &&
-           obstacles_.is_free(group);
+    const double gap = choosy ? swell_.gap_at(group.centre) : between_groups;
+    return groups_.is_free(group, gap * ground_.spacing) && lanes_.is_free(group) && obstacles_.is_free(group);
   }
 
   const GroundPlan& ground_;

@@ -1,6 +1,9 @@
 #include "app/view/scenes.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
 
 #include "app/crowd/layout.h"
 #include "app/crowd/parade.h"
@@ -13,11 +16,12 @@ namespace {
 // Yaw grows counter-clockwise seen from above: 45 degrees look along -X, -Z, from the corner at +X, +Z to the middle.
 constexpr float to_the_middle = 45.0F;
 
-// From a tower at one side of a ground that is so wide and deep, down on all of it: low enough for people to hide the
-// ground between them.
+// From above the roofs at one side of a ground that is so wide and deep, down on all of it.
 NamedCamera tower(float wide, float deep, float unit) {
-  const float away = std::max(0.62F * deep, 0.52F * wide) + 6.0F * unit;
-  return {"tower", {0.0F, 0.36F * away + 6.0F * unit, away, 0.0F, -20.0F, 50.0F}};
+  constexpr float steepest = -78.0F;
+  const float height = 0.7F * std::max(deep, 0.62F * wide) + 26.0F * unit, aside = 0.47F * deep + 4.0F * unit;
+  const float pitch = std::max(-glm::degrees(std::atan2(height, aside)), steepest);
+  return {"tower", {0.0F, height, aside, 0.0F, pitch, 50.0F}};
 }
 
 NamedCamera moved(NamedCamera camera, float z) {
@@ -29,7 +33,7 @@ NamedCamera moved(NamedCamera camera, float z) {
 NamedCamera fountain_camera(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
   const glm::vec2 fountain(plaza_fountain(agents, spacing));
-  return {"fountain", {fountain.x + 8.6F * unit, 2.1F * unit, fountain.y + 10.2F * unit, 40.0F, 0.5F, 46.0F}};
+  return {"fountain", {fountain.x + 5.9F * unit, 2.1F * unit, fountain.y + 7.2F * unit, 40.0F, 0.5F, 46.0F}};
 }
 
 std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
@@ -79,7 +83,7 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
       {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
       tower(across, 2.0F * (straight + wide), unit),
-      {"street", {-ahead - 9.0F * unit, 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
+      {"street", {-std::min(ahead + 9.0F * unit, end), 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
   };
 }
 
@@ -106,7 +110,7 @@ std::vector<NamedCamera> cut_scene_cameras(double spacing) {
       {"front", {0.9F * unit, 1.5F * unit, 4.2F * unit, 10.0F, -3.0F, film_field_of_view}},
       {"above", {0.0F, 16.0F * unit, 7.0F * unit, 0.0F, -64.0F, 50.0F}},
       {"close", {-0.9F * unit, 1.5F * unit, 2.2F * unit, -20.0F, -3.0F, 45.0F}},
-      {"far", {8.0F * unit, 6.0F * unit, 13.0F * unit, 32.0F, -17.0F, 45.0F}},
+      {"far", {3.0F * unit, 5.0F * unit, 13.0F * unit, 14.0F, -15.0F, 45.0F}},
       {"tower", {3.0F * unit, 22.0F * unit, 24.0F * unit, 7.0F, -38.0F, 45.0F}},
   };
 }

@@ -74,9 +74,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   // Everybody gets the coarsest mesh, which is the quickest to draw.
   stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()));
   moments_.resize(stage_->crowd().size());
-  const auto cameras =
-      scene_cameras(tuning.scene, stage_->crowd().size(), common_roles(roles_of(stage_->characters())));
-  camera_ = camera_at(find_camera(cameras, "above")->place);
+  camera_ = camera_at({.x = 0, .y = 15.5F, .z = 8.5F, .yaw = 0, .pitch = -64, .field_of_view = 50});
 }
 
 void StagedCrowd::retune(const Tuning& tuning) {

@@ -44,8 +44,7 @@ TEST(Lens, HasPointsThatLieEvenlyAroundItsMiddle) {
 
 TEST(AveragedPicture, IsTheAverageOfLight) {
   Image black = Image::blank(1, 1), white = Image::blank(1, 1);
-  for (int channel = 0; channel < 4; ++channel) white.pixel(0, 0)[channel] = 255;
-  black.pixel(0, 0)[3] = 255;
+  for (int channel = 0; channel < 3; ++channel) black.pixel(0, 0)[channel] = 0;
   AveragedPicture average;
   average.add(black);
   average.add(white);

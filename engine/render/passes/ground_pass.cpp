@@ -6,9 +6,8 @@ namespace throng::render {
 namespace {
 
 constexpr GLint sun_side_location = 0;
-constexpr GLint pixels_location = 0, half_sides_location = 1, outside_location = 2;
-constexpr GLsizei corners_of_a_part = 4, parts_of_fields = 4;
-constexpr float everywhere = 60'000.0F;  // metres
+constexpr GLint pixels_location = 0, half_sides_location = 1, below_horizon_location = 2;
+constexpr GLsizei corners_of_a_part = 4;
 
 // Switches of ground.frag, after those of the light.
 constexpr std::uint32_t street_bit = 1U << light_part_count, pitch_bit = 2U << light_part_count,
@@ -16,10 +15,6 @@ constexpr std::uint32_t street_bit = 1U << light_part_count, pitch_bit = 2U << l
 
 std::uint32_t bit_of(GroundStyle style) {
   return style == GroundStyle::street ? street_bit : style == GroundStyle::pitch ? pitch_bit : 0U;
-}
-
-glm::vec2 half_sides_of(const SceneGround& ground) {
-  return ground.paved > 0.0F ? ground.core + ground.radius + ground.paved : glm::vec2(everywhere);
 }
 
 /// Lets pixels be drawn where nothing has been, each of them once.
@@ -43,8 +38,9 @@ GroundPass::GroundPass(ShaderLibrary& shaders)
 DrawCounts GroundPass::draw(const SceneGround& ground, glm::ivec2 pixels, std::uint32_t light) {
   draw_each_pixel_once();
   glBindVertexArray(no_vertices_.id());
-  DrawCounts counts = draw_part(light | bit_of(ground.style), ground, pixels, false);
-  if (ground.paved > 0.0F) add(counts, draw_part(light | fields_bit, ground, pixels, true));
+  const bool has_fields = ground.paved > 0.0F;
+  DrawCounts counts = draw_part(light | bit_of(ground.style), ground, pixels, !has_fields);
+  if (has_fields) add(counts, draw_part(light | fields_bit, ground, pixels, true));
   glUseProgram(sky_.id());
   glUniform2f(pixels_location, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -53,15 +49,15 @@ DrawCounts GroundPass::draw(const SceneGround& ground, glm::ivec2 pixels, std::u
   return counts;
 }
 
-DrawCounts GroundPass::draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels, bool outside) {
-  const glm::vec2 half_sides = half_sides_of(ground);
+DrawCounts GroundPass::draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels,
+                                 bool to_horizon) {
+  const glm::vec2 half_sides = ground.core + ground.radius + ground.paved;
   glUseProgram(ground_.with(switches).id());
   glUniform2f(pixels_location, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
   glUniform2f(half_sides_location, half_sides.x, half_sides.y);
-  glUniform1i(outside_location, outside ? 1 : 0);
-  const GLsizei parts = outside ? parts_of_fields : 1;
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_part, parts);
-  return {1, std::uint64_t{2} * static_cast<std::uint64_t>(parts)};
+  glUniform1i(below_horizon_location, to_horizon ? 1 : 0);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, corners_of_a_part);
+  return {1, 2};
 }
 
 DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_side) const {

@@ -26,7 +26,7 @@ class GroundPass {
   DrawCounts draw_spots(std::uint32_t instance_count, bool with_sun_side) const;
 
  private:
-  DrawCounts draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels, bool outside);
+  DrawCounts draw_part(std::uint32_t switches, const SceneGround& ground, glm::ivec2 pixels, bool to_horizon);
 
   ProgramVariants ground_;
   const gl::Program& sky_;

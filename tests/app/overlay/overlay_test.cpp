@@ -232,6 +232,9 @@ TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
 
 TEST(Overlay, ButtonsAreCommands) {
   OverlayDriver driver;
+  driver.point_at("Agents", 0.5F);
+  driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -2});
+  driver.frames();
   EXPECT_TRUE(driver.click("Copy camera").copy_camera);
   EXPECT_TRUE(driver.click("Screenshot").screenshot);
   EXPECT_FALSE(driver.click("Step").step) << "the crowd is not paused";

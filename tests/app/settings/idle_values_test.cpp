@@ -62,6 +62,7 @@ const std::map<std::string_view, std::string> other_values{
     {"double_buffer", "off"},
     {"stream", "keyframe"},
     {"palette", "packed"},
+    {"clothes", "pattern"},
     {"sun_elevation", "20"},
     {"sun_azimuth", "10"},
     {"clouds", "0.9"},

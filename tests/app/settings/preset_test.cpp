@@ -43,8 +43,8 @@ Tuning all_changed() {
   Tuning tuning;
   for (const TuningValue& row : tuning_values()) {
     const std::string before = row.text(tuning);
-    for (const char* const text :
-         {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed", "all", "interval"}) {
+    for (const char* const text : {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed",
+                                   "all", "interval", "pattern"}) {
       if (row.text(tuning) == before) row.read(tuning, text);
     }
     EXPECT_NE(row.text(tuning), before) << row.key;

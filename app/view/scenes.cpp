@@ -33,7 +33,10 @@ NamedCamera moved(NamedCamera camera, float z) {
 NamedCamera fountain_camera(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
   const glm::vec2 fountain(plaza_fountain(agents, spacing));
-  return {"fountain", {fountain.x + 5.9F * unit, 2.1F * unit, fountain.y + 7.2F * unit, 40.0F, 0.5F, 46.0F}};
+  const bool is_small = plaza_side(agents, spacing) < 12.0 * spacing;  // trees stand close around the fountain
+  const glm::vec2 corner(plaza_viewpoint(agents, spacing));
+  const glm::vec2 eye = is_small ? corner : fountain + glm::vec2(8.6F, 10.2F) * unit;
+  return {"fountain", {eye.x, 2.1F * unit, eye.y, 40.0F, 0.5F, 46.0F}};
 }
 
 std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {

@@ -74,7 +74,8 @@ TEST(BenchOfDrawing, IsATableForAPersonThatSaysWhyAProcessorHasNoClock) {
   EXPECT_THAT(text, HasSubstr("llvmpipe"));
   EXPECT_THAT(text, HasSubstr("160x90, one sample a pixel, no shadows, scenery, mannequin (built in), "
                               "scene plaza, camera front, "));
-  for (const char* const column : {"agents", "agents_in_view", "frames", "frame_ms", "crowd_ms", "cull_ms", "pose_ms"}) {
+  for (const char* const column :
+       {"agents", "agents_in_view", "frames", "frame_ms", "crowd_ms", "cull_ms", "pose_ms"}) {
     EXPECT_THAT(text, HasSubstr(column));
   }
   EXPECT_THAT(text, HasSubstr("The device is a processor"));

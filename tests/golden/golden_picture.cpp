@@ -12,7 +12,7 @@
 namespace throng::app::test {
 namespace {
 
-constexpr std::uintmax_t largest_picture_bytes = 180'000;  // a panel of 2560x1440 has the most letters
+constexpr std::uintmax_t largest_picture_bytes = 200'000;  // a plaza has the most corners
 
 std::filesystem::path golden_file(const std::string& name) {
   return std::filesystem::path(THRONG_SOURCE_DIR) / "tests" / "golden" / "pictures" / (name + ".png");
@@ -57,6 +57,12 @@ DemoOptions golden_options(ContextKind context) {
   options.tuning.system.pus = 2;
   options.data = THRONG_SOURCE_DIR;
   return options;
+}
+
+void look_at_plain_sky(DemoOptions& options) {
+  options.camera = CameraPlace{.y = 2, .z = 5, .pitch = 35};
+  options.tuning.light.clouds = 0.0F;
+  options.tuning.scenery = false;
 }
 
 void expect_golden_picture(const std::string& name, const DemoOptions& golden) {

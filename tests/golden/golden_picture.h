@@ -20,6 +20,9 @@ inline constexpr double largest_block_difference = 9.0;
 /// Returns the options of a picture that can be compared: small, headless, on the software device.
 DemoOptions golden_options(ContextKind context);
 
+/// Leaves nothing behind a panel but a sky without clouds, so that the picture compresses.
+void look_at_plain_sky(DemoOptions& options);
+
 /// Draws what `options` ask for and holds it against `tests/golden/pictures/NAME.png`. On failure the expected and the
 /// actual picture and their difference lie in the system's temporary folder, and the message names them. If
 /// THRONG_UPDATE_GOLDEN is set, the picture is replaced.

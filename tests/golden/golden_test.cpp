@@ -33,6 +33,7 @@ TEST_P(GoldenPicture, BonesOverCharacters) {
 
 TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
   DemoOptions options = golden_options(GetParam());
+  options.tuning.scenery = false;
   options.tuning.lod.rule = anim::LodRule::distance;
   options.tuning.lod.full_rate_distance = 1.0F;
   options.tuning.lod.interval_growth = 1.0F;
@@ -42,6 +43,7 @@ TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
 
 TEST_P(GoldenPicture, IntervalsAsColors) {
   DemoOptions options = golden_options(GetParam());
+  options.tuning.scenery = false;
   options.tuning.debug_view = DebugView::interval;
   options.tuning.lod.rule = anim::LodRule::distance;
   options.tuning.lod.full_rate_distance = 6.0F;
@@ -51,6 +53,7 @@ TEST_P(GoldenPicture, IntervalsAsColors) {
 
 TEST_P(GoldenPicture, FewestBonesAndTriangles) {
   DemoOptions options = golden_options(GetParam());
+  options.tuning.scenery = false;
   options.tuning.lod.rule = anim::LodRule::distance;
   options.tuning.lod.level_distances[0] = 1.0F;
   options.tuning.lod.level_distances[1] = 2.0F;
@@ -61,6 +64,7 @@ TEST_P(GoldenPicture, FewestBonesAndTriangles) {
 
 DemoOptions split_options(ContextKind context, Split split) {
   DemoOptions options = golden_options(context);
+  options.tuning.scenery = false;
   options.tuning.placed_feet = false;
   options.tuning.inspection = {.split = split, .split_at = 0.5F, .forced_interval = 16, .forced_bone_level = 3};
   options.tuning.lod.smooth = false;
@@ -88,7 +92,7 @@ TEST_P(GoldenPicture, OverlayWithFixedFigures) {
   DemoOptions options = golden_options(GetParam());
   options.width = 1280;
   options.height = 720;
-  options.camera = CameraPlace{.y = 2, .z = 5, .pitch = 35};  // nothing but sky behind the panel, so that it compresses
+  look_at_plain_sky(options);
   options.ui = true;
   options.ui_fixed = true;
   expect_golden_picture("overlay", options);

@@ -24,7 +24,7 @@ TEST_P(OverlayPicture, LooksAsItDid) {
   DemoOptions options = golden_options(ContextKind::egl);
   options.width = 1280 * picture.scale;
   options.height = 720 * picture.scale;
-  options.camera = CameraPlace{.y = 2, .z = 5, .pitch = 35};
+  look_at_plain_sky(options);
   options.ui = true;
   options.ui_fixed = true;
   options.ui_tab = picture.tab;

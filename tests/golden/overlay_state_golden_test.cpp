@@ -35,6 +35,7 @@ class OverlayState : public render::test::SoftwareGlTest {
     person.frames();
     render::CrowdFrame frame;
     frame.camera = render::view_of(camera_at({.y = 2, .z = 5, .pitch = 35}), 1280.0F / 720.0F);
+    frame.light.clouds = 0.0F;
     renderer_->draw(frame);
     renderer_->draw_overlay(*person.overlay.draw_data());
     expect_golden_image(picture, picture, renderer_->read_image());

@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"FocusOfEachFrame", "--focus 5 --headless --draw all --screenshot a.png",
                 "--focus: is for stills; use --headless and --screenshot"},
         Refused{"ApertureWithoutFocus", "--aperture 2 --headless --screenshot a.png", "--aperture: goes with --focus"},
-        Refused{"DrawAndSweep", "bench --draw --sweep grain", "--draw excludes --sweep; give one of them"},
+        Refused{"DrawAndSweep", "bench --draw --sweep grain", "--sweep excludes --draw; give one of them"},
         Refused{"SceneWithoutDraw", "bench --scene grid", "--scene: goes with --draw"},
         Refused{"TileWithDraw", "bench --draw --tile 16",
                 "--tile: --draw measures what a run does by itself; leave it out"},

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_ARB_shader_draw_parameters : require
 
-// The crowd.
+// The crowd with any material. crowd_plain.vert is for those that are no more than a base colour.
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
 #ifdef MORPHED

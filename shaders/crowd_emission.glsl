@@ -8,7 +8,7 @@ in vec2 passed_emission_coord;
 
 // What is brighter than white of the screen is so many times that white's light.
 vec3 light_of(vec3 color) {
-  float times = max(max(color.r, max(color.g, color.b)), 1.0);
+  float times = max(brightest(color), 1.0);
   return times * light_that_shows(color / times);
 }
 

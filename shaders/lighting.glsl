@@ -8,7 +8,7 @@ layout(binding = 9) uniform sampler2D sky_map;
 // What is all around, blurred the more the coarser the mip level.
 layout(binding = 10) uniform samplerCube environment_map;
 
-const float coarsest_environment = 5.0;  // mip level
+const float coarsest_environment = 5.0;  // mip level: SkyPicture::environment_levels - 1
 
 // Gives what a white surface that faces the sun reflects of it.
 vec3 sun_light() { return sun.rgb; }

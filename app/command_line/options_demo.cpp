@@ -9,6 +9,7 @@
 #include "app/settings/cast_option.h"
 #include "app/settings/placement_options.h"
 #include "app/settings/preset.h"
+#include "app/settings/times_of_day.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::app {
@@ -57,7 +58,8 @@ void declare_reading(OptionReader& reader, DemoOptions& options) {
 
 void declare_light(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Light");
-  reader.value("--sun", "TIME", "noon, evening, overcast or night, or the sun's elevation,azimuth in degrees (noon)",
+  reader.value("--sun", "TIME",
+               names_of_times() + ", or the sun's elevation,azimuth in degrees (" + times_of_day.front().name + ")",
                sun(options.tuning.light));
   reader.tuning("Light", options.tuning);
 }

@@ -188,9 +188,9 @@ void show_light(const TabContext& context) {
       tuning.light = time.light;
   }
   context.row("sun_elevation",
-              {.what = "How high the sun stands. Below -6 the moon shines, and windows and lamps are lit.",
+              {.what = "How high the sun stands. Below 5 windows and lamps come on; below -2 the moon shines.",
                .unit = "degrees above the horizon",
-               .cost = "The sky is made anew, some 100 ms."});
+               .cost = "The sky is made anew, some 50 ms."});
   context.row("sun_azimuth", {.what = "Where the sun stands: 0 is +Z, 90 is +X.", .unit = "degrees"});
   context.row("clouds",
               {.what = "How much of the sky clouds cover. At 1 the sun is behind them and casts no shadows."});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/anim/lod/lod.h"
+#include "engine/srgb.h"
 
 namespace throng::app {
 namespace {
@@ -25,10 +26,7 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
-std::uint32_t srgb_byte(float linear) {
-  const float encoded = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint32_t>(std::lround(255.0F * std::clamp(encoded, 0.0F, 1.0F)));
-}
+std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
 }  // namespace
 

@@ -147,7 +147,7 @@ Reason of_scenery(const Tuning& tuning, const Situation& situation) {
 }
 
 Reason of_shadows(const Tuning& tuning, const Situation& situation) {
-  if (tuning.light.clouds >= 1.0F) return "the sun is behind clouds";
+  if (!render::casts_shadows(tuning.light)) return "the sun is behind clouds";
   return of_what_is_drawn(tuning, situation);
 }
 

@@ -176,6 +176,12 @@ ValueReader camera(DemoOptions& options) {
   };
 }
 
+std::string names_of_times() {
+  std::vector<std::string> names;
+  for (const TimeOfDay& time : times_of_day) names.emplace_back(time.name);
+  return joined(names, ", ", " or ");
+}
+
 ValueReader sun(render::SceneLight& light) {
   return [&light](const std::string& text) -> Complaint {
     const auto* const named = std::ranges::find(times_of_day, text, &TimeOfDay::name);
@@ -185,7 +191,7 @@ ValueReader sun(render::SceneLight& light) {
     }
     const auto numbers = numbers_in(text);
     if (!numbers || numbers->size() != 2 || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 360) {
-      return "must be noon, evening, overcast, night or ELEVATION,AZIMUTH: degrees, -90 to 90 and -360 to 360";
+      return "must be " + names_of_times() + ", or ELEVATION,AZIMUTH: degrees, -90 to 90 and -360 to 360";
     }
     const double azimuth = (*numbers)[1];
     light.sun_elevation = static_cast<float>((*numbers)[0]);

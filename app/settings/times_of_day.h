@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+#include <string>
 
 #include "engine/render/scene_light.h"
 
@@ -19,5 +19,8 @@ inline constexpr std::array<TimeOfDay, 4> times_of_day = {{
     {"overcast", {.sun_elevation = 40.0F, .clouds = 1.0F}},
     {"night", {.sun_elevation = -12.0F, .sun_azimuth = 226.0F, .clouds = 0.2F}},
 }};
+
+/// Returns their names: "noon, evening, overcast or night".
+std::string names_of_times();
 
 }  // namespace throng::app

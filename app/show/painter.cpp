@@ -22,6 +22,12 @@ bool draws_live(const DemoOptions& options) {
   return options.context == ContextKind::window || options.draw == DrawWhich::all;
 }
 
+void light_as_tuned(const Tuning& tuning, render::CrowdFrame& frame) {
+  frame.light = tuning.light;
+  frame.shadows = tuning.shadows;
+  frame.crowd_shade = tuning.crowd_shade;
+}
+
 double time_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -150,21 +156,20 @@ std::uint64_t Painter::completed_frame(const Stage& stage) {
 }
 
 render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const {
-  return {.camera = render::view_of(view.camera, view.aspect()),
-          .instances = picture.instances(),
-          .batches = picture.batches(),
-          .now = stage.now(),
-          .bones_as_lines = stage.tuning().bones_as_lines,
-          .fill_pixels = !stage.tuning().taken_away.pixels,
-          .lines = lines_,
-          .morph_weights = picture.morph_weights(),
-          .distance_scale = distance_scale_,
-          .light = stage.tuning().light,
-          .ground = scenery_.ground(),
-          .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
-          .scenery = stage.tuning().scenery,
-          .shadows = stage.tuning().shadows,
-          .crowd_shade = stage.tuning().crowd_shade};
+  render::CrowdFrame frame{.camera = render::view_of(view.camera, view.aspect()),
+                           .instances = picture.instances(),
+                           .batches = picture.batches(),
+                           .now = stage.now(),
+                           .bones_as_lines = stage.tuning().bones_as_lines,
+                           .fill_pixels = !stage.tuning().taken_away.pixels,
+                           .lines = lines_,
+                           .morph_weights = picture.morph_weights(),
+                           .distance_scale = distance_scale_,
+                           .ground = scenery_.ground(),
+                           .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
+                           .scenery = stage.tuning().scenery};
+  light_as_tuned(stage.tuning(), frame);
+  return frame;
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
@@ -217,7 +222,8 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   return drawn;
 }
 
-anim::Status Painter::draw(const render::CrowdFrame& frame) {
+anim::Status Painter::draw(render::CrowdFrame frame, const Tuning& tuning) {
+  light_as_tuned(tuning, frame);
   draw_counts_ = renderer_->draw(frame);
   return renderer_->finish();
 }

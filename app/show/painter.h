@@ -64,8 +64,8 @@ class Painter {
   anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
   /// Has the device time itself in each draw() from now on, where its clock is true; see FrameTimes::device_ms.
   void time_device();
-  /// Draws what is no stage's in the same way; the figures of a run know nothing of it.
-  anim::Status draw(const render::CrowdFrame& frame);
+  /// Draws what is no stage's in the same way, in the light of a tuning; the figures of a run know nothing of it.
+  anim::Status draw(render::CrowdFrame frame, const Tuning& tuning);
   /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }

@@ -212,7 +212,7 @@ anim::Status Show::draw() {
   const PaintedView view{camera, frozen_camera_, width, height};
   if (viewer_ == nullptr) return painter_->draw(*stage_, view, figures_);
   const render::Camera round = viewer_->turntable().camera(view.aspect(), covered);
-  return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())));
+  return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())), stage_->tuning());
 }
 
 anim::Status Show::rewind(std::size_t moment) {

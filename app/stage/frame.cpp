@@ -77,7 +77,7 @@ std::uint32_t Stage::now() const { return microseconds(system().clock()); }
 
 std::array<glm::vec4, 6> Stage::seen_by(const render::Camera& camera, const glm::vec2& size) const {
   const auto planes = render::frustum_planes(render::view_of(camera, size.x / size.y));
-  if (!tuning_.shadows || tuning_.light.clouds >= 1.0F) return planes;
+  if (!tuning_.shadows || !render::casts_shadows(tuning_.light)) return planes;
   return with_casters(planes, render::to_brightest(tuning_.light), tallest(characters_));
 }
 

@@ -7,28 +7,18 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "engine/render/even_directions.h"
+#include "engine/srgb.h"
+
 namespace throng::render {
 namespace {
 
-constexpr float half_film = 0.012F;          // metres
-constexpr float golden_angle = 2.39996323F;  // radians
-constexpr float most_of_a_byte = 255.0F;
-
-// IEC 61966-2-1.
-float light_of(std::uint8_t byte) {
-  const float value = static_cast<float>(byte) / most_of_a_byte;
-  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-}
-
-std::uint8_t byte_of(float light) {
-  const float value = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * most_of_a_byte));
-}
-
+constexpr float half_film = 0.012F;  // metres
 const std::array<float, 256>& lights() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> made{};
-    for (std::size_t byte = 0; byte < made.size(); ++byte) made.at(byte) = light_of(static_cast<std::uint8_t>(byte));
+    for (std::size_t byte = 0; byte < made.size(); ++byte)
+      made.at(byte) = light_of_srgb(static_cast<float>(byte) / 255.0F);
     return made;
   }();
   return table;
@@ -78,7 +68,7 @@ Image AveragedPicture::finish() const {
   for (std::size_t pixel = 0; pixel < light_.size(); ++pixel) {
     const glm::vec3 light = light_[pixel] / static_cast<float>(count_);
     std::uint8_t* const bytes = image.rgba.data() + 4 * pixel;
-    for (int channel = 0; channel < 3; ++channel) bytes[channel] = byte_of(light[channel]);
+    for (int channel = 0; channel < 3; ++channel) bytes[channel] = to_byte(srgb_of_light(light[channel]));
     bytes[3] = 255;
   }
   return image;

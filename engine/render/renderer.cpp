@@ -156,22 +156,23 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
   sky_.bind(frame.light);
   ShadowUniforms uniforms{};
   DrawCounts counts;
-  if (frame.shadows) {
+  const DepthRange depths = frame.shadows || frame.crowd_shade ? depths_of(frame) : DepthRange{};
+  const bool shadows = frame.shadows && casts_shadows(frame.light);
+  if (shadows) {
     const bool in_turns = context_->window() != nullptr && !splits_;
     const auto draw_scenery = [&](const Cascade& cascade) {
       return frame.scenery ? scenery_.draw_depth(cascade.to_clip, cascade.texel) : DrawCounts{};
     };
-    add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, in_turns}, draw_scenery));
+    add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, depths, in_turns}, draw_scenery));
     shadows_.describe(frame, uniforms);
   }
   if (frame.crowd_shade) {
-    add(counts, crowd_shade_.draw(frame, depths_of(frame).farthest));
+    add(counts, crowd_shade_.draw(frame, depths.farthest));
     crowd_shade_.describe(uniforms);
   }
   if (frame.scenery) lamps_.describe(uniforms);
   const bool lamps = frame.scenery && lamps_.has_lamps() && sky_.uniforms().night > 0.0F;
-  light_parts_ =
-      (frame.shadows ? shadow_part : 0U) | (frame.crowd_shade ? crowd_shade_part : 0U) | (lamps ? lamp_part : 0U);
+  light_parts_ = (shadows ? shadow_part : 0U) | (frame.crowd_shade ? crowd_shade_part : 0U) | (lamps ? lamp_part : 0U);
   glNamedBufferSubData(shadow_uniforms_.id(), 0, sizeof uniforms, &uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, shadow_uniforms_binding, shadow_uniforms_.id());
   glDisable(GL_RASTERIZER_DISCARD);
@@ -191,7 +192,8 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
     add(counts,
         scenery_.draw(frame.camera, static_cast<float>(target.size().y) / frame.scenery_error_px, light_parts_));
   add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
-  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !frame.shadows));
+  const bool streaks = !frame.shadows && casts_shadows(frame.light);
+  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), streaks));
   if (crowd_.has_blended()) {
     blend_.begin(target);
     add(counts, crowd_.draw_blended(meshes_, palettes_));

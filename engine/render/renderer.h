@@ -93,7 +93,7 @@ class Renderer {
 
   FrameFences& fences() { return fences_; }
 
-  /// Draws ground, shadows, crowd, bones and lines. Keeps nothing of `frame`.
+  /// Draws shadow maps, crowd, scenery, ground, sky, bones and lines. Keeps nothing of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
   /// These two functions are the parts of draw(), so that each can be timed. The last upload can be drawn again.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/settings/times_of_day.h"
 #include "tests/golden/golden_picture.h"
 
 namespace throng::app::test::viewer_golden_test {
@@ -18,6 +19,12 @@ DemoOptions viewed(ContextKind context) {
 class ViewerPicture : public testing::TestWithParam<ContextKind> {};
 
 TEST_P(ViewerPicture, OfAPerson) { expect_golden_picture("viewer", viewed(GetParam())); }
+
+TEST_P(ViewerPicture, HasTheLightThatTheCrowdHas) {
+  DemoOptions options = viewed(GetParam());
+  options.tuning.light = times_of_day[1].light;
+  expect_golden_picture("viewer-evening", options);
+}
 
 TEST_P(ViewerPicture, OfFiveCentimetresIsTheSame) {
   DemoOptions options = viewed(GetParam());

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "engine/render/even_directions.h"
+
 namespace throng::render::sky_picture_test {
 namespace {
 
@@ -27,9 +29,7 @@ glm::vec3 received(const SkyPicture& sky, const glm::vec3& normal) {
   constexpr int count = 20'000;
   glm::vec3 sum(0.0F);
   for (int i = 0; i < count; ++i) {
-    const float rise = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / count;
-    const float flat = std::sqrt(1.0F - rise * rise), turn = static_cast<float>(i) * 2.39996323F;
-    const glm::vec3 direction(flat * std::cos(turn), rise, flat * std::sin(turn));
+    const glm::vec3 direction = even_direction(i, count);
     sum += sky.radiance(direction) * std::max(glm::dot(direction, normal), 0.0F);
   }
   return sum * (4.0F / count);

@@ -10,6 +10,8 @@
 
 #include <glm/common.hpp>
 
+#include "engine/srgb.h"
+
 namespace throng::import {
 namespace {
 
@@ -35,21 +37,14 @@ float from_srgb(std::uint8_t value) {
   static const std::array<float, 256> linear = [] {
     std::array<float, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
-      const float srgb = static_cast<float>(i) / 255.0F;
-      table.at(i) = srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+      table.at(i) = light_of_srgb(static_cast<float>(i) / 255.0F);
     }
     return table;
   }();
   return linear.at(value);
 }
 
-std::uint8_t to_byte(float value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
-}
-
-std::uint8_t to_srgb(float linear) {
-  return to_byte(linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F);
-}
+std::uint8_t to_srgb(float linear) { return to_byte(srgb_of_light(linear)); }
 
 /// Reads an sRGB image with linear alpha at the middle of a texel of a larger one, between its own texels.
 class ImageReader {

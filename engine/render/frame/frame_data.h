@@ -22,7 +22,16 @@ enum StorageBinding : unsigned {
   morph_firsts_binding = 4,
   morph_entries_binding = 5,
   morph_weights_binding = 6,
-  scenery_binding = 7
+  scenery_binding = 7,
+  casters_binding = 8
+};
+/// The texture units of the light, which are the same in every program; materials have those before.
+enum LightUnit : unsigned {
+  shadow_maps_unit = 8,
+  sky_unit = 9,
+  environment_unit = 10,
+  crowd_map_unit = 11,
+  lamp_map_unit = 12
 };
 
 /// Block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).

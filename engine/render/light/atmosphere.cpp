@@ -11,6 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/render/even_directions.h"
+
 namespace throng::render {
 namespace {
 
@@ -135,10 +137,8 @@ glm::vec3 compute_scattered_again(float radius, float sun_rise) {
   const glm::vec3 to_sun(std::sqrt(std::max(1.0F - sun_rise * sun_rise, 0.0F)), sun_rise, 0.0F);
   glm::vec3 once(0.0F), share(0.0F);
   for (int i = 0; i < directions; ++i) {
-    const float rise = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / directions;
-    const float turn = static_cast<float>(i) * 2.39996323F;  // the golden angle spreads them evenly
-    const float flat = std::sqrt(1.0F - rise * rise);
-    const glm::vec3 direction(flat * std::cos(turn), rise, flat * std::sin(turn));
+    const glm::vec3 direction = even_direction(i, directions);
+    const float rise = direction.y;
     const bool down = meets_ground(radius, rise);
     const float length = down ? way_to_ground(radius, rise) : way_to_top(radius, rise);
     const auto sun_rise_at = [&](float there, float way) {

@@ -17,6 +17,8 @@ inline constexpr int cascade_count = 4;
 struct DepthRange {
   float nearest = 0.0F;
   float farthest = 0.0F;
+
+  friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
 /// Returns the depths of all instances, rounded outwards to a few steps, so that they seldom change as a camera moves.

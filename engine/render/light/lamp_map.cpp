@@ -6,10 +6,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "engine/render/frame/frame_data.h"
+
 namespace throng::render {
 namespace {
 
-constexpr GLuint lamp_map_unit = 12;
 constexpr float breast = 1.2F;           // metres
 constexpr float reach_of_height = 6.0F;  // a lamp shines this many times as far as it hangs above that
 constexpr float above_lamps = 1.6F;      // the ceiling over the height of the highest lamp

@@ -2,13 +2,11 @@
 
 #include <vector>
 
+#include "engine/render/frame/frame_data.h"
 #include "engine/render/light/sky_picture.h"
 
 namespace throng::render {
 namespace {
-
-// The same in every program (shaders/lighting.glsl).
-constexpr GLuint light_binding = 1, sky_unit = 9, environment_unit = 10;
 
 gl::Texture create_cube() {
   GLuint id = 0;
@@ -23,7 +21,7 @@ gl::Texture create_cube() {
 
 void SkyLight::bind(const SceneLight& light) {
   if (made_ != light) make(light);
-  glBindBufferBase(GL_UNIFORM_BUFFER, light_binding, buffer_.id());
+  glBindBufferBase(GL_UNIFORM_BUFFER, light_uniforms_binding, buffer_.id());
   glBindTextureUnit(sky_unit, map_.id());
   glBindTextureUnit(environment_unit, environment_.id());
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);

@@ -8,6 +8,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "engine/render/even_directions.h"
 #include "engine/render/light/atmosphere.h"
 #include "engine/render/light/clouds.h"
 
@@ -30,11 +31,7 @@ float luminance(const glm::vec3& color) { return glm::dot(color, glm::vec3(0.212
 /// Calls `use(direction)` for directions that are spread evenly over the sphere.
 constexpr int sphere_directions = 1600;
 void for_each_direction(const auto& use) {
-  for (int i = 0; i < sphere_directions; ++i) {
-    const float rise = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / sphere_directions;
-    const float flat = std::sqrt(1.0F - rise * rise), turn = static_cast<float>(i) * 2.39996323F;
-    use(glm::vec3(flat * std::cos(turn), rise, flat * std::sin(turn)));
-  }
+  for (int i = 0; i < sphere_directions; ++i) use(even_direction(i, sphere_directions));
 }
 
 glm::vec4 sample(const std::vector<glm::vec4>& map, int side, const glm::vec2& place) {
@@ -76,7 +73,7 @@ glm::vec3 face_direction(int face, const glm::vec2& place) {
 glm::vec3 half_vector(const glm::vec3& normal, float roughness, int i, int count) {
   const float a = roughness * roughness, share = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
   const float rise = std::sqrt((1.0F - share) / (1.0F + (a * a - 1.0F) * share));
-  const float flat = std::sqrt(1.0F - rise * rise), turn = static_cast<float>(i) * 2.39996323F;
+  const float flat = std::sqrt(1.0F - rise * rise), turn = golden_angle * static_cast<float>(i);
   const glm::vec3 side =
       glm::normalize(glm::cross(std::abs(normal.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), normal));
   return side * (flat * std::cos(turn)) + glm::cross(normal, side) * (flat * std::sin(turn)) + normal * rise;

@@ -7,11 +7,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "engine/render/frame/frame_data.h"
+
 namespace throng::render {
 namespace {
 
 constexpr GLint map_location = 0, spread_location = 1;
-constexpr GLuint crowd_map_unit = 11;
 constexpr GLsizei corners_of_a_square = 4;
 constexpr float least_side = 96.0F;     // metres
 constexpr float least_spread = 0.8F;    // metres: who is farther away leaves most of the sky

@@ -12,7 +12,6 @@ namespace {
 /// Locations of uniforms, as in every program of the crowd, and the one of a shadow map.
 enum ShadowLocation : GLint { shadow_color_location = 1, shadow_cutoff_location = 2, shadow_matrix_location = 20 };
 
-constexpr GLuint shadow_maps_unit = 8, casters_binding = 8;
 constexpr float shadow_alpha = 0.5F;  // least of a blended surface that casts a shadow
 constexpr int all_opaque = -1;        // a group's material
 
@@ -73,10 +72,9 @@ bool ShadowPass::is_due(int cascade, bool in_turns) const {
 }
 
 void ShadowPass::plan(const CrowdFrame& frame, const Light& light) {
-  const DepthRange depths = depths_of(frame);
   const SunAxes axes = sun_axes(light.to_sun);
-  const bool other = depths.nearest != depths_.nearest || depths.farthest != depths_.farthest || axes.z != axes_.z;
-  depths_ = depths;
+  const bool other = light.depths != depths_ || axes.z != axes_.z;
+  depths_ = light.depths;
   axes_ = axes;
   const auto planned = plan_cascades(frame.camera, axes_, depths_, map_side);
   ++turn_;

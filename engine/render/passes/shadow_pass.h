@@ -32,7 +32,8 @@ class ShadowPass {
 
   struct Light {
     glm::vec3 to_sun{0.0F, 1.0F, 0.0F};
-    bool in_turns = false;  ///< the cascades far away are drawn in every second and fourth frame only
+    DepthRange depths = {};  ///< of the frame
+    bool in_turns = false;   ///< the cascades far away are drawn in every second and fourth frame only
   };
 
   /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture.
@@ -51,9 +52,6 @@ class ShadowPass {
 
   /// Binds the maps and says in `uniforms` where they lie.
   void describe(const CrowdFrame& frame, ShadowUniforms& uniforms) const;
-
-  /// Returns where the maps lie.
-  const std::array<Cascade, cascade_count>& cascades() const { return cascades_; }
 
  private:
   struct Programs {

@@ -161,7 +161,7 @@ class Seen {
     add(tuning.light.sun_azimuth);
     add(tuning.light.clouds);
     add(tuning.light.exposure);
-    add(tuning.shadows && tuning.light.clouds < 1.0F);
+    add(tuning.shadows && render::casts_shadows(tuning.light));
     add(tuning.crowd_shade);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
       add(mesh_lod_of(*stage_, agent));

@@ -45,6 +45,14 @@ int MeshLods::choose(const Tuning& tuning, std::uint8_t character, float pixels_
   return render::pick_mesh_lod(shares, {.surface = allowed.surface / tall, .face = face / tall});
 }
 
+float MeshLods::tolerance_for(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const {
+  const render::MeshError& share = shares_[character][static_cast<std::size_t>(lod)];
+  const MeshTolerance allowed = mesh_tolerance(tuning);
+  const bool shows_face = pixels_tall >= least_face_pixels && allowed.face > 0.0F;
+  const float face = shows_face ? share.face * allowed.surface / allowed.face : share.face;
+  return std::max(share.surface, face) * pixels_tall;
+}
+
 float MeshLods::error_px(std::uint8_t character, int lod, float pixels_tall) const {
   const std::vector<render::MeshError>& shares = shares_[character];
   return shares.empty() ? 0.0F : shares[static_cast<std::size_t>(lod)].surface * pixels_tall;

@@ -8,6 +8,7 @@
 
 #include "app/lod/error_meter.h"
 #include "app/lod/exact_poses.h"
+#include "app/lod/mesh_choice.h"
 #include "app/lod/mesh_lods.h"
 #include "app/lod/shown_poses.h"
 #include "app/settings/settings.h"
@@ -84,6 +85,8 @@ class Stage {
   const ErrorMeter& error_meter() const { return meter_; }
   MeshLods& mesh_lods() { return mesh_lods_; }
   const MeshLods& mesh_lods() const { return mesh_lods_; }
+  /// Returns which of them everybody in view is drawn with, in the order of selection().visible.
+  const MeshChoice& mesh_choice() const { return mesh_choice_; }
 
   const anim::LodSelection& selection() const { return lod_.selection(); }
   const anim::LevelOfDetail& level_of_detail() const { return lod_; }
@@ -121,6 +124,7 @@ class Stage {
   ExactPoses exact_;
   ErrorMeter meter_;
   MeshLods mesh_lods_;
+  MeshChoice mesh_choice_;
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
   std::optional<std::uint32_t> selected_;
@@ -137,10 +141,5 @@ anim::LodCharacter lod_character(const CharacterSource& source);
 
 /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
-
-/// Returns the mesh LOD that a visible agent is drawn with.
-inline int mesh_lod_of(const Stage& stage, const anim::VisibleAgent& agent) {
-  return stage.mesh_lods().choose(stage.tuning(), stage.crowd().characters()[agent.agent], agent.pixels_tall);
-}
 
 }  // namespace throng::app

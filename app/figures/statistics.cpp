@@ -138,8 +138,8 @@ void Statistics::add_report(const Stage& stage) {
   stream_bytes_ += stage.system().figures().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
-  agents_demoted_ += stage.mesh_choice().figures().demoted;
-  triangle_budget_.add(stage.mesh_choice().figures().budget_held);
+  agents_demoted_ += mesh_choice_of(stage).figures().demoted;
+  triangle_budget_.add(mesh_choice_of(stage).figures().budget_held);
   lod_.add(stage.level_of_detail().figures());
 }
 

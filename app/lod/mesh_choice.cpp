@@ -7,13 +7,13 @@ namespace throng::app {
 namespace {
 
 constexpr std::size_t agents_worth_a_job = 512;
-constexpr float least_error_px = 1.0F / 64.0F;
+constexpr float least_pixels = 1.0F / 64.0F;
 
 // The upper bits of a positive float are its octave and the eighth of it.
 constexpr std::uint32_t eighth_of_octave(float value) { return std::bit_cast<std::uint32_t>(value) >> 20U; }
 
-std::size_t class_of(float error_px, std::size_t classes) {
-  const std::uint32_t step = eighth_of_octave(std::max(error_px, least_error_px)) - eighth_of_octave(least_error_px);
+std::size_t class_of(float pixels, std::size_t classes) {
+  const std::uint32_t step = eighth_of_octave(std::max(pixels, least_pixels)) - eighth_of_octave(least_pixels);
   return std::min<std::size_t>(step, classes - 1);
 }
 
@@ -37,8 +37,8 @@ struct MeshChoice::Frame {
 
   bool has_budget() const { return tuning.triangle_budget > 0 && tuning.mesh_lod < 0; }
   std::uint8_t character(std::size_t at) const { return character_of[visible[at].agent]; }
-  float error_px(std::size_t at, int lod) const {
-    return lods.tolerance_for(tuning, character(at), lod, visible[at].pixels_tall);
+  float seen_px(std::size_t at, int lod) const {
+    return lods.seen_px(tuning, character(at), lod, visible[at].pixels_tall);
   }
 
   void choose(Tile& tile) const {
@@ -57,7 +57,7 @@ struct MeshChoice::Frame {
 
   void count_savings(Tile& tile, std::size_t at, int lod, std::span<const std::uint32_t> triangles) const {
     for (int coarser = lod + 1; coarser < static_cast<int>(triangles.size()); ++coarser) {
-      tile.saved[class_of(error_px(at, coarser), error_classes)] += saved_by(triangles, coarser);
+      tile.saved[class_of(seen_px(at, coarser), error_classes)] += saved_by(triangles, coarser);
     }
   }
 
@@ -67,7 +67,8 @@ struct MeshChoice::Frame {
       if (lod == chosen[at]) continue;
       chosen[at] = static_cast<std::uint8_t>(lod);
       ++tile.figures.demoted;
-      tile.figures.demoted_error_px = std::max(tile.figures.demoted_error_px, error_px(at, lod));
+      tile.figures.demoted_error_px =
+          std::max(tile.figures.demoted_error_px, lods.error_px(character(at), lod, visible[at].pixels_tall));
     }
   }
 
@@ -75,7 +76,7 @@ struct MeshChoice::Frame {
     const std::span<const std::uint32_t> triangles = lods.triangles(character(at));
     int lod = chosen[at];
     for (; lod + 1 < static_cast<int>(triangles.size()); ++lod) {
-      const std::size_t step = class_of(error_px(at, lod + 1), error_classes);
+      const std::size_t step = class_of(seen_px(at, lod + 1), error_classes);
       if (step > last_class || (step == last_class && tile.to_save == 0)) break;
       const std::uint64_t saved = saved_by(triangles, lod + 1);
       if (step == last_class) tile.to_save -= std::min(saved, tile.to_save);

@@ -17,14 +17,13 @@ struct MeshFigures {
   std::uint64_t triangles = 0;         ///< as drawn
   std::uint64_t triangles_wanted = 0;  ///< without Tuning::triangle_budget
   std::uint32_t demoted = 0;           ///< agents whose mesh is coarser than the limit on its error asks for
-  float demoted_error_px = 0.0F;       ///< the most that one of these is off
+  float demoted_error_px = 0.0F;       ///< the most that the surface of one of these is off
   bool budget_held = true;             ///< false: all have their coarsest mesh, and are too many even so
 };
 
 /// Chooses the mesh LOD of everybody in view, once a frame. Within the limit on its error each has the coarsest. Where
-/// all together exceed Tuning::triangle_budget, some have a coarser one: each step to a coarser mesh has an error on
-/// screen, and the steps with the least are taken first, so the least visible are demoted first. The result is the same
-/// for any number of jobs.
+/// all together exceed Tuning::triangle_budget, some have a coarser one: the steps to coarser meshes that are seen
+/// least (MeshLods::seen_px) are taken first. The result is the same for any number of jobs.
 class MeshChoice {
  public:
   /// Makes room for a crowd, so that choose() allocates nothing.
@@ -45,7 +44,7 @@ class MeshChoice {
   /// Agents that one job chooses for.
   struct Tile {
     std::size_t first = 0, end = 0;
-    std::array<std::uint64_t, error_classes> saved;  ///< triangles, by the class of the step's error
+    std::array<std::uint64_t, error_classes> saved;  ///< triangles, by the class of what is seen of a step
     std::uint64_t to_save = 0;                       ///< triangles, by steps of the last class that is needed
     MeshFigures figures;
   };

@@ -49,9 +49,9 @@ class MeshLods {
   /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
   /// fixes. 0 for a character without LODs.
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
-  /// Returns the least tolerance of surfaces, in pixels, with which choose() takes a LOD, or one that is coarser still,
-  /// where the tolerance of faces grows in proportion.
-  float tolerance_for(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
+  /// Returns how much is seen of a LOD that is coarser than choose() takes: the pixels that surface and face are off,
+  /// and more where somebody loses the face who should keep it.
+  float seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the errors of a character's mesh LODs, as they were set.

@@ -26,7 +26,7 @@ void Picture::compose(const Stage& stage, Poses poses) {
     if (morphs) morphs_.add(stage, agent, entry.record);
     const ShownPose& pose = stage.pose_of(agent.agent, poses);
     const std::uint8_t character = stage.crowd().characters()[agent.agent];
-    const int lod = poses == Poses::exact ? 0 : stage.mesh_choice().lods()[at];
+    const int lod = poses == Poses::exact ? 0 : mesh_choice_of(stage).lods()[at];
     entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
     if (lod_as_color && agent.agent != stage.selected())
       entry.record.debug_color = debug_color(DebugView::mesh_lod, {.mesh_lod = lod});

@@ -85,8 +85,6 @@ class Stage {
   const ErrorMeter& error_meter() const { return meter_; }
   MeshLods& mesh_lods() { return mesh_lods_; }
   const MeshLods& mesh_lods() const { return mesh_lods_; }
-  /// Returns which of them everybody in view is drawn with, in the order of selection().visible.
-  const MeshChoice& mesh_choice() const { return mesh_choice_; }
 
   const anim::LodSelection& selection() const { return lod_.selection(); }
   const anim::LevelOfDetail& level_of_detail() const { return lod_; }
@@ -105,6 +103,7 @@ class Stage {
 
  private:
   friend const StageTimes& times_of(const Stage& stage);
+  friend const MeshChoice& mesh_choice_of(const Stage& stage);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -135,6 +134,9 @@ class Stage {
 
 /// Returns how long the parts of the last frame took.
 inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
+
+/// Returns the mesh LODs that everybody in view is drawn with, in the order of selection().visible.
+inline const MeshChoice& mesh_choice_of(const Stage& stage) { return stage.mesh_choice_; }
 
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

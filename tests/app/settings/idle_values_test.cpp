@@ -165,7 +165,7 @@ class Seen {
     add(tuning.light.exposure);
     add(tuning.shadows && render::casts_shadows(tuning.light));
     add(tuning.crowd_shade);
-    for (const std::uint8_t lod : stage_->mesh_choice().lods()) add(lod);
+    for (const std::uint8_t lod : mesh_choice_of(*stage_).lods()) add(lod);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
       render::InstanceRecord record{};
       if (!stage_->record(agent, record)) continue;

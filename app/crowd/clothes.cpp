@@ -38,6 +38,7 @@ constexpr double word_beyond = 0.5;  // of the strokes' middles, on both sides
 constexpr double word_share_across = 0.84, word_share_along = 0.46, word_middle = 0.50;
 
 constexpr double rays = 32.0;  // around the sun, half of which is seen
+constexpr std::size_t least_for_word = 5000;
 constexpr double rising_sun = 0.13;
 
 constexpr double swell = 0.5, swells = 9.0;  // of rings, in widths of one
@@ -138,8 +139,8 @@ Tints ClothesPattern::at(const glm::dvec3& place, const Tints& own, Random& rand
   return tints;
 }
 
-Motif motif_of(Scene scene) {
-  if (scene == Scene::plaza) return Motif::word;
+Motif motif_of(Scene scene, std::size_t people) {
+  if (scene == Scene::plaza && people >= least_for_word) return Motif::word;
   return scene == Scene::stadium ? Motif::waves : Motif::rings;
 }
 

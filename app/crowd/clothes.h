@@ -44,8 +44,8 @@ class ClothesPattern {
   double inner_ = 0.0;                   // metres from the core of the rings to the innermost place
 };
 
-/// Returns the shape that suits a scene.
-Motif motif_of(Scene scene);
+/// Returns the shape that suits a scene of so many people: few cannot write a word.
+Motif motif_of(Scene scene, std::size_t people);
 
 /// Returns where each agent of a layout begins, in the order of agents: walkers, marchers, standers.
 std::vector<glm::dvec3> places_of(const CrowdLayout& layout);

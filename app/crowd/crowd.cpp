@@ -100,7 +100,7 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
                                          const Variety& variety) {
   if (variety.clothes != Clothes::pattern) return {};
   const std::vector<glm::dvec3> places = places_of(layout);
-  return ClothesPattern(motif_of(scene), places, tower_view(scene, places.size(), roles, variety.clothes));
+  return ClothesPattern(motif_of(scene, places.size()), places, tower_view(scene, places.size(), roles, variety.clothes));
 }
 
 CrowdLooks looks_of(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety,

@@ -14,10 +14,11 @@ namespace {
 // Metres, for a person 1.8 m tall. Neighbours stay 0.7 m apart and more.
 constexpr double row_pitch = 1.14, out_of_line = 0.2;
 constexpr double bend = 0.8, bend_length = 17.0;  // of the rows: straight ones would line up to the camera
-constexpr double clear_of_obstacle = 0.6;
+constexpr double clear_of_obstacle = 0.6, clear_of_viewpoint = 4.6;
 
 constexpr double unevenness_of_gaze = 0.12;  // quarter turns
 
+// Each takes the ground that its neighbours keep clear.
 std::vector<Obstacle> obstacles_within(double half, const FormationGround& ground) {
   std::vector<Obstacle> within;
   for (const Obstacle& obstacle : ground.obstacles) {
@@ -25,6 +26,7 @@ std::vector<Obstacle> obstacles_within(double half, const FormationGround& groun
     const double taken = obstacle.radius + clear_of_obstacle * ground.spacing;
     if (std::max(away.x, away.y) < half + taken) within.push_back({obstacle.position, taken});
   }
+  within.push_back({ground.viewpoint, clear_of_viewpoint * ground.spacing});
   return within;
 }
 

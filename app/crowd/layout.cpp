@@ -84,8 +84,10 @@ std::vector<Obstacle> with_seats(std::vector<Obstacle> obstacles, std::span<cons
 }  // namespace
 
 double plaza_side(std::size_t agents, double spacing, Clothes clothes) {
-  const double area = clothes == Clothes::pattern ? area_in_formation : area_per_agent;
-  return std::sqrt(area * static_cast<double>(agents)) * spacing;
+  const auto people = static_cast<double>(agents);
+  const double area = clothes == Clothes::pattern ? std::max(area_in_formation * people, area_per_agent)
+                                                  : area_per_agent * people;
+  return std::sqrt(area) * spacing;
 }
 
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes) {

@@ -75,8 +75,8 @@ int strokes_at(const ClothesPattern& clothes, double share) {
 
 TEST(ClothesPattern, WritesAWordThatIsRightInThePictureFromTheTower) {
   const ClothesPattern clothes = word();
-  EXPECT_EQ(strokes_at(clothes, 0.25), 1 + 2 + 2 + 2 + 3 + 2) << "T H R O N G";
-  EXPECT_EQ(strokes_at(clothes, 0.70), 1 + 2 + 2 + 2 + 3 + 1);
+  EXPECT_EQ(strokes_at(clothes, 0.35), 1 + 2 + 2 + 2 + 3 + 2) << "T H R O N G";
+  EXPECT_EQ(strokes_at(clothes, 0.65), 1 + 2 + 2 + 2 + 3 + 1);
   EXPECT_EQ(strokes_at(clothes, 1.3), 0) << "above the word";
   // The first letter's stem is upright in the picture and as wide at its foot as under its bar.
   const double stem = 0.5 * (low.x + high.x) + (0.36 - 0.5 * word_width) * letters, middle = 0.5 * (low.y + high.y);

@@ -56,7 +56,7 @@ std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& 
   };
 }
 
-// The companies come along the straight at z = radius, towards -X.
+// The companies come along the straight at z = -radius, towards +X.
 std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles& roles, const NamedCamera& tower) {
   const auto unit = static_cast<float>(roles.spacing());
   const ParadeSize size = parade_size(agents, roles);
@@ -67,12 +67,12 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
       static_cast<float>(size.half_length + size.radius + size.outside) + 2.2F * unit;  // before the houses
   const float above = 0.62F * across + 10.0F * unit;  // above the roofs beside the street
   return {
-      {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
+      {"front", {ahead, 2.6F * unit, -straight - wide - 0.4F * unit, 105.0F, -7.5F, 42.0F}},
       {"above", {0.0F, above, 0.3F * above, 0.0F, -73.0F, 50.0F}},
-      {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
-      {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
+      {"close", {ahead - 2.0F * unit, 1.6F * unit, -straight - 0.3F * unit, 92.0F, -4.0F, 45.0F}},
+      {"far", {-end, 0.1F * across + 8.0F * unit, 0.9F * straight, -84.0F, -15.0F, 50.0F}},
       tower,
-      {"street", {-std::min(ahead + 9.0F * unit, end), 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
+      {"street", {std::min(ahead + 9.0F * unit, end), 1.7F * unit, 0.3F * wide - straight, 90.0F, 1.0F, 34.0F}},
   };
 }
 

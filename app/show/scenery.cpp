@@ -44,7 +44,7 @@ anim::Status Scenery::load(std::span<const render::SceneryMeshData> props, rende
 
 void Scenery::follow(const Tuning& tuning, const Crowd& crowd, render::Renderer& renderer) {
   const CharacterRoles& roles = crowd.laid_out_for();
-  const Cause cause{tuning.scene,     crowd.size(),       tuning.seed,     roles.spacing(),
+  const Cause cause{tuning.scene,     crowd.size(),       tuning.seed,      roles.spacing(),
                     roles.walk_speed, roles.walk_seconds, roles.can_walk(), tuning.clothes};
   if (placed_ == cause) return;
   placed_ = cause;

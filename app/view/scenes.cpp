@@ -24,8 +24,7 @@ NamedCamera fountain_camera(std::size_t agents, double spacing, Clothes clothes)
   return {"fountain", {eye.x, 2.1F * unit, eye.y, 40.0F, 0.5F, 46.0F}};
 }
 
-std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing, Clothes clothes,
-                                       const NamedCamera& tower) {
+std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing, Clothes clothes, const NamedCamera& tower) {
   const auto unit = static_cast<float>(spacing);
   const auto side = static_cast<float>(plaza_side(agents, spacing, clothes));
   const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing, clothes).x);

@@ -104,7 +104,8 @@ class Renderer {
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
   /// Draws scenes into a part of the picture alone from now on, and leaves the rest dark, because something is going to
-  /// cover it. A processor that draws has less to do then. Unset: draws all of it. Only a picture in a window has a part.
+  /// cover it. A processor that draws has less to do then. Unset: draws all of it. Only a picture in a window has a
+  /// part.
   void draw_only(std::optional<PixelRect> part) { part_ = part; }
 
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
@@ -144,7 +145,7 @@ class Renderer {
   gl::Context* context_;
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
-  CrowdPass crowd_{shaders_};
+  CrowdPass crowd_{shaders_, context_->is_software() ? Calls::some : Calls::one};
   ShadowPass shadows_{shaders_};
   CrowdShadePass crowd_shade_{shaders_};
   SceneryPass scenery_{shaders_};

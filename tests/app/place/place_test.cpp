@@ -137,8 +137,8 @@ void expect_cameras_outside(Scene scene, std::size_t agents, Clothes clothes) {
   for (const NamedCamera& camera : scene_cameras(scene, agents, person(), clothes)) {
     const glm::vec3 eye(camera.place.x, camera.place.y, camera.place.z);
     for (const Standing& prop : props) {
-      EXPECT_FALSE(prop.holds(eye, 0.2F)) << case_of(scene, agents) << ", " << camera.name << " in "
-                                          << name_of(prop.prop);
+      EXPECT_FALSE(prop.holds(eye, 0.2F))
+          << case_of(scene, agents) << ", " << camera.name << " in " << name_of(prop.prop);
     }
   }
 }

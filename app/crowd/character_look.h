@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "app/crowd/random.h"
+#include "app/settings/settings.h"
 #include "engine/render/instance_record.h"
 
 namespace throng::app {
@@ -20,7 +21,7 @@ struct Variety {
   bool differs = true;              ///< false: all are as the first of their character, whatever follows
   float tint = 1.0F;                ///< in colours, 0 to 1: as random_tints() and random_shade() draw them
   float size = usual_size_variety;  ///< in size, 0 to most_size_variety
-  bool pattern = false;             ///< clothes have the colours of ClothesPattern
+  Clothes clothes = Clothes::own;   ///< pattern: they have the colours of ClothesPattern
 
   friend bool operator==(const Variety&, const Variety&) = default;
 };

@@ -14,6 +14,7 @@
 #include "app/crowd/cut_scene_layout.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
+#include "app/crowd/tower_view.h"
 #include "app/crowd/turn.h"
 
 namespace throng::app {
@@ -36,10 +37,11 @@ constexpr std::uint64_t clothes_stream = 14;
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
 constexpr double wave_unevenness = 0.25;  // seconds
 
-CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                      Clothes clothes) {
   switch (scene) {
     case Scene::plaza:
-      return plaza_layout(agents, seed, roles);
+      return plaza_layout(agents, seed, roles, clothes);
     case Scene::parade:
       return parade_layout(agents, seed, roles);
     case Scene::stadium:
@@ -94,12 +96,19 @@ class BodyLooks {
   std::array<Tints, 256> first_tints_{};
 };
 
-CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed, const CrowdCast& cast,
-                    const Variety& variety) {
+std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene, const CharacterRoles& roles,
+                                         const Variety& variety) {
+  if (variety.clothes != Clothes::pattern) return {};
+  const std::vector<glm::dvec3> places = places_of(layout);
+  return ClothesPattern(motif_of(scene, places.size()), places, tower_view(scene, places.size(), roles, variety.clothes));
+}
+
+CrowdLooks looks_of(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety,
+                    const std::optional<ClothesPattern>& pattern) {
+  const std::vector<Habit> habits = habits_of(layout);
   Random random(seed, looks_stream), clothes(seed, clothes_stream);
   BodyLooks bodies(seed, variety);
-  const std::vector<glm::dvec2> places = variety.pattern ? places_of(layout) : std::vector<glm::dvec2>();
-  const ClothesPattern pattern(places);
+  const std::vector<glm::dvec3> places = pattern ? places_of(layout) : std::vector<glm::dvec3>();
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
     const CharacterRoles& character = cast.of(agent);
@@ -113,7 +122,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, st
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(pace);
     looks.start_phases.push_back(phase);
-    looks.tints.push_back(variety.pattern ? pattern.at(places[agent], body.tints, clothes) : body.tints);
+    looks.tints.push_back(pattern ? pattern->at(places[agent], body.tints, clothes) : body.tints);
     looks.variants.push_back(body.variant);
     looks.shades.push_back(body.shade);
     if (!marches) continue;
@@ -144,18 +153,18 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety,
-            common_roles(characters)) {
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters), variety.clothes), scene, seed, characters,
+            variety, common_roles(characters)) {
   assert(size() == agents);
 }
 
-Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
+Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety, CharacterRoles common)
     : laid_out_for_(std::move(common)),
       cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
-      looks_(looks_of(layout, habits_of(layout), seed, cast_, variety)),
+      looks_(looks_of(layout, seed, cast_, variety, pattern_of(layout, scene, laid_out_for_, variety))),
       state_{.behind = std::vector<anim::Ticks>(marchers_.size()),
              .next_waves = {},
              .minds = CrowdMinds(cast_, habits_of(layout), seed),

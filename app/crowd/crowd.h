@@ -33,7 +33,7 @@ struct CrowdLooks {
 
 /// Returns how much a tuning lets agents differ.
 inline Variety variety_of(const Tuning& tuning) {
-  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes == Clothes::pattern};
+  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes};
 }
 
 /// Everything in a crowd that changes as time passes.
@@ -118,7 +118,7 @@ class Crowd {
 
  private:
   friend glm::vec3 middle_of(const Crowd& crowd);
-  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters,
+  Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, CharacterRoles common);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);

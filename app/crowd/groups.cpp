@@ -247,7 +247,7 @@ class GroupPlacer {
   Group place(std::size_t size, bool in_foreground) {
     const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
     for (int tries = 1;; ++tries) {
-      // Who finds no place where the crowd likes to be takes any that is left, before it spreads.
+      // A group that finds no place where the crowd likes to be takes any that is left, before the crowd spreads.
       const bool choosy = tries <= tries_before_any_place;
       const Group group{place_to_try(in_foreground && choosy, choosy), radius};
       if (fits(group, choosy)) {

@@ -48,7 +48,7 @@ constexpr Transition all_transitions[] = {
     {Habit::sit, clap, sit, 1.0F},
     {Habit::sit, wave, sit, 1.0F},
     {Habit::sit, cheer, sit, 1.0F},
-    // Whoever rests on a bench gets up now and then.
+    // People who rest on a bench get up now and then.
     {Habit::rest, sit, look_around, 1.0F},
     {Habit::rest, look_around, sit, 1.0F},
     // Athletes warm up, sprint, and get their breath back.

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "app/crowd/formation.h"
 #include "app/crowd/groups.h"
 #include "app/crowd/plaza_plan.h"
 #include "app/crowd/random.h"
@@ -14,7 +15,7 @@ namespace throng::app {
 namespace {
 
 // Metres, for a person 1.8 m tall.
-constexpr double area_per_agent = 3.6;
+constexpr double area_per_agent = 3.6, area_in_formation = 1.45;
 constexpr double least_gap_in_lane = 1.1;
 
 constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is nobody
@@ -74,7 +75,7 @@ std::vector<StanderPlace> seat_some(std::vector<BenchSeat> seats, std::size_t pe
   return places;
 }
 
-// Those who stand keep clear of the seats too.
+// People who stand keep clear of the seats too.
 std::vector<Obstacle> with_seats(std::vector<Obstacle> obstacles, std::span<const BenchSeat> seats, double spacing) {
   for (const BenchSeat& seat : seats) obstacles.push_back({seat.position, room_of_seat * spacing});
   return obstacles;
@@ -82,19 +83,29 @@ std::vector<Obstacle> with_seats(std::vector<Obstacle> obstacles, std::span<cons
 
 }  // namespace
 
-double plaza_side(std::size_t agents, double spacing) {
-  return std::sqrt(area_per_agent * static_cast<double>(agents)) * spacing;
+double plaza_side(std::size_t agents, double spacing, Clothes clothes) {
+  const auto people = static_cast<double>(agents);
+  const double area = clothes == Clothes::pattern ? std::max(area_in_formation * people, area_per_agent)
+                                                  : area_per_agent * people;
+  return std::sqrt(area) * spacing;
 }
 
-glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing) {
-  const double from_centre = std::max(plaza_side(agents, spacing) / std::numbers::sqrt2, 5.5 * spacing);
+glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes) {
+  const double from_centre = std::max(plaza_side(agents, spacing, clothes) / std::numbers::sqrt2, 5.5 * spacing);
   return glm::dvec2(from_centre / std::numbers::sqrt2);
 }
 
-CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles, Clothes clothes) {
   const double spacing = roles.spacing();
   CrowdLayout layout;
-  PlazaPlan plan = plan_plaza(agents, seed, roles);
+  PlazaPlan plan = plan_plaza(agents, seed, roles, clothes);
+  if (clothes == Clothes::pattern) {
+    layout.obstacles = obstacles_of(plan.fixtures, spacing);
+    const FormationGround ground{plaza_side(agents, spacing, clothes), spacing,
+                                 plaza_viewpoint(agents, spacing, clothes), layout.obstacles};
+    layout.standers = stand_in_formation(agents, ground, Random(seed, 15));
+    return layout;
+  }
   if (!plan.lanes.empty()) {
     const auto wanted = static_cast<std::size_t>(share_of_walkers * static_cast<double>(agents));
     layout.walkers = fill_lanes(plan.lanes, wanted, least_gap_in_lane * spacing, Random(seed, 2));

@@ -10,6 +10,7 @@
 #include "app/crowd/fixtures.h"
 #include "app/crowd/habits.h"
 #include "app/crowd/lanes.h"
+#include "app/settings/settings.h"
 
 namespace throng::app {
 
@@ -49,14 +50,17 @@ struct CrowdLayout {
   double wave_begins = 2.0;         ///< seconds
 };
 
-/// Returns the side, in metres, of the square about the origin that the plaza of so many agents fills.
-double plaza_side(std::size_t agents, double spacing);
+/// Returns the side, in metres, of the square about the origin that the plaza of so many agents fills. Where clothes
+/// form a pattern, people stand closer.
+double plaza_side(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
 /// Returns the corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
-glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing);
+glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
-/// Fills a plaza of any size evenly with promenades, small loops, things that stand about, and loose groups.
-CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+/// Fills a plaza of any size evenly with promenades, small loops, things that stand about, and loose groups. Where
+/// clothes form a pattern, everybody stands in a formation instead, and looks to the viewpoint.
+CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                         Clothes clothes = Clothes::own);
 
 /// Returns the number of agents in a row of the grid.
 std::size_t grid_columns(std::size_t agents);

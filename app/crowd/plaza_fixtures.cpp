@@ -33,7 +33,7 @@ void add_benches_around(glm::dvec2 middle, double away, std::size_t count, std::
   }
 }
 
-// What stands where avenues meet, or in the middle of a block: something to walk to.
+// A landmark stands where avenues meet, or in the middle of a block: it is something to walk to.
 void add_landmark(FixtureKind kind, glm::dvec2 at, double spacing, std::vector<Fixture>& fixtures) {
   const glm::dvec2 to_camera = glm::normalize(glm::dvec2(1.0, 1.0));
   fixtures.push_back({kind, at, heading_along(to_camera)});
@@ -78,8 +78,7 @@ void add_avenues(int blocks, double side, double spacing, std::vector<Fixture>& 
 
 }  // namespace
 
-void add_middle_fixtures(double side, double spacing, std::vector<Fixture>& fixtures) {
-  const int blocks = plaza_blocks(side, spacing);
+void add_middle_fixtures(double side, int blocks, double spacing, std::vector<Fixture>& fixtures) {
   if (side < least_side_with_fountain * spacing) {
     const double behind = 0.5 * side + fountain_behind * spacing;
     add_landmark(FixtureKind::fountain, {-behind - 1.5 * spacing, -behind + 1.5 * spacing}, spacing, fixtures);
@@ -113,8 +112,7 @@ void add_corner_of_rest(const Square& free, double spacing, Random& random, std:
   }
 }
 
-void add_rows(double side, double spacing, std::vector<Fixture>& fixtures) {
-  const int blocks = plaza_blocks(side, spacing);
+void add_rows(double side, int blocks, double spacing, std::vector<Fixture>& fixtures) {
   add_avenues(blocks, side, spacing, fixtures);
   const double edge = 0.5 * side + beyond_edge * spacing;
   const double open = std::max(0.5 * side - clear_corner * spacing, -edge);

@@ -151,37 +151,39 @@ void LanePlanner::lay_loops() {
 
 }  // namespace
 
-int plaza_blocks(double side, double spacing) {
+int plaza_blocks(double side, double spacing, Clothes clothes) {
+  if (clothes == Clothes::pattern) return 1;
   return std::max(1, static_cast<int>(std::lround(side / (promenade_block * spacing))));
 }
 
-double plaza_edge(std::size_t agents, double spacing) {
-  return std::max(0.5 * plaza_side(agents, spacing) + from_edge * spacing, least_edge * spacing);
+double plaza_edge(std::size_t agents, double spacing, Clothes clothes) {
+  return std::max(0.5 * plaza_side(agents, spacing, clothes) + from_edge * spacing, least_edge * spacing);
 }
 
-glm::dvec2 plaza_fountain(std::size_t agents, double spacing) {
+glm::dvec2 plaza_fountain(std::size_t agents, double spacing, Clothes clothes) {
   std::vector<Fixture> fixtures;
-  add_middle_fixtures(plaza_side(agents, spacing), spacing, fixtures);
+  const double side = plaza_side(agents, spacing, clothes);
+  add_middle_fixtures(side, plaza_blocks(side, spacing, clothes), spacing, fixtures);
   const auto distance = [](const Fixture& fixture) {
     return fixture.kind == FixtureKind::fountain ? glm::length(fixture.position) : std::numeric_limits<double>::max();
   };
   return std::ranges::min_element(fixtures, {}, distance)->position;
 }
 
-PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
-  const double spacing = roles.spacing(), side = plaza_side(agents, spacing);
-  const int blocks = plaza_blocks(side, spacing);
+PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles, Clothes clothes) {
+  const double spacing = roles.spacing(), side = plaza_side(agents, spacing, clothes);
+  const int blocks = plaza_blocks(side, spacing, clothes);
   const Square plaza{glm::dvec2(0.0), 0.5 * side};
   LanePlanner planner(seed, roles);
-  const bool has_walkers = roles.can_walk() && agents >= least_agents_with_walkers;
+  const bool has_walkers = roles.can_walk() && agents >= least_agents_with_walkers && clothes != Clothes::pattern;
   for (int block = 0; has_walkers && block < blocks * blocks; ++block) {
     planner.lay_promenade(plaza.part(block, blocks));
   }
-  add_middle_fixtures(side, spacing, planner.fixtures);
+  add_middle_fixtures(side, blocks, spacing, planner.fixtures);
   planner.lay_loops();
   Random random(seed, 13);
   for (const Square& free : planner.free_places()) add_corner_of_rest(free, spacing, random, planner.fixtures);
-  add_rows(side, spacing, planner.fixtures);
+  add_rows(side, blocks, spacing, planner.fixtures);
   return {std::move(planner.lanes), std::move(planner.ground), std::move(planner.fixtures)};
 }
 

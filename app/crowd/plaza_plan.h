@@ -29,15 +29,18 @@ struct PlazaPlan {
   std::vector<LaneGround> ground;  ///< that the lanes take
   std::vector<Fixture> fixtures;
 };
-PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+/// Where clothes form a pattern, nothing stands in the way of who looks at it.
+PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                     Clothes clothes = Clothes::own);
 
-/// Returns the number of blocks in a row of the plaza. A large plaza is cut into blocks, with avenues between them.
-int plaza_blocks(double side, double spacing);
+/// Returns the number of blocks in a row of the plaza. A large plaza is cut into blocks, with avenues between them; it
+/// is one block where clothes form a pattern.
+int plaza_blocks(double side, double spacing, Clothes clothes = Clothes::own);
 
 /// Returns where the fountain stands that is nearest to the middle, x and z in metres.
-glm::dvec2 plaza_fountain(std::size_t agents, double spacing);
+glm::dvec2 plaza_fountain(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
 /// Returns half the side of the square that houses surround, in metres: a few more than the crowd takes.
-double plaza_edge(std::size_t agents, double spacing);
+double plaza_edge(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
 }  // namespace throng::app

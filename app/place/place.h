@@ -20,7 +20,7 @@ struct PlacedProp {
   std::uint32_t tint = render::no_tint;
 };
 
-/// What stands around a crowd and under it.
+/// The things that stand around a crowd, and the ground under it.
 struct Place {
   std::vector<PlacedProp> props;
   render::SceneGround ground;
@@ -28,6 +28,7 @@ struct Place {
 
 /// Returns the place of a scene. It follows from its arguments alone, grows with the crowd, and stands clear of
 /// everybody: what stands among people is an obstacle of the crowd's layout. The grid has none.
-Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+               Clothes clothes = Clothes::own);
 
 }  // namespace throng::app

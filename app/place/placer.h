@@ -14,7 +14,7 @@ namespace throng::app {
 
 /// The width of a bay of a house, in metres.
 inline constexpr double bay_width = 6.0;
-/// What a house is deep, in metres.
+/// The depth of a house, in metres.
 inline constexpr double house_depth = 9.1;
 
 inline constexpr glm::dvec2 towards_x{1.0, 0.0}, towards_z{0.0, 1.0};

@@ -76,13 +76,13 @@ void put_steps(double edge, Placer& placer) {
 
 render::SceneGround plaza_ground(const PlacedCrowd& crowd) {
   const double unit = crowd.roles.spacing();
-  const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit));
+  const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit, crowd.clothes));
   return {.unit = static_cast<float>(unit), .core = {edge, edge}, .paved = static_cast<float>(paved_around * unit)};
 }
 
 void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
-  const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit);
-  for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles).fixtures) {
+  const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit, crowd.clothes);
+  for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles, crowd.clothes).fixtures) {
     put_fixture(fixture, placer);
   }
   const double cut = street_corner * unit;

@@ -5,6 +5,7 @@
 
 #include "app/character/roles.h"
 #include "app/place/placer.h"
+#include "app/settings/settings.h"
 
 namespace throng::app {
 
@@ -13,6 +14,7 @@ struct PlacedCrowd {
   std::size_t agents;
   std::uint32_t seed;
   const CharacterRoles& roles;
+  Clothes clothes;
 };
 
 /// These functions put what stands in a scene.

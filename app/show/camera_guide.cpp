@@ -8,7 +8,7 @@ namespace throng::app {
 
 std::vector<NamedCamera> cameras_of(const Stage& stage) {
   return scene_cameras(stage.tuning().scene, static_cast<std::size_t>(stage.tuning().agents),
-                       common_roles(roles_of(stage.characters())));
+                       common_roles(roles_of(stage.characters())), stage.tuning().clothes);
 }
 
 render::Camera CameraGuide::begin_scene(const Stage& stage) {

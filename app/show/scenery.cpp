@@ -45,10 +45,10 @@ anim::Status Scenery::load(std::span<const render::SceneryMeshData> props, rende
 void Scenery::follow(const Tuning& tuning, const Crowd& crowd, render::Renderer& renderer) {
   const CharacterRoles& roles = crowd.laid_out_for();
   const Cause cause{tuning.scene,     crowd.size(),       tuning.seed,     roles.spacing(),
-                    roles.walk_speed, roles.walk_seconds, roles.can_walk()};
+                    roles.walk_speed, roles.walk_seconds, roles.can_walk(), tuning.clothes};
   if (placed_ == cause) return;
   placed_ = cause;
-  const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles);
+  const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);
   ground_ = place.ground;
   std::vector<render::SceneryInstance> instances;
   std::vector<render::SceneryLamp> lamps;

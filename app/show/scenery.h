@@ -33,6 +33,7 @@ class Scenery {
     std::uint32_t seed;
     double spacing, walk_speed, walk_seconds;
     bool walks;
+    Clothes clothes;
 
     friend bool operator==(const Cause&, const Cause&) = default;
   };

@@ -1,14 +1,12 @@
 #include "app/view/scenes.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <glm/trigonometric.hpp>
 
 #include "app/crowd/layout.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/plaza_plan.h"
 #include "app/crowd/stadium.h"
+#include "app/crowd/tower_view.h"
 
 namespace throng::app {
 namespace {
@@ -16,33 +14,21 @@ namespace {
 // Yaw grows counter-clockwise seen from above: 45 degrees look along -X, -Z, from the corner at +X, +Z to the middle.
 constexpr float to_the_middle = 45.0F;
 
-// From above the roofs at one side of a ground that is so wide and deep, down on all of it.
-NamedCamera tower(float wide, float deep, float unit) {
-  constexpr float steepest = -78.0F;
-  const float height = 0.7F * std::max(deep, 0.62F * wide) + 26.0F * unit, aside = 0.47F * deep + 4.0F * unit;
-  const float pitch = std::max(-glm::degrees(std::atan2(height, aside)), steepest);
-  return {"tower", {0.0F, height, aside, 0.0F, pitch, 50.0F}};
-}
-
-NamedCamera moved(NamedCamera camera, float z) {
-  camera.place.z += z;
-  return camera;
-}
-
 // Across the fountain to the tower behind it, from a little beside the way between them.
-NamedCamera fountain_camera(std::size_t agents, double spacing) {
+NamedCamera fountain_camera(std::size_t agents, double spacing, Clothes clothes) {
   const auto unit = static_cast<float>(spacing);
-  const glm::vec2 fountain(plaza_fountain(agents, spacing));
-  const bool is_small = plaza_side(agents, spacing) < 12.0 * spacing;  // trees stand close around the fountain
-  const glm::vec2 corner(plaza_viewpoint(agents, spacing));
+  const glm::vec2 fountain(plaza_fountain(agents, spacing, clothes));
+  const bool is_small = plaza_side(agents, spacing, clothes) < 12.0 * spacing;  // trees stand close around the fountain
+  const glm::vec2 corner(plaza_viewpoint(agents, spacing, clothes));
   const glm::vec2 eye = is_small ? corner : fountain + glm::vec2(8.6F, 10.2F) * unit;
   return {"fountain", {eye.x, 2.1F * unit, eye.y, 40.0F, 0.5F, 46.0F}};
 }
 
-std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
+std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing, Clothes clothes,
+                                       const NamedCamera& tower) {
   const auto unit = static_cast<float>(spacing);
-  const auto side = static_cast<float>(plaza_side(agents, spacing));
-  const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing).x);
+  const auto side = static_cast<float>(plaza_side(agents, spacing, clothes));
+  const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing, clothes).x);
   const float above = 0.9F * side + 8.0F * unit;
   const float beyond = 0.06F * side + 3.0F * unit;
   return {
@@ -50,13 +36,13 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
       {"above", {0.0F, above, 0.55F * above, 0.0F, -64.0F, 50.0F}},
       {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -6.0F, 40.0F}},
       {"far", {corner + beyond, 0.16F * side + 5.0F * unit, corner + beyond, to_the_middle, -19.0F, 45.0F}},
-      tower(side, side, unit),
-      fountain_camera(agents, spacing),
+      tower,
+      fountain_camera(agents, spacing, clothes),
   };
 }
 
 // The camera comes nearer to a long, low character than its room asks, and stands as low as it is.
-std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& roles) {
+std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& roles, const NamedCamera& tower) {
   const auto unit = static_cast<float>(roles.spacing()), tall = static_cast<float>(roles.size());
   const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(roles.spacing()));
   const float above = 0.75F * side + 6.0F * unit;
@@ -66,12 +52,12 @@ std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& 
       {"above", {0.0F, above, 0.5F * (above - side), 0.0F, -64.0F, 50.0F}},
       {"close", {0.0F, 1.3F * near - 1.1F * lower, 3.0F * near, 0.0F, -4.0F, 45.0F}},
       {"far", {0.0F, 0.35F * side + 4.0F * unit, 0.6F * side + 10.0F * unit, 0.0F, -20.0F, 45.0F}},
-      moved(tower(side, side, unit), -0.5F * side),
+      tower,
   };
 }
 
 // The companies come along the straight at z = radius, towards -X.
-std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles& roles) {
+std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles& roles, const NamedCamera& tower) {
   const auto unit = static_cast<float>(roles.spacing());
   const ParadeSize size = parade_size(agents, roles);
   const auto straight = static_cast<float>(size.radius), wide = static_cast<float>(size.half_width);
@@ -85,12 +71,12 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
       {"above", {0.0F, above, 0.3F * above, 0.0F, -73.0F, 50.0F}},
       {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
       {"far", {end, 0.1F * across + 8.0F * unit, -0.9F * straight, 96.0F, -15.0F, 50.0F}},
-      tower(across, 2.0F * (straight + wide), unit),
+      tower,
       {"street", {-std::min(ahead + 9.0F * unit, end), 1.7F * unit, straight - 0.3F * wide, -90.0F, 1.0F, 34.0F}},
   };
 }
 
-std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRoles& roles) {
+std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRoles& roles, const NamedCamera& tower) {
   const auto unit = static_cast<float>(roles.spacing());
   const StadiumSize size = stadium_size(agents, roles);
   const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
@@ -101,20 +87,20 @@ std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRole
       {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
       {"close", {0.0F, 1.6F * unit, 4.5F * unit - width, 0.0F, 2.0F, 45.0F}},
       {"far", {0.9F * length, height + 7.0F * unit, width + depth + 6.0F * unit, 35.0F, -19.0F, 55.0F}},
-      tower(2.0F * (length + depth), 2.0F * (width + depth), unit),
+      tower,
       {"tiers", {0.55F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 46.0F, -7.0F, 46.0F}},
       {"pitch", {-0.35F * length, 1.5F * unit, 0.3F * width, -38.0F, 5.0F, 52.0F}},
   };
 }
 
-std::vector<NamedCamera> cut_scene_cameras(double spacing) {
+std::vector<NamedCamera> cut_scene_cameras(double spacing, const NamedCamera& tower) {
   const auto unit = static_cast<float>(spacing);
   return {
       {"front", {0.9F * unit, 1.5F * unit, 4.2F * unit, 10.0F, -3.0F, film_field_of_view}},
       {"above", {0.0F, 16.0F * unit, 7.0F * unit, 0.0F, -64.0F, 50.0F}},
       {"close", {-0.9F * unit, 1.5F * unit, 2.2F * unit, -20.0F, -3.0F, 45.0F}},
       {"far", {3.0F * unit, 5.0F * unit, 13.0F * unit, 14.0F, -15.0F, 45.0F}},
-      {"tower", {3.0F * unit, 22.0F * unit, 24.0F * unit, 7.0F, -38.0F, 45.0F}},
+      tower,
   };
 }
 
@@ -138,20 +124,21 @@ std::span<const char* const> scene_camera_names(Scene scene) {
   return std::span(plaza).first<5>();
 }
 
-std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles) {
+std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles, Clothes clothes) {
+  const NamedCamera tower{"tower", tower_view(scene, agents, roles, clothes)};
   switch (scene) {
     case Scene::plaza:
-      return plaza_cameras(agents, roles.spacing());
+      return plaza_cameras(agents, roles.spacing(), clothes, tower);
     case Scene::parade:
-      return parade_cameras(agents, roles);
+      return parade_cameras(agents, roles, tower);
     case Scene::stadium:
-      return stadium_cameras(agents, roles);
+      return stadium_cameras(agents, roles, tower);
     case Scene::film:
-      return cut_scene_cameras(roles.spacing());
+      return cut_scene_cameras(roles.spacing(), tower);
     case Scene::grid:
       break;
   }
-  return grid_cameras(agents, roles);
+  return grid_cameras(agents, roles, tower);
 }
 
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name) {

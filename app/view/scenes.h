@@ -23,8 +23,10 @@ inline constexpr float film_field_of_view = 50.0F;
 /// above, close, far and tower; some have more to show.
 std::span<const char* const> scene_camera_names(Scene scene);
 
-/// Returns the cameras of a scene, one a name. They depend on the size of the crowd and of the character.
-std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles);
+/// Returns the cameras of a scene, one a name. They depend on the size of the crowd and of the character, and on
+/// whether people stand close because their clothes form a pattern.
+std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles,
+                                       Clothes clothes = Clothes::own);
 
 /// Returns the camera called `name`, or null where the scene has none. The empty name is the first camera's.
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <glm/gtc/color_space.hpp>
-#include <glm/gtc/packing.hpp>
+#include <glm/packing.hpp>
 
 #include "engine/files/free_memory.h"
 #include "engine/render/gl/device_errors.h"

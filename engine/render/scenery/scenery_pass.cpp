@@ -86,7 +86,7 @@ void SceneryPass::place(std::span<const SceneryInstance> instances) {
   }
   instances_ = gl::create_buffer(records.data(), records.size() * sizeof(SceneryRecord));
   std::size_t runs = 0;
-  for (const SceneryShape& shape : shapes_) runs += shape.errors.size();
+  for (const SceneryShape& shape : shapes_) runs += scenery_rings * shape.errors.size();
   commands_.assign(part_count * runs, {});
   chosen_.upload(order);  // makes room for as many as there are
 }

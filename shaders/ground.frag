@@ -7,6 +7,9 @@
 #include "pixel_ray.glsl"
 #include "paving.glsl"
 
+flat in vec3 light_of_sun;
+flat in vec3 light_of_sky;
+
 out vec4 color;
 
 void main() {
@@ -17,7 +20,6 @@ void main() {
   vec2 ground = camera_position.xz + direction.xz * metres;
   vec2 footprint = abs(dFdx(ground)) + abs(dFdy(ground));
   vec3 place = vec3(ground.x, 0.0, ground.y), up = vec3(0.0, 1.0, 0.0);
-  vec3 light = sun_light() * (to_sun.y * sun_visibility(place, up)) + ambient_light(up) * openness(place) +
-               lamp_light(place, up);
+  vec3 light = light_of_sun * sun_visibility(place, up) + light_of_sky * openness(place) + lamp_light(place, up);
   color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres / distance_scale)), 1.0);
 }

@@ -16,8 +16,14 @@ out vec3 light_around;
 out vec3 haze_before;
 out vec3 clear_share;
 flat out uint kind;
+#if !defined(SHADOWS) && !defined(LAMPS)
+out vec3 seen_from_front;
+out vec3 seen_from_behind;
+#endif
 
 const float glow_light = 2.2;
+
+vec3 seen_in(vec3 light) { return exposed(albedo * light * clear_share + haze_before); }
 
 void main() {
   SceneryRecord record = scenery[instance];
@@ -27,13 +33,19 @@ void main() {
   world_normal = x * (normal.x / dot(x, x)) + y * (normal.y / dot(y, y)) + z * (normal.z / dot(z, z));
   albedo = vertex_color.rgb * mix(vec3(1.0), to_linear(unpackUnorm4x8(record.tint).rgb), nature.y);
   // Not every window is lit.
-  float lit = fract(sin(float(record.number) * 12.9898) * 43758.5453);
-  float glow = nature.x * (0.45 + 0.55 * lit) * night() * glow_light;
-  light_around = ambient_light(normalize(world_normal)) * openness(world_position) + glow;
+  float is_lit = fract(sin(float(record.number) * 12.9898) * 43758.5453);
+  float glow = nature.x * (0.45 + 0.55 * is_lit) * night() * glow_light;
+  vec3 unit_normal = normalize(world_normal);
+  light_around = ambient_light(unit_normal) * openness(world_position) + glow;
   vec3 from_eye = world_position - camera_position.xyz;
   float metres = length(from_eye);
   clear_share = clear_after(metres / distance_scale);
   haze_before = haze_towards(from_eye / metres) * (1.0 - clear_share);
   kind = uint(nature.w * 255.0 + 0.5);
+#if !defined(SHADOWS) && !defined(LAMPS)
+  float lit = dot(unit_normal, to_sun);
+  seen_from_front = seen_in(sun_light() * max(lit, 0.0) + light_around);
+  seen_from_behind = seen_in(sun_light() * max(-lit, 0.0) + light_around);
+#endif
   gl_Position = view_projection * vec4(world_position, 1.0);
 }

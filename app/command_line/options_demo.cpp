@@ -149,8 +149,9 @@ void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
 /// Returns whether the command line says how far from exact a picture may be.
 bool names_an_error(const OptionReader& reader) {
   const auto given = [&reader](const char* name) { return reader.given(name); };
-  return std::ranges::any_of(
-      std::to_array({"--error-px", "--mesh-error-px", "--budget-ms", "--lod", "--mesh-lod", "--set"}), given);
+  return std::ranges::any_of(std::to_array({"--error-px", "--mesh-error-px", "--budget-ms", "--triangle-budget",
+                                            "--lod", "--mesh-lod", "--set"}),
+                             given);
 }
 
 /// Limits without the rule that holds them.

@@ -69,7 +69,7 @@ void add_level_of_detail(const Stage& stage, SelectionReport& report) {
   if (found == visible.end() || found->agent != report.agent) return;
   report.visible = true;
   report.interval = report.posture == Posture::upright ? found->interval : 1;
-  report.mesh_lod = mesh_lod_of(stage, *found);
+  report.mesh_lod = mesh_choice_of(stage).lods()[static_cast<std::size_t>(found - visible.begin())];
   report.bone_level = stage.shown().pose(report.agent).to_level;
   const anim::Skeleton& skeleton = stage.character_of(report.agent).character->skeleton;
   report.bones = skeleton.level_bone_counts[static_cast<std::size_t>(report.bone_level)];

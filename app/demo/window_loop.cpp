@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -149,13 +150,21 @@ class WindowLoop {
 
   void present() {
     if (minimised_) return;
-    session_.show.covered = 1.0F - overlay_.crowd_area().width / static_cast<float>(session_.show.width);
+    const UiRectangle crowd = overlay_.crowd_area();
+    session_.show.covered = 1.0F - crowd.width / static_cast<float>(session_.show.width);
+    if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd));
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
       // A person can take back what was too much, but for the first picture.
       if (session_.show.stage().frame() <= 1) failed_ = drawn, done_ = true;
     }
     renderer().draw_overlay(*overlay_.draw_data());
     renderer().present();
+  }
+
+  // The panel hides nearly all of what is behind it, and a processor that draws has better things to do.
+  render::PixelRect part_of_picture(const UiRectangle& crowd) const {
+    const int height = static_cast<int>(std::ceil(crowd.height));
+    return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};
   }
 
   void apply_what_is_wanted(bool exact_crowd) {

@@ -67,6 +67,7 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
   add(spared.multisampling, "no multisampling");
   add(spared.shadows, "no shadows");
   add(spared.error_px > 0, "an error of " + shortest_text(spared.error_px) + " pixels");
+  add(spared.triangles > 0, "at most " + std::to_string(spared.triangles) + " triangles of people");
   if (list.empty()) return {};
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
 }

@@ -15,6 +15,7 @@ struct Spared {
   int agents = 0;  ///< the number that is animated instead of the one asked for; 0: the one asked for
   bool multisampling = false, shadows = false;
   float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: the one asked for
+  int triangles = 0;   ///< with it: the most of everybody in view
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 

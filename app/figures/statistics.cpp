@@ -138,6 +138,8 @@ void Statistics::add_report(const Stage& stage) {
   stream_bytes_ += stage.system().figures().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
+  agents_demoted_ += mesh_choice_of(stage).figures().demoted;
+  triangle_budget_.add(mesh_choice_of(stage).figures().budget_held);
   lod_.add(stage.level_of_detail().figures());
 }
 
@@ -157,6 +159,9 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["overlay_ms_median"] = median_or_null(overlay_ms_);
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
+  json["agents_demoted_per_frame"] = mean(agents_demoted_, frames_);
+  json["triangle_budget_held_percent"] =
+      stage.tuning().triangle_budget > 0 ? Json(triangle_budget_.percent()) : Json(nullptr);
   json["palette_format"] = palette_format(stage);
   json["palette_bytes_per_frame"] = mean(palette_bytes_, frames_);
   json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);

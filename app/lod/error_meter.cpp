@@ -32,7 +32,9 @@ bool decide_alike(const Tuning& a, const Tuning& b) {
     const LodInspection& look = tuning.inspection;
     return std::tuple(look.forced_interval, look.forced_bone_level, look.force_selected_only);
   };
-  const auto meshes = [](const Tuning& tuning) { return std::pair(tuning.mesh_lod, tuning.mesh_error_px); };
+  const auto meshes = [](const Tuning& tuning) {
+    return std::tuple(tuning.mesh_lod, tuning.mesh_error_px, tuning.triangle_budget);
+  };
   return a.lod == b.lod && a.error_px == b.error_px && a.budget_ms == b.budget_ms && meshes(a) == meshes(b) &&
          forced(a) == forced(b);
 }
@@ -180,7 +182,7 @@ float ErrorMeter::mesh_error(std::uint32_t agent, const MeasuredFrame& frame) {
   const auto found = std::ranges::lower_bound(frame.visible, agent, {}, &anim::VisibleAgent::agent);
   if (found == frame.visible.end() || found->agent != agent) return 0.0F;
   const std::uint8_t character = frame.crowd.characters()[agent];
-  const int lod = frame.mesh_lods.choose(frame.tuning, character, found->pixels_tall);
+  const std::uint8_t lod = frame.mesh_of_visible[static_cast<std::size_t>(found - frame.visible.begin())];
   return frame.mesh_lods.error_px(character, lod, found->pixels_tall);
 }
 

@@ -23,6 +23,7 @@ struct MeasuredFrame {
   const Crowd& crowd;
   std::span<const anim::VisibleAgent> visible;  ///< by ascending agent
   const MeshLods& mesh_lods;
+  std::span<const std::uint8_t> mesh_of_visible;  ///< [place in visible]
   const ShownPoses& shown;
   render::CameraView view;
   glm::vec2 size{0.0F};   ///< size of the picture, pixels

@@ -8,6 +8,9 @@
 namespace throng::app {
 namespace {
 
+// A face that is lost is seen as much as a surface that is so many times as far off.
+constexpr float face_weight = 8.0F;
+
 float height_for(float share, float pixels) { return share > 0.0F ? pixels / share : INFINITY; }
 
 }  // namespace
@@ -43,6 +46,14 @@ int MeshLods::choose(const Tuning& tuning, std::uint8_t character, float pixels_
   const MeshTolerance allowed = mesh_tolerance(tuning);
   const float tall = std::max(pixels_tall, 1.0F), face = tall < least_face_pixels ? allowed.surface : allowed.face;
   return render::pick_mesh_lod(shares, {.surface = allowed.surface / tall, .face = face / tall});
+}
+
+float MeshLods::seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const {
+  const render::MeshError& share = shares_[character][static_cast<std::size_t>(lod)];
+  const MeshTolerance allowed = mesh_tolerance(tuning);
+  const float off = std::max(share.surface, share.face) * pixels_tall;
+  const bool loses_face = pixels_tall >= least_face_pixels && share.face * pixels_tall > allowed.face;
+  return loses_face ? std::max(off, allowed.surface) * face_weight : off;
 }
 
 float MeshLods::error_px(std::uint8_t character, int lod, float pixels_tall) const {

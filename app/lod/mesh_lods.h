@@ -36,21 +36,32 @@ float fine_below(const render::MeshError& shares, const MeshTolerance& tolerance
 /// Chooses the mesh LOD of each agent by the error that it shows on screen. A mesh LOD depends on no bone level.
 class MeshLods {
  public:
-  explicit MeshLods(std::span<const CharacterSource> characters) : shares_(characters.size()) {}
+  explicit MeshLods(std::span<const CharacterSource> characters)
+      : shares_(characters.size()), triangles_(characters.size()) {}
 
-  /// Takes the errors of a character's mesh LODs, the full mesh first, in shares of the character's height.
-  void set(std::size_t character, std::vector<render::MeshError> shares) { shares_[character] = std::move(shares); }
+  /// Takes the errors of a character's mesh LODs, the full mesh first, in shares of the character's height, and their
+  /// numbers of triangles.
+  void set(std::size_t character, std::vector<render::MeshError> shares, std::vector<std::uint32_t> triangles) {
+    shares_[character] = std::move(shares);
+    triangles_[character] = std::move(triangles);
+  }
 
   /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
   /// fixes. 0 for a character without LODs.
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
+  /// Returns how much is seen of a LOD that is coarser than choose() takes: the pixels that surface and face are off,
+  /// and more where somebody loses the face who should keep it.
+  float seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the errors of a character's mesh LODs, as they were set.
   std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }
+  /// Returns the triangles of a character's mesh LODs, as they were set.
+  std::span<const std::uint32_t> triangles(std::size_t character) const { return triangles_[character]; }
 
  private:
   std::vector<std::vector<render::MeshError>> shares_;  // [character][LOD]
+  std::vector<std::vector<std::uint32_t>> triangles_;   // [character][LOD]
 };
 
 }  // namespace throng::app

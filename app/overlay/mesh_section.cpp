@@ -39,6 +39,17 @@ std::string what_holds(const TabContext& context) {
   return (is_less ? "The error limit leaves " + off_by(allowed.surface) + " for meshes. " : std::string()) + faces;
 }
 
+std::string what_is_demoted(const TabContext& context) {
+  const MeshFigures& crowd = context.report.meshes.crowd;
+  const std::string all = counted(crowd.triangles, "triangle") + " of all in view";
+  if (context.tuning.triangle_budget == 0 || context.tuning.mesh_lod >= 0) return all + ".";
+  if (crowd.demoted == 0) return all + ": nobody is demoted, the limit holds.";
+  const std::string demoted = all + " instead of " + std::to_string(crowd.triangles_wanted) + ": " +
+                              counted(crowd.demoted, "agent") + " demoted, off by " + off_by(crowd.demoted_error_px) +
+                              " at most; the limit ";
+  return demoted + (crowd.budget_held ? "holds." : "does not hold, since all have their coarsest mesh.");
+}
+
 }  // namespace
 
 void show_meshes(const TabContext& context) {
@@ -58,7 +69,12 @@ void show_meshes(const TabContext& context) {
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",
                .cost = "Less: more triangles."});
+  context.row("triangle_budget",
+              {.what = "Triangles of all characters in view at most. Where the error above asks for more, those whose "
+                       "coarser mesh is seen least have it, whatever the error.",
+               .cost = "Less: coarser meshes, far people first."});
   if (widgets.is_searching()) return;
+  widgets.caption(what_is_demoted(context));
   if (by_error) widgets.caption(what_holds(context));
   show_lods(context);
 }

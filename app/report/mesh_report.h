@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/lod/mesh_choice.h"
 #include "app/lod/mesh_lods.h"
 
 namespace throng::app {
@@ -18,6 +19,7 @@ struct MeshLodRow {
 /// Reports the meshes that the character shown is drawn with, and what decides between them.
 struct MeshReport {
   MeshTolerance tolerance;
+  MeshFigures crowd;             ///< of all characters
   std::vector<MeshLodRow> lods;  ///< the full mesh first; empty where nothing is drawn
 };
 

@@ -189,6 +189,7 @@ constexpr std::array rules = std::to_array<Rule>({
     {"bone_level_distance_3", of_level_distance<3>},
     {"mesh_lod", of_mesh_lod},
     {"mesh_error_px", of_mesh_error},
+    {"triangle_budget", of_mesh_error},
     {"tint", of_variety},
     {"size_variety", of_variety},
     {"cost_least_task_ns", of_grain},

@@ -85,6 +85,7 @@ struct Tuning {
   LodInspection inspection = {};
   int mesh_lod = -1;           ///< -1: by error on screen; 0..3: always that one
   float mesh_error_px = 0.5F;  ///< what a coarser mesh is off at most; half of error_px at most
+  int triangle_budget = 0;     ///< of everybody in view; coarser meshes keep to it; 0: no such limit
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // Light

@@ -214,6 +214,16 @@ std::vector<TuningValue> detail_values() {
               .most = 64,
               .track = {.most = 4, .decimals = 2, .suffix = " px"}},
              at(&Tuning::mesh_error_px)),
+      number(
+          {.key = "triangle_budget",
+           .label = "Triangle limit",
+           .option = "--triangle-budget N",
+           .help = "Triangles of all characters in view at most, {values}: where that is too few for --mesh-error-px,"
+                   " the least visible have coarser meshes ({default})",
+           .most = 1'000'000'000,
+           .zero = "no limit",
+           .track = {.most = 1'000'000, .zero_word = "none"}},
+          at(&Tuning::triangle_budget)),
   };
 }
 

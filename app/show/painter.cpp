@@ -14,6 +14,7 @@ namespace {
 
 constexpr int software_window_agents = 300;
 constexpr float software_error_px = 3.0F;
+constexpr int software_triangles = 120'000;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
@@ -88,7 +89,8 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
              .shadows = modest && !options.shadows_given,
-             .error_px = coarse ? software_error_px : 0.0F};
+             .error_px = coarse ? software_error_px : 0.0F,
+             .triangles = coarse ? software_triangles : 0};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
@@ -135,10 +137,12 @@ anim::Status Painter::load_meshes(Stage& stage) {
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     std::vector<render::MeshError> shares;
+    std::vector<std::uint32_t> triangles;
     for (const MeshLevel& level : mesh_levels(i)) {
       shares.push_back(shares_of(level.error, stage.characters()[i].character->bounds.height));
+      triangles.push_back(level.triangles);
     }
-    stage.mesh_lods().set(i, std::move(shares));
+    stage.mesh_lods().set(i, std::move(shares), std::move(triangles));
   }
   return anim::Done{};
 }

@@ -18,13 +18,15 @@ void Picture::compose(const Stage& stage, Poses poses) {
   const bool morphs = std::ranges::any_of(
       stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
-  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+  const std::span<const anim::VisibleAgent> visible = stage.selection().visible;
+  for (std::size_t at = 0; at < visible.size(); ++at) {
+    const anim::VisibleAgent& agent = visible[at];
     Entry entry;
     if (!stage.record(agent, entry.record, poses)) continue;
     if (morphs) morphs_.add(stage, agent, entry.record);
     const ShownPose& pose = stage.pose_of(agent.agent, poses);
     const std::uint8_t character = stage.crowd().characters()[agent.agent];
-    const int lod = poses == Poses::exact ? 0 : mesh_lod_of(stage, agent);
+    const int lod = poses == Poses::exact ? 0 : mesh_choice_of(stage).lods()[at];
     entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
     if (lod_as_color && agent.agent != stage.selected())
       entry.record.debug_color = debug_color(DebugView::mesh_lod, {.mesh_lod = lod});

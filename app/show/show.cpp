@@ -26,6 +26,7 @@ Tuning with_savings(Tuning tuning, const Spared& spared) {
   if (spared.agents > 0) tuning.agents = spared.agents;
   if (spared.shadows) tuning.shadows = tuning.crowd_shade = false;
   if (spared.error_px == 0.0F) return tuning;
+  tuning.triangle_budget = spared.triangles;
   tuning.error_px = spared.error_px;
   tuning.mesh_error_px = spared.error_px * mesh_share_of_error;
   return tuning;

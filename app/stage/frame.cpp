@@ -107,6 +107,8 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                .clips = crowd().clips(),
                .left_out = animated_->left_out()},
               lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);
+  mesh_choice_.choose(selection().visible, crowd().characters(), mesh_lods_, tuning_, animated_->system().executor(),
+                      system().options().pus);
   times_.selection_ms = watch.lap();
   shown_.hide_unseen(selection().visible, last_frame);
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
@@ -149,6 +151,7 @@ void Stage::measure(const render::Camera& camera, const glm::vec2& size) {
                                          .crowd = crowd(),
                                          .visible = selection().visible,
                                          .mesh_lods = mesh_lods_,
+                                         .mesh_of_visible = mesh_choice_.lods(),
                                          .shown = shown_,
                                          .view = render::view_of(camera, size.x / size.y),
                                          .size = size,

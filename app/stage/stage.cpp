@@ -151,6 +151,7 @@ anim::LodLimits Stage::limits() const {
 
 void Stage::forget_what_is_shown() {
   lod_.reset(crowd().size(), limits());
+  mesh_choice_.reset(crowd().size());
   shown_.reset(crowd().size(), frame_);
   meter_.reset(crowd().size());
 }

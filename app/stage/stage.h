@@ -8,6 +8,7 @@
 
 #include "app/lod/error_meter.h"
 #include "app/lod/exact_poses.h"
+#include "app/lod/mesh_choice.h"
 #include "app/lod/mesh_lods.h"
 #include "app/lod/shown_poses.h"
 #include "app/settings/settings.h"
@@ -102,6 +103,7 @@ class Stage {
 
  private:
   friend const StageTimes& times_of(const Stage& stage);
+  friend const MeshChoice& mesh_choice_of(const Stage& stage);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -121,6 +123,7 @@ class Stage {
   ExactPoses exact_;
   ErrorMeter meter_;
   MeshLods mesh_lods_;
+  MeshChoice mesh_choice_;
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
   std::optional<std::uint32_t> selected_;
@@ -132,15 +135,13 @@ class Stage {
 /// Returns how long the parts of the last frame took.
 inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
+/// Returns the mesh LODs that everybody in view is drawn with, in the order of selection().visible.
+inline const MeshChoice& mesh_choice_of(const Stage& stage) { return stage.mesh_choice_; }
+
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);
 
 /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
-
-/// Returns the mesh LOD that a visible agent is drawn with.
-inline int mesh_lod_of(const Stage& stage, const anim::VisibleAgent& agent) {
-  return stage.mesh_lods().choose(stage.tuning(), stage.crowd().characters()[agent.agent], agent.pixels_tall);
-}
 
 }  // namespace throng::app

@@ -14,7 +14,7 @@ using glm::dvec3;
 /// Says how a surface takes light; in the file, as engine/render/scenery_data.h has it.
 enum class Kind : std::uint8_t { matt, glass, water, metal };
 
-/// What a surface looks like.
+/// Says how a surface takes and sends out light.
 struct Paint {
   dvec3 color{1};  ///< linear
   int glow = 0;    ///< 0 to 255: light at night

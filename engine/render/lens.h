@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -30,6 +31,8 @@ CameraView seen_through(const CameraView& view, const glm::vec2& aside, float fo
 /// Averages pictures of one size as light does, not as numbers of sRGB.
 class AveragedPicture {
  public:
+  static constexpr std::uint64_t bytes_a_pixel = sizeof(glm::vec3) + 4;  ///< of the sums and of their average
+
   void add(const Image& image);
   /// Returns the average of the pictures, of which there is one at least.
   Image finish() const;

@@ -28,6 +28,7 @@ Result<TiledTarget> create_target(const gl::Context& context, const RendererOpti
   const TileLimits limits{.longest = whole ? device.target : glm::min(device.target, glm::ivec2(options.longest_tile)),
                           .memory = options.memory ? *options.memory : free_memory(),
                           .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0,
+                          .bytes_beside = options.lens ? AveragedPicture::bytes_a_pixel : 0,
                           .whole = whole};
   return TiledTarget::create(options.size, options.samples, limits);
 }
@@ -184,13 +185,15 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   const ImageTarget& target = target_.tile();
   target.bind_scene();
   target.clear_scene();
+  if (part_) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part_->corner.x, part_->corner.y, part_->size.x, part_->size.y);
+  }
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame, light_parts_);
   // From near to far, as a rule: what is hidden then costs little on a processor.
   DrawCounts counts = crowd_.draw(frame, meshes_, palettes_);
-  if (frame.scenery)
-    add(counts,
-        scenery_.draw(frame.camera, static_cast<float>(target.size().y) / frame.scenery_error_px, light_parts_));
+  if (frame.scenery) add(counts, draw_scenery(frame, target.size()));
   add(counts, ground_.draw(frame.ground, target.size(), light_parts_));
   const bool streaks = !frame.shadows && casts_shadows(frame.light);
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), streaks));
@@ -202,9 +205,16 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   if (frame.bones_as_lines) add(counts, bones_.draw(frame, meshes_, palettes_, target.size()));
   add(counts, lines_.draw(frame.lines, target.size()));
   glDisable(GL_RASTERIZER_DISCARD);
+  glDisable(GL_SCISSOR_TEST);
   if (!shaders_.status()) trouble_ = shaders_.status().error();
   target.resolve();
   return counts;
+}
+
+DrawCounts Renderer::draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels) {
+  const PixelRect seen = part_.value_or(PixelRect{{0, 0}, pixels});
+  const float height = static_cast<float>(seen.size.y) / frame.scenery_error_px;
+  return scenery_.draw(part_of(frame.camera, pixels, seen), height, light_parts_);
 }
 
 Status Renderer::prepare_overlay() {

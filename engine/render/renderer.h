@@ -103,6 +103,11 @@ class Renderer {
   /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
+  /// Draws scenes into a part of the picture alone from now on, and leaves the rest dark, because something is going to
+  /// cover it. A processor that draws has less to do then. Unset: draws all of it. Only a picture in a window has a
+  /// part.
+  void draw_only(std::optional<PixelRect> part) { part_ = part; }
+
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
   void draw_overlay(const ImDrawData& data);
@@ -135,11 +140,12 @@ class Renderer {
   DrawCounts draw_tiles(const CrowdFrame& frame);
   DrawCounts draw_through_lens(const CrowdFrame& frame, const Lens& lens);
   DrawCounts draw_scene(const CrowdFrame& frame);
+  DrawCounts draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels);
 
   gl::Context* context_;
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
-  CrowdPass crowd_{shaders_};
+  CrowdPass crowd_{shaders_, context_->is_software() ? Calls::some : Calls::one};
   ShadowPass shadows_{shaders_};
   CrowdShadePass crowd_shade_{shaders_};
   SceneryPass scenery_{shaders_};
@@ -159,6 +165,7 @@ class Renderer {
   std::vector<CrowdMesh> meshes_;
   std::uint32_t light_parts_ = 0;  // of the picture that is drawn
   bool splits_ = false;            // two crowds are drawn into one picture
+  std::optional<PixelRect> part_;  // of the picture that is drawn; none: all of it
   std::optional<Error> trouble_;   // what finish() tells
 };
 

@@ -72,7 +72,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
   reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
   // Everybody gets the coarsest mesh, which is the quickest to draw.
-  stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()));
+  stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()), {});
   moments_.resize(stage_->crowd().size());
   camera_ = camera_at({.x = 0, .y = 15.5F, .z = 8.5F, .yaw = 0, .pitch = -64, .field_of_view = 50});
 }

@@ -91,6 +91,13 @@ TEST(PlannedTiles, OfAPictureThatMemoryDoesNotHoldAreRefusedWithTheLargestThatIt
       << tiles.error().message;
 }
 
+TEST(PlannedTiles, LeaveRoomForWhatIsKeptBesideThePicture) {
+  TileLimits limits{.longest = {4096, 4096}, .memory = gigabyte, .bytes_a_pixel = 30};
+  EXPECT_TRUE(plan_tiles({8000, 8000}, limits));
+  limits.bytes_beside = 16;
+  EXPECT_FALSE(plan_tiles({8000, 8000}, limits)) << "64 megapixels take 16 bytes more each";
+}
+
 TEST(PlannedTiles, OfAWindowAreOneOrRefused) {
   TileLimits limits{.longest = {4096, 4096}, .memory = 2 * gigabyte, .bytes_a_pixel = 30, .whole = true};
   EXPECT_EQ(plan_tiles({7680, 4320}, limits)->count(), 1);

@@ -15,7 +15,7 @@ void BlendTarget::make_storage(const ImageTarget& picture) {
 
 void BlendTarget::bind(const ImageTarget& picture) {
   if (size_ != picture.size()) make_storage(picture);
-  glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, picture.depth().id());
+  glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, picture.depth().id());
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   constexpr GLfloat none[4] = {0.0F, 0.0F, 0.0F, 0.0F};
   constexpr GLfloat all[4] = {1.0F, 1.0F, 1.0F, 1.0F};

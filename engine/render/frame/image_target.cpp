@@ -55,7 +55,7 @@ Status ImageTarget::check() const {
 ImageTarget::ImageTarget(glm::ivec2 size, int samples)
     : size_(size),
       samples_(samples),
-      scene_depth_(create_storage(GL_DEPTH32F_STENCIL8, size, samples)),
+      scene_depth_(create_storage(GL_DEPTH_COMPONENT32F, size, samples)),
       pixels_(gl::create_texture(GL_SRGB8_ALPHA8, size.x, size.y)),
       plain_view_(create_plain_view(pixels_)),
       plain_(framebuffer_on(plain_view_)) {
@@ -69,7 +69,7 @@ ImageTarget::ImageTarget(glm::ivec2 size, int samples)
   } else {
     scene_ = framebuffer_on(pixels_);
   }
-  glNamedFramebufferRenderbuffer(scene_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, scene_depth_.id());
+  glNamedFramebufferRenderbuffer(scene_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, scene_depth_.id());
 }
 
 void ImageTarget::bind_scene() const {
@@ -81,10 +81,10 @@ void ImageTarget::bind_scene() const {
 
 void ImageTarget::clear_scene() const {
   glDepthMask(GL_TRUE);
-  glStencilMask(0xFF);
   constexpr GLfloat black[4] = {0.0F, 0.0F, 0.0F, 1.0F};
   glClearNamedFramebufferfv(scene_.id(), GL_COLOR, 0, black);
-  glClearNamedFramebufferfi(scene_.id(), GL_DEPTH_STENCIL, 0, 0.0F, 0);
+  constexpr GLfloat farthest = 0.0F;
+  glClearNamedFramebufferfv(scene_.id(), GL_DEPTH, 0, &farthest);
 }
 
 void ImageTarget::resolve() const {

@@ -11,7 +11,7 @@ namespace throng::render {
 
 /// Receives what is drawn, and takes it to the window or into an Image.
 ///
-///   multisampled sRGB + depth/stencil --resolve()--> sRGB pixels, one sample
+///   multisampled sRGB + depth --resolve()--> sRGB pixels, one sample
 ///                                                         | the same bytes seen without conversion
 ///                                                    overlay --> window | Image
 class ImageTarget {

@@ -26,7 +26,8 @@ std::uint64_t pixels_of(glm::ivec2 size) {
 }
 
 std::uint64_t bytes_for(const PictureTiles& tiles, const TileLimits& limits) {
-  return pixels_of(tiles.picture()) * bytes_a_finished_pixel + pixels_of(tiles.tile_size()) * limits.bytes_a_pixel;
+  return pixels_of(tiles.picture()) * (bytes_a_finished_pixel + limits.bytes_beside) +
+         pixels_of(tiles.tile_size()) * limits.bytes_a_pixel;
 }
 
 /// Finds tiles as large as fit, from the longest sides on.

@@ -54,6 +54,7 @@ struct TileLimits {
   glm::ivec2 longest{0};            ///< pixels of the sides of a tile
   std::uint64_t memory = 0;         ///< bytes that the machine has left
   std::uint64_t bytes_a_pixel = 0;  ///< of a tile, in the machine's memory; 0: it is in the device's own
+  std::uint64_t bytes_beside = 0;   ///< a pixel of the picture, beside its colour
   bool whole = false;               ///< there is one tile, as a window needs, however long its sides are
 };
 

@@ -17,15 +17,13 @@ std::uint32_t bit_of(GroundStyle style) {
   return style == GroundStyle::street ? street_bit : style == GroundStyle::pitch ? pitch_bit : 0U;
 }
 
-/// Lets pixels be drawn where nothing has been, each of them once.
+/// Lets pixels be drawn where nothing has been, each of them once. The farthest depth is 0, ground.vert puts the town
+/// before the fields and both before that, and nothing else is as far away.
 void draw_each_pixel_once() {
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_EQUAL);  // at the farthest depth
-  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_EQUAL, 0, 0xFF);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 }
 
 }  // namespace
@@ -41,11 +39,12 @@ DrawCounts GroundPass::draw(const SceneGround& ground, glm::ivec2 pixels, std::u
   const bool has_fields = ground.paved > 0.0F;
   DrawCounts counts = draw_part(light | bit_of(ground.style), ground, pixels, !has_fields);
   if (has_fields) add(counts, draw_part(light | fields_bit, ground, pixels, true));
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
   glUseProgram(sky_.id());
   glUniform2f(pixels_location, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
   glDrawArrays(GL_TRIANGLES, 0, 3);
   add(counts, {1, 1});
-  glDisable(GL_STENCIL_TEST);
   return counts;
 }
 

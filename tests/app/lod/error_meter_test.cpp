@@ -248,10 +248,12 @@ class DisplacedBone : public testing::Test {
     system_->update({&update, 1});
     auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
     for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
+    const auto mesh = static_cast<std::uint8_t>(mesh_lods_.choose(tuning_, 0, visible.pixels_tall));
     meter_.end_frame(*system_, {.tuning = tuning_,
                                 .crowd = crowd_,
                                 .visible = {&visible, 1},
                                 .mesh_lods = mesh_lods_,
+                                .mesh_of_visible = {&mesh, 1},
                                 .shown = shown_,
                                 .view = render::view_of(camera_, static_cast<float>(width) / height),
                                 .size = {width, height},
@@ -294,7 +296,7 @@ TEST_F(DisplacedBone, IsOffByAsManyPixelsAsTheDistanceCovers) {
 
 // Half of the limit of one pixel is the mesh's: 100 pixels tall, it may be off by 0.005 of the height.
 TEST_F(DisplacedBone, AddsTheErrorOfTheMeshThatItIsDrawnWith) {
-  mesh_lods_.set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}});
+  mesh_lods_.set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}}, {});
   EXPECT_FLOAT_EQ(error_of({}), 0.4F);
   EXPECT_EQ(meter_.pose_figures().max, 0.0F);
   tuning_.mesh_lod = 2;

@@ -36,6 +36,7 @@ const std::map<std::string_view, std::string> other_values{
     {"tint", "0.3"},
     {"size_variety", "0.25"},
     {"mesh_error_px", "0.05"},
+    {"triangle_budget", "1000"},
     {"paused", "on"},
     {"time_scale", "2"},
     {"placed_feet", "off"},
@@ -98,7 +99,8 @@ class Seen {
     }
     stage_ = std::move(*made);
     for (std::size_t i = 0; i < stage_->characters().size(); ++i) {
-      stage_->mesh_lods().set(i, {{0.0F, 0.0F}, {0.004F, 0.004F}, {0.02F, 0.02F}, {0.06F, 0.06F}});
+      stage_->mesh_lods().set(i, {{0.0F, 0.0F}, {0.004F, 0.004F}, {0.02F, 0.02F}, {0.06F, 0.06F}},
+                              {4000, 2000, 1000, 500});
     }
     stage_->select(selected);
     for (int i = 0; i < frames; ++i) pass_frame(tuning);
@@ -163,8 +165,8 @@ class Seen {
     add(tuning.light.exposure);
     add(tuning.shadows && render::casts_shadows(tuning.light));
     add(tuning.crowd_shade);
+    for (const std::uint8_t lod : mesh_choice_of(*stage_).lods()) add(lod);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
-      add(mesh_lod_of(*stage_, agent));
       render::InstanceRecord record{};
       if (!stage_->record(agent, record)) continue;
       if (tuning.taken_away.upload) record.debug_color = 0;

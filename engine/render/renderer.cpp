@@ -226,7 +226,9 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
 DrawCounts Renderer::draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels) {
   const PixelRect seen = part_ ? part_->place : PixelRect{{0, 0}, pixels};
   const float height = static_cast<float>(seen.size.y) / frame.scenery_error_px;
-  return scenery_.draw(part_of(frame.camera, pixels, seen), height, light_parts_);
+  const bool at_vertices = options_.lights_at_vertices && (light_parts_ & (shadow_part | lamp_part)) == 0;
+  return scenery_.draw(part_of(frame.camera, pixels, seen), height,
+                       light_parts_ | (at_vertices ? scenery_lit_at_vertices : 0U));
 }
 
 Status Renderer::prepare_overlay() {

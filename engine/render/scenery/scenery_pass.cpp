@@ -41,7 +41,7 @@ void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool 
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
+    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches({"LIT_AT_VERTICES"})),
       mirror_(shaders, {"scenery.vert", "scenery_mirror.frag"}, light_switches()),
       own_depth_(shaders.load({"scenery.vert", "depth_only.frag"})),
       depth_(shaders.load({"scenery_depth.vert", "depth_only.frag"})) {}
@@ -151,7 +151,8 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std
   // Reading shadow maps costs more than another pass over the vertices.
   if ((light & shadow_part) != 0) counts = draw_own_depth();
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
-    glUseProgram(program->with(light).id());
+    const std::uint32_t switches = part == matt ? light : light & ~scenery_lit_at_vertices;
+    glUseProgram(program->with(switches).id());
     add(counts, draw_part(part));
   }
   glDepthFunc(GL_GREATER);

@@ -30,10 +30,11 @@ out vec2 passed_texture_coord;
 out vec4 debug_color;
 #endif
 
-// Light from behind shines around the edge of a body.
+// Light from behind shines around the edge of a body, most of all that of the sky before a low sun.
 float rim_of(vec3 normal, vec3 direction) {
   float edge = 1.0 - max(-dot(normal, direction), 0.0);
-  return 0.16 * edge * edge * edge * (0.5 + 0.5 * normal.y);
+  float glow = max(dot(direction, to_sun), 0.0);
+  return (0.16 + 0.5 * glow * glow) * edge * edge * edge * (0.5 + 0.5 * normal.y);
 }
 
 void main() {

@@ -16,7 +16,7 @@ out vec3 light_around;
 out vec3 haze_before;
 out vec3 clear_share;
 flat out uint kind;
-#if !defined(SHADOWS) && !defined(LAMPS)
+#ifdef LIT_AT_VERTICES
 out vec3 seen_from_front;
 out vec3 seen_from_behind;
 #endif
@@ -42,7 +42,7 @@ void main() {
   clear_share = clear_after(metres / distance_scale);
   haze_before = haze_towards(from_eye / metres) * (1.0 - clear_share);
   kind = uint(nature.w * 255.0 + 0.5);
-#if !defined(SHADOWS) && !defined(LAMPS)
+#ifdef LIT_AT_VERTICES
   float lit = dot(unit_normal, to_sun);
   seen_from_front = seen_in(sun_light() * max(lit, 0.0) + light_around);
   seen_from_behind = seen_in(sun_light() * max(-lit, 0.0) + light_around);

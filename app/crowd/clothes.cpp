@@ -23,8 +23,8 @@ constexpr Paint white{250.0F, 248.0F, 240.0F}, navy{14.0F, 26.0F, 78.0F};
 constexpr Paint gold{255.0F, 190.0F, 30.0F}, ember{232.0F, 92.0F, 24.0F}, crimson{190.0F, 20.0F, 40.0F};
 constexpr std::array<Paint, 5> rings{navy, white, crimson, gold, Paint{24.0F, 100.0F, 190.0F}};
 
-constexpr double person = 1.2;             // metres above the feet that are seen
-constexpr double nearest = 1.0;            // metres ahead of the tower
+constexpr double person = 1.2;   // metres above the feet that are seen
+constexpr double nearest = 1.0;  // metres ahead of the tower
 constexpr double picture_aspect = 16.0 / 9.0;
 constexpr double trousers_light = 0.72;
 constexpr float share_who_wear_what_they_like = 0.03F;
@@ -80,7 +80,8 @@ std::uint32_t tint_of_paint(const Paint& paint, float light) {
 
 ClothesPattern::ClothesPattern(Motif motif, std::span<const glm::dvec3> places, const CameraPlace& tower)
     : motif_(motif), eye_(tower.x, tower.y, tower.z) {
-  const double yaw = glm::radians(static_cast<double>(tower.yaw)), pitch = glm::radians(static_cast<double>(tower.pitch));
+  const double yaw = glm::radians(static_cast<double>(tower.yaw)),
+               pitch = glm::radians(static_cast<double>(tower.pitch));
   const double tall = std::tan(0.5 * glm::radians(static_cast<double>(tower.field_of_view)));
   ahead_ = tall * glm::dvec3(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
   right_ = {std::cos(yaw), 0.0, -std::sin(yaw)};

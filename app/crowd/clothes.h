@@ -39,9 +39,9 @@ class ClothesPattern {
 
   Motif motif_;
   glm::dvec3 eye_, right_, up_, ahead_;
-  glm::dvec2 low_{0.0}, high_{0.0};      // of the part of the picture
-  glm::dvec2 middle_{0.0}, half_{0.0};   // of the ground, metres
-  double inner_ = 0.0;                   // metres from the core of the rings to the innermost place
+  glm::dvec2 low_{0.0}, high_{0.0};     // of the part of the picture
+  glm::dvec2 middle_{0.0}, half_{0.0};  // of the ground, metres
+  double inner_ = 0.0;                  // metres from the core of the rings to the innermost place
 };
 
 /// Returns the shape that suits a scene of so many people: few cannot write a word.

@@ -100,7 +100,8 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
                                          const Variety& variety) {
   if (variety.clothes != Clothes::pattern) return {};
   const std::vector<glm::dvec3> places = places_of(layout);
-  return ClothesPattern(motif_of(scene, places.size()), places, tower_view(scene, places.size(), roles, variety.clothes));
+  return ClothesPattern(motif_of(scene, places.size()), places,
+                        tower_view(scene, places.size(), roles, variety.clothes));
 }
 
 CrowdLooks looks_of(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety,
@@ -153,8 +154,8 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters), variety.clothes), scene, seed, characters,
-            variety, common_roles(characters)) {
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters), variety.clothes), scene, seed, characters, variety,
+            common_roles(characters)) {
   assert(size() == agents);
 }
 

@@ -47,9 +47,7 @@ std::vector<glm::dvec2> free_places(int rows, const FormationGround& ground, Ran
     for (int column = 0; column < rows; ++column) {
       const glm::dvec2 line(column - 0.5 * (rows - 1) + shift, row - 0.5 * (rows - 1));
       const glm::dvec2 place = bent(step * line, ground.spacing) + glm::dvec2(off(), off());
-      const auto is_taken = [&](const Obstacle& taken) {
-        return glm::distance(taken.position, place) < taken.radius;
-      };
+      const auto is_taken = [&](const Obstacle& taken) { return glm::distance(taken.position, place) < taken.radius; };
       if (std::ranges::none_of(obstacles, is_taken)) places.push_back(place);
     }
   }

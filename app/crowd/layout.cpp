@@ -85,8 +85,8 @@ std::vector<Obstacle> with_seats(std::vector<Obstacle> obstacles, std::span<cons
 
 double plaza_side(std::size_t agents, double spacing, Clothes clothes) {
   const auto people = static_cast<double>(agents);
-  const double area = clothes == Clothes::pattern ? std::max(area_in_formation * people, area_per_agent)
-                                                  : area_per_agent * people;
+  const double area =
+      clothes == Clothes::pattern ? std::max(area_in_formation * people, area_per_agent) : area_per_agent * people;
   return std::sqrt(area) * spacing;
 }
 

@@ -56,7 +56,8 @@ void line_up(const Formation& formation, const Lane& route, double spacing, Crow
   const double companies = std::ceil(static_cast<double>(formation.ranks) / ranks_in_company);
   const double in_ranks = static_cast<double>(formation.ranks) * rank_pitch * spacing;
   const double gap = (route.length() - in_ranks) / companies;
-  const double head = quarter_turn * route.corner_radius + 1.5 * route.core.x;  // on the straight at +Z
+  // On the straight at -Z, where the sun of noon and afternoon shines into faces.
+  const double head = quarter_turn * route.corner_radius + 1.5 * route.core.x + 0.5 * route.length();
   for (std::size_t marcher = 0; marcher < formation.marchers; ++marcher) {
     const std::size_t rank = marcher / formation.files, file = marcher % formation.files;
     const std::size_t company = rank / ranks_in_company;

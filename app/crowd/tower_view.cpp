@@ -16,14 +16,14 @@ CameraPlace plaza_tower(std::size_t agents, double spacing, Clothes clothes) {
   return {corner, height, corner, 45.0F, -17.0F, 45.0F};
 }
 
-// From one end along both straights, to the end where a street goes on. Yaw -90 looks along +X.
+// From one end along both straights, to the end where a street goes on. Yaw 90 looks along -X.
 CameraPlace parade_tower(std::size_t agents, const CharacterRoles& roles) {
   const ParadeSize size = parade_size(agents, roles);
   const auto unit = static_cast<float>(roles.spacing());
   const auto end = static_cast<float>(size.half_length + size.radius + size.half_width);
   const auto deep = static_cast<float>(2.0 * (size.radius + size.half_width));
   const float height = 10.0F * unit + 0.3F * deep;
-  return {0.3F * height - end, height, 0.12F * deep, -87.0F, -18.0F, 45.0F};
+  return {end - 0.3F * height, height, -0.12F * deep, 93.0F, -18.0F, 45.0F};
 }
 
 // From above one corner of the last tier, across the field.

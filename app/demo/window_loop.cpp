@@ -40,6 +40,7 @@ class WindowLoop {
   anim::Status run() {
     const DemoOptions& options = session_.options;
     if (anim::Status prepared = renderer().prepare_overlay(); !prepared) return prepared;
+    if (session_.show.painter().is_on_software()) overlay_.leave_ground_out();
     for (int frame = 1; !done_ && (!options.frames_given || frame <= options.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();
@@ -152,7 +153,7 @@ class WindowLoop {
     if (minimised_) return;
     const UiRectangle crowd = overlay_.crowd_area();
     session_.show.covered = 1.0F - crowd.width / static_cast<float>(session_.show.width);
-    if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd));
+    if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd), Overlay::panel_color());
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
       // A person can take back what was too much, but for the first picture.
       if (session_.show.stage().frame() <= 1) failed_ = drawn, done_ = true;
@@ -161,7 +162,7 @@ class WindowLoop {
     renderer().present();
   }
 
-  // The panel hides nearly all of what is behind it, and a processor that draws has better things to do.
+  // What the panel covers is not drawn: to a processor that draws it is half of the work.
   render::PixelRect part_of_picture(const UiRectangle& crowd) const {
     const int height = static_cast<int>(std::ceil(crowd.height));
     return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};

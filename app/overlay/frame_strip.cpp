@@ -107,7 +107,7 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report, Over
 
 void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
   const Theme& theme = widgets.theme();
-  begin_fixed_window("Frame strip", place);
+  begin_fixed_window("Frame strip", place, 0, theme.panels_have_ground ? 0 : ImGuiWindowFlags_NoBackground);
   draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
   Area graph{.from = {place.from.x + theme.px(16 + numbers_width), place.from.y + theme.px(16)},
              .to = {place.to.x - theme.px(58), place.to.y - theme.px(16)}};

@@ -68,6 +68,7 @@ struct Overlay::State {
   bool showed_b = false;  ///< in the frame before
   PanelColumn column{widgets};
   AidsMemory aids;
+  bool shows_viewer = false;  ///< which has no strip
 
   void take_keys_of_panel(const FrameReport& report);
   void watch_values(const FrameReport& report, const Tuning& tuning);
@@ -126,6 +127,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     }
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
+  state.shows_viewer = report.viewer.has_value();
   if (!state.switches.hidden) {
     const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
     if (report.viewer) {
@@ -193,12 +195,16 @@ UiRectangle Overlay::crowd_area() const {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   if (state_->switches.hidden) return {.width = size.x, .height = size.y};
   const Area crowd = lay_out(state_->theme, size).crowd;
-  return {.width = crowd.width(), .height = crowd.height()};
+  return {.width = crowd.width(), .height = state_->shows_viewer ? size.y : crowd.height()};
 }
 
 bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
 bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
+
+void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
+
+std::uint32_t Overlay::panel_color() { return colour::panel | IM_COL32_A_MASK; }
 
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 

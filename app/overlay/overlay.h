@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -60,6 +61,12 @@ class Overlay {
   bool uses_pointer() const;
   /// Returns whether the keyboard belongs to the overlay, not to the camera.
   bool uses_keyboard() const;
+
+  /// Draws no ground for column and strip from now on: the caller fills what is outside of crowd_area() with
+  /// panel_color(), opaque. To a processor that draws, blending over half a picture is much.
+  void leave_ground_out();
+  /// Returns the sRGB colour of the panels, red in the lowest byte.
+  static std::uint32_t panel_color();
 
   void set_hidden(bool hidden);
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.

@@ -62,7 +62,7 @@ void PanelColumn::show_viewer(const Area& place, const TabContext& context, Over
 }
 
 void PanelColumn::begin(const Area& place, OverlaySwitches& switches) {
-  begin_fixed_window("Column", place);
+  begin_fixed_window("Column", place, 0, theme_.panels_have_ground ? 0 : ImGuiWindowFlags_NoBackground);
   ImGui::GetWindowDrawList()->AddLine(place.from, {place.from.x, place.to.y}, colour::panel_edge);
   show_header(place, switches);
 }

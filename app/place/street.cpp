@@ -111,15 +111,15 @@ void put_parade_houses(const Rectangle& houses, Placer& placer) {
       placer.put_houses(mouth - back * facing, mouth - out * facing, -bank * towards_x, Placer::Houses::mixed);
     }
   }
-  // The ends: an arcade at one, a street at the other that goes on to the horizon.
-  placer.put_block({-houses.x, -houses.z}, {-houses.x, houses.z}, towards_x, Placer::Houses::arcades);
+  // The ends: an arcade at one; at the other, which the cameras look to, a street that goes on to the horizon.
+  placer.put_block({houses.x, -houses.z}, {houses.x, houses.z}, -towards_x, Placer::Houses::arcades);
   const double half = std::min(0.5 * street_width * unit + 2.0 * unit, 0.5 * houses.z);
   for (const double bank : {-1.0, 1.0}) {
-    placer.put_houses({houses.x, bank * half}, {houses.x, bank * houses.z}, -towards_x, Placer::Houses::mixed);
-    placer.put_houses({houses.x + back, bank * half}, {houses.x + out, bank * half}, -bank * towards_z,
+    placer.put_houses({-houses.x, bank * half}, {-houses.x, bank * houses.z}, towards_x, Placer::Houses::mixed);
+    placer.put_houses({-houses.x - back, bank * half}, {-houses.x - out, bank * half}, -bank * towards_z,
                       Placer::Houses::mixed);
   }
-  placer.put(Prop::tower, {houses.x + out + 40.0 * unit, -9.0 * unit}, heading_along(-towards_x));
+  placer.put(Prop::tower, {-houses.x - out - 40.0 * unit, 9.0 * unit}, heading_along(towards_x));
   for (const double x : {-1.0, 1.0}) {  // the corners, which the loop leaves free
     for (const double z : {-1.0, 1.0}) placer.put_tree({x * (houses.x - 4.5 * unit), z * (houses.z - 4.5 * unit)});
   }

@@ -96,6 +96,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
+                  .lights_at_vertices = modest,
                   .lens = lens_of(options),
                   .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};

@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include <glm/gtc/color_space.hpp>
+#include <glm/packing.hpp>
+
 #include "engine/files/free_memory.h"
 #include "engine/render/gl/device_errors.h"
 #include "engine/render/light/light_parts.h"
@@ -38,6 +41,9 @@ CrowdFrame part_of(const CrowdFrame& frame, glm::ivec2 picture, const PixelRect&
   part.camera = part_of(frame.camera, picture, drawn);
   return part;
 }
+
+// Returns the light of an sRGB colour, red in the lowest byte.
+glm::vec3 linear(std::uint32_t color) { return glm::convertSRGBToLinear(glm::vec3(glm::unpackUnorm4x8(color))); }
 
 }  // namespace
 
@@ -146,7 +152,9 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
     split_.keep_right(target_.tile());
     draw_side(left, drawn);
     split_.keep_left(target_.tile());
+    keep_to_part();
     add(counts, split_.draw(target_.tile(), part_of(split, size(), drawn)));
+    glDisable(GL_SCISSOR_TEST);
   });
   splits_ = false;
   return counts;
@@ -180,15 +188,19 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
   return counts;
 }
 
+void Renderer::keep_to_part() const {
+  if (!part_) return;
+  const PixelRect& place = part_->place;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(place.corner.x, place.corner.y, place.size.x, place.size.y);
+}
+
 DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   assert(!meshes_.empty());
   const ImageTarget& target = target_.tile();
   target.bind_scene();
-  target.clear_scene();
-  if (part_) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(part_->corner.x, part_->corner.y, part_->size.x, part_->size.y);
-  }
+  target.clear_scene(part_ ? linear(part_->around) : glm::vec3(0.0F));
+  keep_to_part();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame, light_parts_);
   // From near to far, as a rule: what is hidden then costs little on a processor.
@@ -212,9 +224,11 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
 }
 
 DrawCounts Renderer::draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels) {
-  const PixelRect seen = part_.value_or(PixelRect{{0, 0}, pixels});
+  const PixelRect seen = part_ ? part_->place : PixelRect{{0, 0}, pixels};
   const float height = static_cast<float>(seen.size.y) / frame.scenery_error_px;
-  return scenery_.draw(part_of(frame.camera, pixels, seen), height, light_parts_);
+  const bool at_vertices = options_.lights_at_vertices && (light_parts_ & (shadow_part | lamp_part)) == 0;
+  return scenery_.draw(part_of(frame.camera, pixels, seen), height,
+                       light_parts_ | (at_vertices ? scenery_lit_at_vertices : 0U));
 }
 
 Status Renderer::prepare_overlay() {

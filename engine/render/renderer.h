@@ -43,6 +43,7 @@ struct RendererOptions {
   glm::ivec2 size{1280, 720};     ///< pixels of the picture
   int samples = 0;                ///< 0 or 4
   int longest_tile = 4096;        ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  bool lights_at_vertices = false;  ///< scenery is lit less exactly, and sooner on a processor, where only sun and sky do
   std::optional<Lens> lens = {};  ///< unset: all is sharp; else each picture takes Lens::points times as long
   std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
@@ -103,9 +104,9 @@ class Renderer {
   /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
-  /// Draws scenes into a part of the picture alone from now on, and leaves the rest dark, because something is going to
-  /// cover it. A processor that draws has less to do then. Unset: draws all of it. Only a picture in a window has a part.
-  void draw_only(std::optional<PixelRect> part) { part_ = part; }
+  /// Draws scenes into a part of the picture alone from now on, and gives the rest an sRGB colour, red in the lowest
+  /// byte. A processor that draws has less to do then. Only a picture that is not tiled has a part.
+  void draw_only(const PixelRect& part, std::uint32_t around) { part_ = {part, around}; }
 
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
@@ -133,18 +134,24 @@ class Renderer {
   gl::Context& context() { return *context_; }
 
  private:
+  struct DrawnPart {
+    PixelRect place;
+    std::uint32_t around;
+  };
+
   Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
 
   DrawCounts draw_light(const CrowdFrame& frame);
   DrawCounts draw_tiles(const CrowdFrame& frame);
   DrawCounts draw_through_lens(const CrowdFrame& frame, const Lens& lens);
+  void keep_to_part() const;
   DrawCounts draw_scene(const CrowdFrame& frame);
   DrawCounts draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels);
 
   gl::Context* context_;
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
-  CrowdPass crowd_{shaders_};
+  CrowdPass crowd_{shaders_, context_->is_software() ? Calls::some : Calls::one};
   ShadowPass shadows_{shaders_};
   CrowdShadePass crowd_shade_{shaders_};
   SceneryPass scenery_{shaders_};
@@ -164,7 +171,7 @@ class Renderer {
   std::vector<CrowdMesh> meshes_;
   std::uint32_t light_parts_ = 0;  // of the picture that is drawn
   bool splits_ = false;            // two crowds are drawn into one picture
-  std::optional<PixelRect> part_;  // of the picture that is drawn; none: all of it
+  std::optional<DrawnPart> part_;  // none: all of the picture is drawn
   std::optional<Error> trouble_;   // what finish() tells
 };
 

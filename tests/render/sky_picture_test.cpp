@@ -30,7 +30,7 @@ glm::vec3 received(const SkyPicture& sky, const glm::vec3& normal) {
   glm::vec3 sum(0.0F);
   for (int i = 0; i < count; ++i) {
     const glm::vec3 direction = even_direction(i, count);
-    sum += sky.radiance(direction) * std::max(glm::dot(direction, normal), 0.0F);
+    sum += sky.radiance_in_town(direction) * std::max(glm::dot(direction, normal), 0.0F);
   }
   return sum * (4.0F / count);
 }

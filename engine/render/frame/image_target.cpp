@@ -79,10 +79,10 @@ void ImageTarget::bind_scene() const {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
-void ImageTarget::clear_scene() const {
+void ImageTarget::clear_scene(const glm::vec3& light) const {
   glDepthMask(GL_TRUE);
-  constexpr GLfloat black[4] = {0.0F, 0.0F, 0.0F, 1.0F};
-  glClearNamedFramebufferfv(scene_.id(), GL_COLOR, 0, black);
+  const GLfloat color[4] = {light.r, light.g, light.b, 1.0F};
+  glClearNamedFramebufferfv(scene_.id(), GL_COLOR, 0, color);
   constexpr GLfloat farthest = 0.0F;
   glClearNamedFramebufferfv(scene_.id(), GL_DEPTH, 0, &farthest);
 }

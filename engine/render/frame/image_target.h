@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "engine/render/frame/picture_tiles.h"
 #include "engine/render/gl/handles.h"
@@ -25,8 +26,8 @@ class ImageTarget {
   /// Binds the scene's framebuffer. Linear colours are converted on write; depth 0 is far.
   void bind_scene() const;
 
-  /// Clears the scene that is bound.
-  void clear_scene() const;
+  /// Gives the scene that is bound one colour, linear, and the farthest depth.
+  void clear_scene(const glm::vec3& light) const;
 
   /// Gives the depths of the scene, for a target that shares them.
   const gl::Renderbuffer& depth() const { return scene_depth_; }

@@ -20,6 +20,14 @@ constexpr float daylight_exposure = 7.0F;
 constexpr float adaptation = 0.8F;  // the share, in stops, of a darker scene that the eye makes up for
 constexpr float brightest_adaptation = 60.0F;
 constexpr float ground_albedo = 0.25F;
+
+// What a town's walls scatter, windows included, and how high they reach: the rise of a way to their roofs. A high sun
+// lights the ground rather than walls, and leaves what it gives as it is under an open sky.
+constexpr glm::vec3 walls_albedo{0.54F, 0.45F, 0.35F};
+constexpr float least_roof = 0.20F, most_roof = 0.50F;
+constexpr float walls_share = 0.9F;
+constexpr float sky_on_walls = 0.28F;  // of what an open place receives, because walls stand opposite
+
 constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
 
 // Once the sun is down, the moon and a city give light. Exposed colours.
@@ -127,6 +135,8 @@ void SkyPicture::light_air(const SceneLight& light) {
   uniforms_.night = night;
   uniforms_.sun_light = glm::vec4(moon ? moonlight * (night * as_said) : sunlight, 0.0F);
   cloud_sun_ = glm::vec3(uniforms_.sun_light);
+  town_ = walls_share * glm::smoothstep(40.0F, 14.0F, light.sun_elevation) *
+          glm::smoothstep(-2.0F, 4.0F, light.sun_elevation);
 }
 
 void SkyPicture::light_clouds(const SceneLight& light) {
@@ -166,6 +176,8 @@ void SkyPicture::light_ground() {
   for_each_direction([&](const glm::vec3& direction) {
     if (direction.y > 0.0F) sky += radiance(direction) * (direction.y * 4.0F / sphere_directions);
   });
+  walls_in_shade_ = walls_albedo * sky_on_walls * sky;
+  ground_in_shade_ = ground_albedo * sky;
   ground_ = ground_albedo * (sky + glm::vec3(uniforms_.sun_light) * std::max(uniforms_.to_sun.y, 0.0F));
   const glm::vec3 along = glm::normalize(glm::vec3(uniforms_.to_sun.x, 0.0F, uniforms_.to_sun.z) + 1e-5F);
   constexpr float low = 0.035F;
@@ -185,11 +197,20 @@ glm::vec3 SkyPicture::radiance(const glm::vec3& direction) const {
   return glm::vec3(sample(coarse_, coarse_side, sky_place(direction)));
 }
 
+glm::vec3 SkyPicture::radiance_in_town(const glm::vec3& direction) const {
+  const glm::vec3 open = radiance(direction);
+  if (direction.y <= 0.0F) return glm::mix(open, ground_in_shade_, town_);
+  const float hidden = town_ * glm::smoothstep(most_roof, least_roof, direction.y);
+  const glm::vec3 facing = -glm::normalize(glm::vec3(direction.x, 0.0F, direction.z));
+  const float lit = std::max(glm::dot(facing, uniforms_.to_sun), 0.0F);
+  return glm::mix(open, walls_albedo * glm::vec3(uniforms_.sun_light) * lit + walls_in_shade_, hidden);
+}
+
 // Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001, with y up.
 void SkyPicture::sum_up() {
   constexpr float zero = 0.282095F, one = 0.488603F, two = 1.092548F, polar = 0.315392F, square = 0.546274F;
   for_each_direction([&](const glm::vec3& n) {
-    const glm::vec3 light = radiance(n) * (4.0F * pi / sphere_directions);
+    const glm::vec3 light = radiance_in_town(n) * (4.0F * pi / sphere_directions);
     const float basis[sky_harmonics] = {zero,
                                         one * n.y,
                                         one * n.z,

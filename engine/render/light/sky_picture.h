@@ -34,6 +34,11 @@ class SkyPicture {
   /// Returns what a direction, unit, looks like from afar: the sky without the sun's disc, or the ground.
   glm::vec3 radiance(const glm::vec3& direction) const;
 
+  /// Returns what a direction looks like to people in a town. Below the roofs there are walls instead of sky while the
+  /// sun is low: those that it shines on are bright and warm, those on its side are dim, and the ground lies in their
+  /// shade.
+  glm::vec3 radiance_in_town(const glm::vec3& direction) const;
+
   /// Computes a face of the cube that surfaces mirror, in the order and the directions of OpenGL 4.5, 8.13. The level
   /// `environment_levels` - 1 is for surfaces of roughness 1.
   std::vector<glm::vec4> environment(int face, int level) const;
@@ -51,6 +56,8 @@ class SkyPicture {
   std::vector<glm::vec4> map_;
   glm::vec3 cloud_sun_{0.0F};  // what the sun gives to clouds
   glm::vec3 ground_{0.0F};
+  glm::vec3 walls_in_shade_{0.0F}, ground_in_shade_{0.0F};
+  float town_ = 0.0F;  // the share of what is below the roofs that walls hide or keep the sun from
 };
 
 }  // namespace throng::render

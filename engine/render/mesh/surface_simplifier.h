@@ -81,6 +81,7 @@ class SurfaceSimplifier {
   bool turns_a_triangle_over(std::uint32_t from, std::uint32_t into) const;
   bool find_stand_ins(std::uint32_t from, std::uint32_t into, StandIns& stand_ins) const;
   std::uint32_t stand_in_elsewhere(std::uint32_t vertex, const Point& into) const;
+  bool looks_like(std::uint32_t vertex, std::uint32_t other) const;
   void merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins);
 
   bool has_point(const Triangle& triangle, std::uint32_t point) const;

@@ -104,7 +104,7 @@ CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::vector<std::str
       blended_part(shaders, {.vertex = "crowd.vert", .fragment = "crowd_blended.frag", .switches = always},
                    light_switches()) {}
 
-CrowdPass::CrowdPass(ShaderLibrary& shaders) : shaders_(&shaders), plain_(shaders, {}) {}
+CrowdPass::CrowdPass(ShaderLibrary& shaders, Calls calls) : shaders_(&shaders), plain_(shaders, {}), surfaces_(calls) {}
 
 void CrowdPass::prepare_morphs() {
   if (!morphed_) morphed_.emplace(*shaders_, std::vector<std::string>{"MORPHED"});

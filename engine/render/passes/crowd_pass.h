@@ -20,8 +20,8 @@ namespace throng::render {
 /// `meshes`. Frame data must be bound.
 class CrowdPass {
  public:
-  /// `shaders` must outlive the pass.
-  explicit CrowdPass(ShaderLibrary& shaders);
+  /// `shaders` must outlive the pass. `calls` says how opaque surfaces are drawn.
+  CrowdPass(ShaderLibrary& shaders, Calls calls);
 
   /// Makes ready for meshes that morph. Without it, all are drawn as they rest. The status of the shaders says whether
   /// it went well.

@@ -16,8 +16,8 @@ class GroundPass {
   explicit GroundPass(ShaderLibrary& shaders);
 
   /// Draws ground and sky where nothing has been drawn, into a target of so many pixels. Each pixel is computed once:
-  /// the town's ground, the fields around it and the sky have a program each. The ground is deep behind all that stands.
-  /// Frame data and light must be bound. `light` has the parts of the light (light_parts.h).
+  /// the town's ground, the fields around it and the sky have a program each. The ground is deep behind all that
+  /// stands. Frame data and light must be bound. `light` has the parts of the light (light_parts.h).
   DrawCounts draw(const SceneGround& ground, glm::ivec2 pixels, std::uint32_t light);
 
   /// Draws the spots in one call, after the ground and before the crowd. `with_sun_side` adds a soft streak away from

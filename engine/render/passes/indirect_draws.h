@@ -28,10 +28,19 @@ struct DrawCommand {
 static_assert(sizeof(DrawCommand) == 20);
 static_assert(offsetof(DrawCommand, first_instance) == 16);
 
-/// Collects the draws of one pass in groups. A group shares all state and is one call, however many mesh LODs and
-/// instances it holds, so the number of calls does not grow with the crowd.
+/// Says in how many calls a group is drawn.
+enum class Calls : std::uint8_t {
+  one,   ///< all at once
+  some,  ///< in parts of the whole pass, so that a processor fills the pixels of one while it moves vertices of the
+         ///< next
+};
+
+/// Collects the draws of one pass in groups. A group shares all state and is one call, or some, however many mesh LODs
+/// and instances it holds, so the number of calls does not grow with the crowd.
 class IndirectDraws {
  public:
+  explicit IndirectDraws(Calls calls = Calls::one) : calls_(calls) {}
+
   void clear();
   /// Starts a group; add() adds to the last one.
   void begin_group(std::uint32_t page, std::uint8_t character, int material);
@@ -52,11 +61,19 @@ class IndirectDraws {
   /// Draws one group with the program, page and vertices that are bound. Call upload() before.
   void draw(const Group& group) const;
 
-  /// Counts what was added. Groups without commands are not drawn and do not count.
+  /// Counts what was added. Groups without commands are not drawn and do not count. Call upload() before.
   DrawCounts counts() const;
 
  private:
+  /// Cuts commands by instances, so that none has more triangles than a part.
+  void cut_commands();
+  /// Returns the command after the part of a group that begins with `first`.
+  std::uint32_t end_of_part(const Group& group, std::uint32_t first) const;
+
+  Calls calls_;
+  std::uint64_t part_ = UINT64_MAX;  // triangles, at least, of all parts but the last
   std::vector<DrawCommand> commands_;
+  std::vector<DrawCommand> cut_;  // kept from frame to frame
   std::vector<Group> groups_;
   gl::GrowingBuffer<DrawCommand> buffer_;
 };

@@ -41,7 +41,7 @@ void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool 
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
-    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches()),
+    : matt_(shaders, {"scenery.vert", "scenery.frag"}, light_switches({"LIT_AT_VERTICES"})),
       mirror_(shaders, {"scenery.vert", "scenery_mirror.frag"}, light_switches()),
       own_depth_(shaders.load({"scenery.vert", "depth_only.frag"})),
       depth_(shaders.load({"scenery_depth.vert", "depth_only.frag"})) {}
@@ -86,7 +86,7 @@ void SceneryPass::place(std::span<const SceneryInstance> instances) {
   }
   instances_ = gl::create_buffer(records.data(), records.size() * sizeof(SceneryRecord));
   std::size_t runs = 0;
-  for (const SceneryShape& shape : shapes_) runs += shape.errors.size();
+  for (const SceneryShape& shape : shapes_) runs += scenery_rings * shape.errors.size();
   commands_.assign(part_count * runs, {});
   chosen_.upload(order);  // makes room for as many as there are
 }
@@ -151,7 +151,8 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std
   // Reading shadow maps costs more than another pass over the vertices.
   if ((light & shadow_part) != 0) counts = draw_own_depth();
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
-    glUseProgram(program->with(light).id());
+    const std::uint32_t switches = part == matt ? light : light & ~scenery_lit_at_vertices;
+    glUseProgram(program->with(switches).id());
     add(counts, draw_part(part));
   }
   glDepthFunc(GL_GREATER);

@@ -9,6 +9,7 @@
 
 #include "engine/render/crowd_draw.h"
 #include "engine/render/gl/handles.h"
+#include "engine/render/light/light_parts.h"
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/scenery/selection.h"
 #include "engine/render/scenery_data.h"
@@ -16,6 +17,10 @@
 #include "engine/result.h"
 
 namespace throng::render {
+
+/// Follows the parts of the light (light_parts.h): what scatters light is lit at its vertices, as suits a processor. Not
+/// with shadows or lamps.
+inline constexpr std::uint32_t scenery_lit_at_vertices = 1U << light_part_count;
 
 /// Draws what stands around a crowd, all of it with three calls: depths, what scatters light, and what mirrors too.
 /// Frame data and light must be bound.
@@ -30,7 +35,7 @@ class SceneryPass {
   void place(std::span<const SceneryInstance> instances);
 
   /// Draws what is in view, into the colours and depths that are bound. Allocates nothing.
-  /// `light` has the parts of the light (light_parts.h).
+  /// `light` has the parts of the light (light_parts.h), and scenery_lit_at_vertices or not.
   DrawCounts draw(const CameraView& camera, float picture_height, std::uint32_t light);
   /// Draws depths alone along parallel rays, with coarser meshes, into the target that is bound. Depth tests and
   /// offsets are the caller's. `texel_metres` is the size of a texel.

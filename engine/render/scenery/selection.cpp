@@ -87,6 +87,12 @@ float SceneryView::metres_a_pixel(const glm::vec3& middle, float radius) const {
   return everywhere_ + a_metre_away_ * std::max(glm::distance(eye_, middle) - radius, Camera::near_distance);
 }
 
+std::uint32_t SceneryView::ring(const glm::vec3& middle, float radius) const {
+  if (everywhere_ > 0.0F) return 0;
+  const float metres = std::max(glm::distance(eye_, middle) - radius, 1.0F);
+  return std::min(static_cast<std::uint32_t>(std::ilogb(metres * metres)), scenery_rings - 1);
+}
+
 float SceneryView::metres_a_pixel_in(const glm::vec3& lowest, const glm::vec3& highest) const {
   return everywhere_ + a_metre_away_ * glm::distance(eye_, glm::clamp(eye_, lowest, highest));
 }
@@ -118,8 +124,8 @@ std::vector<std::uint32_t> ScenerySelection::place(std::span<const SceneryInstan
     errors_.insert(errors_.end(), shape.errors.begin(), shape.errors.end());
   }
   first_slots_.push_back(static_cast<std::uint32_t>(errors_.size()));
-  counts_.assign(errors_.size(), 0);
-  runs_.assign(errors_.size(), {});
+  counts_.assign(scenery_rings * errors_.size(), 0);
+  runs_.assign(counts_.size(), {});
   seen_.assign(placed_.size(), {});
   chosen_.assign(placed_.size(), 0);
   run_count_ = chosen_count_ = 0;
@@ -151,22 +157,28 @@ void ScenerySelection::see(const SceneryView& view, std::uint32_t instance, std:
   while (slot + 1 < end && errors_[slot + 1] * placed.scale <= scenery_error_pixels * pixel) ++slot;
   if (first == end) return;
   slot = std::min(slot + coarser, end - 1);
-  seen_[seen_count_++] = {instance, slot};
-  ++counts_[slot];
+  const auto slots = static_cast<std::uint32_t>(errors_.size());
+  const std::uint32_t place = view.ring(placed.middle, placed.radius) * slots + slot;
+  seen_[seen_count_++] = {instance, place};
+  ++counts_[place];
 }
 
-void ScenerySelection::sort_by_slot() {
+// What is near hides what is far, so near things come first. Those of a ring and a slot are one run.
+void ScenerySelection::sort_by_distance() {
   run_count_ = 0;
-  std::uint32_t first = 0, slot = 0;
-  for (std::uint32_t mesh = 0; mesh + 1 < first_slots_.size(); ++mesh) {
-    for (; slot < first_slots_[mesh + 1]; ++slot) {
-      const std::uint32_t count = counts_[slot];
-      counts_[slot] = first;  // from here on: where the next one of the slot goes
-      if (count > 0) runs_[run_count_++] = {mesh, slot - first_slots_[mesh], first, count};
-      first += count;
+  std::uint32_t first = 0;
+  std::size_t place = 0;
+  for (std::uint32_t ring = 0; ring < scenery_rings; ++ring) {
+    for (std::uint32_t mesh = 0; mesh + 1 < first_slots_.size(); ++mesh) {
+      for (std::uint32_t slot = first_slots_[mesh]; slot < first_slots_[mesh + 1]; ++slot, ++place) {
+        const std::uint32_t count = counts_[place];
+        counts_[place] = first;  // from here on: where the next one goes
+        if (count > 0) runs_[run_count_++] = {mesh, slot - first_slots_[mesh], first, count};
+        first += count;
+      }
     }
   }
-  for (std::size_t i = 0; i < seen_count_; ++i) chosen_[counts_[seen_[i].slot]++] = seen_[i].instance;
+  for (std::size_t i = 0; i < seen_count_; ++i) chosen_[counts_[seen_[i].place]++] = seen_[i].instance;
   chosen_count_ = seen_count_;
 }
 
@@ -179,7 +191,7 @@ void ScenerySelection::choose(const SceneryView& view, std::uint32_t coarser) {
     if (2.0F * cluster.largest_radius < least_scenery_pixels * pixel) continue;
     for (std::uint32_t instance = cluster.first; instance < cluster.end; ++instance) see(view, instance, coarser);
   }
-  sort_by_slot();
+  sort_by_distance();
 }
 
 }  // namespace throng::render

@@ -20,6 +20,10 @@ inline constexpr float scenery_error_pixels = 1.0F;
 /// What is less than so many pixels long is not drawn.
 inline constexpr float least_scenery_pixels = 1.0F;
 
+/// What is seen from a point is sorted into so many rings around it, each of which reaches 1.4 times as far as the one
+/// before.
+inline constexpr std::uint32_t scenery_rings = 20;
+
 /// The shape of a mesh, as far as the choice of its level of detail reads it.
 struct SceneryShape {
   glm::vec3 middle{0.0F};  ///< of a sphere around it
@@ -42,6 +46,8 @@ class SceneryView {
   /// Returns the metres that are one pixel at the nearest point of a sphere or box.
   float metres_a_pixel(const glm::vec3& middle, float radius) const;
   float metres_a_pixel_in(const glm::vec3& lowest, const glm::vec3& highest) const;
+  /// Returns a number from 0 to below scenery_rings, the higher the farther away the nearest point of a sphere is.
+  std::uint32_t ring(const glm::vec3& middle, float radius) const;
 
  private:
   std::array<glm::vec4, 6> planes_;
@@ -57,7 +63,7 @@ class ScenerySelection {
   /// Takes instances. Returns the order in which the selection numbers them from here on. `shapes` has one a mesh.
   std::vector<std::uint32_t> place(std::span<const SceneryInstance> instances, std::span<const SceneryShape> shapes);
 
-  /// A mesh at a level of detail, and the run of chosen() that is drawn with it.
+  /// A mesh at a level of detail, and the run of chosen() that is drawn with it. Runs come from near to far.
   struct Run {
     std::uint32_t mesh;
     std::uint32_t lod;
@@ -85,18 +91,18 @@ class ScenerySelection {
   };
   struct Seen {
     std::uint32_t instance;
-    std::uint32_t slot;
+    std::uint32_t place;  // the index into counts_
   };
 
   void gather_clusters();
   void see(const SceneryView& view, std::uint32_t instance, std::uint32_t coarser);
-  void sort_by_slot();
+  void sort_by_distance();
 
   std::vector<Placed> placed_;
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> first_slots_;  // [mesh]; a slot is a mesh at a level of detail
   std::vector<float> errors_;               // [slot]
-  std::vector<std::uint32_t> counts_;       // [slot] instances in view
+  std::vector<std::uint32_t> counts_;       // [ring, slot] instances in view
   std::vector<Seen> seen_;
   std::size_t seen_count_ = 0;
   std::vector<Run> runs_;

@@ -78,8 +78,9 @@ struct Standing {
 };
 
 bool is_house(Prop prop) {
-  return prop == Prop::arcade_bay || prop == Prop::facade_a || prop == Prop::facade_b || prop == Prop::facade_c ||
-         prop == Prop::facade_d || prop == Prop::facade_e || prop == Prop::facade_corner || prop == Prop::tower;
+  return prop == Prop::arcade_bay || prop == Prop::arcade_corner || prop == Prop::facade_a || prop == Prop::facade_b ||
+         prop == Prop::facade_c || prop == Prop::facade_d || prop == Prop::facade_e || prop == Prop::facade_corner ||
+         prop == Prop::tower;
 }
 
 std::vector<Standing> standing(const Place& place, const auto& is_wanted) {
@@ -137,8 +138,8 @@ void expect_cameras_outside(Scene scene, std::size_t agents, Clothes clothes) {
   for (const NamedCamera& camera : scene_cameras(scene, agents, person(), clothes)) {
     const glm::vec3 eye(camera.place.x, camera.place.y, camera.place.z);
     for (const Standing& prop : props) {
-      EXPECT_FALSE(prop.holds(eye, 0.2F)) << case_of(scene, agents) << ", " << camera.name << " in "
-                                          << name_of(prop.prop);
+      EXPECT_FALSE(prop.holds(eye, 0.2F))
+          << case_of(scene, agents) << ", " << camera.name << " in " << name_of(prop.prop);
     }
   }
 }

@@ -73,24 +73,30 @@ class DrawCallsOfDolls : public SoftwareGlTest {
   std::unique_ptr<DollCrowd> crowd_;
 };
 
+// Two opaque materials and a cut-out one: three calls on the screen, and two a shadow map.
+constexpr std::uint32_t of_a_character = 3 + 2 * cascade_count;
+
 TEST_F(DrawCallsOfDolls, AreOneAPassForEachPageCharacterAndMaterialHoweverManyAgentsAndLods) {
-  // Two opaque materials and a cut-out one: three calls on the screen, and two a shadow map.
-  constexpr std::uint32_t of_a_character = 3 + 2 * cascade_count;
-  std::uint64_t triangles = 0;
-  for (const std::size_t agents : {std::size_t{40}, std::size_t{400}}) {
+  for (const std::size_t agents : {std::size_t{8}, std::size_t{40}}) {
     for (const std::uint8_t lods : {std::uint8_t{1}, std::uint8_t{2}}) {
       for (const std::uint8_t characters : {std::uint8_t{1}, std::uint8_t{2}}) {
         for (const std::uint32_t pages : {1U, 2U}) {
-          const DrawCounts counts = counts_of({agents, characters, pages, lods});
-          EXPECT_EQ(counts.draw_calls, of_no_character + pages * characters * of_a_character)
+          EXPECT_EQ(counts_of({agents, characters, pages, lods}).draw_calls,
+                    of_no_character + pages * characters * of_a_character)
               << agents << " agents, " << int{lods} << " LODs, " << int{characters} << " characters, " << pages
               << " pages";
-          triangles = std::max(triangles, counts.triangles);
         }
       }
     }
   }
-  EXPECT_GT(triangles, 9 * counts_of({}).triangles);
+}
+
+TEST_F(DrawCallsOfDolls, AreAtMostEightMoreWhereAProcessorDrawsACrowdInParts) {
+  constexpr std::uint32_t most_parts = 8;
+  const DrawCounts few = counts_of({400, 2, 2, 2}), many = counts_of({4000, 2, 2, 2});
+  EXPECT_GT(many.triangles, 8 * few.triangles);
+  EXPECT_GT(many.triangles, 100'000U);
+  EXPECT_LE(many.draw_calls, of_no_character + 4 * of_a_character + most_parts);
 }
 
 }  // namespace

@@ -21,6 +21,14 @@ TEST_P(GoldenPicture, GridCloseUp) {
   expect_golden_picture("grid-close", options);
 }
 
+// Nobody of whom only the coarsest mesh is drawn lacks a leg, an arm or a head.
+TEST_P(GoldenPicture, FarPeople) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.scenery = false;
+  options.tuning.mesh_lod = render::largest_mesh_lod_count - 1;
+  expect_golden_picture("far-people", options);
+}
+
 // Bodies hide no bones of their own, and those of others nearly.
 TEST_P(GoldenPicture, BonesOverCharacters) {
   DemoOptions options = golden_options(GetParam());

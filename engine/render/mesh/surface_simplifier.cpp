@@ -21,9 +21,6 @@ constexpr double joint_travel_share = 0.05;
 // A colour that is lost altogether counts as a surface that moved by this share of the size of the character.
 constexpr double color_travel_share = 0.03;
 
-// People look at faces: an error there counts as one of a surface this many times as large.
-constexpr double face_firmness = 25.0;
-
 // The length of an edge costs this much: of merges that keep the shape, short ones make better triangles.
 constexpr double length_cost = 1e-3;
 
@@ -68,7 +65,7 @@ void SurfaceSimplifier::join_vertices_into_points() {
 }
 
 double SurfaceSimplifier::firmness(std::uint32_t vertex) const {
-  return !surface_.face.empty() && surface_.face[vertex] != 0 ? face_firmness : 1.0;
+  return !surface_.face.empty() && surface_.face[vertex] != 0 ? surface_.face_firmness : 1.0;
 }
 
 void SurfaceSimplifier::add_triangles() {

@@ -25,6 +25,7 @@ struct SkinnedSurfaceView {
   std::span<const float> texture_coords;    ///< u v a vertex, or empty if there is no texture
   std::span<const glm::vec3> colors = {};   ///< one a vertex, as seen (PointLook::color), or empty: all alike
   std::span<const std::uint8_t> face = {};  ///< one a vertex, 1 on a face, or empty: no face is known
+  double face_firmness = 25.0;              ///< an error on a face counts as one of a surface this many times as large
 };
 
 /// Merges points of a skinned surface along its edges, the cheapest first (CollapseCost).

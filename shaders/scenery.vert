@@ -23,7 +23,8 @@ out vec3 seen_from_behind;
 
 const float glow_light = 2.2;
 
-vec3 seen_in(vec3 light) { return exposed(albedo * light * clear_share + haze_before); }
+// The conversion to sRGB costs a processor much for each pixel, so vertices have it behind them.
+vec3 seen_in(vec3 light) { return to_srgb(exposed(albedo * light * clear_share + haze_before)); }
 
 void main() {
   SceneryRecord record = scenery[instance];

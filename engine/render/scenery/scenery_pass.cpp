@@ -152,8 +152,11 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std
   if ((light & shadow_part) != 0) counts = draw_own_depth();
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
     const std::uint32_t switches = part == matt ? light : light & ~scenery_lit_at_vertices;
+    const bool has_srgb = (switches & scenery_lit_at_vertices) != 0;  // or the target makes it
+    if (has_srgb) glDisable(GL_FRAMEBUFFER_SRGB);
     glUseProgram(program->with(switches).id());
     add(counts, draw_part(part));
+    glEnable(GL_FRAMEBUFFER_SRGB);
   }
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);

@@ -4,6 +4,7 @@
 
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/render/crowd_mesh_data.h"
 #include "tests/golden/golden_picture.h"
 
 namespace throng::app::test::golden_test {

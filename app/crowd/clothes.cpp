@@ -20,7 +20,7 @@ namespace {
 // Red, green, blue, sRGB. They lie far apart, also in the haze.
 using Paint = std::array<float, 3>;
 constexpr Paint white{250.0F, 248.0F, 240.0F}, navy{14.0F, 26.0F, 78.0F};
-constexpr Paint gold{255.0F, 190.0F, 30.0F}, ember{232.0F, 92.0F, 24.0F}, crimson{190.0F, 20.0F, 40.0F};
+constexpr Paint gold{255.0F, 204.0F, 44.0F}, ember{245.0F, 122.0F, 26.0F}, crimson{172.0F, 14.0F, 44.0F};
 constexpr std::array<Paint, 5> rings{navy, white, crimson, gold, Paint{24.0F, 100.0F, 190.0F}};
 
 constexpr double person = 1.2;   // metres above the feet that are seen

@@ -32,7 +32,7 @@ CameraPlace stadium_tower(std::size_t agents, const CharacterRoles& roles) {
   const auto unit = static_cast<float>(roles.spacing()), depth = static_cast<float>(size.depth);
   const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
   const float height = static_cast<float>(size.height) + 0.2F * (length + depth) + 4.0F * unit;
-  return {0.45F * length, height, width + depth + 7.0F * unit, 22.0F, -20.0F, 55.0F};
+  return {0.45F * length, height, width + depth + unit, 22.0F, -20.0F, 55.0F};
 }
 
 // From a little beside the middle, so that the rows do not line up to the camera.

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "app/overlay/tabs.h"
+#include "app/settings/agent_colors.h"
 
 namespace throng::app {
 namespace {
 
-constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
+constexpr std::array mesh_words = {"auto", "0", "1", "2", "3", "4", "5"};
+static_assert(mesh_words.size() == mesh_lod_steps + 1);
 
 std::string off_by(float value) { return fixed(value, 2) + " px"; }
 

@@ -56,9 +56,10 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
     }
     --left_of_house;
     const bool arcade = houses == Houses::arcades;
-    const Prop house = ends_row ? Prop::facade_corner : fronts[front];
+    const Prop inner = arcade ? Prop::arcade_bay : fronts[front];
+    const Prop end = arcade ? Prop::arcade_corner : Prop::facade_corner;
     const glm::dvec2 at = from + (static_cast<double>(bay) + 0.5) * step;
-    put(arcade ? Prop::arcade_bay : house, at, heading,
+    put(ends_row ? end : inner, at, heading,
         {.stretch = {stretch, arcade ? 1.0 : tall, 1.0}, .tint = arcade ? render::no_tint : wall});
   }
 }

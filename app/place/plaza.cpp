@@ -18,23 +18,29 @@ constexpr double tower_aside = 6.0;
 constexpr int bollards = 6;            // across the mouth of a side street
 constexpr double paved_around = 70.0;  // of the square, until fields begin
 
-void put_fixture(const Fixture& fixture, Placer& placer) {
-  switch (fixture.kind) {
-    case FixtureKind::tree:
-      return placer.put_tree(fixture.position);
+Prop prop_of(FixtureKind kind) {
+  switch (kind) {
     case FixtureKind::fountain:
-      return placer.put(Prop::fountain, fixture.position, fixture.heading);
+      return Prop::fountain;
     case FixtureKind::statue:
-      return placer.put(Prop::statue, fixture.position, fixture.heading);
+      return Prop::statue;
     case FixtureKind::planter:
-      return placer.put(Prop::planter, fixture.position, fixture.heading);
+      return Prop::planter;
     case FixtureKind::lamp:
-      return placer.put(Prop::lamp, fixture.position, fixture.heading);
+      return Prop::lamp;
     case FixtureKind::bench:
-      return placer.put(Prop::bench, fixture.position, fixture.heading);
+      return Prop::bench;
     case FixtureKind::kiosk:
-      return placer.put(Prop::kiosk, fixture.position, fixture.heading);
+      return Prop::kiosk;
+    case FixtureKind::tree:
+      break;
   }
+  return Prop::tree_a;
+}
+
+void put_fixture(const Fixture& fixture, Placer& placer) {
+  if (fixture.kind == FixtureKind::tree) return placer.put_tree(fixture.position);
+  placer.put(prop_of(fixture.kind), fixture.position, fixture.heading);
 }
 
 // A row with a gap where a side street leaves, and houses along that street.

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "app/settings/settings.h"
+#include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
 
@@ -23,7 +24,7 @@ std::uint32_t debug_color(DebugView view, const AgentDetail& detail);
 std::uint32_t interval_color(int frames);
 std::uint32_t bone_level_color(int level);
 
-inline constexpr int mesh_lod_steps = 4;
+inline constexpr int mesh_lod_steps = render::largest_mesh_lod_count;
 std::uint32_t mesh_lod_color(int lod);
 
 /// Returns the step of an error on screen, 0 to 5: below a quarter of a pixel, a half, 1, 2, 4, and more.

@@ -4,18 +4,19 @@
 #include <string>
 #include <string_view>
 
+#include "app/settings/agent_colors.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
 
 /// What decides, beside the tuning itself, whether a value has an effect.
 struct Situation {
-  bool selected = false;    ///< an agent is selected
-  bool places_feet = true;  ///< a character of the crowd has feet that can be placed
-  bool can_pack = true;     ///< a character of the crowd has palettes that can be packed
-  int bone_levels = 4;      ///< the most bone levels of a character
-  int mesh_levels = 4;      ///< the most mesh LODs of a character; 1: its mesh alone
-  int pus = 2;              ///< PUs at work
+  bool selected = false;             ///< an agent is selected
+  bool places_feet = true;           ///< a character of the crowd has feet that can be placed
+  bool can_pack = true;              ///< a character of the crowd has palettes that can be packed
+  int bone_levels = 4;               ///< the most bone levels of a character
+  int mesh_levels = mesh_lod_steps;  ///< the most mesh LODs of a character; 1: its mesh alone
+  int pus = 2;                       ///< PUs at work
 };
 
 /// Returns why a value has no effect on what is posed, shown or reported, as the rest of a sentence that begins with

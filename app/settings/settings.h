@@ -83,7 +83,7 @@ struct Tuning {
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
-  int mesh_lod = -1;           ///< -1: by error on screen; 0..3: always that one
+  int mesh_lod = -1;           ///< -1: by error on screen; 0 or more: always that one
   float mesh_error_px = 0.5F;  ///< what a coarser mesh is off at most; half of error_px at most
   int triangle_budget = 0;     ///< of everybody in view; coarser meshes keep to it; 0: no such limit
   // Scheduling

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/settings/agent_colors.h"
 #include "app/settings/choices.h"
 #include "app/settings/tuning_value_kinds.h"
 
@@ -16,6 +17,12 @@ using anim::LodRules;
 using anim::SystemOptions;
 
 constexpr double farthest = 10'000, most_nanoseconds = 1e9, most_limit = 1e6;
+
+Choices<int> mesh_choices() {
+  Choices<int> choices = {{"on", -1}, {"off", 0}};
+  for (int lod = 0; lod < mesh_lod_steps; ++lod) choices.emplace_back(std::to_string(lod), lod);
+  return choices;
+}
 
 TuningValue level_distance(std::string_view key, const char* label, std::size_t level, std::string_view help) {
   return number(
@@ -205,8 +212,8 @@ std::vector<TuningValue> detail_values() {
       one_of<int>({.key = "mesh_lod",
                    .label = "Mesh LOD",
                    .option = "--mesh-lod on|off|N",
-                   .help = "By error on screen, the finest, or always number 0 to 3 ({default})"},
-                  at(&Tuning::mesh_lod), {{"on", -1}, {"off", 0}, {"0", 0}, {"1", 1}, {"2", 2}, {"3", 3}}),
+                   .help = "By error on screen, the finest, or always that one: {values} ({default})"},
+                  at(&Tuning::mesh_lod), mesh_choices()),
       number({.key = "mesh_error_px",
               .label = "Mesh error",
               .option = "--mesh-error-px X",

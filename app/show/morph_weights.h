@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,19 +9,22 @@
 
 namespace throng::app {
 
-/// The weights that the morphs of the agents in a picture have now. Agents without any cost nothing, nor do those so
+/// The weights that the morphs of some agents in a picture have now. Agents without any cost nothing, nor do those so
 /// small on screen that one could not see them. Memory is kept from frame to frame.
 class MorphWeights {
  public:
   void clear() { weights_.clear(); }
 
-  /// Adds the weights of an agent, and lets its record say where they are.
-  void add(const Stage& stage, const anim::VisibleAgent& agent, render::InstanceRecord& record);
+  /// Adds the weights of an agent. Returns 1 + their place, as InstanceRecord::hair names it; 0 where it has none.
+  std::uint32_t add(const Stage& stage, const anim::VisibleAgent& agent);
 
   std::span<const float> all() const { return weights_; }
 
  private:
   std::vector<float> weights_;
 };
+
+/// Returns how many floats the weights of an agent take.
+std::size_t weights_taken_by(const Stage& stage, std::uint32_t agent);
 
 }  // namespace throng::app

@@ -160,7 +160,7 @@ std::uint64_t Painter::completed_frame(const Stage& stage) {
   return renderer_->fences().frames_in_flight() == 0 ? stage.frame() : drawn;
 }
 
-render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const {
+render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) {
   render::CrowdFrame frame{.camera = render::view_of(view.camera, view.aspect()),
                            .instances = picture.instances(),
                            .batches = picture.batches(),
@@ -172,7 +172,8 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
                            .distance_scale = distance_scale_,
                            .ground = scenery_.ground(),
                            .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
-                           .scenery = stage.tuning().scenery};
+                           .scenery = stage.tuning().scenery,
+                           .jobs = &jobs_};
   light_as_tuned(stage.tuning(), frame);
   return frame;
 }
@@ -210,6 +211,7 @@ void Painter::time_device() {
 anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
+  jobs_.use(stage.system());
   FrameTimes times;
   if (!taken_away.upload) times.upload_ms = time_of([&] { upload(stage, view); });
   if (!taken_away.drawing) {

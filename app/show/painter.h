@@ -13,6 +13,7 @@
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
 #include "app/show/picture.h"
+#include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
 #include "engine/render/gl/context.h"
@@ -76,7 +77,7 @@ class Painter {
   anim::Status open_context(const DemoOptions& options);
   anim::Status open_renderer(const DemoOptions& options);
   anim::Status load_scenery(const std::string& data_option);
-  render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const;
+  render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture);
   void upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
   void gather_lines(const Stage& stage, const PaintedView& view);
@@ -85,6 +86,7 @@ class Painter {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::optional<render::gl::DeviceTimer> device_timer_;  // goes before the context
+  PuJobs jobs_;                                          // of the stage that is drawn
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;

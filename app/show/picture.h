@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,29 +12,51 @@
 namespace throng::app {
 
 /// Sorts the visible agents of a stage into runs of the same palette page, character and mesh LOD, so that one
-/// instanced draw shows a run. The runs ascend by page, then by character. Memory is kept from frame to frame.
+/// instanced draw shows a run. The runs ascend by page, then by character, and the agents within a run. The PUs of the
+/// stage do it in tiles; the result is the same for any number of them. Memory is kept from frame to frame.
 class Picture {
  public:
   /// Sorts the agents. Exact poses are drawn with their full meshes.
   void compose(const Stage& stage, Poses poses = Poses::shown);
 
-  std::span<const render::InstanceRecord> instances() const { return instances_; }
+  std::span<const render::InstanceRecord> instances() const { return std::span(records_).first(instance_count_); }
   std::span<const render::CrowdBatch> batches() const { return batches_; }
-  std::span<const float> morph_weights() const { return morphs_.all(); }
+  std::span<const float> morph_weights() const { return std::span(weights_).first(weight_count_); }
 
  private:
-  struct Entry {
-    std::uint32_t run;  // page, character, mesh LOD
-    render::InstanceRecord record;
+  static constexpr std::size_t most_tiles = 64;
+  struct Frame;
+
+  /// Agents whose records one job writes.
+  struct Tile {
+    std::size_t first = 0, end = 0;  // places in the list of visible agents
+    std::uint32_t* runs = nullptr;   // [run] its agents of the tile, and then where the next of them goes
+    MorphWeights morphs;             // of its own agents
+    std::size_t first_weight = 0;    // where its weights begin among all
+    std::size_t weights_end = 0;     // where the last weights end that a record names
+  };
+  /// What is known of a visible agent before its record is written.
+  struct Choice {
+    std::uint32_t run;      // page, character, mesh LOD
+    std::uint32_t weights;  // 1 + their place in the tile, 0: it has none
   };
 
-  void sort_into_runs(std::uint32_t characters);
+  void make_room(const Stage& stage);
+  std::span<Tile> cut_into_tiles(const Frame& frame);
+  void choose_runs(const Frame& frame, Tile& tile);
+  void begin_runs(const Frame& frame, std::span<Tile> tiles);
+  void write_records(const Frame& frame, Tile& tile);
+  /// Lets a record say where its weights are, unless that is farther than it can say.
+  static void name_weights(const Frame& frame, Tile& tile, std::uint32_t place, render::InstanceRecord& record);
 
-  std::vector<Entry> entries_;
-  std::vector<std::uint32_t> run_starts_;
-  std::vector<render::InstanceRecord> instances_;
+  std::vector<Tile> tiles_ = std::vector<Tile>(most_tiles);
+  std::vector<Choice> choices_;  // [place in the list of visible agents]
+  std::vector<std::uint32_t> run_counts_;
+  std::vector<render::InstanceRecord> records_;
+  std::size_t instance_count_ = 0;
   std::vector<render::CrowdBatch> batches_;
-  MorphWeights morphs_;
+  std::vector<float> weights_;
+  std::size_t weight_count_ = 0;
 };
 
 }  // namespace throng::app

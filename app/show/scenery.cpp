@@ -21,7 +21,7 @@ constexpr LampOfProp lamps_of_props[] = {
     {Prop::facade_b, {0.0F, 3.0F, 1.2F}, shop},      {Prop::facade_c, {0.0F, 3.0F, 1.2F}, shop},
     {Prop::facade_d, {0.0F, 3.0F, 1.2F}, shop},      {Prop::facade_e, {0.0F, 3.0F, 1.2F}, shop},
     {Prop::facade_corner, {0.0F, 3.0F, 1.2F}, shop}, {Prop::stand, {0.0F, 3.0F, 1.5F}, spotlight},
-    {Prop::flood_light, {0.0F, 26.0F, 0.0F}, flood},
+    {Prop::flood_light, {0.0F, 26.0F, 0.0F}, flood}, {Prop::arcade_corner, {0.0F, 3.2F, 0.6F}, shop},
 };
 
 void add_lamps(const PlacedProp& prop, std::vector<render::SceneryLamp>& lamps) {

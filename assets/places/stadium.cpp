@@ -22,11 +22,12 @@ void seat(MeshBuilder& builder, int lod) {
   const Paint plastic = paints::tinted(0xF0EEEA);
   const Paint under = shaded(plastic, 0.6);
   if (lod >= 1) {
-    box(builder, {-0.22, 0.4, -0.2}, {0.22, 0.44, 0.2}, plastic,
+    // Coarse seats cast the shadows, also on fine ones, so they lie a little behind these.
+    box(builder, {-0.22, 0.38, -0.2}, {0.22, 0.42, 0.2}, plastic,
         lod == 1 ? side::front | side::top : unsigned{side::top});
-    panel(builder, -0.22, 0.44, 0.22, 0.82, -0.2, plastic);
+    builder.quad({-0.22, 0.42, -0.22}, {0.22, 0.42, -0.22}, {0.22, 0.82, -0.28}, {-0.22, 0.82, -0.28}, plastic);
     if (lod == 1)
-      builder.quad({0.22, 0.44, -0.22}, {-0.22, 0.44, -0.22}, {-0.22, 0.82, -0.26}, {0.22, 0.82, -0.26}, under);
+      builder.quad({0.22, 0.42, -0.23}, {-0.22, 0.42, -0.23}, {-0.22, 0.82, -0.29}, {0.22, 0.82, -0.29}, under);
     return;
   }
   const std::vector<dvec2> profile{{0.2, 0.4},    {0.22, 0.43},  {0.2, 0.44},  {0.05, 0.425}, {-0.12, 0.43},

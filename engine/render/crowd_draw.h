@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/render/instance_record.h"
+#include "engine/render/job_runner.h"
 #include "engine/render/scene_ground.h"
 #include "engine/render/scene_light.h"
 
@@ -58,6 +59,7 @@ struct CrowdFrame {
   bool shadows = true;            ///< everything casts shadows on everything
   bool crowd_shade = true;        ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};    ///< each vertex shows as a colour how much it follows these; none: no vertex does
+  JobRunner* jobs = nullptr;      ///< does parts of the work at once; null: the calling thread does all
 };
 
 /// The difference of two pictures is shown so many times as bright.

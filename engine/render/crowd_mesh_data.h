@@ -87,6 +87,9 @@ struct MorphDeltaData {
   float normal[3] = {0, 0, 0};
 };
 
+/// The most mesh LODs that a character has, its full surface included.
+inline constexpr std::size_t largest_mesh_lod_count = 6;
+
 /// A coarser surface that comes with the character.
 struct BakedLodData {
   std::vector<MeshPartData> parts;
@@ -97,7 +100,7 @@ using PosedPalettes = std::vector<std::vector<glm::mat4x3>>;
 
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;
-  std::vector<BakedLodData> baked_lods;  ///< finest first; if empty, `parts` are simplified
+  std::vector<BakedLodData> baked_lods;  ///< finest first, the first few are used; if empty, `parts` are simplified
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
   /// Maps, for each of 1 to 4 bone levels, a palette entry to the one that a vertex reads at that level: the same entry

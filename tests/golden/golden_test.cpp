@@ -4,6 +4,7 @@
 
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/render/crowd_mesh_data.h"
 #include "tests/golden/golden_picture.h"
 
 namespace throng::app::test::golden_test {
@@ -19,6 +20,14 @@ TEST_P(GoldenPicture, GridCloseUp) {
   options.tuning.agents = 9;
   options.camera_name = "close";
   expect_golden_picture("grid-close", options);
+}
+
+// Nobody of whom only the coarsest mesh is drawn lacks a leg, an arm or a head.
+TEST_P(GoldenPicture, FarPeople) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.scenery = false;
+  options.tuning.mesh_lod = render::largest_mesh_lod_count - 1;
+  expect_golden_picture("far-people", options);
 }
 
 // Bodies hide no bones of their own, and those of others nearly.

@@ -83,13 +83,18 @@ TEST(Cascades, PutTheSunAtDepthZero) {
 
 TEST(Cascades, TakeCastersTowardsTheSunAndNoneBehind) {
   const SunAxes axes = sun_axes(to_sun);
-  const Cascade cascade = planned({}).front();
+  const auto cascades = planned({});
+  const Cascade& cascade = cascades.front();
+  const CastLimits limits = cast_limits(cascades, axes, {true, true, true, true});
+  const auto casts = [&](const glm::vec3& from_middle) {
+    return may_cast(limits, axes.along(cascade.centre + from_middle), 1.0F)[0] != 0;
+  };
   const float far = 50.0F * cascade.radius;
-  EXPECT_TRUE(may_cast(cascade, axes, cascade.centre, 1.0F));
-  EXPECT_TRUE(may_cast(cascade, axes, cascade.centre + far * to_sun, 1.0F));
-  EXPECT_FALSE(may_cast(cascade, axes, cascade.centre - far * to_sun, 1.0F));
-  EXPECT_FALSE(may_cast(cascade, axes, cascade.centre + far * axes.x, 1.0F));
-  EXPECT_TRUE(may_cast(cascade, axes, cascade.centre + (cascade.radius + 0.9F) * axes.x, 1.0F));
+  EXPECT_TRUE(casts({}));
+  EXPECT_TRUE(casts(far * to_sun));
+  EXPECT_FALSE(casts(-far * to_sun));
+  EXPECT_FALSE(casts(far * axes.x));
+  EXPECT_TRUE(casts((cascade.radius + 0.9F) * axes.x));
 }
 
 TEST(SunAxes, StandOnEachOtherEvenWhereTheSunIsOverhead) {

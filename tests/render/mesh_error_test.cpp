@@ -184,10 +184,10 @@ TEST(MeshError, IsThatOfTheWorstPose) {
   EXPECT_GT(strip.error(), 0.05F);
 }
 
-TEST(MeshError, OfNothingLeftIsATenthOfTheExtent) {
+TEST(MeshError, OfNothingLeftIsAnEighthOfTheExtent) {
   Scene scene;
   scene.add_floor(scene.full, 0.0F, 1.0F, 0.0F, 8, white);
-  EXPECT_FLOAT_EQ(scene.error(), 0.1F);
+  EXPECT_FLOAT_EQ(scene.error(), 0.125F);
 }
 
 TEST(MeshError, IsANumberForTrianglesWithoutAreaAndCoordinatesThatAreNone) {

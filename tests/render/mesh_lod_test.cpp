@@ -155,7 +155,12 @@ TEST(MeshLods, KeepColoursWhereTheyAre) {
   view.colors = colors;
   const std::vector<MeshLod> lods = lods_of(view);
   const auto is_dark = [&](std::uint32_t vertex) { return colors[vertex].r < 0.5F; };
-  EXPECT_GE(std::ranges::count_if(lods.back().indices, is_dark), 3);
+  constexpr float lost = 0.05F;  // half of the ring's width
+  for (const MeshLod& lod : lods) {
+    if (lod.error.surface >= lost) break;
+    EXPECT_GE(std::ranges::count_if(lod.indices, is_dark), 3) << lod.indices.size();
+  }
+  EXPECT_LT(lods[2].error.surface, lost);
 }
 
 TEST(MeshLods, KeepMoreOfAFaceThanOfTheRest) {

@@ -79,6 +79,23 @@ TEST(SkyPicture, TakesAStopAsTwiceTheLight) {
   EXPECT_NEAR(brightness(more.haze), 2.0F * brightness(usual.haze), 1e-2F);
 }
 
+TEST(SkyPicture, ThinsHazeThatIsBrightSoThatACrowdKeepsItsColours) {
+  const glm::vec4 noon = SkyPicture({}).uniforms().clearing,
+                  evening = SkyPicture({.sun_elevation = 9.0F}).uniforms().clearing;
+  EXPECT_LT(evening.g, 0.6F * noon.g);
+  EXPECT_NEAR(evening.b / evening.r, noon.b / noon.r, 1e-3F);
+}
+
+TEST(SkyPicture, LightsPeopleFromSunlitWallsWhileTheSunIsLow) {
+  const SceneLight low{.sun_elevation = 9.0F, .sun_azimuth = 90.0F, .clouds = 0.0F};  // from +x
+  const SkyPicture evening(low), noon(SceneLight{});
+  const glm::vec3 lit(-0.99F, 0.1F, 0.0F), shaded(0.99F, 0.1F, 0.0F);
+  EXPECT_GT(brightness(evening.radiance_in_town(lit)), 2.0F * brightness(evening.radiance_in_town(shaded)));
+  EXPECT_GT(evening.radiance_in_town(lit).r, 1.5F * evening.radiance_in_town(lit).b) << "warm";
+  EXPECT_EQ(evening.radiance_in_town({0.0F, 1.0F, 0.0F}), evening.radiance({0.0F, 1.0F, 0.0F})) << "no roof overhead";
+  EXPECT_EQ(noon.radiance_in_town(lit), noon.radiance(lit));
+}
+
 TEST(SkyPicture, LightsWindowsAtNightAlone) {
   EXPECT_EQ(SkyPicture({}).uniforms().night, 0.0F);
   const LightUniforms night = SkyPicture({.sun_elevation = -12.0F}).uniforms();

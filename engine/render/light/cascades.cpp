@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace throng::render {
 namespace {
@@ -101,11 +101,17 @@ std::array<Cascade, cascade_count> plan_cascades(const CameraView& camera, const
   return cascades;
 }
 
-bool may_cast(const Cascade& cascade, const SunAxes& axes, const glm::vec3& centre, float radius) {
-  const glm::vec3 from_middle = centre - cascade.centre;
-  const float reach = cascade.radius * margin + radius;
-  return std::abs(glm::dot(from_middle, axes.x)) < reach && std::abs(glm::dot(from_middle, axes.y)) < reach &&
-         glm::dot(from_middle, axes.z) > -reach;
+CastLimits cast_limits(const std::array<Cascade, cascade_count>& cascades, const SunAxes& axes,
+                       const std::array<bool, cascade_count>& wanted) {
+  CastLimits limits;
+  for (std::size_t i = 0; i < cascade_count; ++i) {
+    const glm::vec3 middle = axes.along(cascades.at(i).centre);
+    limits.x.at(i) = middle.x;
+    limits.y.at(i) = middle.y;
+    limits.z.at(i) = middle.z;
+    limits.reach.at(i) = wanted.at(i) ? cascades.at(i).radius * margin : -std::numeric_limits<float>::infinity();
+  }
+  return limits;
 }
 
 }  // namespace throng::render

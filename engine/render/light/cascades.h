@@ -1,7 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -39,6 +43,8 @@ struct Cascade {
 /// Directions in which maps lie: x and y along their sides, z towards the sun; all unit.
 struct SunAxes {
   glm::vec3 x, y, z;
+
+  glm::vec3 along(const glm::vec3& point) const { return {glm::dot(point, x), glm::dot(point, y), glm::dot(point, z)}; }
 };
 SunAxes sun_axes(const glm::vec3& to_sun);
 
@@ -46,7 +52,27 @@ SunAxes sun_axes(const glm::vec3& to_sun);
 std::array<Cascade, cascade_count> plan_cascades(const CameraView& camera, const SunAxes& axes,
                                                  const DepthRange& depths, int side);
 
-/// Returns whether something in a ball may cast a shadow into the cascade. It may be anywhere towards the sun.
-bool may_cast(const Cascade& cascade, const SunAxes& axes, const glm::vec3& centre, float radius);
+/// The cascades of a frame as what may cast shadows into them is held against: all of them at once, along the axes of
+/// the sun.
+struct CastLimits {
+  std::array<float, cascade_count> x{}, y{}, z{};  ///< middles, [cascade]
+  std::array<float, cascade_count> reach{};        ///< from the middle; below any radius where nothing may cast
+};
+/// Nothing casts into a cascade that is not `wanted`.
+CastLimits cast_limits(const std::array<Cascade, cascade_count>& cascades, const SunAxes& axes,
+                       const std::array<bool, cascade_count>& wanted);
+
+/// Returns for each cascade 1 where something in a ball may cast a shadow into it, else 0. It may be anywhere towards
+/// the sun. `centre` is given along the axes of the sun.
+inline std::array<std::uint32_t, cascade_count> may_cast(const CastLimits& limits, const glm::vec3& centre,
+                                                         float radius) {
+  std::array<std::uint32_t, cascade_count> may{};
+  for (std::size_t i = 0; i < cascade_count; ++i) {
+    const float reach = limits.reach[i] + radius;
+    const bool beside = std::abs(centre.x - limits.x[i]) < reach && std::abs(centre.y - limits.y[i]) < reach;
+    may[i] = static_cast<std::uint32_t>(beside && centre.z - limits.z[i] > -reach);
+  }
+  return may;
+}
 
 }  // namespace throng::render

@@ -29,6 +29,7 @@ constexpr float walls_share = 0.9F;
 constexpr float sky_on_walls = 0.28F;  // of what an open place receives, because walls stand opposite
 
 constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
+constexpr float brightest_thick_haze = 1.0F;  // haze that is brighter would hide a crowd, so there is less of it
 
 // Once the sun is down, the moon and a city give light. Exposed colours.
 constexpr glm::vec3 moonlight{0.30F, 0.36F, 0.50F};
@@ -189,7 +190,8 @@ void SkyPicture::light_ground() {
   }
   uniforms_.haze = glm::vec4(away, along.x);
   uniforms_.haze_at_sun = glm::vec4(glm::max(towards - away, glm::vec3(0.0F)), along.z);
-  uniforms_.clearing = glm::vec4(clearing, 0.0F);
+  const float bright = 0.5F * luminance(away + glm::max(towards, away));
+  uniforms_.clearing = glm::vec4(clearing * std::min(brightest_thick_haze / bright, 1.0F), 0.0F);
 }
 
 glm::vec3 SkyPicture::radiance(const glm::vec3& direction) const {
@@ -201,6 +203,7 @@ glm::vec3 SkyPicture::radiance_in_town(const glm::vec3& direction) const {
   const glm::vec3 open = radiance(direction);
   if (direction.y <= 0.0F) return glm::mix(open, ground_in_shade_, town_);
   const float hidden = town_ * glm::smoothstep(most_roof, least_roof, direction.y);
+  if (hidden <= 0.0F) return open;
   const glm::vec3 facing = -glm::normalize(glm::vec3(direction.x, 0.0F, direction.z));
   const float lit = std::max(glm::dot(facing, uniforms_.to_sun), 0.0F);
   return glm::mix(open, walls_albedo * glm::vec3(uniforms_.sun_light) * lit + walls_in_shade_, hidden);

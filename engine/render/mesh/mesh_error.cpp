@@ -11,10 +11,13 @@
 namespace throng::render {
 namespace {
 
-constexpr float cells_of_extent = 64.0F;    // an edge of colour is found to about 3 cm on a person
-constexpr float farthest_of_extent = 0.1F;  // farther counterparts are not looked for
-constexpr float least_of_extent = 0.002F;   // the samples do not resolve less
+constexpr float cells_of_extent = 64.0F;      // an edge of colour is found to about 3 cm on a person
+constexpr float farthest_of_extent = 0.125F;  // farther counterparts are not looked for
+constexpr float least_of_extent = 0.002F;     // the samples do not resolve less
 constexpr std::size_t most_sampled_cells = 1000;
+// A mesh of so few of the triangles is off in large patches. Fewer samples find them as well, and each takes longer.
+// An odd number takes both those inside cells and those in corners.
+constexpr std::size_t few_of_the_triangles = 20, one_sample_of = 5;
 constexpr double poses_kept = 0.99;
 constexpr glm::vec3 middle(1.0F / 3.0F);  // weights
 
@@ -78,15 +81,21 @@ MeshErrorMeter::MeshErrorMeter(const SkinnedSurfaceView& surface, const SurfaceP
 }
 
 MeshError MeshErrorMeter::error_of(std::span<const std::uint32_t> indices) const {
+  const bool is_coarse = indices.size() * few_of_the_triangles < full_.indices.size();
+  const std::size_t stride = is_coarse ? one_sample_of : 1;
   const Side coarse = side_of(indices);
   std::vector<Pair> pairs;
-  for (const Sample& sample : samples_) pair(sample, full_, coarse, pairs);
-  for (const Sample& sample : samples_of(coarse)) pair(sample, coarse, full_, pairs);
+  for (std::size_t i = 0; i < samples_.size(); i += stride) pair(samples_[i], full_, coarse, pairs);
+  const std::vector<Sample> of_coarse = samples_of(coarse);
+  for (std::size_t i = 0; i < of_coarse.size(); i += stride) pair(of_coarse[i], coarse, full_, pairs);
+  for (Pair& pair : pairs) pair.seen_area *= static_cast<float>(stride);
   const float surface = usual_error(pairs);
   if (surface_.face.empty()) return {surface, surface};
   std::erase_if(pairs, [](const Pair& pair) { return !pair.on_face; });
   return {surface, usual_error(pairs)};
 }
+
+float MeshErrorMeter::largest_error() const { return extent_ * farthest_of_extent; }
 
 /// Returns the error that 99% of the poses do not exceed.
 float MeshErrorMeter::usual_error(std::span<const Pair> pairs) const {
@@ -171,7 +180,7 @@ bool MeshErrorMeter::is_seen_from(const glm::vec3& direction, const Side& side, 
 }
 
 void MeshErrorMeter::pair(const Sample& sample, const Side& own, const Side& other, std::vector<Pair>& pairs) const {
-  const float most = extent_ * farthest_of_extent;
+  const float most = largest_error();
   const auto distance = [&](const SurfaceCell& cell, const glm::vec3& weights, float below) {
     return largest_distance(sample.point, point_of(other, cell, weights), below);
   };
@@ -196,7 +205,7 @@ bool MeshErrorMeter::is_on_face(const SurfacePoint& point) const {
 float MeshErrorMeter::recolored_by(const Sample& sample, const PointLook& look, const Side& own,
                                    const Side& other) const {
   if (look_alike(look, sample.look)) return 0.0F;
-  const float most = extent_ * farthest_of_extent;
+  const float most = largest_error();
   const float in_other = distance_to_alike(sample.point, sample.look, other, most);
   if (in_other * 2.0F <= least_error_) return 0.0F;
   // A strip of colour is lost, and the sample is this far from the nearer of its edges.

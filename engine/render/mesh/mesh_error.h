@@ -28,8 +28,8 @@ namespace throng::render {
 /// Smaller patches would not show. What cannot be seen in the first pose does not count: the skin under clothes, the
 /// inside of a mouth.
 ///
-/// Errors beyond a tenth of the surface's extent count as a tenth. Errors below a five-hundredth, which the samples do
-/// not resolve, count as that.
+/// Errors beyond an eighth of the surface's extent count as an eighth. Errors below a five-hundredth, which the samples
+/// do not resolve, count as that.
 class MeshErrorMeter {
  public:
   /// All parameters outlive the meter. Without `paint` the whole surface has one colour. Pairs are found in the first
@@ -40,6 +40,8 @@ class MeshErrorMeter {
   MeshError error_of(std::span<const std::uint32_t> indices) const;
   /// Returns the longest side of a box around the full surface in the first pose, in metres.
   float extent() const { return extent_; }
+  /// Returns the error that stands for all larger ones.
+  float largest_error() const;
 
  private:
   enum class Seen : std::uint8_t { unknown, yes, no };

@@ -14,12 +14,13 @@ namespace throng::render {
 namespace {
 
 /// The steps of simplification, in shares of the triangles. Each is measured. Those who are so small that they are
-/// drawn with the coarse ones show no face: there it is not held more firmly than all else.
+/// drawn with the coarse ones show no face, but a head: there it is held about as firmly as its size asks for.
 constexpr std::array fine_steps{0.65, 0.45, 0.3};
-constexpr std::array coarse_steps{0.2, 0.12, 0.07, 0.03};
-// LODs are chosen for characters of these heights on screen, in pixels, all as frequent on a logarithmic scale, and for
-// this error.
-constexpr double shortest = 8.0, tallest = 512.0, usual_error = 0.5;
+constexpr std::array coarse_steps{0.2, 0.12, 0.07, 0.04, 0.025, 0.015, 0.009};
+constexpr double firmness_from_afar = 3.0;
+// LODs are chosen for characters of these heights on screen, in pixels, and for this error. On open ground four times
+// as many are half as tall.
+constexpr double shortest = 4.0, tallest = 512.0, usual_error = 0.5;
 constexpr double farthest_merge = 0.08;  // in shares of the surface's extent
 
 // A LOD that misses its target by more than this is worth trying with clustering.
@@ -74,12 +75,12 @@ bool each_is_worth_keeping(std::span<const MeshLod* const> lods) {
          }) == lods.end();
 }
 
-/// Returns the mean number of indices that a character of any height is drawn with, in an unit of its own.
+/// Returns the mean number of indices that a character is drawn with, in a unit of its own.
 double mean_cost(std::span<const MeshLod* const> lods, double extent) {
   double cost = 0.0, above = tallest;
   for (std::size_t i = 0; i < lods.size(); ++i) {
     const double below = i + 1 < lods.size() ? served_height(*lods[i + 1], extent) : shortest;
-    cost += static_cast<double>(lods[i]->indices.size()) * std::log(above / below);
+    cost += static_cast<double>(lods[i]->indices.size()) * (1.0 / (below * below) - 1.0 / (above * above));
     above = below;
   }
   return cost;
@@ -122,10 +123,11 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
   const double extent = static_cast<double>(
       meshopt_simplifyScale(surface.positions.data(), surface.positions.size() / 3, position_bytes));
   simplify(surface, fine_steps, extent, candidates);
-  SkinnedSurfaceView without_face = surface;
-  without_face.face = {};
-  simplify(without_face, coarse_steps, extent, candidates);
+  SkinnedSurfaceView from_afar = surface;
+  from_afar.face_firmness = firmness_from_afar;
+  simplify(from_afar, coarse_steps, extent, candidates);
   measure_mesh_lods(candidates, meter);
+  std::erase_if(candidates, [&](const MeshLod& lod) { return lod.error.surface >= meter.largest_error(); });
   return cheapest(candidates, static_cast<double>(meter.extent()));
 }
 

@@ -5,13 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "engine/render/crowd_mesh_data.h"
 #include "engine/render/mesh/mesh_error.h"
 #include "engine/render/mesh/surface_simplifier.h"
 
 namespace throng::render {
-
-/// The most mesh LODs that a surface has, itself included.
-inline constexpr std::size_t largest_mesh_lod_count = 4;
 
 /// One mesh LOD: triangles over the original vertices, so that weights stay valid.
 struct MeshLod {
@@ -23,7 +21,7 @@ struct MeshLod {
 /// drawn at the least cost. [0] is the surface itself. Each further LOD has clearly fewer triangles than the one
 /// before, so a surface that cannot be simplified has fewer LODs. The result is never empty. SurfaceSimplifier makes
 /// the steps. Where it misses one, because a character without a texture has many loose pieces, meshoptimizer's
-/// clustering does. `meter` measures on `surface`.
+/// clustering does. A step that is off by more than the meter measures is left out. `meter` measures on `surface`.
 std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const MeshErrorMeter& meter);
 
 /// Measures all LODs but the first, which is the surface itself. No error is smaller than the one before.

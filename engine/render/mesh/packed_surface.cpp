@@ -57,7 +57,7 @@ bool deal_runs(std::span<const MaterialRun> runs, std::span<const PackedSurfaceL
     parts.error_by_lod.push_back(lod.error);
     runs = runs.subspan(lod.runs);
   }
-  return runs.empty() && !lods.empty();
+  return runs.empty() && !lods.empty() && lods.size() <= largest_mesh_lod_count;
 }
 
 bool lies_within(const MaterialRun& run, std::size_t indices) {

@@ -167,9 +167,10 @@ void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materia
 /// Appends the vertices of baked LODs, and returns the mesh LODs with their errors.
 std::vector<MeshLod> baked_lods(const CrowdMeshData& data, Surface& surface, Merged& merged) {
   std::vector<MeshLod> lods;
+  constexpr std::size_t most_baked = largest_mesh_lod_count - 1;
   const std::size_t full_count = merged.indices.size();
   lods.push_back({.indices = merged.indices});
-  for (const BakedLodData& baked : data.baked_lods) {
+  for (const BakedLodData& baked : std::span(data.baked_lods).first(std::min(data.baked_lods.size(), most_baked))) {
     const auto first = static_cast<std::ptrdiff_t>(merged.indices.size());
     for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
     lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});

@@ -21,9 +21,6 @@ constexpr double joint_travel_share = 0.05;
 // A colour that is lost altogether counts as a surface that moved by this share of the size of the character.
 constexpr double color_travel_share = 0.03;
 
-// People look at faces: an error there counts as one of a surface this many times as large.
-constexpr double face_firmness = 25.0;
-
 // The length of an edge costs this much: of merges that keep the shape, short ones make better triangles.
 constexpr double length_cost = 1e-3;
 
@@ -68,7 +65,7 @@ void SurfaceSimplifier::join_vertices_into_points() {
 }
 
 double SurfaceSimplifier::firmness(std::uint32_t vertex) const {
-  return !surface_.face.empty() && surface_.face[vertex] != 0 ? face_firmness : 1.0;
+  return !surface_.face.empty() && surface_.face[vertex] != 0 ? surface_.face_firmness : 1.0;
 }
 
 void SurfaceSimplifier::add_triangles() {
@@ -217,7 +214,9 @@ bool SurfaceSimplifier::find_stand_ins(std::uint32_t from, std::uint32_t into, S
   }
   for (const std::uint32_t vertex : points_[from].vertices) {
     if (std::ranges::find(stand_ins, vertex, &StandIns::value_type::first) != stand_ins.end()) continue;
-    const std::uint32_t stand_in = stand_in_elsewhere(vertex, points_[into]);
+    const auto alike =
+        std::ranges::find_if(stand_ins, [&](const auto& paired) { return looks_like(paired.first, vertex); });
+    const std::uint32_t stand_in = alike != stand_ins.end() ? alike->second : stand_in_elsewhere(vertex, points_[into]);
     if (stand_in == no_vertex) return false;
     stand_ins.emplace_back(vertex, stand_in);
   }
@@ -225,16 +224,17 @@ bool SurfaceSimplifier::find_stand_ins(std::uint32_t from, std::uint32_t into, S
 }
 
 std::uint32_t SurfaceSimplifier::stand_in_elsewhere(std::uint32_t vertex, const Point& into) const {
-  const auto has_like_texture = [&](std::size_t other) {
-    if (surface_.texture_coords.empty()) return true;
-    const float* own = &surface_.texture_coords[vertex * 2UL];
-    const float* its = &surface_.texture_coords[other * 2];
-    return std::abs(its[0] - own[0]) <= like_texture && std::abs(its[1] - own[1]) <= like_texture;
-  };
-  const auto found = std::ranges::find_if(into.vertices, [&](std::uint32_t other) {
-    return surface_.belongs_to[other] == surface_.belongs_to[vertex] && has_like_texture(other);
-  });
+  const auto found =
+      std::ranges::find_if(into.vertices, [&](std::uint32_t other) { return looks_like(other, vertex); });
   return found == into.vertices.end() ? no_vertex : *found;
+}
+
+bool SurfaceSimplifier::looks_like(std::uint32_t vertex, std::uint32_t other) const {
+  if (surface_.belongs_to[vertex] != surface_.belongs_to[other]) return false;
+  if (surface_.texture_coords.empty()) return true;
+  const float* one = &surface_.texture_coords[vertex * 2UL];
+  const float* its = &surface_.texture_coords[other * 2UL];
+  return std::abs(its[0] - one[0]) <= like_texture && std::abs(its[1] - one[1]) <= like_texture;
 }
 
 void SurfaceSimplifier::merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins) {

@@ -25,6 +25,7 @@ struct SkinnedSurfaceView {
   std::span<const float> texture_coords;    ///< u v a vertex, or empty if there is no texture
   std::span<const glm::vec3> colors = {};   ///< one a vertex, as seen (PointLook::color), or empty: all alike
   std::span<const std::uint8_t> face = {};  ///< one a vertex, 1 on a face, or empty: no face is known
+  double face_firmness = 25.0;              ///< an error on a face counts as one of a surface this many times as large
 };
 
 /// Merges points of a skinned surface along its edges, the cheapest first (CollapseCost).
@@ -81,6 +82,7 @@ class SurfaceSimplifier {
   bool turns_a_triangle_over(std::uint32_t from, std::uint32_t into) const;
   bool find_stand_ins(std::uint32_t from, std::uint32_t into, StandIns& stand_ins) const;
   std::uint32_t stand_in_elsewhere(std::uint32_t vertex, const Point& into) const;
+  bool looks_like(std::uint32_t vertex, std::uint32_t other) const;
   void merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins);
 
   bool has_point(const Triangle& triangle, std::uint32_t point) const;

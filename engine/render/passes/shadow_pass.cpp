@@ -95,7 +95,7 @@ DrawCounts ShadowPass::draw_crowd(const CrowdFrame& frame, std::span<const Crowd
   plan(frame, light);
   gather(frame, meshes);
   set_state();
-  caster_buffer_.upload(casters_);
+  caster_buffer_.upload(casters_.all());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, casters_binding, caster_buffer_.id());
   draws_.upload();
   for (int i = 0; i < cascade_count; ++i) {
@@ -111,33 +111,33 @@ void ShadowPass::end() {
 }
 
 void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes) {
-  casters_.clear();
+  reaches_.clear();
+  for (const CrowdBatch& batch : frame.batches) reaches_.push_back(meshes[batch.character].reach());
+  casters_.choose(frame, reaches_, axes_, cast_limits(cascades_, axes_, drawn_now_));
   draws_.clear();
-  for (int i = 0; i < cascade_count; ++i) {
-    first_group_.at(static_cast<std::size_t>(i)) = static_cast<std::uint32_t>(draws_.groups().size());
-    if (!drawn_now_.at(static_cast<std::size_t>(i))) continue;
-    for_each_run(frame.batches,
-                 [&](std::span<const CrowdBatch> run) { gather_run(run, frame, meshes[run[0].character], i); });
+  std::uint32_t first_caster = 0;
+  for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
+    first_group_.at(cascade) = static_cast<std::uint32_t>(draws_.groups().size());
+    std::size_t first_batch = 0;
+    for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
+      gather_run(run, {cascade, first_batch}, meshes[run[0].character], first_caster);
+      first_batch += run.size();
+    });
   }
   first_group_.back() = static_cast<std::uint32_t>(draws_.groups().size());
 }
 
 // Makes one group of all opaque materials, and one of each other.
-void ShadowPass::gather_run(std::span<const CrowdBatch> run, const CrowdFrame& frame, const CrowdMesh& mesh,
-                            int cascade) {
-  const Cascade& map = cascades_.at(static_cast<std::size_t>(cascade));
-  const int coarse = pick_mesh_lod(mesh.error_by_lod(), {map.texel, map.texel});
+void ShadowPass::gather_run(std::span<const CrowdBatch> run, CastersOfRun of, const CrowdMesh& mesh,
+                            std::uint32_t& first_caster) {
+  const float texel = cascades_.at(of.cascade).texel;
+  const int coarse = pick_mesh_lod(mesh.error_by_lod(), {texel, texel});
   caster_batches_.clear();
   for (CrowdBatch batch : run) {
-    const auto first = static_cast<std::uint32_t>(casters_.size());
-    for (std::uint32_t i = batch.first_instance; i < batch.first_instance + batch.instance_count; ++i) {
-      const InstanceRecord& record = frame.instances[i];
-      const glm::vec3 place(record.position[0], record.position[1], record.position[2]);
-      if (may_cast(map, axes_, place, mesh.reach() * record.scale)) casters_.push_back(i);
-    }
     batch.mesh_lod = static_cast<std::uint8_t>(std::max<int>(batch.mesh_lod, coarse));
-    batch.first_instance = first;
-    batch.instance_count = static_cast<std::uint32_t>(casters_.size()) - first;
+    batch.first_instance = first_caster;
+    batch.instance_count = casters_.count(of.cascade, of.first_batch++);
+    first_caster += batch.instance_count;
     if (batch.instance_count > 0) caster_batches_.push_back(batch);
   }
   const auto add_group = [&](int group, const auto& is_wanted) {

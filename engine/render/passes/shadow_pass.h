@@ -12,6 +12,7 @@
 #include "engine/render/light/shadow_uniforms.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/palette_buffer.h"
+#include "engine/render/passes/casters.h"
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/shader/shader_library.h"
 
@@ -67,7 +68,11 @@ class ShadowPass {
   bool is_due(int cascade, bool in_turns) const;
   void plan(const CrowdFrame& frame, const Light& light);
   void gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes);
-  void gather_run(std::span<const CrowdBatch> run, const CrowdFrame& frame, const CrowdMesh& mesh, int cascade);
+  struct CastersOfRun {
+    std::size_t cascade;
+    std::size_t first_batch;
+  };
+  void gather_run(std::span<const CrowdBatch> run, CastersOfRun of, const CrowdMesh& mesh, std::uint32_t& first_caster);
   void draw_cascade(int cascade, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
   void use_program(const CrowdMesh& mesh, int material, int cascade) const;
 
@@ -83,7 +88,8 @@ class ShadowPass {
   std::array<bool, cascade_count> drawn_now_{};
   std::array<std::uint32_t, cascade_count + 1> first_group_{};
   std::uint32_t turn_ = 0;
-  std::vector<std::uint32_t> casters_;      // instances, by cascade and batch
+  Casters casters_;
+  std::vector<float> reaches_;              // [batch] of the frame
   std::vector<CrowdBatch> caster_batches_;  // of the run that is gathered
   gl::GrowingBuffer<std::uint32_t> caster_buffer_;
   IndirectDraws draws_;

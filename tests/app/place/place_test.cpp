@@ -78,8 +78,9 @@ struct Standing {
 };
 
 bool is_house(Prop prop) {
-  return prop == Prop::arcade_bay || prop == Prop::facade_a || prop == Prop::facade_b || prop == Prop::facade_c ||
-         prop == Prop::facade_d || prop == Prop::facade_e || prop == Prop::facade_corner || prop == Prop::tower;
+  return prop == Prop::arcade_bay || prop == Prop::arcade_corner || prop == Prop::facade_a || prop == Prop::facade_b ||
+         prop == Prop::facade_c || prop == Prop::facade_d || prop == Prop::facade_e || prop == Prop::facade_corner ||
+         prop == Prop::tower;
 }
 
 std::vector<Standing> standing(const Place& place, const auto& is_wanted) {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/light/cascades.h"
+
+namespace throng::render {
+
+/// Chooses who may cast a shadow into which cascade, for all cascades in one pass over the instances. Jobs do it in
+/// tiles; the result is the same for any number of them. Memory is kept from frame to frame.
+class Casters {
+ public:
+  /// Chooses among the instances of a frame's batches. `reaches` has the metres that each batch's surface reaches from
+  /// where an instance of scale 1 stands.
+  void choose(const CrowdFrame& frame, std::span<const float> reaches, const SunAxes& axes, const CastLimits& limits);
+
+  /// Returns the casters, as indices of instances: by cascade, then by batch, in the order of the instances.
+  std::span<const std::uint32_t> all() const { return std::span(room_).first(length_); }
+  /// Returns how many of them are of a cascade and a batch.
+  std::uint32_t count(std::size_t cascade, std::size_t batch) const { return counts_[batch][cascade]; }
+
+ private:
+  using Counts = std::array<std::uint32_t, cascade_count>;
+  struct Frame;
+
+  /// Instances that one job looks at, counted through all batches. Its list for a cascade begins where it would if all
+  /// instances cast into all cascades before.
+  struct Tile {
+    std::size_t first = 0, end = 0;
+    Counts found{};  // by cascade
+  };
+
+  void look_at_all(const Frame& frame, Tile& tile);
+  void look_at_batch(const Frame& frame, std::size_t batch, std::uint32_t first, std::uint32_t count, Tile& tile);
+  void close_gaps(std::size_t total, std::span<const Tile> tiles);
+
+  std::vector<std::uint32_t> room_;
+  std::size_t length_ = 0;
+  std::vector<Counts> counts_;  // [batch]
+};
+
+}  // namespace throng::render

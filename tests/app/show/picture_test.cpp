@@ -1,0 +1,151 @@
+// How a picture is composed in tiles.
+#include "app/show/picture.h"
+
+#include <cstring>
+#include <memory>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/view/fly_camera.h"
+#include "tests/counting/hot_path_counter.h"
+
+namespace throng::app::picture_test {
+namespace {
+
+constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr int agents = 9000;  // more than eight tiles
+constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
+
+/// A pillar whose clips give the last of so many morphs a weight.
+CharacterSource morphing_pillar(std::uint32_t morphs) {
+  CharacterSource source = *load_character(pillar, pillar);
+  source.model.morphs.resize(morphs);
+  const auto metres = static_cast<float>(source.character->bounds.height / 2.0);
+  auto& deltas = source.model.meshes.front().morph_deltas;
+  for (std::uint32_t morph = 0; morph < morphs; ++morph) {
+    deltas.push_back({.vertex = 0, .morph = morph, .position = {0.0F, metres, 0.0F}, .normal = {}});
+  }
+  for (anim::Clip& clip : source.model.clips) {
+    clip.morph_tracks = {{.interpolation = anim::Interpolation::linear,
+                          .morphs = {static_cast<int>(morphs) - 1},
+                          .times = {0.0F},
+                          .weights = {0.5F}}};
+  }
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  return source;
+}
+
+/// A crowd of pillars that morph and pillars that do not, on pages that hold a few hundred each.
+class PictureInTiles : public testing::Test {
+ protected:
+  void open(std::uint32_t morphs) {
+    std::vector<CharacterSource> characters;
+    characters.push_back(morphing_pillar(morphs));
+    characters.push_back(*load_character(pillar, pillar));
+    auto made = Stage::create(std::move(characters), tuning_, pages_);
+    ASSERT_TRUE(made);
+    stage_ = std::move(*made);
+    for (std::size_t each = 0; each < 2; ++each) {
+      stage_->mesh_lods().set(each, {{}, {0.1F, 0.1F}, {0.2F, 0.2F}}, {300, 100, 30});
+    }
+    pass();
+    ASSERT_GT(stage_->selection().visible.size(), 8200U);
+  }
+  void pass() {
+    stage_->move(frame);
+    stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+  }
+  Picture composed_on(int pus) {
+    tuning_.system.pus = pus;
+    EXPECT_TRUE(stage_->apply(tuning_));
+    Picture picture;
+    picture.compose(*stage_);
+    return picture;
+  }
+  static void expect_same(const Picture& picture, const Picture& other, int pus) {
+    const auto same = [](const auto& a, const auto& b) {
+      return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    };
+    EXPECT_TRUE(same(picture.instances(), other.instances())) << pus;
+    EXPECT_TRUE(same(picture.morph_weights(), other.morph_weights())) << pus;
+    ASSERT_EQ(picture.batches().size(), other.batches().size()) << pus;
+    for (std::size_t i = 0; i < picture.batches().size(); ++i) {
+      const render::CrowdBatch &a = picture.batches()[i], &b = other.batches()[i];
+      EXPECT_EQ(std::tie(a.page, a.character, a.mesh_lod, a.first_instance, a.instance_count),
+                std::tie(b.page, b.character, b.mesh_lod, b.first_instance, b.instance_count))
+          << pus << " PUs, batch " << i;
+    }
+  }
+
+  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  Tuning tuning_{.scene = Scene::grid, .agents = agents, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}};
+  std::unique_ptr<Stage> stage_;
+  render::Camera camera_ = camera_at({.x = 0, .y = 60, .z = 130, .yaw = 0, .pitch = -25});
+};
+
+TEST_F(PictureInTiles, IsTheSameForAnyNumberOfPus) {
+  open(5);
+  const Picture alone = composed_on(1);
+  std::set<int> lods;
+  for (const render::CrowdBatch& batch : alone.batches()) lods.insert(batch.mesh_lod);
+  ASSERT_GT(lods.size(), 1U);
+  ASSERT_GT(alone.batches().back().page, 3U);
+  ASSERT_GT(alone.morph_weights().size(), 10'000U);
+  for (const int pus : {2, 3, 8}) expect_same(alone, composed_on(pus), pus);
+}
+
+TEST_F(PictureInTiles, HasEverybodyOnceInRunsOfOnePageCharacterAndMesh) {
+  open(5);
+  const Picture picture = composed_on(3);
+  std::set<std::uint32_t> drawn;
+  std::uint32_t first = 0;
+  for (const render::CrowdBatch& batch : picture.batches()) {
+    EXPECT_EQ(batch.first_instance, first);
+    first += batch.instance_count;
+    std::uint32_t last = 0;
+    for (std::uint32_t i = batch.first_instance; i < first; ++i) {
+      const std::uint32_t agent = picture.instances()[i].agent;
+      EXPECT_TRUE(last < agent || i == batch.first_instance);
+      last = agent;
+      drawn.insert(agent);
+      ASSERT_EQ(stage_->pose_of(agent, Poses::shown).to.page, batch.page);
+      ASSERT_EQ(stage_->crowd().characters()[agent], batch.character);
+    }
+  }
+  EXPECT_EQ(first, picture.instances().size());
+  EXPECT_EQ(drawn.size(), stage_->selection().visible.size());
+}
+
+TEST_F(PictureInTiles, HasWeightsForAsManyAsTheirPlacesCanNameForAnyNumberOfPus) {
+  open(100);
+  const Picture alone = composed_on(1);
+  constexpr std::size_t floats = 100;
+  const std::size_t named = alone.morph_weights().size() / floats;
+  EXPECT_EQ(named, render::largest_weight_place * render::weights_a_place / floats + 1);
+  EXPECT_GT(stage_->selection().visible.size() / 2, named) << "some of those who morph find no place";
+  for (const int pus : {2, 8}) expect_same(alone, composed_on(pus), pus);
+}
+
+TEST_F(PictureInTiles, AllocatesNothingOnceItHasRoom) {
+  tuning_.system.pus = 2;
+  open(5);
+  Picture picture;
+  for (int i = 0; i < 10; ++i) {  // until there are as many pages as there will be
+    pass();
+    picture.compose(*stage_);
+  }
+  for (int i = 0; i < 3; ++i) {
+    pass();
+    const HotPathCounts before = hot_path_counts();
+    picture.compose(*stage_);
+    const HotPathCounts counts = hot_path_counts() - before;
+    EXPECT_EQ(counts.allocations, 0U);
+    EXPECT_EQ(counts.locks, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::picture_test

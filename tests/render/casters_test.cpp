@@ -1,0 +1,125 @@
+#include "engine/render/passes/casters.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "engine/render/camera.h"
+
+namespace throng::render::casters_test {
+namespace {
+
+constexpr std::array<bool, cascade_count> all_wanted{true, true, true, true};
+constexpr float of_first = 1.0F, of_others = 2.5F;  // metres that surfaces reach
+
+/// Runs each job on a thread of its own.
+class Threads final : public JobRunner {
+ public:
+  explicit Threads(int at_once) : at_once_(at_once) {}
+  void run(int count, void (*job)(void* context, int index), void* context) override {
+    asked_for_ = count;
+    std::vector<std::thread> threads;
+    for (int index = 0; index < count; ++index) threads.emplace_back(job, context, index);
+    for (std::thread& thread : threads) thread.join();
+  }
+  int jobs_at_once() const override { return at_once_; }
+  int asked_for() const { return asked_for_; }
+
+ private:
+  int at_once_, asked_for_ = 0;
+};
+
+/// A crowd of three batches that stands all around a camera.
+class CastersOfACrowd : public testing::Test {
+ protected:
+  CastersOfACrowd() : instances_(150'000) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-150.0F, 150.0F), scale(0.5F, 3.0F);
+    for (InstanceRecord& record : instances_) {
+      record.position[0] = place(random);
+      record.position[2] = place(random);
+      record.scale = scale(random);
+    }
+    frame_.camera = view_of({.position = {0.0F, 1.7F, 0.0F}, .pitch = -0.1F}, 1.5F);
+    frame_.instances = instances_;
+    frame_.batches = batches_;
+    cascades_ = plan_cascades(frame_.camera, axes_, {0.5F, 200.0F}, 2048);
+  }
+
+  Casters chosen(JobRunner* jobs, const std::array<bool, cascade_count>& wanted = all_wanted) {
+    frame_.jobs = jobs;
+    Casters casters;
+    casters.choose(frame_, reaches_, axes_, cast_limits(cascades_, axes_, wanted));
+    return casters;
+  }
+
+  std::vector<InstanceRecord> instances_;
+  const std::vector<CrowdBatch> batches_{{.first_instance = 0, .instance_count = 70'000},
+                                         {.mesh_lod = 1, .first_instance = 70'000, .instance_count = 10},
+                                         {.page = 1, .first_instance = 70'010, .instance_count = 79'990}};
+  const std::vector<float> reaches_{of_first, of_others, of_others};
+  CrowdFrame frame_;
+  const SunAxes axes_ = sun_axes(glm::normalize(glm::vec3(0.5F, 0.4F, 0.3F)));
+  std::array<Cascade, cascade_count> cascades_{};
+};
+
+TEST_F(CastersOfACrowd, AreAllWhoseBallsReachOverTheMapOfACascade) {
+  const Casters casters = chosen(nullptr);
+  const CastLimits limits = cast_limits(cascades_, axes_, all_wanted);
+  std::size_t next = 0;
+  for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
+    for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
+      std::vector<std::uint32_t> expected;
+      const std::uint32_t first = batches_[batch].first_instance;
+      for (std::uint32_t i = first; i < first + batches_[batch].instance_count; ++i) {
+        const float* const at = instances_[i].position;
+        const glm::vec3 place = axes_.along({at[0], at[1], at[2]});
+        if (may_cast(limits, place, reaches_[batch] * instances_[i].scale)[cascade] != 0) expected.push_back(i);
+      }
+      ASSERT_EQ(casters.count(cascade, batch), expected.size()) << cascade << ", " << batch;
+      const auto found = casters.all().subspan(next, expected.size());
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin())) << cascade << ", " << batch;
+      next += expected.size();
+    }
+  }
+  EXPECT_EQ(next, casters.all().size());
+  EXPECT_GT(casters.count(0, 0), 0U);
+  EXPECT_LT(casters.count(0, 0), casters.count(3, 0) / 10);
+}
+
+TEST_F(CastersOfACrowd, AreTheSameForAnyNumberOfJobs) {
+  const Casters alone = chosen(nullptr);
+  for (const int at_once : {1, 2, 3, 8}) {
+    Threads threads(at_once);
+    const Casters casters = chosen(&threads);
+    EXPECT_EQ(threads.asked_for(), at_once == 1 ? 0 : at_once);
+    ASSERT_EQ(casters.all().size(), alone.all().size()) << at_once;
+    EXPECT_TRUE(std::equal(alone.all().begin(), alone.all().end(), casters.all().begin())) << at_once;
+    for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
+      for (std::size_t i = 0; i < cascade_count; ++i) EXPECT_EQ(casters.count(i, batch), alone.count(i, batch));
+    }
+  }
+}
+
+TEST_F(CastersOfACrowd, AreNoneOfACascadeThatIsNotWanted) {
+  const Casters all = chosen(nullptr), some = chosen(nullptr, {true, false, true, false});
+  for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
+    for (const std::size_t cascade : {0U, 2U}) EXPECT_EQ(some.count(cascade, batch), all.count(cascade, batch));
+    for (const std::size_t cascade : {1U, 3U}) EXPECT_EQ(some.count(cascade, batch), 0U);
+  }
+}
+
+TEST_F(CastersOfACrowd, AreNoneWhereThereIsNobody) {
+  frame_.batches = {};
+  Casters casters;
+  casters.choose(frame_, {}, axes_, cast_limits(cascades_, axes_, all_wanted));
+  EXPECT_TRUE(casters.all().empty());
+}
+
+}  // namespace
+}  // namespace throng::render::casters_test

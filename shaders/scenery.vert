@@ -23,9 +23,6 @@ out vec3 seen_from_behind;
 
 const float glow_light = 2.2;
 
-// The conversion to sRGB costs a processor much for each pixel, so vertices have it behind them.
-vec3 seen_in(vec3 light) { return to_srgb(exposed(albedo * light * clear_share + haze_before)); }
-
 void main() {
   SceneryRecord record = scenery[instance];
   world_position = placed(record);
@@ -45,8 +42,11 @@ void main() {
   kind = uint(nature.w * 255.0 + 0.5);
 #ifdef LIT_AT_VERTICES
   float lit = dot(unit_normal, to_sun);
-  seen_from_front = seen_in(sun_light() * max(lit, 0.0) + light_around);
-  seen_from_behind = seen_in(sun_light() * max(-lit, 0.0) + light_around);
+  vec3 from_front = albedo * (sun_light() * max(lit, 0.0) + light_around);
+  vec3 from_behind = albedo * (sun_light() * max(-lit, 0.0) + light_around);
+  // The conversion to sRGB costs a processor much for each pixel.
+  seen_from_front = to_srgb(exposed(from_front * clear_share + haze_before));
+  seen_from_behind = to_srgb(exposed(from_behind * clear_share + haze_before));
 #endif
   gl_Position = view_projection * vec4(world_position, 1.0);
 }

@@ -39,12 +39,12 @@
 namespace throng::render {
 
 struct RendererOptions {
-  std::filesystem::path data;     ///< folder that has `shaders`
-  glm::ivec2 size{1280, 720};     ///< pixels of the picture
-  int samples = 0;                ///< 0 or 4
-  int longest_tile = 4096;        ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
-  bool lights_at_vertices = false;  ///< scenery is lit less exactly, and sooner on a processor, where only sun and sky do
-  std::optional<Lens> lens = {};  ///< unset: all is sharp; else each picture takes Lens::points times as long
+  std::filesystem::path data;  ///< folder that has `shaders`
+  glm::ivec2 size{1280, 720};  ///< pixels of the picture
+  int samples = 0;             ///< 0 or 4
+  int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  bool lights_at_vertices = false;  ///< sun and sky light scenery less exactly, and sooner where a processor draws
+  std::optional<Lens> lens = {};    ///< unset: all is sharp; else each picture takes Lens::points times as long
   std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
 

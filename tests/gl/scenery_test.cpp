@@ -189,6 +189,50 @@ TEST_F(Scenery, ChangesByLessThanAPixelWhereItsLevelChanges) {
   EXPECT_EQ(switches, 1);
 }
 
+TEST_F(Scenery, IsDrawnOnlyInThePartThatIsAskedFor) {
+  renderer().place_scenery(std::vector{at({-1.0F, 1.6F, -4.0F}, 0), at({1.0F, 1.6F, -4.0F}, 1)});
+  const Image whole = drawn(empty_frame());
+  constexpr PixelRect left{{0, 40}, {DollCrowd::width / 2, DollCrowd::height - 40}};
+  renderer().draw_only(left, 0xFF281C10);
+  const Image part = drawn(empty_frame());
+  const int end = DollCrowd::height - left.corner.y;  // rows are counted from the top
+  for (int y = 0; y < part.height; ++y) {
+    for (int x = 0; x < part.width; ++x) {
+      const auto pixel = part.pixel(x, y), same = whole.pixel(x, y);
+      const bool is_in = x < left.size.x && y < end;
+      ASSERT_EQ(pixel[0], is_in ? same[0] : 0x10) << x << ", " << y;
+      ASSERT_EQ(pixel[2], is_in ? same[2] : 0x28) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(red_pixels(part), 500);
+}
+
+TEST_F(Scenery, LooksAsItDidWhereItsVerticesAreLit) {
+  const std::vector meshes{disc("red", red)};
+  SceneryInstance from_behind = at({1.2F, 1.6F, -5.0F}, 0);
+  from_behind.place[0] *= -1.0F;
+  from_behind.place[2] *= -1.0F;
+  const std::vector instances{at({-1.2F, 1.6F, -5.0F}, 0), from_behind};
+  CrowdFrame frame = empty_frame();
+  frame.light = {.sun_elevation = 35.0F, .sun_azimuth = 0.0F, .clouds = 0.0F};
+  RendererOptions options{
+      .data = THRONG_SOURCE_DIR, .size = {DollCrowd::width, DollCrowd::height}, .lights_at_vertices = true};
+  auto swift = Renderer::create(context(), options);
+  ASSERT_TRUE(swift);
+  const CrowdMeshData doll = crowd().doll().mesh_data();
+  ASSERT_TRUE((*swift)->load_characters({&doll, 1}));
+  for (Renderer* each : {&renderer(), swift->get()}) {
+    ASSERT_TRUE(each->load_scenery(meshes));
+    each->place_scenery(instances);
+  }
+  const Image exact = drawn(frame);
+  (*swift)->draw(frame);
+  ASSERT_TRUE((*swift)->finish());
+  const Image& quick = (*swift)->read_image();
+  for (std::size_t i = 0; i < exact.rgba.size(); ++i) ASSERT_NEAR(exact.rgba[i], quick.rgba[i], 2) << i / 4;
+  EXPECT_GT(red_pixels(exact), 500);
+}
+
 TEST_F(Scenery, TintMultipliesOnlyWhatIsTinted) {
   SceneryMeshData grey = disc("grey", {160, 160, 160}), tinted = grey;
   for (SceneryVertex& vertex : tinted.vertices) vertex.tinted = 255;

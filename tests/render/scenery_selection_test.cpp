@@ -108,6 +108,22 @@ TEST(ScenerySelection, ChoosesOfManyWhoeverOneWouldChooseOneByOne) {
   EXPECT_LT(in_view, 1500U);
 }
 
+TEST(ScenerySelection, ComesFromNearToFar) {
+  const auto all = shapes();
+  std::vector<SceneryInstance> instances;
+  for (int i = 0; i < 400; ++i) instances.push_back(at({0.0F, 0.0F, -4.0F - 0.5F * static_cast<float>(i * 151 % 400)}));
+  ScenerySelection selection;
+  const auto order = selection.place(instances, all);
+  selection.choose(SceneryView(front(), picture_height));
+  ASSERT_EQ(selection.chosen().size(), instances.size());
+  float farthest = 0.0F;
+  for (const std::uint32_t chosen : selection.chosen()) {
+    const float metres = -instances[order[chosen]].place[3].z;
+    EXPECT_GT(1.5F * metres + 3.0F, farthest);  // as exactly as a ring is wide
+    farthest = std::max(farthest, metres);
+  }
+}
+
 TEST(ScenerySelection, AlongParallelRaysGoesByTheSizeOfATexel) {
   const auto all = shapes();
   ScenerySelection selection;

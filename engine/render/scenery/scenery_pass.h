@@ -18,8 +18,8 @@
 
 namespace throng::render {
 
-/// Follows the parts of the light (light_parts.h): what scatters light is lit at its vertices, as suits a processor. Not
-/// with shadows or lamps.
+/// Follows the parts of the light (light_parts.h): what scatters light is lit at its vertices, as suits a processor.
+/// Not with shadows or lamps.
 inline constexpr std::uint32_t scenery_lit_at_vertices = 1U << light_part_count;
 
 /// Draws what stands around a crowd, all of it with three calls: depths, what scatters light, and what mirrors too.

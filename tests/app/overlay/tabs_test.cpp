@@ -181,6 +181,15 @@ TEST_F(PresetsTabTest, LoadsAndAfterAskingDeletes) {
 
 TEST_F(PresetsTabTest, CopiesTheCommandLine) { EXPECT_TRUE(driver.click("Copy as command line").copy_command_line); }
 
+TEST(OverlayPanels, HaveNoGroundWhereTheCallerFillsIt) {
+  OverlayDriver driver;
+  driver.frames();
+  const int with = driver.overlay.vertex_count();
+  driver.overlay.leave_ground_out();
+  driver.frames();
+  EXPECT_EQ(driver.overlay.vertex_count(), with - 8) << "a rectangle of the column and one of the strip";
+}
+
 TEST(Tabs, FitIntoAWindowOfAnySize) {
   OverlayDriver driver;
   for (const std::string tab : {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"}) {

@@ -33,6 +33,14 @@ TEST_F(ViewerPanel, TakesThePlaceOfTheTabs) {
   EXPECT_TRUE(driver.sees("tab:Crowd"));
 }
 
+TEST_F(ViewerPanel, HasNoStripThatCoversTheCharacter) {
+  EXPECT_EQ(driver.overlay.crowd_area().height, 720);
+  EXPECT_EQ(driver.overlay.crowd_area().width, 900);
+  driver.report.viewer.reset();
+  driver.frames();
+  EXPECT_EQ(driver.overlay.crowd_area().height, 588);
+}
+
 TEST_F(ViewerPanel, AClickAtAClipChoosesIt) {
   const auto chosen = driver.click("Clip:Walking_A").viewer.settings;
   ASSERT_TRUE(chosen);

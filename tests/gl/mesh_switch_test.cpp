@@ -108,7 +108,7 @@ class MeshSwitch : public testing::Test {
     Tuning tuning = show_->stage().tuning();
     tuning.mesh_lod = lod;
     EXPECT_TRUE(show_->apply(tuning));
-    show_->animate(anim::Ticks{});  // chooses the mesh and moves nothing
+    show_->animate(anim::Ticks{});
     EXPECT_TRUE(show_->draw());
     return show_->painter().renderer().read_image();
   }

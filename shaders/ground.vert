@@ -10,7 +10,7 @@ layout(location = 2) uniform bool below_horizon;
 
 const float town_depth = 2e-20, fields_depth = 1e-20;
 
-// What a white ground reflects of the sun and of the sky. It is the same everywhere.
+// The light of the sun and of the sky that a white ground reflects is the same everywhere.
 flat out vec3 light_of_sun;
 flat out vec3 light_of_sky;
 

@@ -29,7 +29,7 @@ struct PlazaPlan {
   std::vector<LaneGround> ground;  ///< that the lanes take
   std::vector<Fixture> fixtures;
 };
-/// Where clothes form a pattern, nothing stands in the way of who looks at it.
+/// Nothing stands between the tower and a crowd whose clothes form a pattern.
 PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
                      Clothes clothes = Clothes::own);
 

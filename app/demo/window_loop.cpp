@@ -162,7 +162,7 @@ class WindowLoop {
     renderer().present();
   }
 
-  // What the panel covers is not drawn: to a processor that draws it is half of the work.
+  // A processor that draws leaves out what the panel covers, which is half of its work.
   render::PixelRect part_of_picture(const UiRectangle& crowd) const {
     const int height = static_cast<int>(std::ceil(crowd.height));
     return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};

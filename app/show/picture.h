@@ -35,7 +35,7 @@ class Picture {
     std::size_t first_weight = 0;    // where its weights begin among all
     std::size_t weights_end = 0;     // where the last weights end that a record names
   };
-  /// What is known of a visible agent before its record is written.
+  /// Says of a visible agent where its record will be written, and where its weights begin.
   struct Choice {
     std::uint32_t run;      // page, character, mesh LOD
     std::uint32_t weights;  // 1 + their place in the tile, 0: it has none

@@ -18,7 +18,7 @@ constexpr std::uint32_t of_no_character = 4;  // ground, sky, spots, and the map
 
 constexpr std::array<std::uint8_t, 8> half_clear = {255, 255, 255, 0, 255, 255, 255, 255};
 
-/// What a crowd consists of.
+/// Says how large a crowd is, and of what.
 struct Crowd {
   std::size_t agents = 40;
   std::uint8_t characters = 1;

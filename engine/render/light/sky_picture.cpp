@@ -21,8 +21,8 @@ constexpr float adaptation = 0.8F;  // the share, in stops, of a darker scene th
 constexpr float brightest_adaptation = 60.0F;
 constexpr float ground_albedo = 0.25F;
 
-// What a town's walls scatter, windows included, and how high they reach: the rise of a way to their roofs. A high sun
-// lights the ground rather than walls, and leaves what it gives as it is under an open sky.
+// The walls of a town, windows included, scatter this share of the light, and their roofs rise between these two slopes
+// of a way that leads there. A high sun lights the ground rather than walls, so they count only under a low one.
 constexpr glm::vec3 walls_albedo{0.54F, 0.45F, 0.35F};
 constexpr float least_roof = 0.20F, most_roof = 0.50F;
 constexpr float walls_share = 0.9F;

@@ -20,7 +20,7 @@ inline constexpr float scenery_error_pixels = 1.0F;
 /// What is less than so many pixels long is not drawn.
 inline constexpr float least_scenery_pixels = 1.0F;
 
-/// What is seen from a point is sorted into so many rings around it, each of which reaches 1.4 times as far as the one
+/// Instances in view are sorted into so many rings around the camera, each of which reaches 1.4 times as far as the one
 /// before.
 inline constexpr std::uint32_t scenery_rings = 20;
 

@@ -23,7 +23,7 @@ constexpr CameraPlace tower{.y = 50.0F, .pitch = -17.0F, .field_of_view = 45.0F}
 constexpr glm::dvec2 low(-1.7, -0.95), high(1.7, 0.6);
 constexpr double letters = 0.84 * 3.4 / (word_width + 0.5);  // the height of letters that fill as much of its width
 
-/// Who stands here is seen there in the picture, from -1 at the bottom to 1 at the top.
+/// Pairs a place with where a person who stands there is seen in the picture, from -1 at the bottom to 1 at the top.
 glm::dvec3 standing_at(glm::dvec2 seen) {
   constexpr double degree = std::numbers::pi / 180.0, chest = 1.2;
   const double pitch = degree * static_cast<double>(tower.pitch);

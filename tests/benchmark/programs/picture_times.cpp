@@ -1,4 +1,4 @@
-// What a picture costs on the processor before it is drawn: composing records, and choosing who casts shadows.
+// Times a picture on the processor before it is drawn: composing records, and choosing who casts shadows.
 
 #include <algorithm>
 #include <array>

@@ -99,6 +99,7 @@ TEST_F(CastersOfACrowd, AreTheSameForAnyNumberOfJobs) {
     const Casters casters = chosen(&threads);
     EXPECT_EQ(threads.asked_for(), at_once == 1 ? 0 : at_once);
     ASSERT_EQ(casters.all().size(), alone.all().size()) << at_once;
+    EXPECT_EQ(casters.largest_scale(), alone.largest_scale());
     EXPECT_TRUE(std::equal(alone.all().begin(), alone.all().end(), casters.all().begin())) << at_once;
     for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
       for (std::size_t i = 0; i < cascade_count; ++i) EXPECT_EQ(casters.count(i, batch), alone.count(i, batch));

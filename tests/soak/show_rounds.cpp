@@ -143,7 +143,11 @@ void ShowRounds::measure(Growth& growth, const Others& others) const {
   }
   growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors - others.open_files), 0);
   growth.add(name + "threads", static_cast<std::uint64_t>(figures.threads), 0);
-  if (draws) growth.add(name + "objects of OpenGL", count_gl_objects(), 0);
+  if (!draws) return;
+  growth.add(name + "objects of OpenGL", count_gl_objects(), 0);
+  // Variants of programs are built when they are first drawn with. There are no more than these.
+  constexpr std::uint64_t most_variants = 300;
+  growth.add(name + "programs of OpenGL", count_gl_programs(), most_variants);
 }
 
 }  // namespace throng::soak

@@ -47,6 +47,8 @@ void Casters::choose(const CrowdFrame& frame, std::span<const float> reaches, co
   }
   run_jobs(frame.jobs, static_cast<int>(count),
            [&](int tile) { look_at_all(shared, tiles.at(static_cast<std::size_t>(tile))); });
+  largest_scale_ = 0.0F;
+  for (const Tile& tile : std::span(tiles).first(count)) largest_scale_ = std::max(largest_scale_, tile.largest_scale);
   close_gaps(shared.total, std::span(tiles).first(count));
 }
 
@@ -71,9 +73,11 @@ void Casters::look_at_batch(const Frame& frame, std::size_t batch, std::uint32_t
   for (std::size_t i = 0; i < cascade_count; ++i) lists.at(i) = room_.data() + i * frame.total + tile.first;
   const Counts before = tile.found;
   Counts found = before;
+  float largest_scale = tile.largest_scale;
   for (std::uint32_t i = first; i < first + count; ++i) {
     const InstanceRecord& record = frame.crowd.instances[i];
     const glm::vec3 place(record.position[0], record.position[1], record.position[2]);
+    largest_scale = std::max(largest_scale, record.scale);
     const Counts casts = may_cast(frame.limits, frame.axes.along(place), frame.reaches[batch] * record.scale);
     for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
       lists[cascade][found[cascade]] = i;
@@ -81,6 +85,7 @@ void Casters::look_at_batch(const Frame& frame, std::size_t batch, std::uint32_t
     }
   }
   tile.found = found;
+  tile.largest_scale = largest_scale;
   for (std::size_t i = 0; i < cascade_count; ++i) {
     // A batch may lie in several tiles.
     std::atomic_ref(counts_[batch].at(i)).fetch_add(found.at(i) - before.at(i), std::memory_order_relaxed);

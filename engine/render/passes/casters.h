@@ -23,6 +23,8 @@ class Casters {
   std::span<const std::uint32_t> all() const { return std::span(room_).first(length_); }
   /// Returns how many of them are of a cascade and a batch.
   std::uint32_t count(std::size_t cascade, std::size_t batch) const { return counts_[batch][cascade]; }
+  /// Returns the largest scale of the instances that were looked at; 0 without any.
+  float largest_scale() const { return largest_scale_; }
 
  private:
   using Counts = std::array<std::uint32_t, cascade_count>;
@@ -33,6 +35,7 @@ class Casters {
   struct Tile {
     std::size_t first = 0, end = 0;
     Counts found{};  // by cascade
+    float largest_scale = 0.0F;
   };
 
   void look_at_all(const Frame& frame, Tile& tile);
@@ -41,6 +44,7 @@ class Casters {
 
   std::vector<std::uint32_t> room_;
   std::size_t length_ = 0;
+  float largest_scale_ = 0.0F;
   std::vector<Counts> counts_;  // [batch]
 };
 

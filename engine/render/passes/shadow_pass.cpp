@@ -130,7 +130,7 @@ void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> mesh
 // Makes one group of all opaque materials, and one of each other.
 void ShadowPass::gather_run(std::span<const CrowdBatch> run, CastersOfRun of, const CrowdMesh& mesh,
                             std::uint32_t& first_caster) {
-  const float texel = cascades_.at(of.cascade).texel;
+  const float texel = cascades_.at(of.cascade).texel / std::max(casters_.largest_scale(), 1e-6F);
   const int coarse = pick_mesh_lod(mesh.error_by_lod(), {texel, texel});
   caster_batches_.clear();
   for (CrowdBatch batch : run) {

@@ -80,7 +80,9 @@ class WindowLoop {
     reporter.see_from(session_.camera.place());
     session_.camera.report(reporter.cameras());
     reporter.messages().pass(seconds);
+    const Tuning before = session_.tuning;
     const OverlayCommands commands = overlay_.build(reporter.report(), session_.tuning);
+    lift_triangle_limit(before);
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
       repeat(commands.replay, seconds);
@@ -100,6 +102,16 @@ class WindowLoop {
     write_ui_map();
     reporter.messages().tell(show.recorder().outcome());
     done_ = done_ || (commands.quit && may_leave()) || session_.input.asked_to_close() || asked_to_stop() != 0;
+  }
+
+  // An error limit that a person sets goes before the triangles that a device affords, as on the command line.
+  void lift_triangle_limit(const Tuning& before) {
+    const int afforded = session_.show.painter().spared().triangles;
+    Tuning& tuning = session_.tuning;
+    const bool sets_error = tuning.error_px != before.error_px || tuning.mesh_error_px != before.mesh_error_px;
+    if (!sets_error || afforded == 0 || tuning.triangle_budget != afforded) return;
+    tuning.triangle_budget = 0;
+    session_.messages().say("The error limit decides over meshes now: the triangle limit of this device is off.");
   }
 
   // A person who writes a shader sees it as soon as it is saved.

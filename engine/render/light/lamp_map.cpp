@@ -46,7 +46,7 @@ void add_lamp(const SceneryLamp& lamp, LampLight& light) {
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
       const float distance = pixel * glm::distance(glm::vec2(x, y) + 0.5F, middle);
-      light.pixels[static_cast<std::size_t>(y * LampLight::side + x)] +=
+      light.pixels[static_cast<std::size_t>(y) * LampLight::side + static_cast<std::size_t>(x)] +=
           glm::vec4(lamp.color * share_at(lamp, distance), 0.0F);
     }
   }

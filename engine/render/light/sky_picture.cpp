@@ -43,11 +43,15 @@ void for_each_direction(const auto& use) {
   for (int i = 0; i < sphere_directions; ++i) use(even_direction(i, sphere_directions));
 }
 
+std::size_t pixel_of(int x, int y, int side) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+}
+
 glm::vec4 sample(const std::vector<glm::vec4>& map, int side, const glm::vec2& place) {
   const glm::vec2 at = glm::clamp(place * static_cast<float>(side) - 0.5F, 0.0F, static_cast<float>(side) - 1.0F);
   const glm::ivec2 low = glm::min(glm::ivec2(at), glm::ivec2(side - 2));
   const glm::vec2 f = at - glm::vec2(low);
-  const auto pixel = [&](int x, int y) { return map[static_cast<std::size_t>((low.y + y) * side + low.x + x)]; };
+  const auto pixel = [&](int x, int y) { return map[pixel_of(low.x + x, low.y + y, side)]; };
   return glm::mix(glm::mix(pixel(0, 0), pixel(1, 0), f.x), glm::mix(pixel(0, 1), pixel(1, 1), f.x), f.y);
 }
 
@@ -55,7 +59,7 @@ void for_each_pixel(int side, const auto& use) {
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(side);
-      use(static_cast<std::size_t>(y * side + x), place);
+      use(pixel_of(x, y, side), place);
     }
   }
 }
@@ -196,7 +200,8 @@ void SkyPicture::light_ground() {
 
 glm::vec3 SkyPicture::radiance(const glm::vec3& direction) const {
   if (direction.y <= 0.0F) return ground_;
-  return glm::vec3(sample(coarse_, coarse_side, sky_place(direction)));
+  const glm::vec4 light = sample(coarse_, coarse_side, sky_place(direction));
+  return {light.r, light.g, light.b};
 }
 
 glm::vec3 SkyPicture::radiance_in_town(const glm::vec3& direction) const {

@@ -264,8 +264,8 @@ PointLook MeshErrorMeter::look_of(const SurfacePoint& point) const {
 
 glm::vec3 MeshErrorMeter::skinned(std::uint32_t vertex, std::span<const glm::mat4x3> palette) const {
   const float* at = &surface_.positions[vertex * 3UL];
+  if (palette.empty()) return {at[0], at[1], at[2]};
   const glm::vec4 position(at[0], at[1], at[2], 1.0F);
-  if (palette.empty()) return glm::vec3(position);
   glm::vec3 sum(0.0F);
   const SkinInfluences& influences = surface_.influences[vertex];
   for (std::size_t i = 0; i < influences.entries.size(); ++i) {

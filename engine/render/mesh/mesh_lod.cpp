@@ -99,6 +99,7 @@ std::vector<MeshLod> cheapest(std::span<const MeshLod> candidates, double extent
     if (each_is_worth_keeping(some) && mean_cost(some, extent) < mean_cost(best, extent)) best = some;
   }
   std::vector<MeshLod> lods;
+  lods.reserve(best.size());
   for (const MeshLod* lod : best) lods.push_back(*lod);
   return lods;
 }
@@ -120,7 +121,7 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
   std::vector<MeshLod> candidates;
   candidates.push_back({.indices = {surface.indices.begin(), surface.indices.end()}});
   if (surface.indices.empty()) return candidates;
-  const double extent = static_cast<double>(
+  const auto extent = static_cast<double>(
       meshopt_simplifyScale(surface.positions.data(), surface.positions.size() / 3, position_bytes));
   simplify(surface, fine_steps, extent, candidates);
   SkinnedSurfaceView from_afar = surface;

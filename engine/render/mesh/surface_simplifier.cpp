@@ -225,7 +225,7 @@ bool SurfaceSimplifier::find_stand_ins(std::uint32_t from, std::uint32_t into, S
 
 std::uint32_t SurfaceSimplifier::stand_in_elsewhere(std::uint32_t vertex, const Point& into) const {
   const auto found =
-      std::ranges::find_if(into.vertices, [&](std::uint32_t other) { return looks_like(other, vertex); });
+      std::ranges::find_if(into.vertices, [&](std::uint32_t candidate) { return looks_like(candidate, vertex); });
   return found == into.vertices.end() ? no_vertex : *found;
 }
 

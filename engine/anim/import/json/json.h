@@ -133,7 +133,7 @@ struct Json::Member {
 };
 
 inline Json::Value::Value() noexcept = default;
-// NOLINTNEXTLINE(bugprone-copy-constructor-init): Value says why.
+// NOLINTNEXTLINE(bugprone-copy-constructor-init,readability-redundant-member-init): Value says why.
 inline Json::Value::Value(const Value& other) : Variant() { Variant::operator=(other); }
 inline Json::Value::Value(Value&& other) noexcept = default;
 inline Json::Value& Json::Value::operator=(const Value& other) = default;

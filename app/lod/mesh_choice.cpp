@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "engine/anim/base/run_jobs.h"
+
 namespace throng::app {
 namespace {
 
@@ -32,7 +34,6 @@ struct MeshChoice::Frame {
   const MeshLods& lods;
   const Tuning& tuning;
   std::span<std::uint8_t> chosen;  ///< [place in visible]
-  std::span<Tile> tiles;
   std::size_t last_class = 0;
 
   bool has_budget() const { return tuning.triangle_budget > 0 && tuning.mesh_lod < 0; }
@@ -96,20 +97,13 @@ void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<c
     tiles[i].first = visible_ * i / count;
     tiles[i].end = visible_ * (i + 1) / count;
   }
-  Frame frame{visible, character_of, lods, tuning, lods_, tiles};
-  const auto run = [&](void (*job)(void*, int)) { executor.run(static_cast<int>(count), {job, &frame}); };
-  run([](void* context, int tile) {
-    auto& all = *static_cast<Frame*>(context);
-    all.choose(all.tiles[static_cast<std::size_t>(tile)]);
-  });
+  Frame frame{visible, character_of, lods, tuning, lods_};
+  anim::run_jobs(executor, count, [&](std::size_t tile) { frame.choose(tiles[tile]); });
   const auto budget = static_cast<std::uint64_t>(tuning.triangle_budget);
   sum_up(tiles);
   if (!frame.has_budget() || figures_.triangles <= budget) return;
   frame.last_class = plan_demotions(figures_.triangles - budget, tiles);
-  run([](void* context, int tile) {
-    auto& all = *static_cast<Frame*>(context);
-    all.demote(all.tiles[static_cast<std::size_t>(tile)]);
-  });
+  anim::run_jobs(executor, count, [&](std::size_t tile) { frame.demote(tiles[tile]); });
   sum_up(tiles);
   figures_.budget_held = figures_.triangles <= budget;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/settings/agent_colors.h"
+#include "engine/anim/base/run_jobs.h"
 
 namespace throng::app {
 namespace {
@@ -18,15 +19,7 @@ constexpr std::uint32_t bits_below_weights = 16;
 /// Calls visit(tile) for each tile, on the PUs of a stage.
 template <typename Tile, typename Visit>
 void visit_on_pus(const Stage& stage, std::span<Tile> tiles, Visit visit) {
-  struct Work {
-    std::span<Tile> tiles;
-    Visit& visit;
-  } work{tiles, visit};
-  stage.system().executor().run(static_cast<int>(tiles.size()), {[](void* context, int tile) {
-                                                                   auto& all = *static_cast<Work*>(context);
-                                                                   all.visit(all.tiles[static_cast<std::size_t>(tile)]);
-                                                                 },
-                                                                 &work});
+  anim::run_jobs(stage.system().executor(), tiles.size(), [&](std::size_t tile) { visit(tiles[tile]); });
 }
 
 }  // namespace

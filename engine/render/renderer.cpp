@@ -5,12 +5,12 @@
 #include <string>
 #include <utility>
 
-#include <glm/gtc/color_space.hpp>
 #include <glm/packing.hpp>
 
 #include "engine/files/free_memory.h"
 #include "engine/render/gl/device_errors.h"
 #include "engine/render/light/light_parts.h"
+#include "engine/srgb.h"
 
 namespace throng::render {
 namespace {
@@ -43,7 +43,10 @@ CrowdFrame part_of(const CrowdFrame& frame, glm::ivec2 picture, const PixelRect&
 }
 
 // Returns the light of an sRGB colour, red in the lowest byte.
-glm::vec3 linear(std::uint32_t color) { return glm::convertSRGBToLinear(glm::vec3(glm::unpackUnorm4x8(color))); }
+glm::vec3 light_of(std::uint32_t color) {
+  const glm::vec4 srgb = glm::unpackUnorm4x8(color);
+  return {light_of_srgb(srgb.r), light_of_srgb(srgb.g), light_of_srgb(srgb.b)};
+}
 
 }  // namespace
 
@@ -199,7 +202,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   assert(!meshes_.empty());
   const ImageTarget& target = target_.tile();
   target.bind_scene();
-  target.clear_scene(part_ ? linear(part_->around) : glm::vec3(0.0F));
+  target.clear_scene(part_ ? light_of(part_->around) : glm::vec3(0.0F));
   keep_to_part();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame, light_parts_);

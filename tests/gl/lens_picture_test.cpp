@@ -6,6 +6,7 @@
 
 #include "app/demo/demo.h"
 #include "engine/render/image.h"
+#include "tests/gl/small_picture.h"
 
 namespace throng::app::lens_picture_test {
 namespace {
@@ -13,12 +14,7 @@ namespace {
 using render::Image;
 
 DemoOptions still() {
-  DemoOptions options;
-  options.context = ContextKind::egl;
-  options.force_software = true;
-  options.width = 200;
-  options.height = 120;
-  options.data = THRONG_SOURCE_DIR;
+  DemoOptions options = picture_by_processor(200, 120);
   options.tuning.agents = 40;
   options.frames = 4;
   return options;

@@ -11,6 +11,7 @@
 #include "app/lod/mesh_lods.h"
 #include "app/show/show.h"
 #include "engine/render/image.h"
+#include "tests/gl/small_picture.h"
 
 namespace throng::app::mesh_switch_test {
 namespace {
@@ -24,12 +25,7 @@ constexpr int color_step = 40;     // of 255: the light on a coarser mesh differ
 constexpr int understated_by = 4;  // an error that is wrong by as much is found
 
 DemoOptions one_figure(const std::string& model) {
-  DemoOptions options;
-  options.context = ContextKind::egl;
-  options.force_software = true;
-  options.width = width;
-  options.height = height;
-  options.data = THRONG_SOURCE_DIR;
+  DemoOptions options = picture_by_processor(width, height);
   if (!model.empty()) options.models = {model};
   options.tuning.scene = Scene::grid;
   options.tuning.agents = 1;

@@ -7,6 +7,7 @@
 #include "app/show/show.h"
 #include "engine/render/image.h"
 #include "tests/gl/picture_tolerance.h"
+#include "tests/gl/small_picture.h"
 
 namespace throng::app::split_view_test {
 namespace {
@@ -19,12 +20,7 @@ constexpr int width = 320, height = 180, line = 128;
 constexpr int beside_the_line = 2;  // pixels
 
 DemoOptions skipping_crowd() {
-  DemoOptions options;
-  options.context = ContextKind::egl;
-  options.force_software = true;
-  options.width = width;
-  options.height = height;
-  options.data = THRONG_SOURCE_DIR;
+  DemoOptions options = picture_by_processor(width, height);
   options.tuning.agents = 40;
   options.tuning.placed_feet = false;  // without level of detail every agent would have them
   options.tuning.inspection = {.split_at = static_cast<float>(line) / width, .forced_interval = 16};

@@ -13,6 +13,7 @@
 #include "engine/render/image.h"
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
+#include "tests/gl/small_picture.h"
 
 namespace throng::app::tiled_picture_test {
 namespace {
@@ -44,12 +45,7 @@ double share_of_other_pixels(const Image& whole, const Image& tiled, int steps =
 constexpr double most_other_pixels = 0.0002;
 
 DemoOptions crowd_in_a_small_picture() {
-  DemoOptions options;
-  options.context = ContextKind::egl;
-  options.force_software = true;
-  options.width = width;
-  options.height = height;
-  options.data = THRONG_SOURCE_DIR;
+  DemoOptions options = picture_by_processor(width, height);
   options.tuning.agents = 40;
   options.tuning.shadows = options.tuning.crowd_shade = options.tuning.scenery =
       false;  // where a map is read at the depth that it holds, rounding decides: see Shadows

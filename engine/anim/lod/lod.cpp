@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/anim/base/run_jobs.h"
 #include "engine/anim/lod/lod_choices.h"
 
 namespace throng::anim {
@@ -281,23 +282,13 @@ void select_for_update(const LodFrame& frame, LodState& state, LodSelection& sel
     tiles[i].end = agents * (i + 1) / count;
   }
 
-  struct Context {
-    const LodFrame& frame;
-    Thresholds squares;
-    LodState& state;
-    LodSelection& selection;
-    std::span<LodTile> tiles;
-  } shared{frame, square_thresholds(frame.rules), state, selection, std::span(tiles).first(count)};
-  executor.run(static_cast<int>(count), {[](void* context, int tile) {
-                                           auto& all = *static_cast<Context*>(context);
-                                           all.tiles[static_cast<std::size_t>(tile)].decide_all(
-                                               all.frame, all.squares, all.state, all.selection);
-                                         },
-                                         &shared});
-  selection.visible = joined(selection.room_for_visible, shared.tiles, &LodTile::visible);
-  selection.due = joined(selection.room_for_due, shared.tiles, &LodTile::due);
+  const Thresholds squares = square_thresholds(frame.rules);
+  run_jobs(executor, count, [&](std::size_t tile) { tiles.at(tile).decide_all(frame, squares, state, selection); });
+  const std::span<const LodTile> decided = std::span(tiles).first(count);
+  selection.visible = joined(selection.room_for_visible, decided, &LodTile::visible);
+  selection.due = joined(selection.room_for_due, decided, &LodTile::due);
   selection.cost = {};
-  for (const LodTile& tile : shared.tiles) selection.cost += tile.cost;
+  for (const LodTile& tile : decided) selection.cost += tile.cost;
 }
 
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {

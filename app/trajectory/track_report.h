@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+/// The things that a reader of trajectories finds odd, without refusing the file.
+enum class TrackOddity : std::uint8_t {
+  bad_row,    ///< skipped, with --lenient
+  duplicate,  ///< somebody has two rows at one time; the last one counts
+  gap,        ///< somebody has no row for longer than three rows of others
+  teleport,   ///< somebody goes faster than 12 metres a second
+  overlap,    ///< two people stand on each other: closer than 0.1 metres
+};
+
+/// How often one of them was found, and where first.
+struct OddityCount {
+  TrackOddity oddity{};
+  std::size_t count = 0;
+  std::string first;  ///< "person 7 at 3.20 s: 4.1 m in 0.04 s"
+};
+
+/// All that was found odd, each kind at most once, in the order of TrackOddity.
+struct TrackReport {
+  std::vector<OddityCount> found;
+};
+
+}  // namespace throng::app

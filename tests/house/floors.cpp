@@ -58,6 +58,7 @@ const std::vector<House>& houses() {
       {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh", "light"}, {"passes"}, {"scenery"}}},
       {"app/",
        {{"files"},
+        {"trajectory"},
         {"character"},
         {"settings"},
         {"crowd"},

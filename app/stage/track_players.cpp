@@ -7,14 +7,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/stage/followed_mix.h"
-
 namespace throng::app {
 namespace {
 
 constexpr float least_apart = 0.1F;  // metres a second between two gaits
 
-FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, std::uint32_t agent, anim::Ticks ahead) {
+FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
+                   anim::Ticks ahead) {
   const Followers& followers = *followers_of(crowd);
   TrackClock clock = track_clock_of(crowd);
   advance(clock, anim::to_seconds(ahead));
@@ -23,7 +22,7 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, std::uint3
                               .rate = clock.rate,
                               .ahead = ahead,
                               .person = agent};
-  return followed_mix(moment, followers.plane(agent), source.roles, *source.character);
+  return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 
 }  // namespace
@@ -58,20 +57,28 @@ TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
 TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
                            std::span<const CharacterSource> characters)
     : system_(&system), crowd_(&crowd), characters_(characters) {
+  for (const CharacterSource& each : characters) stances_.emplace_back(*each.character, stride_plane_of(each));
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    const FollowedMix mix = mix_at(crowd, characters_[crowd.characters()[agent]], agent, {});
+    const FollowedMix mix = mix_of(agent, {});
     [[maybe_unused]] const auto added =
         system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix.clips()));
     assert(added && "clips of roles are those of the character");
   }
 }
 
+FollowedMix TrackPlayers::mix_of(std::uint32_t agent, anim::Ticks ahead) const {
+  const std::size_t character = crowd_->characters()[agent];
+  return mix_at(*crowd_, characters_[character], stances_[character], agent, ahead);
+}
+
+std::array<float, person_legs> TrackPlayers::planted(std::uint32_t agent) const { return mix_of(agent, {}).planted; }
+
 void TrackPlayers::set(std::span<const anim::AgentUpdate> updates) {
   for (const anim::AgentUpdate& update : updates) set(update.agent.number, update.look_ahead);
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
-  const FollowedMix mix = mix_at(*crowd_, characters_[crowd_->characters()[agent]], agent, ahead);
+  const FollowedMix mix = mix_of(agent, ahead);
   const anim::AgentView posed = std::as_const(*system_).agent(agent);
   [[maybe_unused]] const anim::Status changed = system_->agent(agent).change<anim::ClipMixChannel>(
       posed.channel_id(0), [&](anim::ClipMixChannel& channel) { channel.set(mix.clips()); });

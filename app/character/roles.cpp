@@ -92,6 +92,18 @@ const std::vector<RoleWords>& vocabulary() {
        {"shuffl", "slow"},
        not_steady_nor({"back", "bwd", "left", "right", "strafe", "jog", "run", "danc"}),
        {"shuffl", "walk"}},
+      {Role::step_in_place,
+       {"march", "step", "trampl", "mark"},
+       not_steady_nor({"left", "right"}),
+       {"place", "spot", "time"}},
+      {Role::veer_left,
+       {"veer", "diag", "forward", "fwd"},
+       not_steady_nor({"right", "r", "back", "bwd"}),
+       {"left", "l"}},
+      {Role::veer_right,
+       {"veer", "diag", "forward", "fwd"},
+       not_steady_nor({"left", "l", "back", "bwd"}),
+       {"right", "r"}},
   };
   return words;
 }
@@ -145,6 +157,7 @@ std::optional<Role> role_named(std::string_view name) {
 std::string known_roles() { return joined(role_names, ", ", " and "); }
 
 glm::dvec2 way_of(Role gait) {
+  constexpr double aside_of_veering = 0.316, ahead_of_veering = 0.949;  // one part aside to three ahead
   switch (gait) {
     case Role::walk_back:
       return {0.0, -1.0};
@@ -152,6 +165,10 @@ glm::dvec2 way_of(Role gait) {
       return {1.0, 0.0};
     case Role::step_right:
       return {-1.0, 0.0};
+    case Role::veer_left:
+      return {aside_of_veering, ahead_of_veering};
+    case Role::veer_right:
+      return {-aside_of_veering, ahead_of_veering};
     default:
       return {0.0, 1.0};
   }

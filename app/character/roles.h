@@ -25,21 +25,23 @@ enum class Role : std::uint8_t {
   cheer,
   clap,
   sit,
-  walk_back,  // this one and the next three are for people who are led by a file of trajectories; no scene asks for
-              // them
+  walk_back,  // from here on for people who are led by a file of trajectories; no scene asks for them
   step_left,
   step_right,
   shuffle,
+  step_in_place,
+  veer_left,
+  veer_right,
   other
 };
-inline constexpr std::size_t role_count = 13;  ///< roles that one clip fills; `other` is any clip
+inline constexpr std::size_t role_count = 16;  ///< roles that one clip fills; `other` is any clip
 
 /// The names that `--clips`, the role file and the overlay use, in the order of Role.
 inline constexpr std::array<const char*, role_count> role_names = {
-    "stand", "look_around", "walk",      "jog",       "run",        "wave",   "cheer",
-    "clap",  "sit",         "walk_back", "step_left", "step_right", "shuffle"};
+    "stand", "look_around", "walk",      "jog",        "run",     "wave",          "cheer",     "clap",
+    "sit",   "walk_back",   "step_left", "step_right", "shuffle", "step_in_place", "veer_left", "veer_right"};
 std::optional<Role> role_named(std::string_view name);
-std::string known_roles();  ///< "stand, look_around, ... and shuffle"
+std::string known_roles();  ///< "stand, look_around, ... and veer_right"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
 /// A person's choice of the clip that plays a role; "none" is no clip at all.
@@ -66,8 +68,9 @@ struct Passage {
 };
 
 /// The roles that go somewhere, slowest ahead first.
-inline constexpr std::array<Role, 7> gait_roles = {Role::shuffle,   Role::walk,      Role::jog,       Role::run,
-                                                   Role::walk_back, Role::step_left, Role::step_right};
+inline constexpr std::array<Role, 9> gait_roles = {Role::shuffle,    Role::walk,      Role::jog,
+                                                   Role::run,        Role::walk_back, Role::step_left,
+                                                   Role::step_right, Role::veer_left, Role::veer_right};
 
 /// Returns the way that a gait goes, as its name says: to the left and ahead. It has the length 1.
 glm::dvec2 way_of(Role gait);

@@ -34,7 +34,10 @@ std::vector<Motion> make_motions() {
           make_walk_back(),
           make_side_step(Side::left),
           make_side_step(Side::right),
-          make_shuffle()};
+          make_shuffle(),
+          make_step_in_place(),
+          make_veer(Side::left),
+          make_veer(Side::right)};
 }
 
 std::vector<Clip> make_clips() {

@@ -27,7 +27,8 @@ struct FootPlace {
 
 dvec3 pitched(dvec3 v, double pitch) { return glm::angleAxis(-pitch * degrees, dvec3(1, 0, 0)) * v; }
 
-double speed_over_ground(const Gait& gait) { return std::hypot(gait.speed, gait.aside); }
+/// Metres a second over the ground, at least those of a shuffle: who steps on the spot lifts the feet as high.
+double lifting_speed(const Gait& gait) { return std::max(0.45, std::hypot(gait.speed, gait.aside)); }
 
 /// The planted foot rolls over the heel's edge and over the ball; the ground runs backwards below the body.
 FootPlace planted(const Gait& gait, Side side, double phase) {
@@ -44,8 +45,8 @@ FootPlace planted(const Gait& gait, Side side, double phase) {
 FootPlace swung(const Gait& gait, Side side, double phase) {
   constexpr double h = 1e-5;
   const double span = 1 - gait.stance;
-  const dvec3 peel(0, gait.peel * speed_over_ground(gait) * span, 0);
-  const dvec3 drop(0, -gait.drop * speed_over_ground(gait) * span, 0);
+  const dvec3 peel(0, gait.peel * lifting_speed(gait) * span, 0);
+  const dvec3 drop(0, -gait.drop * lifting_speed(gait) * span, 0);
   const double t = (phase - gait.stance) / span;
   const dvec3 off = planted(gait, side, gait.stance).offset;
   const dvec3 on = planted(gait, side, 0).offset;

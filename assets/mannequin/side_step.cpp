@@ -8,19 +8,19 @@ namespace {
 
 /// Steps to the left, or to the right where `aside` is below zero: one foot goes out and the other follows it.
 Gait stepping(double aside) {
-  return {.frames = 24,
+  return {.frames = 30,
           .speed = 0,
           .aside = aside,
           .stance = 0.63,
           .foot_flat = -0.030,
-          .foot_spread = 0.205,  // The feet are 17 cm apart where they are closest.
+          .foot_spread = 0.192,  // The feet are 16 cm apart where they are closest.
           .toe_out = 7,
           .pitch = {{{0.0, -9}, {0.08, 0}, {0.44, 0}, {0.55, -6}, {0.63, -17}, {0.74, -14}, {0.92, -9}}},
-          .swing_height = 0.030,
+          .swing_height = 0.040,
           .peel = 0.40,
           .drop = 0.60,
-          .crouch = 0.026,
-          .bounce = 0.012,
+          .crouch = 0.024,
+          .bounce = 0.008,
           .bounce_peak = 0,
           .sway = 0.030,
           .pelvis_turn = 0,
@@ -67,9 +67,19 @@ Pose side_step_pose(const Gait& gait, double phase) {
 
 }  // namespace
 
+// A walk that keeps its heading while it goes aside a little. The feet stay a bit farther apart, so that they pass.
+Motion make_veer(Side towards) {
+  const bool left = towards == Side::left;
+  Gait veer = walking();
+  veer.speed = 1.2;
+  veer.aside = left ? 0.4 : -0.4;
+  veer.foot_spread = 0.100;
+  return gait_clip(left ? "veer left" : "veer right", veer, stride_pose);
+}
+
 Motion make_side_step(Side towards) {
   const bool left = towards == Side::left;
-  return gait_clip(left ? "step left" : "step right", stepping(left ? 0.6 : -0.6), side_step_pose);
+  return gait_clip(left ? "step left" : "step right", stepping(left ? 0.45 : -0.45), side_step_pose);
 }
 
 }  // namespace throng::mannequin

@@ -32,9 +32,39 @@ Motion make_walk_back() {
   return gait_clip("walk back", walk_back, stride_pose);
 }
 
-// About a step a second on nearly flat feet, as in a queue that moves on. The weight goes far from foot to foot.
+// The shuffle of who does not get on.
+Motion make_step_in_place() {
+  constexpr Gait step_in_place{
+      .frames = 40,
+      .speed = 0,
+      .stance = 0.68,
+      .foot_flat = -0.045,
+      .foot_spread = 0.088,
+      .toe_out = 8,
+      .pitch = {{{0.0, 0}, {0.06, 0}, {0.46, 0}, {0.58, -6}, {0.68, -18}, {0.78, -14}, {0.93, -3}}},
+      .swing_height = 0.026,
+      .peel = 0.5,
+      .drop = 0.6,
+      .crouch = 0.014,
+      .bounce = 0.004,
+      .bounce_peak = 0.32,
+      .sway = 0.030,
+      .pelvis_turn = 1.5,
+      .pelvis_drop = 2.5,
+      .chest_turn = 1,
+      .lean = 1.5,
+      .arm_swing = 2,
+      .arm_forward = 2,
+      .arm_spread = 7,
+      .elbow = 18,
+      .elbow_swing = 2,
+      .curl = 7};
+  return gait_clip("step in place", step_in_place, stride_pose);
+}
+
+// Three steps in two seconds on nearly flat feet, as in a queue that moves on. The weight goes far from foot to foot.
 Motion make_shuffle() {
-  constexpr Gait shuffle{.frames = 52,
+  constexpr Gait shuffle{.frames = 40,
                          .speed = 0.45,
                          .stance = 0.68,
                          .foot_flat = -0.045,
@@ -43,7 +73,7 @@ Motion make_shuffle() {
                          .pitch = {{{0.0, 7}, {0.06, 0}, {0.46, 0}, {0.58, -7}, {0.68, -22}, {0.78, -13}, {0.93, 7}}},
                          .swing_height = 0.022,
                          .peel = 0.5,
-                         .drop = 0.6,
+                         .drop = 0.75,
                          .crouch = 0.022,
                          .bounce = 0.007,
                          .bounce_peak = 0.32,

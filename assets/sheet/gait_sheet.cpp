@@ -73,7 +73,7 @@ render::Image phases_of(Studio& studio, const Plane& plane, const glm::vec2& vel
 
 int write_sheet(Studio& studio, const char* file) {
   const app::CharacterSource& source = studio.character();
-  const auto plane = app::gait_plane(source.roles, static_cast<int>(source.clip_names.size()));
+  const auto plane = app::gait_plane(source.roles, static_cast<int>(source.clip_names.size()), app::Middle::steps);
   if (!plane) return 1;
   ContactSheet sheet;
   for (const glm::vec2& velocity : velocities) sheet.add(phases_of(studio, *plane, velocity));

@@ -39,7 +39,7 @@ TEST(GaitPlane, HasEveryGaitOfTheBuiltInCharacterAtItsVelocity) {
   ASSERT_TRUE(character) << character.error().message;
   const CharacterRoles& roles = character->roles;
   const Points points = points_of(roles, static_cast<int>(character->clip_names.size()));
-  EXPECT_EQ(points.size(), 8U);
+  EXPECT_EQ(points.size(), 10U);
   const auto expect_at = [&](Role role, glm::vec2 place) {
     const glm::vec2 found = place_of(points, roles.clip(role));
     EXPECT_LT(glm::distance(found, place), 1e-3F) << role_names.at(index_of(role)) << " " << found.x << " " << found.y;
@@ -50,8 +50,28 @@ TEST(GaitPlane, HasEveryGaitOfTheBuiltInCharacterAtItsVelocity) {
   expect_at(Role::jog, {0.0F, 2.4F});
   expect_at(Role::run, {0.0F, 3.6F});
   expect_at(Role::walk_back, {0.0F, -0.8F});
-  expect_at(Role::step_left, {0.6F, 0.0F});
-  expect_at(Role::step_right, {-0.6F, 0.0F});
+  expect_at(Role::step_left, {0.45F, 0.0F});
+  expect_at(Role::step_right, {-0.45F, 0.0F});
+  expect_at(Role::veer_left, {0.4F, 1.2F});
+  expect_at(Role::veer_right, {-0.4F, 1.2F});
+}
+
+TEST(GaitPlane, StepsInTheMiddleWhereThatIsAskedForAndThereIsAClip) {
+  CharacterRoles roles = with_clips({"Idle", "Walk", "March_In_Place"});
+  roles.walk_speed = 1.2;
+  EXPECT_EQ((*gait_plane(roles, 3))->point(0).clip, 0);
+  EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).clip, 2);
+  EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).pace, anim::Pace::gait) << "it keeps step";
+  roles.clips[index_of(Role::step_in_place)] = no_clip;
+  EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).clip, 0);
+}
+
+TEST(GaitPlane, HasNoTwoClipsAtOneVelocity) {
+  CharacterRoles roles = with_clips({"Idle", "Walk", "Strafe_Left", "Strafe_Right", "Fwd_Left"});
+  roles.walk_speed = 1.2;
+  roles.velocities[index_of(Role::step_left)] = {0.7, 0.3};
+  roles.velocities[index_of(Role::veer_left)] = {0.7, 0.32};
+  EXPECT_EQ(points_of(roles, 5).size(), 5U) << "standing, walk, one of the two, and two that stand in";
 }
 
 TEST(GaitPlane, LetsAWalkTrampleWhereThereAreNoStepsAsideAndBack) {

@@ -38,9 +38,12 @@ void expect_velocities(const CharacterRoles& roles, double within) {
   expect_velocity(roles, Role::jog, {0.0, 2.4}, 2.0 * within);
   expect_velocity(roles, Role::run, {0.0, 3.6}, 3.0 * within);
   expect_velocity(roles, Role::walk_back, {0.0, -0.8}, within);
-  expect_velocity(roles, Role::step_left, {0.6, 0.0}, within);
-  expect_velocity(roles, Role::step_right, {-0.6, 0.0}, within);
+  expect_velocity(roles, Role::step_left, {0.45, 0.0}, within);
+  expect_velocity(roles, Role::step_right, {-0.45, 0.0}, within);
   expect_velocity(roles, Role::shuffle, {0.0, 0.45}, within);
+  expect_velocity(roles, Role::veer_left, {0.4, 1.2}, within);
+  expect_velocity(roles, Role::veer_right, {-0.4, 1.2}, within);
+  expect_velocity(roles, Role::step_in_place, {0.0, 0.0}, 1e-9);
   expect_velocity(roles, Role::stand, {0.0, 0.0}, 1e-9);
 }
 

@@ -70,7 +70,9 @@ TEST(RolesByName, StepsAsideAndBackAreFoundAsArtistsNameThem) {
         Case{Role::step_left, "Left Strafe Walking"}, Case{Role::step_left, "StrafeL"},
         Case{Role::step_left, "SideStep_Left"}, Case{Role::step_right, "Running_Strafe_Right"},
         Case{Role::step_right, "Walk_R"}, Case{Role::step_right, "StepRight"}, Case{Role::shuffle, "Shuffle"},
-        Case{Role::shuffle, "Slow_Walk"}}) {
+        Case{Role::shuffle, "Slow_Walk"}, Case{Role::step_in_place, "March_In_Place"},
+        Case{Role::step_in_place, "step in place"}, Case{Role::veer_left, "Walk_Fwd_Left"},
+        Case{Role::veer_right, "veer right"}}) {
     const CharacterRoles roles = roles_by_name(Names{"Idle", "Walking_A", name});
     EXPECT_EQ(roles.clip(role), 2) << name;
     EXPECT_EQ(roles.clip(Role::walk), 1) << name;
@@ -106,7 +108,8 @@ TEST(RolesByName, HaveNamesOfTheirOwn) {
   }
   EXPECT_EQ(role_named("other"), std::nullopt);
   EXPECT_EQ(known_roles(),
-            "stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right and shuffle");
+            "stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, shuffle, "
+            "step_in_place, veer_left and veer_right");
 }
 
 TEST(PlayableRole, IsTheNearestThatTheCharacterHasAClipFor) {

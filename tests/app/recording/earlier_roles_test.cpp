@@ -24,7 +24,8 @@ RoleClips nine_clips() {
 TEST(EarlierRoles, OfARequestLeaveTheNewOnesWithoutAClip) {
   std::string payload;
   append_number(payload, std::uint32_t{3});
-  for (std::int32_t clip = 0; clip < static_cast<std::int32_t>(earlier_role_count); ++clip) append_number(payload, clip);
+  for (std::int32_t clip = 0; clip < static_cast<std::int32_t>(earlier_role_count); ++clip)
+    append_number(payload, clip);
   const auto request = read_request(RecordKind::roles, payload);
   ASSERT_TRUE(request);
   EXPECT_EQ(std::get<RecordedRoles>(*request).character, 3U);

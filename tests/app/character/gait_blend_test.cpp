@@ -177,7 +177,6 @@ TEST_F(GaitBlend, PutsNoFootThroughTheGroundAndHardlySlides) {
   for (const glm::vec2& velocity : velocities) {
     const Figures figures = walk(velocity, Middle::steps);
     const std::string words = in_words(velocity, figures);
-    std::printf("%s\n", words.c_str());
     EXPECT_GT(figures.lowest, -0.025F) << words;
     EXPECT_LT(figures.mean_slide(), 0.07) << words;
   }

@@ -41,7 +41,8 @@ std::size_t run_from(const Standing& standing, std::size_t first) {
 Stances::Stances(const anim::Character& character, const StridePlane& plane) : of_(plane.points().size()) {
   const anim::Limbs limbs = anim::find_limbs(character.skeleton);
   const std::array legs{limbs.left_leg, limbs.right_leg};
-  for (std::size_t point = 1; point < of_.size(); ++point) {
+  for (std::size_t point = 0; point < of_.size(); ++point) {
+    if (!plane.is_gait(point)) continue;
     const StridePoint& gait = plane.points()[point];
     const anim::BakedClip& clip = character.clips[static_cast<std::size_t>(gait.clip)];
     const anim::Stride stride = anim::sample_stride(character.skeleton, clip.keyframe(), character.height);

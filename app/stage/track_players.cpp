@@ -5,12 +5,10 @@
 #include <cassert>
 #include <utility>
 
-#include <glm/geometric.hpp>
+#include "app/character/gait_plane.h"
 
 namespace throng::app {
 namespace {
-
-constexpr float least_apart = 0.1F;  // metres a second between two gaits
 
 FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
                    anim::Ticks ahead) {
@@ -28,22 +26,17 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
 }  // namespace
 
 StridePlane stride_plane_of(const CharacterSource& source) {
-  const CharacterRoles& roles = source.roles;
-  const int stand = roles.clip(Role::stand);
-  const int other = roles.others.empty() ? 0 : roles.others.front();
-  std::vector<StridePoint> points{{.clip = stand == no_clip ? other : stand}};
-  for (const Role gait : {Role::walk, Role::jog, Role::run}) {
-    const auto speed = static_cast<float>(roles.ground_speed(gait));
-    if (roles.clip(gait) == no_clip || speed <= 0.0F) continue;
-    const glm::vec2 velocity(0.0F, speed);
-    const auto is_near = [&](const StridePoint& point) {
-      return glm::distance(point.velocity, velocity) < least_apart;
-    };
-    if (std::ranges::any_of(points, is_near)) continue;
-    const anim::BakedClip& clip = source.character->clips[static_cast<std::size_t>(roles.clip(gait))];
-    points.push_back({.clip = roles.clip(gait), .velocity = velocity, .seconds = anim::to_seconds(clip.duration)});
+  const auto seconds_of = [&](int clip) {
+    return anim::to_seconds(source.character->clips[static_cast<std::size_t>(clip)].duration);
+  };
+  std::vector<StridePoint> points;
+  for (const GaitPoint& gait : gait_points(source.roles)) {
+    points.push_back({.clip = gait.clip, .velocity = gait.velocity, .seconds = seconds_of(gait.clip)});
   }
-  return StridePlane(std::move(points));
+  const int steps = source.roles.clip(Role::step_in_place);
+  if (steps == no_clip || points.size() < 2) return {std::move(points), StridePlane::Middle::stands};
+  points.front() = {.clip = steps, .velocity = glm::vec2(0.0F), .seconds = seconds_of(steps)};
+  return {std::move(points), StridePlane::Middle::steps};
 }
 
 TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,

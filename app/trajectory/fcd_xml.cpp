@@ -97,16 +97,18 @@ struct FcdParser::State {
       has_time = take(attributes, "time", time);
     } else if (is_person && !has_people) {
       has_people = true;
-      sink->rows.clear();  // vehicles
-      sink->ids = {};
-      forget_vehicles();
+      if (forget_vehicles) {
+        sink->rows.clear();
+        sink->ids = {};
+        forget_vehicles();
+      }
       take_row(attributes);
     } else if (is_person || (!has_people && std::strcmp(name, "vehicle") == 0)) {
       take_row(attributes);
     }
   }
 
-  std::function<void()> forget_vehicles = [] {};
+  std::function<void()> forget_vehicles;
 
   static void at_start(void* context, const XML_Char* name, const XML_Char** attributes) {
     static_cast<State*>(context)->open(name, attributes);

@@ -245,6 +245,12 @@ Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::s
 
 std::size_t byte_order_mark(std::string_view head) { return head.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
 
+bool has_first_row(std::string_view head) {
+  const HeadLines lines = lines_of(head);
+  if (lines.first.empty()) return false;
+  return !lines.second.empty() || lines.first.find('{') == 0 || is_row_of_numbers(lines.first);
+}
+
 std::string why_no_text(std::string_view head) {
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";

@@ -11,7 +11,6 @@
 #include "app/trajectory/both_cores.h"
 #include "app/trajectory/oddities.h"
 #include "app/trajectory/text_rows.h"
-#include "app/trajectory/told_apart.h"
 
 namespace throng::app {
 namespace {
@@ -71,12 +70,7 @@ std::vector<PersonTrack> take_rows(RawTracks& tracks, const std::vector<std::uin
   }
   for (RowBlock& block : tracks.blocks) {
     for (const RawRow& raw : block.rows) {
-      TrackRow& row = persons[raw.person].rows.emplace_back();
-      row.seconds = raw.time / scale.times_a_second;
-      row.x = static_cast<float>(raw.x * scale.metres_a_unit - origin.x);
-      row.z = -static_cast<float>(raw.y * scale.metres_a_unit - origin.y);
-      row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
-      row.heading = raw.angle;
+      persons[raw.person].rows.push_back(track_row(raw, scale, origin));
     }
     block.rows = {};
   }
@@ -173,6 +167,22 @@ void sum_up(Trajectories& trajectories) {
 }
 
 }  // namespace
+
+TrackRow track_row(const RawRow& raw, const RowScale& scale, const glm::dvec2& origin) {
+  TrackRow row;
+  row.seconds = raw.time / scale.times_a_second;
+  row.x = static_cast<float>(raw.x * scale.metres_a_unit - origin.x);
+  row.z = static_cast<float>(origin.y - raw.y * scale.metres_a_unit);
+  row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
+  row.heading = raw.angle;
+  return row;
+}
+
+void swap_up(RawRow& row) {
+  const double height = row.y;
+  row.y = -static_cast<double>(row.z);
+  row.z = static_cast<float>(height);
+}
 
 float heading_of_angle(float angle, AngleMeaning meaning) {
   constexpr float pi = std::numbers::pi_v<float>;

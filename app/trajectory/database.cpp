@@ -1,11 +1,14 @@
 #include "app/trajectory/database.h"
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include <sqlite3.h>
 
 #include "engine/files/input_file.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -55,6 +58,21 @@ void bind_hands(sqlite3* handle) {
   sqlite3_set_authorizer(handle, allow_reading, nullptr);
 }
 
+/// Returns how many bytes the header says that a database has; 0 where it does not say it.
+std::uint64_t size_by_header(InputFile& file) {
+  std::array<unsigned char, 100> header{};
+  const auto read = file.read(std::as_writable_bytes(std::span(header)));
+  if (!read || *read < header.size()) return 0;
+  const auto number = [&](std::size_t at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + count; ++i) value = value << 8U | header[i];
+    return value;
+  };
+  const std::uint64_t page_bytes = number(16, 2) == 1 ? 65536 : number(16, 2);
+  const bool is_valid = number(24, 4) == number(92, 4);  // an old program may have left a wrong count of pages
+  return is_valid ? page_bytes * number(28, 4) : 0;
+}
+
 }  // namespace
 
 DatabaseRow::Kind DatabaseRow::kind(int column) const {
@@ -88,7 +106,12 @@ bool DatabaseRow::number(int column, double& value) const {
 }
 
 Result<Database> Database::open(const std::string& file) {
-  if (const auto regular = InputFile::open(file, "a database"); !regular) return regular.error();
+  auto input = InputFile::open(file, "a database");
+  if (!input) return input.error();
+  if (const std::uint64_t size = size_by_header(*input); size > input->size()) {
+    return Error{"it cannot be read as a database (it is cut off after " + size_text(input->size()) + " of " +
+                 size_text(size) + "); export it anew"};
+  }
   sqlite3* handle = nullptr;
   const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
   const int status = sqlite3_open_v2(address_of(file).c_str(), &handle, flags, nullptr);

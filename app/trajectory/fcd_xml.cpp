@@ -113,6 +113,11 @@ struct FcdParser::State {
   static void at_start(void* context, const XML_Char* name, const XML_Char** attributes) {
     static_cast<State*>(context)->open(name, attributes);
   }
+  /// A document of SUMO has none, and entities could grow without end.
+  static void at_doctype(void* context, const XML_Char* /*name*/, const XML_Char* /*system*/, const XML_Char* /*place*/,
+                         int /*has_subset*/) {
+    static_cast<State*>(context)->stop("it has a DOCTYPE, which is not read; take it out");
+  }
   static void at_end(void* context, const XML_Char* /*name*/) { --static_cast<State*>(context)->depth; }
 };
 
@@ -122,6 +127,7 @@ FcdParser::FcdParser(RowSink& sink, bool is_lenient) : state_(std::make_unique<S
   state_->parser = XML_ParserCreate(nullptr);
   if (state_->parser == nullptr) throw std::bad_alloc();
   XML_SetUserData(state_->parser, state_.get());
+  XML_SetStartDoctypeDeclHandler(state_->parser, State::at_doctype);
   XML_SetElementHandler(state_->parser, State::at_start, State::at_end);
 }
 

@@ -197,7 +197,7 @@ Result<TextFormat> ndjson_format(std::string_view first) {
   TextFormat format;
   static_cast<void>(parser->read(first, sink));  // which keys are there
   if (parser->has(TrackField::time)) parser->time_ = TrackField::time;
-  if (!parser->read(first, sink)) return Error{"the first row: " + sink.fault};
+  if (!parser->read(first, sink)) return Error{sink.fault};
   const bool is_trajnet =
       first.find("\"track\"") != std::string_view::npos || first.find("\"scene\"") != std::string_view::npos;
   format.facts.format = is_trajnet ? "trajnet ndjson" : "JSON lines";

@@ -94,9 +94,10 @@ OddityTally find_overlaps(const std::vector<PersonTrack>& persons, double rows_a
     const auto look_at = [&](const Stander& other) {
       ++looked_at;
       if (!overlap(one, other)) return;
-      pairs.emplace_back(std::minmax(one.person, other.person));
-      tally.add(one.row->seconds, [&] {
-        return "persons " + persons[one.person].id + " and " + persons[other.person].id + " at " +
+      const auto [first, second] = std::minmax(one.person, other.person);
+      pairs.emplace_back(first, second);
+      tally.add(one.row->seconds, [&, names = std::pair(first, second)] {
+        return "persons " + persons[names.first].id + " and " + persons[names.second].id + " at " +
                fixed(one.row->seconds, 2) + " s";
       });
     };

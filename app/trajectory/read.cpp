@@ -143,7 +143,11 @@ bool looks_like_trajectories(const std::string& file) {
   const auto head = read_head(file);
   if (!head) return false;
   if (is_sqlite(*head) || is_xml(*head)) return true;
-  return text_format_of(*head, {}).has_value();
+  if (text_format_of(*head, {})) return true;
+  // A table that is refused is no model all the same.
+  const std::string extension = std::filesystem::path(file).extension().string();
+  static constexpr std::array names{".csv", ".tsv", ".txt", ".traj", ".ndjson", ".jsonl", ".dat", ".sqlite", ".fzp"};
+  return std::ranges::count(names, extension) > 0;
 }
 
 }  // namespace throng::app

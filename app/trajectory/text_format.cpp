@@ -186,7 +186,7 @@ Result<TextFormat> table_without_header(const HeadLines& lines) {
   const bool is_named = layout_in_comments(lines).has_value();
   if (is_named || (has_blanks && (columns == 4 || columns == 5))) return archive_text(lines, columns);
   if (has_blanks && (columns == 7 || columns == 8)) return street_matrix(columns);
-  return Error{"line " + std::to_string(lines.first_line) + ": rows of " + counted(columns, "number") +
+  return Error{"rows of " + counted(columns, "number") +
                " without a header; put a line before them that names the columns, such as id,frame,x,y"};
 }
 
@@ -195,8 +195,7 @@ Error unnamed(const HeadLines& lines, const std::string& missing) {
   for (const std::string& field : fields_of(lines.first, separator_of(lines.first))) {
     if (names.size() < 20) names.push_back("\"" + field.substr(0, 30) + "\"");
   }
-  return {"line " + std::to_string(lines.first_line) + ": its columns are " + joined(names, ", ", " and ") +
-          ", of which none is " + missing + "; name them so"};
+  return {"its columns are " + joined(names, ", ", " and ") + ", of which none is " + missing + "; name them so"};
 }
 
 /// Reads tables of SUMO: people, and vehicles where there are no people.
@@ -235,7 +234,7 @@ Result<TextFormat> table_with_header(const HeadLines& lines) {
 }
 
 Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::size_t line) {
-  if (!format) return format;
+  if (!format) return Error{"line " + std::to_string(line) + ": " + format.error().message};
   format->body = body;
   format->body_line = line;
   return format;
@@ -274,8 +273,13 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*o
   if (is_row_of_numbers(lines.first)) {
     return with_body(table_without_header(lines), lines.first_byte, lines.first_line);
   }
-  const std::size_t body = lines.second.empty() ? head.size() : lines.second_byte;
-  return with_body(table_with_header(lines), body, lines.second.empty() ? lines.first_line + 1 : lines.second_line);
+  auto table = with_body(table_with_header(lines), head.size(), lines.first_line);
+  if (table) table->body_line = 1 + static_cast<std::size_t>(std::ranges::count(head, '\n'));
+  if (table && !lines.second.empty()) {
+    table->body = lines.second_byte;
+    table->body_line = lines.second_line;
+  }
+  return table;
 }
 
 }  // namespace throng::app

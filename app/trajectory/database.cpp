@@ -1,6 +1,7 @@
 #include "app/trajectory/database.h"
 
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -73,6 +74,16 @@ std::uint64_t size_by_header(InputFile& file) {
   return is_valid ? page_bytes * number(28, 4) : 0;
 }
 
+/// Returns whether the columns of a table lie in its records one after the other, going by the words that made it.
+bool is_plain_table(std::string_view made) {
+  std::string lower(made);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* const word : {"without", "primary", "generated", " as", ")as"}) {
+    if (lower.find(word) != std::string::npos) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 DatabaseRow::Kind DatabaseRow::kind(int column) const {
@@ -143,9 +154,15 @@ Status Database::for_rows(const std::string& query, const std::function<bool(con
 Result<std::vector<Database::Table>> Database::tables() {
   std::vector<Table> tables;
   const Status listed = for_rows(
-      "SELECT name FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name NOT LIKE 'sqlite%' LIMIT 100",
+      "SELECT name, rootpage, sql FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name NOT LIKE 'sqlite%' "
+      "LIMIT 100",
       [&](const DatabaseRow& row) {
-        tables.push_back({std::string(row.text(0)), {}});
+        const std::int64_t root = row.whole(1);
+        const bool is_page = root > 1 && root <= 0xFFFFFFFE;
+        tables.push_back({std::string(row.text(0)),
+                          {},
+                          is_page ? static_cast<std::uint32_t>(root) : 0,
+                          is_page && is_plain_table(row.text(2))});
         return true;
       });
   if (!listed) return listed.error();

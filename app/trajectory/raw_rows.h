@@ -35,7 +35,7 @@ static_assert(sizeof(RawRow) == 40);
 /// Returns TrackRow::heading of a direction on the ground, x to the east and y to the north; NaN for no direction.
 inline float heading_of_direction(double x, double y) {
   if (x == 0.0 && y == 0.0) return std::numeric_limits<float>::quiet_NaN();
-  return static_cast<float>(std::atan2(x, -y));
+  return std::atan2(static_cast<float>(x), static_cast<float>(-y));
 }
 
 /// Rows that follow each other in a file.

@@ -22,6 +22,7 @@ constexpr double stature_share = 0.95;     // of a person's heights of the head,
 struct RowBounds {
   double least_x = std::numeric_limits<double>::infinity(), most_x = -least_x;
   double least_y = least_x, most_y = -least_x;
+  std::size_t count = 0;
 
   void add(const RawRow& row) {
     least_x = std::min(least_x, row.x);
@@ -53,6 +54,7 @@ RowBounds number_people(RawTracks& tracks, std::vector<std::uint32_t>& counts) {
       ++counts[number];
       bounds.add(row);
     }
+    bounds.count += block.rows.size();
     block.table = 0;
   }
   tracks.tables.clear();
@@ -60,20 +62,23 @@ RowBounds number_people(RawTracks& tracks, std::vector<std::uint32_t>& counts) {
   return bounds;
 }
 
-/// Moves rows to their people, and frees the blocks as it goes.
+/// Moves rows to their people, and frees the blocks after that.
 std::vector<PersonTrack> take_rows(RawTracks& tracks, const std::vector<std::uint32_t>& counts, const RowScale& scale,
-                                   const glm::dvec2& origin) {
+                                   const glm::dvec2& origin, std::size_t parts) {
   std::vector<PersonTrack> persons(counts.size());
   for (std::size_t i = 0; i < persons.size(); ++i) {
     persons[i].id = tracks.tables.front().id(static_cast<std::uint32_t>(i));
     persons[i].rows.reserve(counts[i]);
   }
-  for (RowBlock& block : tracks.blocks) {
-    for (const RawRow& raw : block.rows) {
-      persons[raw.person].rows.push_back(track_row(raw, scale, origin));
+  run_side_by_side(parts, [&](std::size_t part) {
+    const auto first = static_cast<std::uint32_t>(persons.size() * part / parts);
+    const auto count = static_cast<std::uint32_t>(persons.size() * (part + 1) / parts) - first;
+    for (const RowBlock& block : tracks.blocks) {
+      for (const RawRow& raw : block.rows) {
+        if (raw.person - first < count) persons[raw.person].rows.push_back(track_row(raw, scale, origin));
+      }
     }
-    block.rows = {};
-  }
+  });
   tracks.blocks.clear();
   return persons;
 }
@@ -112,8 +117,8 @@ void sort_rows(PersonTrack& person) {
 }
 
 /// Does all that belongs to each person alone, on both cores.
-OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts) {
-  const std::size_t parts = reading_threads();
+OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts,
+                          std::size_t parts) {
   std::vector<OddityTally> tallies(parts);
   run_side_by_side(parts, [&](std::size_t part) {
     std::vector<float> heights;
@@ -152,7 +157,7 @@ double common_rate(const std::vector<PersonTrack>& persons) {
   if (steps.empty()) return 0.0;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::ranges::nth_element(steps, middle);
-  return std::round(1e6 / *middle) / 1e6;  // 25, and not nearly 25
+  return std::round(1e6 / std::max(*middle, 1e-6)) / 1e6;  // 25, and not nearly 25
 }
 
 void sum_up(Trajectories& trajectories) {
@@ -220,8 +225,9 @@ Result<Trajectories> tracks_of_rows(RawTracks& tracks, const std::string& file, 
   Trajectories result;
   const glm::dvec2 middle = bounds.middle() * scale->metres_a_unit;
   result.origin = {std::round(middle.x) + 0.0, std::round(middle.y) + 0.0};  // -0 becomes 0
-  result.persons = take_rows(tracks, counts, *scale, result.origin);
-  const OddityTally duplicates = finish_people(result.persons, *scale, tracks.facts);
+  const std::size_t parts = bounds.count < rows_worth_a_thread ? 1 : reading_threads();
+  result.persons = take_rows(tracks, counts, *scale, result.origin, parts);
+  const OddityTally duplicates = finish_people(result.persons, *scale, tracks.facts, parts);
   if (options.start_seconds) drop_rows_before(*options.start_seconds, result.persons);
   if (result.persons.empty()) {
     return Error{file + ": it has no row after " + fixed(*options.start_seconds, 2) + " s; choose an earlier --start"};

@@ -16,7 +16,7 @@ constexpr double fastest = 12.0;        // metres a second
 constexpr double longest_gap = 3.5;     // rows: three, and half of one for clocks that tremble
 constexpr double least_jump = 0.1;      // metres: less is noise of a short step
 constexpr float nearest_people = 0.1F;  // metres
-constexpr std::size_t most_rows_looked_at = 300'000;
+constexpr std::size_t most_rows_looked_at = 150'000;
 constexpr std::size_t most_pairs_looked_at = 5'000'000;
 
 /// A place of somebody in a frame, with the cell of a grid that it lies in.
@@ -70,7 +70,8 @@ std::vector<Stander> standers_of(const std::vector<PersonTrack>& persons, double
   for (std::uint32_t person = 0; person < persons.size(); ++person) {
     const std::vector<TrackRow>& track = persons[person].rows;
     for (std::uint32_t row = 0; row < track.size(); ++row) {
-      const auto frame = static_cast<std::int64_t>(std::clamp(std::floor(track[row].seconds * rate + 0.5), -1e15, 1e15));
+      const auto frame =
+          static_cast<std::int64_t>(std::clamp(std::floor(track[row].seconds * rate + 0.5), -1e15, 1e15));
       if (frame % every != 0) continue;
       const std::uint64_t line = static_cast<std::uint64_t>(frame / every) << cell_bits | cell_of(track[row].z);
       standers.push_back({line << cell_bits | cell_of(track[row].x), person, row});

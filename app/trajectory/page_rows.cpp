@@ -116,8 +116,7 @@ bool read_page_rows(const std::string& file, const Database::Table& table, const
       const bool is_read = pages->read(first, last, std::span(values).first(columns.count),
                                        [&] { return take_row(values, columns, ids, part.sink); });
       if (!is_read || part.sink.ids.size() > most_people) is_usual = false;
-      part.blocks.emplace_back(first, RowBlock{{part.sink.rows.begin(), part.sink.rows.end()}, thread});
-      part.sink.rows.clear();
+      part.blocks.emplace_back(first, RowBlock{take_rows_of(part.sink), thread});
       if (thread == 0) clock.tell(static_cast<double>(last) / static_cast<double>(leaf_count));
     }
   });

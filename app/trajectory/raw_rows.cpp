@@ -1,6 +1,7 @@
 #include "app/trajectory/raw_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace throng::app {
 
@@ -16,6 +17,12 @@ bool add_row(const RawRow& row, RowSink& sink) {
   }
   sink.rows.push_back(row);
   return true;
+}
+
+std::vector<RawRow> take_rows_of(RowSink& sink) {
+  std::vector<RawRow> rows = std::exchange(sink.rows, {});
+  sink.rows.reserve(rows.size() + rows.size() / 16);
+  return rows;
 }
 
 }  // namespace throng::app

@@ -173,8 +173,7 @@ bool read_row(const DatabaseRow& row, bool has_direction, RowSink& sink) {
 
 void end_block(std::size_t table, ReadRange& read) {
   if (read.sink.rows.empty()) return;
-  read.blocks.push_back({{read.sink.rows.begin(), read.sink.rows.end()}, table});
-  read.sink.rows.clear();
+  read.blocks.push_back({take_rows_of(read.sink), table});
 }
 
 /// Reads a range on a connection of its own. `tell` is called with the count of rows now and then.
@@ -186,7 +185,6 @@ void read_range(Database& database, const RowRange& range, bool has_direction, b
   const std::string columns = std::string("frame, id, pos_x, pos_y") + (has_direction ? ", ori_x, ori_y" : "") +
                               (range.is_all ? "" : ", rowid");
   const int rowid = has_direction ? 6 : 4;
-  read.sink.rows.reserve(block_rows);
   read.status =
       database.for_rows("SELECT " + columns + " FROM trajectory_data" + where_of(range), [&](const DatabaseRow& row) {
         ++count;

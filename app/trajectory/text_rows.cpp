@@ -105,7 +105,7 @@ void read_lines(const TextBlock& block, bool is_lenient, LineParser& parser, Row
     }
     at = stop + 1;
   }
-  read.rows.rows.assign(sink.rows.begin(), sink.rows.end());
+  read.rows.rows = take_rows_of(sink);
 }
 
 }  // namespace

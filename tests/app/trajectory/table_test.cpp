@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/trajectory/number_text.h"
+#include "app/trajectory/raw_rows.h"
 #include "app/trajectory/table_layout.h"
 #include "tests/app/trajectory/track_file.h"
 
@@ -145,6 +146,16 @@ TEST(TrackTable, DoubtsThatHeadsAreTheGround) {
   ASSERT_TRUE(heads) << heads.error().message;
   EXPECT_EQ(heads->persons[0].rows[0].y, 0.0F);
   EXPECT_NEAR(heads->persons[0].stature, 1.7F, 0.06F);
+}
+
+TEST(TrackHeading, IsTheAngleOfADirection) {
+  for (int i = 0; i < 3600; ++i) {
+    const double angle = (i - 1799.5) * std::numbers::pi / 1800.0;  // from +Z, which is south, towards +X
+    for (const double length : {1e-6, 1.0, 12.5}) {
+      EXPECT_NEAR(heading_of_direction(length * std::sin(angle), -length * std::cos(angle)), angle, 2e-5);
+    }
+  }
+  EXPECT_TRUE(std::isnan(heading_of_direction(0.0, 0.0)));
 }
 
 TEST(TrackNumber, IsTheNearestDoubleToItsText) {

@@ -102,7 +102,7 @@ class OverlapSearch {
       look_at(i, below, key + next_line + 1);
     }
     std::ranges::sort(pairs_);
-    tally_.count = static_cast<std::size_t>(std::ranges::unique(pairs_).begin() - pairs_.begin());
+    tally_.count = static_cast<std::size_t>(std::unique(pairs_.begin(), pairs_.end()) - pairs_.begin());
     return tally_;
   }
 

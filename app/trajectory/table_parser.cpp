@@ -88,8 +88,13 @@ struct TableParser::Cells {
 TableParser::TableParser(TableLayout layout) : layout_(std::move(layout)) {
   time_ = layout_.has(TrackField::time) ? TrackField::time : TrackField::frame;
   has_direction_ = layout_.has(TrackField::direction_x) && layout_.has(TrackField::direction_y);
+  const bool has_ends =
+      layout_.has(TrackField::end_time) && layout_.has(TrackField::end_x) && layout_.has(TrackField::end_y);
   for (TableColumn& column : layout_.columns) {
     if (time_ == TrackField::time && column.field == TrackField::frame) column.field = TrackField::none;
+    const bool is_end =
+        column.field == TrackField::end_time || column.field == TrackField::end_x || column.field == TrackField::end_y;
+    if (is_end && !has_ends) column.field = TrackField::none;
   }
   while (!layout_.columns.empty() && layout_.columns.back().field == TrackField::none) layout_.columns.pop_back();
 }

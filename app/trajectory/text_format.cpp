@@ -199,24 +199,26 @@ Error unnamed(const HeadLines& lines, const std::string& missing) {
 }
 
 /// Reads tables of SUMO: people, and vehicles where there are no people.
-TextFormat sumo_table(std::string_view header) {
-  const bool has_people = has_columns_of(header, "person"), has_vehicles = has_columns_of(header, "vehicle");
-  const auto parser = [&](const char* prefix, RowFacts* facts) {
-    TableLayout layout = layout_of_header(header, prefix);
-    layout.may_be_empty = true;
-    if (facts != nullptr) take_columns(layout, *facts);
-    return std::make_unique<TableParser>(std::move(layout));
-  };
+Result<TextFormat> sumo_table(const HeadLines& lines) {
+  const bool has_people = has_columns_of(lines.first, "person"), has_vehicles = has_columns_of(lines.first, "vehicle");
+  TableLayout layout = layout_of_header(lines.first, has_people ? "person_" : "vehicle_");
+  if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
+  layout.may_be_empty = true;
   TextFormat format;
-  format.parser = parser(has_people ? "person_" : "vehicle_", &format.facts);
-  if (has_people && has_vehicles) format.otherwise = parser("vehicle_", nullptr);
   format.facts.format = "SUMO FCD table";
+  take_columns(layout, format.facts);
   if (format.facts.angle != AngleMeaning::none) format.facts.angle = AngleMeaning::compass;
+  format.parser = std::make_unique<TableParser>(std::move(layout));
+  TableLayout vehicles = layout_of_header(lines.first, "vehicle_");
+  vehicles.may_be_empty = true;
+  if (has_people && has_vehicles && missing_fields(vehicles).empty()) {
+    format.otherwise = std::make_unique<TableParser>(std::move(vehicles));
+  }
   return format;
 }
 
 Result<TextFormat> table_with_header(const HeadLines& lines) {
-  if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines.first);
+  if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines);
   TableLayout layout = layout_of_header(lines.first);
   if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
   TextFormat format;

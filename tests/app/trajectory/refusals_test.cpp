@@ -78,6 +78,8 @@ TEST(TrackRefusals, SayWhatIsWrongWithOtherFormats) {
       HasSubstr("a.txt: line 2: \"zero\" is not a number; put y in metres there, or skip such rows with --lenient"));
   EXPECT_THAT(error_of("a.txt", "1 0 0 0 1.7\n1 1 0\n"), HasSubstr("it has 3 columns, but z is column 5"));
   EXPECT_THAT(error_of("o.txt", "1 1 0 0 0 1 0 0\n1 x1 y 0 0 1 0 0\n"), HasSubstr("line 2: \"y\" is not a number"));
+  EXPECT_THAT(error_of("fcd.csv", "timestep_time;person_id;vehicle_x;person_y\n0;a;1;2\n"),
+              HasSubstr("of which none is x (posx, xpos, positionx, ...); name them so"));
   EXPECT_THAT(error_of("a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1, \"y\": 1}}\n{\"track\": {\"f\": 1\n"),
               HasSubstr("a.ndjson: line 2: it is no JSON object; put one there"));
   EXPECT_THAT(error_of("a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": \"a\", \"y\": 1}}\n"),

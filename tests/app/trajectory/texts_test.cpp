@@ -204,6 +204,14 @@ TEST(Vadere, ReadsBothEndsOfStepsAndTheScenarioBesideThem) {
   EXPECT_EQ(tracks->origin.y - static_cast<double>(corner.y), 0.5);
 }
 
+TEST(Vadere, TakesStepsWithoutTheirEndsAsRows) {
+  const auto tracks =
+      read_as("a.traj", "pedestrianId simTime endTime-PID1 startX-PID1 startY-PID1\n1 1 2 3 4\n1 2 3 3 5\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  ASSERT_EQ(tracks->row_count, 2U);
+  EXPECT_EQ(file_place(*tracks, tracks->persons[0].rows[1]), glm::dvec2(3.0, 5.0));
+}
+
 TEST(Vadere, ReadsRowsOfSteps) {
   const auto tracks = read_as("a.traj", "timeStep pedestrianId x-PID1 y-PID1\n1 1 2.0 3.0\n2 1 2.5 3.0\n");
   ASSERT_TRUE(tracks) << tracks.error().message;

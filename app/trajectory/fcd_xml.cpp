@@ -15,6 +15,7 @@
 #include "app/trajectory/progress_clock.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -61,7 +62,7 @@ struct FcdParser::State {
     const char* const text = value_of(attributes, name);
     if (text != nullptr && is_number_text(text, number) && std::isfinite(number)) return true;
     const std::string seen =
-        text == nullptr ? std::string("no ") + name : "\"" + std::string(text).substr(0, 40) + "\"";
+        text == nullptr ? std::string("no ") + name : anim::in_quotes(std::string(text).substr(0, 40));
     refuse(text == nullptr ? "it has " + seen + "; add it" : seen + " is not a number; put " + name + " there");
     return false;
   }

@@ -8,6 +8,7 @@
 
 #include "app/files/joined.h"
 #include "app/trajectory/both_cores.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -35,7 +36,7 @@ std::uint64_t cell_of(float place) {
 }
 
 std::string person_at(const PersonTrack& person, double seconds) {
-  return "person " + person.id + " at " + fixed(seconds, 2) + " s: ";
+  return "person " + anim::plain_text(person.id) + " at " + fixed(seconds, 2) + " s: ";
 }
 
 struct MoveTally {
@@ -121,7 +122,8 @@ class OverlapSearch {
       pairs_.emplace_back(earlier, later);
       const double seconds = row_of(stander).seconds;
       tally_.add(seconds, [&] {
-        return "persons " + persons_[earlier].id + " and " + persons_[later].id + " at " + fixed(seconds, 2) + " s";
+        return "persons " + anim::plain_text(persons_[earlier].id) + " and " + anim::plain_text(persons_[later].id) +
+               " at " + fixed(seconds, 2) + " s";
       });
     }
   }

@@ -15,6 +15,7 @@
 #include "app/trajectory/page_rows.h"
 #include "app/trajectory/progress_clock.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -34,7 +35,7 @@ bool has_columns(const Database::Table* table, std::initializer_list<const char*
 Error wrong_tables(const Tables& tables) {
   std::vector<std::string> shown;
   for (const Database::Table& table : tables) {
-    if (shown.size() < 8) shown.push_back(table.name + "(" + joined(table.columns) + ")");
+    if (shown.size() < 8) shown.push_back(anim::plain_text(table.name + "(" + joined(table.columns) + ")"));
   }
   return {"it has " + (shown.empty() ? "no table" : "the tables " + joined(shown, ", ", " and ")) +
           ", but not trajectory_data(frame, id, pos_x, pos_y), which JuPedSim writes; export rows as CSV"};
@@ -49,7 +50,7 @@ Status read_metadata(Database& database, const Tables& tables, RowFacts& facts) 
     double number = 0.0;
     const bool is_number = is_number_text(row.text(1), number);
     if (key == "fps" && is_number && number > 0.0 && number <= 10'000.0) facts.rate = number;
-    if (key == "version") facts.format += ", version " + std::string(row.text(1).substr(0, 8));
+    if (key == "version") facts.format += ", version " + anim::plain_text(row.text(1).substr(0, 8));
     return true;
   });
 }
@@ -137,9 +138,9 @@ bool refuse(RowSink& sink, int column, const DatabaseRow& row) {
   const std::string name = column_names[static_cast<std::size_t>(column)];
   const std::string what = kind == DatabaseRow::Kind::nothing ? "NULL"
                            : kind == DatabaseRow::Kind::bytes ? "a blob"
-                           : kind == DatabaseRow::Kind::text ? "\"" + std::string(row.text(column).substr(0, 40)) + "\""
-                           : column == 1                     ? "no whole number"
-                                                             : "not finite";
+                           : kind == DatabaseRow::Kind::text  ? anim::in_quotes(row.text(column).substr(0, 40))
+                           : column == 1                      ? "no whole number"
+                                                              : "not finite";
   sink.fault = name + " is " + what + "; put " + (column == 1 ? "an id" : "a number") + " there";
   return false;
 }

@@ -11,6 +11,7 @@
 #include "app/trajectory/ndjson.h"
 #include "app/trajectory/number_text.h"
 #include "app/trajectory/table_parser.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -193,7 +194,7 @@ Result<TextFormat> table_without_header(const HeadLines& lines) {
 Error unnamed(const HeadLines& lines, const std::string& missing) {
   std::vector<std::string> names;
   for (const std::string& field : fields_of(lines.first, separator_of(lines.first))) {
-    if (names.size() < 20) names.push_back("\"" + field.substr(0, 30) + "\"");
+    if (names.size() < 20) names.push_back("\"" + anim::plain_text(field.substr(0, 30)) + "\"");
   }
   return {"its columns are " + joined(names, ", ", " and ") + ", of which none is " + missing + "; name them so"};
 }
@@ -253,13 +254,18 @@ bool has_first_row(std::string_view head) {
 }
 
 std::string why_no_text(std::string_view head) {
+  static const std::string no_text =
+      "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";
+  const auto is_odd = [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && std::string_view("\t\n\r\f\v\0", 6).find(c) == std::string_view::npos;
+  };
+  if (std::ranges::any_of(head.substr(0, 1024), is_odd)) return no_text;
   if (const std::size_t zero = head.find('\0'); zero != std::string_view::npos) {
     const bool is_wide = head.size() > 3 && (head[1] == '\0') != (head[0] == '\0');
-    return is_wide ? "it is UTF-16; save it as UTF-8"
-                   : "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
+    return is_wide ? "it is UTF-16; save it as UTF-8" : no_text;
   }
   return {};
 }

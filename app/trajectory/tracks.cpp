@@ -11,6 +11,7 @@
 #include "app/trajectory/both_cores.h"
 #include "app/trajectory/oddities.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -104,7 +105,8 @@ void drop_duplicates(PersonTrack& person, bool repeats, OddityTally& tally) {
     }
     const bool is_same = std::hypot(row.x - last.x, row.z - last.z) < 1e-3F;
     if (!repeats || !is_same) {
-      tally.add(row.seconds, [&] { return "person " + person.id + " at " + fixed(row.seconds, 2) + " s"; });
+      tally.add(row.seconds,
+                [&] { return "person " + anim::plain_text(person.id) + " at " + fixed(row.seconds, 2) + " s"; });
     }
     last = row;
   }

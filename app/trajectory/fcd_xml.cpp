@@ -100,7 +100,6 @@ struct FcdParser::State {
       has_people = true;
       if (forget_vehicles) {
         sink->rows.clear();
-        sink->ids = {};
         forget_vehicles();
       }
       take_row(attributes);

@@ -227,7 +227,6 @@ Status read_with_sqlite(const std::string& file, Database& database, bool has_di
   for (ReadRange& range : read) {
     if (range.is_refused) return row_error(file, range.first_bad, "");
     if (!range.status) return Error{file + ": " + range.status.error().message};
-    if (range.sink.ids.size() > most_people) return too_many_people(file);
     if (tracks.bad_rows == 0) tracks.first_bad_row = range.first_bad;
     tracks.bad_rows += range.bad;
     std::ranges::move(range.blocks, std::back_inserter(tracks.blocks));

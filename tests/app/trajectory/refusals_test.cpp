@@ -76,6 +76,7 @@ TEST(TrackRefusals, SayWhatIsWrongWithOtherFormats) {
   EXPECT_THAT(
       error_of("a.txt", "1 0 0 0 1.7\n1 1 0 zero 1.7\n"),
       HasSubstr("a.txt: line 2: \"zero\" is not a number; put y in metres there, or skip such rows with --lenient"));
+  EXPECT_THAT(error_of("a.txt", "1 0 0 0 1.7\n1 1 0.5m 0 1.7\n"), HasSubstr("line 2: \"0.5m\" is not a number"));
   EXPECT_THAT(error_of("a.txt", "1 0 0 0 1.7\n1 1 0\n"), HasSubstr("it has 3 columns, but z is column 5"));
   EXPECT_THAT(error_of("o.txt", "1 1 0 0 0 1 0 0\n1 x1 y 0 0 1 0 0\n"), HasSubstr("line 2: \"y\" is not a number"));
   EXPECT_THAT(error_of("fcd.csv", "timestep_time;person_id;vehicle_x;person_y\n0;a;1;2\n"),

@@ -114,6 +114,23 @@ TEST(JuPedSim, ReadsManyRowsOnTwoConnectionsAsOnOne) {
   }
 }
 
+TEST(JuPedSim, TakesTheLastOfDuplicatesWhateverThreadReadsIt) {
+  const TrackFolder folder;
+  const auto tracks = read_trajectories(
+      database(
+          folder,
+          "CREATE TABLE trajectory_data(frame INTEGER, id INTEGER, pos_x REAL, pos_y REAL); WITH RECURSIVE n(i) AS "
+          "(SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 199999) INSERT INTO trajectory_data SELECT i / 10 % 10, i "
+          "% 10, i * 0.01, 0.5 FROM n"),
+      {.fps = 1.0});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(found(*tracks, TrackOddity::duplicate), 199'900U);
+  ASSERT_EQ(tracks->row_count, 100U);
+  for (const PersonTrack& person : tracks->persons) {
+    for (const TrackRow& row : person.rows) EXPECT_GT(file_place(*tracks, row).x, 1998.99);
+  }
+}
+
 TEST(JuPedSim, RefusesRowsByTheirNumber) {
   const TrackFolder folder;
   const auto message = [&](const char* values) {

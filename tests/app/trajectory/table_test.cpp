@@ -69,6 +69,13 @@ TEST(TrackTable, TakesTheIdOfPathfinderBeforeItsName) {
   EXPECT_EQ(file_place(*tracks, tracks->persons[0].rows[1]), glm::dvec2(2.0, 2.0));
 }
 
+TEST(TrackTable, TakesTheCommonerOfTwoColumnsInAnyOrder) {
+  const auto tracks = read_as("a.csv", "name,id,t,step,x,y\nMax,3,0.5,7,1,2\nMax,4,0.5,7,1,2\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->persons.size(), 2U);
+  EXPECT_EQ(tracks->persons[0].rows[0].seconds, 0.5);
+}
+
 TEST(TrackTable, ListsColumnsThatItDoesNotKnowWithWhatWouldBeAccepted) {
   const std::string error = error_of("a.csv", "who,when,x,latitude\n1,2,3,4\n");
   EXPECT_THAT(error, HasSubstr("a.csv: line 1: its columns are \"who\", \"when\", \"x\" and \"latitude\""));
@@ -120,6 +127,12 @@ TEST(TrackTable, RefusesAnglesThatMayBeEither) {
   EXPECT_TRUE(read_as("a.csv", text, {.angle = TrackAngle::radians}));
 }
 
+TEST(TrackTable, RefusesAnglesThatAgreeWithTheWaysInBothUnits) {
+  std::string text = "id,time,x,y,angle\n";
+  for (int i = 0; i < 20; ++i) text += "1," + std::to_string(i) + "," + std::to_string(i) + ",0,0.05\n";
+  EXPECT_THAT(error_of("a.csv", text), HasSubstr("may be degrees or radians"));
+}
+
 TEST(TrackTable, SaysThatAnglesDoNotPointWhereTheyGo) {
   std::string text = "id,time,x,y,angle [deg]\n";
   for (int i = 0; i < 20; ++i) text += "1," + std::to_string(i) + "," + std::to_string(i) + ",0,180\n";
@@ -159,8 +172,9 @@ TEST(TrackHeading, IsTheAngleOfADirection) {
 }
 
 TEST(TrackNumber, IsTheNearestDoubleToItsText) {
-  for (const char* const text : {"0", "-0.0", "7.", ".5", "+3.25", "123456789012345678", "1.0683293133551417", "1e3",
-                                 "-2.647565e+00", "0.000001", "99999999999999999999", "4.9e-324"}) {
+  for (const char* const text :
+       {"0", "-0.0", "7.", ".5", "+3.25", "123456789012345678", "1.0683293133551417", "1e3", "-2.647565e+00",
+        "0.000001", "99999999999999999999", "18446744073709551617", "4.9e-324"}) {
     double value = 0.0;
     ASSERT_TRUE(is_number_text(text, value)) << text;
     EXPECT_EQ(value, std::strtod(text, nullptr)) << text;

@@ -146,6 +146,18 @@ TEST(Fcd, ReadsPeopleAndTurnsAnglesFromNorth) {
   EXPECT_NEAR(std::abs(tracks->persons[0].rows[1].heading), std::numbers::pi, 1e-6);  // north is -Z
 }
 
+TEST(Fcd, ForgetsManyVehiclesWhenTheFirstPersonComes) {
+  std::string text = std::string(fcd_head) + "<timestep time=\"0\">\n";
+  for (int i = 0; i < 10'000; ++i)
+    text += "<vehicle id=\"v" + std::to_string(i) + "\" x=\"50\" y=\"50\" angle=\"0\"/>\n";
+  text +=
+      "<person id=\"a\" x=\"1\" y=\"2\" angle=\"0\"/>\n<vehicle id=\"late\" x=\"5\" y=\"5\"/></timestep></fcd-export>";
+  const auto tracks = read_as("fcd.xml", text);
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  ASSERT_EQ(tracks->persons.size(), 1U);
+  EXPECT_EQ(tracks->row_count, 1U);
+}
+
 TEST(Fcd, ReadsVehiclesWhereThereAreNoPeople) {
   const auto xml =
       read_as("fcd.xml", std::string(fcd_head) +

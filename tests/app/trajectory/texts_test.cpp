@@ -115,6 +115,7 @@ TEST(Ndjson, ReadsTrajnetWithItsScenes) {
   EXPECT_EQ(tracks->persons[0].id, "5");
   EXPECT_DOUBLE_EQ(tracks->rows_a_second, 2.0);
   EXPECT_EQ(file_place(*tracks, tracks->persons[0].rows[0]), glm::dvec2(1.25, -2.0));
+  EXPECT_EQ(file_place(*tracks, tracks->persons[0].rows[1]), glm::dvec2(2.0, -2.0));
 }
 
 TEST(Ndjson, ReadsRowsWithOtherNames) {

@@ -20,11 +20,9 @@ RunFiles files_of(const DemoOptions& options) {
   files.read.push_back({"MODEL", options.crowd_file});
   files.read.push_back({"--preset", options.preset});
   files.read.push_back({"--replay", options.replay});
-  files.written = {{"--screenshot", options.screenshot},
-                   {"--stats", options.stats},
-                   {"--trace", options.trace},
-                   {"--record", options.record},
-                   {"--ui-map", options.ui_map}};
+  files.written = {{"--screenshot", options.screenshot}, {"--stats", options.stats},
+                   {"--trace", options.trace},           {"--record", options.record},
+                   {"--ui-map", options.ui_map},         {"--video", options.output.video}};
   files.remove_parts = options.remove_parts;
   return files;
 }

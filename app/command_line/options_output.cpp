@@ -68,9 +68,6 @@ std::optional<std::string> contradiction_of_video(const DemoOptions& options) {
 }
 
 std::optional<std::string> contradiction_of_labels(const DemoOptions& options) {
-  if (!options.replay.empty()) {
-    return "--labels: a recording says how exactly everybody is posed; give the options that were recorded instead";
-  }
   if (options.view) return "--labels: are of a crowd; leave out --view";
   if (options.tuning.taken_away != TakenAway{}) return "--labels: need the whole picture; take nothing away";
   if (options.tuning.inspection.split != Split::off) return "--labels: a split view shows two crowds; leave it out";

@@ -171,20 +171,32 @@ void LabelMaker::add_points(const Stage& stage, const render::InstanceRecord& re
   }
 }
 
-// A joint lies inside of its body, so it is visible where the nearest surface is its own body's and is not far before
-// it, as a chest is before an arm behind the back.
 LabelPoint LabelMaker::point(const render::InstanceRecord& record, const glm::vec3& place, float height) const {
   LabelPoint point{.place = to_world(record, place)};
   const glm::vec3 seen = frame_.camera.project(point.place);
   point.pixel = {seen.x, seen.y};
   const glm::ivec2 pixel(glm::floor(point.pixel));
-  const bool is_inside = seen.z > render::Camera::near_distance && pixel.x >= 0 && pixel.y >= 0 &&
-                         pixel.x < frame_.size.x && pixel.y < frame_.size.y;
-  if (!is_inside) return point;
-  const std::size_t at = picture_.place(pixel.x, pixel.y);
-  const bool is_own = picture_.agents[at] == record.agent + 1;
-  point.seen = is_own && picture_.metres[at] >= seen.z - deepest_joint * height ? Seen::visible : Seen::hidden;
+  if (seen.z <= render::Camera::near_distance || !is_in_picture(pixel)) return point;
+  point.seen = is_visible(record.agent + 1, pixel, seen.z, height) ? Seen::visible : Seen::hidden;
   return point;
+}
+
+bool LabelMaker::is_in_picture(glm::ivec2 pixel) const {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < frame_.size.x && pixel.y < frame_.size.y;
+}
+
+// A joint lies inside of its body, so its own body hides it only if it is far before it, as a chest is before an arm
+// behind the back. A joint may stand out of an outline by a pixel.
+bool LabelMaker::is_visible(std::uint32_t label, glm::ivec2 pixel, float metres, float height) const {
+  const std::size_t at = picture_.place(pixel.x, pixel.y);
+  if (picture_.agents[at] == label) return picture_.metres[at] >= metres - deepest_joint * height;
+  if (picture_.metres[at] < metres) return false;
+  for (int y = pixel.y - 1; y <= pixel.y + 1; ++y) {
+    for (int x = pixel.x - 1; x <= pixel.x + 1; ++x) {
+      if (is_in_picture({x, y}) && picture_.agents[picture_.place(x, y)] == label) return true;
+    }
+  }
+  return false;
 }
 
 // The same steps serve most frames of a run, as they grow by halves of a decade or so.

@@ -90,6 +90,8 @@ class LabelMaker {
   static void add_boxes(const SeenPart& seen, const render::BodyAlone& body, LabelledPerson& person);
   void add_points(const Stage& stage, const render::InstanceRecord& record, LabelledPerson& person) const;
   LabelPoint point(const render::InstanceRecord& record, const glm::vec3& place, float height) const;
+  bool is_in_picture(glm::ivec2 pixel) const;
+  bool is_visible(std::uint32_t label, glm::ivec2 pixel, float metres, float height) const;
   void choose_scale();
 
   std::vector<CocoPoints> coco_;  // [character]

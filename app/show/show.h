@@ -112,6 +112,7 @@ class Show {
   friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
+  bool begin_tracks(const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
   anim::Status take(LoadedCast cast);
   anim::Status exchange(std::vector<CharacterSource> characters);

@@ -103,10 +103,11 @@ anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, 
 anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) {
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
   const DrawWhich which = drawn_frames(options);
-  bool last = options.frames < 1, told = false;
+  const int frames = frames_of_run(options, show);
+  bool last = frames < 1, told = false;
   for (int frame = 1; !last; ++frame) {
     show.animate(step);
-    last = frame == options.frames || asked_to_stop() != 0;
+    last = frame == frames || asked_to_stop() != 0;
     tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
     if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;

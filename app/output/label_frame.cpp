@@ -51,7 +51,10 @@ PixelBox box_of_sphere(const LabelCamera& camera, glm::ivec2 size, const glm::ve
 
 }  // namespace
 
-std::string id_of_agent(const Stage& /*stage*/, std::uint32_t agent) { return std::to_string(agent); }
+std::string id_of_agent(const Stage& stage, std::uint32_t agent) {
+  const Followers* const recorded = followers_of(stage.crowd());
+  return recorded != nullptr ? recorded->trajectories().persons[agent].id : std::to_string(agent);
+}
 
 LabelCamera::LabelCamera(const render::CameraView& view, glm::ivec2 size) {
   const glm::mat4 turned(glm::vec4(1, 0, 0, 0), glm::vec4(0, -1, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 0, 0, 1));
@@ -75,6 +78,9 @@ anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
   const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
   frame_.number = number;
   frame_.seconds = anim::to_seconds(show.stage().system().clock());
+  const Crowd& crowd = show.stage().crowd();
+  frame_.file_seconds.reset();
+  if (followers_of(crowd) != nullptr) frame_.file_seconds = track_clock_of(crowd).seconds;
   frame_.size = {show.width, show.height};
   frame_.camera = LabelCamera(render::view_of(show.camera, aspect), frame_.size);
   find_seen_parts(show.stage().crowd().size());

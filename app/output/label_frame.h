@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,13 +56,14 @@ struct LabelCamera {
 struct LabelFrame {
   int number = 0;
   double seconds = 0;
+  std::optional<double> file_seconds;  ///< of the clock of the file that the crowd is from
   glm::ivec2 size{0};
   LabelCamera camera;
   double metres_a_step = 0.001;  ///< of the depth picture
   std::vector<LabelledPerson> people;
 };
 
-/// Returns the name by which labels know an agent.
+/// Returns the name by which labels know an agent: that of the file that it is from, or its number.
 std::string id_of_agent(const Stage& stage, std::uint32_t agent);
 
 /// Makes the labels of the frame that a show animated last. Keeps its memory from frame to frame.

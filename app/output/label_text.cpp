@@ -140,6 +140,7 @@ std::string line_of(const LabelFrame& frame) {
   std::snprintf(number.data(), number.size(), "%06d.png", frame.number);
   line.raw("{\"frame\":").whole(frame.number);
   line.raw(",\"time\":").number(frame.seconds, second_decimals);
+  if (frame.file_seconds) line.raw(",\"file_time\":").number(*frame.file_seconds, second_decimals);
   line.raw(",\"size\":[").whole(frame.size.x).raw(",").whole(frame.size.y).raw("]");
   line.raw(",\"mask\":\"mask_").raw(number.data()).raw("\",\"depth\":\"depth_").raw(number.data());
   line.raw("\",\"depth_step\":").raw(shortest_text(frame.metres_a_step));

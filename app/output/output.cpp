@@ -1,6 +1,7 @@
 #include "app/output/output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -36,17 +37,25 @@ anim::Status check_output(const OutputOptions& options) {
   return options.video.empty() ? anim::Done{} : check_encoder(options.video);
 }
 
+int frames_of_run(const DemoOptions& options, const Show& show) {
+  const Crowd& crowd = show.stage().crowd();
+  const Followers* const recorded = followers_of(crowd);
+  const bool goes_on_to_its_end = recorded != nullptr && options.output.any() && options.trajectories.file != "-";
+  if (options.frames_given || !goes_on_to_its_end) return options.frames;
+  const TrackClock& clock = track_clock_of(crowd);
+  const double frames = std::ceil((clock.last - clock.seconds) / options.dt.value_or(1.0 / usual_rate));
+  return static_cast<int>(std::clamp(frames, 1.0, 1e9));
+}
+
 anim::Result<std::unique_ptr<Output>> Output::begin(const DemoOptions& options, const Show& show) {
-  std::unique_ptr<Output> output(new Output(options));
+  const bool is_known = options.replay.empty() || options.frames_given;  // or the recording says it
+  std::unique_ptr<Output> output(new Output(options, is_known ? frames_of_run(options, show) : 0));
   if (const anim::Status opened = output->open_files(options, show); !opened) return opened.error();
   return output;
 }
 
-// The length of a replay is that of the recording.
-Output::Output(const DemoOptions& options)
-    : options_(options.output),
-      format_(format_of(options)),
-      progress_(options.replay.empty() || options.frames_given ? options.frames : 0) {}
+Output::Output(const DemoOptions& options, int frames)
+    : options_(options.output), format_(format_of(options)), progress_(frames) {}
 
 anim::Status Output::open_files(const DemoOptions& options, const Show& show) {
   const std::size_t most_waiting = most_waiting_frames(format_);

@@ -19,6 +19,10 @@ namespace throng::app {
 /// check_encoder().
 anim::Status check_output(const OutputOptions& options);
 
+/// Returns how many frames a run has: those asked for; without a wish, as many as a recorded crowd that is written goes
+/// on for.
+int frames_of_run(const DemoOptions& options, const Show& show);
+
 /// Writes a video, pictures and labels of each frame of a run. Drawing goes on while frames are encoded. A frame whose
 /// files are there already, of an earlier part of the same run, is not drawn again.
 class Output {
@@ -38,7 +42,7 @@ class Output {
  private:
   using SharedImage = std::shared_ptr<const render::Image>;
 
-  explicit Output(const DemoOptions& options);
+  Output(const DemoOptions& options, int frames);
   anim::Status open_files(const DemoOptions& options, const Show& show);
   bool is_there(int frame) const;
   anim::Status draw(Show& show, int frame);

@@ -12,8 +12,8 @@
 namespace throng::app {
 
 /// A program that reads what we write, found in PATH and started without a shell. What it says is kept. Signals of the
-/// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program ignores
-/// SIGPIPE (end_in_words).
+/// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program
+/// ignores SIGPIPE (end_in_words).
 class ChildProcess {
  public:
   /// Errors: there is no such program, or the system does not start it; the error says why: "there is none in PATH".

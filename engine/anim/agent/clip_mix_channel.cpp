@@ -32,7 +32,7 @@ void speak(Player& player, StepVoice voice) {
 void ClipMixChannel::set(std::span<const MixedClip> clips) {
   const bool fits = !clips.empty() && clips.size() <= most;
   if (!fits || !has_no_clip_twice(clips) || !std::ranges::all_of(clips, can_be_mixed)) {
-    report_misuse({"ClipMixChannel::set", "a mix has one to four clips, none twice, with weights above 0"});
+    report_misuse({"ClipMixChannel::set", "a mix has one to five clips, none twice, with weights above 0"});
     return;
   }
   std::ranges::copy(clips, clips_.begin());

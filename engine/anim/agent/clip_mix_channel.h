@@ -29,7 +29,7 @@ struct MixedClip {
 /// look at in any order. A clip that stays in the mix keeps its player.
 class ClipMixChannel final : public Channel {
  public:
-  static constexpr std::size_t most = 4;
+  static constexpr std::size_t most = 5;
 
   explicit ClipMixChannel(std::span<const MixedClip> clips) { set(clips); }
 

@@ -53,8 +53,8 @@ void write_box(LineWriter& line, const render::PixelBox& box) {
 void write_points(LineWriter& line, const auto& points) {
   write_list(line, points, [&](const LabelPoint& point) {
     line.raw("[");
-    for (int axis = 0; axis < 3; ++axis) line.number(double{point.place[axis]}, metre_decimals).raw(",");
-    for (int axis = 0; axis < 2; ++axis) line.number(double{point.pixel[axis]}, pixel_decimals).raw(",");
+    for (int axis = 0; axis < 3; ++axis) line.number(static_cast<double>(point.place[axis]), metre_decimals).raw(",");
+    for (int axis = 0; axis < 2; ++axis) line.number(static_cast<double>(point.pixel[axis]), pixel_decimals).raw(",");
     line.whole(static_cast<int>(point.seen)).raw("]");
   });
 }
@@ -75,8 +75,8 @@ void write_person(LineWriter& line, const LabelledPerson& person, glm::ivec2 siz
   line.raw(",\"position\":");
   const glm::vec3& place = person.position;
   write_list(line, std::array{place.x, place.y, place.z},
-             [&](float each) { line.number(double{each}, metre_decimals); });
-  line.raw(",\"heading\":").number(double{person.heading}, metre_decimals);
+             [&](float each) { line.number(static_cast<double>(each), metre_decimals); });
+  line.raw(",\"heading\":").number(static_cast<double>(person.heading), metre_decimals);
   line.raw(",\"joints\":");
   write_points(line, person.joints);
   line.raw(",\"coco\":");

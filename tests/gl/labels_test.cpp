@@ -186,8 +186,9 @@ TEST_F(LabelsOfFifty, HaveTheJointsOfThePose) {
       const auto& rows = palette[static_cast<std::size_t>(place.entry)].rows;
       glm::vec3 own;
       for (int axis = 0; axis < 3; ++axis) {
-        own[axis] = static_cast<float>(
-            glm::dot(glm::dvec3(rows[axis][0], rows[axis][1], rows[axis][2]), place.position) + double{rows[axis][3]});
+        own[axis] =
+            static_cast<float>(glm::dot(glm::dvec3(rows[axis][0], rows[axis][1], rows[axis][2]), place.position) +
+                               static_cast<double>(rows[axis][3]));
       }
       const glm::vec3 turned(heading.cosine * own.x + heading.sine * own.z, own.y,
                              heading.cosine * own.z - heading.sine * own.x);

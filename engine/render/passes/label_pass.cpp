@@ -156,6 +156,12 @@ bool LabelPass::add_part(std::uint32_t instance, const PixelBox& source) {
   return true;
 }
 
+void LabelPass::begin_page() {
+  parts_.clear();
+  next_ = {0, 0};
+  row_height_ = 0;
+}
+
 Status LabelPass::measure(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
                           glm::ivec2 picture, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies) {
   if (Status prepared = prepare_cells(picture); !prepared) return prepared;
@@ -164,13 +170,9 @@ Status LabelPass::measure(const CrowdFrame& frame, std::span<const CrowdMesh> me
     if (parts_.empty()) return;
     draw_parts(frame, meshes, palettes, picture);
     count_parts(bodies);
-    parts_.clear();
-    next_ = {0, 0};
-    row_height_ = 0;
+    begin_page();
   };
-  parts_.clear();
-  next_ = {0, 0};
-  row_height_ = 0;
+  begin_page();
   std::ranges::fill(bodies, BodyAlone{});
   for (std::uint32_t instance = 0; instance < boxes.size(); ++instance) {
     const PixelBox& box = boxes[instance];
@@ -225,32 +227,32 @@ void LabelPass::draw_parts(const CrowdFrame& frame, std::span<const CrowdMesh> m
 
 void LabelPass::count_parts(std::span<BodyAlone> bodies) {
   const int rows = std::min(next_.y + row_height_, cells_size_.y);
-  const auto row_bytes = static_cast<std::size_t>(cells_size_.x);
-  covered_.resize(row_bytes * static_cast<std::size_t>(rows));
+  covered_.resize(static_cast<std::size_t>(cells_size_.x) * static_cast<std::size_t>(rows));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, cells_target_.id());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, cells_size_.x, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE, covered_.data());
   for (const Part& part : parts_) {
-    BodyAlone& body = bodies[part.instance];
-    PixelBox& box = body.box;
-    if (body.pixels == 0) box = {part.source.right, part.source.bottom, part.source.left, part.source.top};
-    for (int y = 0; y < part.source.height(); ++y) {
-      const auto row = static_cast<std::size_t>(part.corner.y + part.source.height() - 1 - y);
-      const std::uint8_t* const pixels = &covered_[row * row_bytes + static_cast<std::size_t>(part.corner.x)];
-      const std::uint8_t* const pixels_end = pixels + part.source.width();
-      const auto count = static_cast<std::uint64_t>(std::count(pixels, pixels_end, 1));
-      if (count == 0) continue;
-      body.pixels += count;
-      const auto first = static_cast<int>(std::find(pixels, pixels_end, 1) - pixels);
-      int last = part.source.width() - 1;
-      while (pixels[last] != 1) --last;
-      box.left = std::min(box.left, part.source.left + first);
-      box.right = std::max(box.right, part.source.left + last + 1);
-      box.top = std::min(box.top, part.source.top + y);
-      box.bottom = std::max(box.bottom, part.source.top + y + 1);
-    }
-    if (body.pixels == 0) box = {};
+    for (int y = 0; y < part.source.height(); ++y) count_row(part, y, bodies[part.instance]);
   }
+}
+
+/// Counts the pixels that a row of a part covers, counted from its top.
+void LabelPass::count_row(const Part& part, int y, BodyAlone& body) const {
+  const auto row = static_cast<std::size_t>(part.corner.y + part.source.height() - 1 - y);
+  const auto begin = row * static_cast<std::size_t>(cells_size_.x) + static_cast<std::size_t>(part.corner.x);
+  const std::span<const std::uint8_t> pixels(&covered_[begin], static_cast<std::size_t>(part.source.width()));
+  const auto first = std::ranges::find(pixels, 1);
+  if (first == pixels.end()) return;
+  auto last = pixels.end();
+  while (*(last - 1) != 1) --last;
+  const int top = part.source.top + y, left = part.source.left;
+  const PixelBox covered{left + static_cast<int>(first - pixels.begin()), top,
+                         left + static_cast<int>(last - pixels.begin()), top + 1};
+  PixelBox& box = body.box;
+  if (body.pixels == 0) box = covered;
+  box = {std::min(box.left, covered.left), std::min(box.top, covered.top), std::max(box.right, covered.right),
+         std::max(box.bottom, covered.bottom)};
+  body.pixels += static_cast<std::uint64_t>(std::count(first, last, 1));
 }
 
 }  // namespace throng::render

@@ -69,7 +69,9 @@ class LabelPass {
   bool add_part(std::uint32_t instance, const PixelBox& source);
   void draw_parts(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
                   glm::ivec2 picture);
+  void begin_page();
   void count_parts(std::span<BodyAlone> bodies);
+  void count_row(const Part& part, int y, BodyAlone& body) const;
   void draw_surfaces(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes, std::uint32_t switches,
                      const auto& set_more);
 

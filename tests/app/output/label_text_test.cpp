@@ -71,7 +71,7 @@ TEST(LineOfAFrame, HasACameraThatPutsWhatIsAheadIntoTheMiddle) {
   for (std::size_t row = 0; row < 3; ++row) {
     const json& numbers = camera.at("world_to_camera").at(row);
     for (std::size_t column = 0; column < 4; ++column) {
-      const double place = column < 3 ? double{ahead[static_cast<int>(column)]} : 1.0;
+      const double place = column < 3 ? static_cast<double>(ahead[static_cast<int>(column)]) : 1.0;
       seen.at(row) += numbers.at(column).get<double>() * place;
     }
   }

@@ -22,11 +22,9 @@ RunFiles files_of(const DemoOptions& options) {
   if (options.trajectories.file != "-") files.read.push_back({"--trajectories", options.trajectories.file});
   files.read.push_back({"--walls", options.trajectories.reading.walls});
   files.read.push_back({"--replay", options.replay});
-  files.written = {{"--screenshot", options.screenshot},
-                   {"--stats", options.stats},
-                   {"--trace", options.trace},
-                   {"--record", options.record},
-                   {"--ui-map", options.ui_map}};
+  files.written = {{"--screenshot", options.screenshot}, {"--stats", options.stats},
+                   {"--trace", options.trace},           {"--record", options.record},
+                   {"--ui-map", options.ui_map},         {"--video", options.output.video}};
   files.remove_parts = options.remove_parts;
   return files;
 }

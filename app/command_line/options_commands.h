@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ void declare_simd(OptionReader& reader, const anim::Kernels*& kernels);
 
 /// Adds the options that say in what size and where the models of files stand.
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
+
+/// Adds the options that say what a run writes of each of its frames.
+void declare_output(OptionReader& reader, DemoOptions& options);
+/// Fills what follows from these options and others, once the line is read. Returns what contradicts them.
+std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options);
 
 /// Returns the demo's help as the tables of app/command_line/README.md.
 std::string demo_options_as_markdown();

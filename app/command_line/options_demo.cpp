@@ -166,10 +166,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
-      "--grain", "--schedule",   "--double-buffer", "--simd",   "--size",        "--msaa",
-      "--ui",    "--hide-ui",    "--headless",      "--draw",   "--frames",      "--screenshot",
-      "--stats", "--events",     "--trace",         "--ui-map", "--data",        "--remove-parts"};
+      "MODEL",      "--clips-from",    "--replay",       "--pus",        "--local-store", "--tile",   "--grain",
+      "--schedule", "--double-buffer", "--simd",         "--size",       "--msaa",        "--ui",     "--hide-ui",
+      "--headless", "--draw",          "--frames",       "--screenshot", "--stats",       "--events", "--trace",
+      "--ui-map",   "--data",          "--remove-parts", "--video",      "--pictures",    "--fps-out"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }
@@ -215,7 +215,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
     return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
   }
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
-  const bool is_still = !window && !options.screenshot.empty() && options.draw != DrawWhich::all;
+  const bool is_still = !window && !options.screenshot.empty() && drawn_frames(options) != DrawWhich::all;
   if (options.focus && !is_still) return "--focus: is for stills; use --headless and --screenshot";
   if (!options.focus && std::ranges::find(options.given, "--aperture") != options.given.end()) {
     return "--aperture: goes with --focus";
@@ -262,6 +262,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   declare_light(reader, options);
   declare_picture(reader, options);
   declare_run(reader, options);
+  declare_output(reader, options);
   declare_files(reader, options);
   reader.footer(
       "Examples:\n"
@@ -297,6 +298,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = settle_trajectories(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
+  if (auto contradiction = settle_output(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
   return options;
 }

@@ -73,6 +73,7 @@ const std::vector<House>& houses() {
         {"figures"},
         {"recording"},
         {"show"},
+        {"output"},
         {"demo"},
         {"commands/bench", "commands/pose", "commands/inspect"},
         {"commands/bake", "commands/lod"},

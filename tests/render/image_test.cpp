@@ -113,5 +113,46 @@ TEST(ImageDifference, IsRefusedForDifferentSizes) {
   EXPECT_NE(difference.error().message.find("20x21"), std::string::npos);
 }
 
+NumberImage slope(int width, int height) {
+  NumberImage image{width, height, {}};
+  for (int place = 0; place < width * height; ++place) {
+    image.numbers.push_back(static_cast<std::uint16_t>(place * 257));
+  }
+  return image;
+}
+
+TEST_F(ImageFile, OfNumbersIsReadAsItWasWritten) {
+  const NumberImage written = slope(31, 17);
+  ASSERT_TRUE(write_png(written, folder_ / "numbers.png"));
+  const Result<NumberImage> read = read_number_png(folder_ / "numbers.png");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->width, 31);
+  EXPECT_EQ(read->height, 17);
+  EXPECT_EQ(read->numbers, written.numbers);
+  EXPECT_EQ(read->at(2, 1), 33 * 257);
+}
+
+TEST_F(ImageFile, OfNumbersIsNoPictureAndNoPieceOfOne) {
+  ASSERT_TRUE(write_png(gradient(9, 9), folder_ / "picture.png"));
+  EXPECT_FALSE(read_number_png(folder_ / "picture.png"));
+  ASSERT_TRUE(write_png(slope(31, 17), folder_ / "numbers.png"));
+  std::filesystem::resize_file(folder_ / "numbers.png", 60);
+  const Result<NumberImage> read = read_number_png(folder_ / "numbers.png");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("it ends too early"), std::string::npos) << read.error().message;
+}
+
+TEST_F(ImageFile, IsWholeInItsOwnSizeAndToItsLastByteAlone) {
+  const std::filesystem::path file = folder_ / "picture.png";
+  EXPECT_FALSE(is_whole_png(file, 9, 7));
+  ASSERT_TRUE(write_png(gradient(9, 7), file));
+  EXPECT_TRUE(is_whole_png(file, 9, 7));
+  EXPECT_FALSE(is_whole_png(file, 7, 9));
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  EXPECT_FALSE(is_whole_png(file, 9, 7));
+  std::ofstream(file) << "no picture at all, but some bytes of text in its place";
+  EXPECT_FALSE(is_whole_png(file, 9, 7));
+}
+
 }  // namespace
 }  // namespace throng::render::test::image_test

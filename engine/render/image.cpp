@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <png.h>
 
@@ -74,13 +75,14 @@ struct PngWriter {
     if (!writer->outcome) png_error(png, "");
   }
 
-  bool write(const Image& image) {
+  bool write(const Image& image, std::span<png_text> texts) {
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, this, take, nullptr);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                  PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png, info);
     for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
     png_write_end(png, info);
@@ -88,13 +90,27 @@ struct PngWriter {
   }
 };
 
+/// Returns the texts as libpng takes them, which copies all but the letters.
+std::vector<png_text> lent_to_libpng(std::span<const PngText> texts) {
+  std::vector<png_text> lent;
+  for (const PngText& each : texts) {
+    png_text& text = lent.emplace_back();
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<png_charp>(each.keyword.c_str());
+    text.text = const_cast<png_charp>(each.text.c_str());
+    text.text_length = each.text.size();
+  }
+  return lent;
+}
+
 }  // namespace
 
-Status write_png(const Image& image, const std::filesystem::path& file) {
+Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts) {
   auto output = OutputFile::create(file);
   if (!output) return output.error();
+  std::vector<png_text> lent = lent_to_libpng(texts);
   PngWriter writer(*output);
-  if (!writer.write(image)) {
+  if (!writer.write(image, lent)) {
     return writer.outcome ? Error{file.string() + ": cannot be written: there is no memory left"} : writer.outcome;
   }
   return output->commit();

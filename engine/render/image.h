@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
+#include "engine/render/png_text.h"
 #include "engine/result.h"
 
 namespace throng::render {
@@ -27,7 +29,7 @@ struct Image {
 
 Result<Image> read_png(const std::filesystem::path& file);
 
-/// Writes the picture as a PNG. `file` is whole or as it was.
-Status write_png(const Image& image, const std::filesystem::path& file);
+/// Writes the picture as a PNG that says `texts` of itself. `file` is whole or as it was.
+Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts = {});
 
 }  // namespace throng::render

@@ -142,6 +142,7 @@ const std::vector<Option>& other_options() {
       {"--view", 0.1F, word_of({"", "", "=walk"})},
       {"--hide-ui", 0.0F, text("")},
       {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
+      {"--software", 0.1F, text("")},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
       {"--frames", 1.0F, any_frames},
       {"--dt", 0.3F, any_seconds},

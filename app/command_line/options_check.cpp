@@ -29,7 +29,8 @@ ValueReader png(std::string& target) { return file_that_ends_in(".png", target);
 }  // namespace
 
 void declare_software(OptionReader& reader, DemoOptions& options) {
-  reader.flag("--software", options.force_software, "Headless: never on a graphics card, so that pictures are the same");
+  reader.flag("--software", options.force_software,
+              "Headless: never on a graphics card, so that pictures are the same");
 }
 
 ParsedCommand parse_check(const std::vector<std::string>& arguments) {
@@ -37,7 +38,9 @@ ParsedCommand parse_check(const std::vector<std::string>& arguments) {
   OptionReader reader("throng check",
                       "Draws the pictures that a file of cases asks for, and compares them with expected ones.");
   reader.option_defaults()->group("What is drawn");
-  reader.value("CASES", "", "A file of cases (.json); app/commands/check/README.md has its keys", file_name(options.cases))
+  reader
+      .value("CASES", "", "A file of cases (.json); app/commands/check/README.md has its keys",
+             file_name(options.cases))
       ->required()
       ->group("Cases");
   reader.value("--case", "NAME,...", "These of its cases (all)", file_names(options.names));
@@ -69,9 +72,11 @@ ParsedCommand parse_compare(const std::vector<std::string>& arguments) {
   reader.value("EXPECTED", "", "A .png", png(options.expected))->required()->group("Pictures");
   reader.value("ACTUAL", "", "Another of the same size", png(options.actual))->required()->group("Pictures");
   reader.option_defaults()->group("What is allowed");
-  reader.value("--mean", "X", "Mean over the picture at most, in steps of 255 a channel", limit(options.tolerance.mean, 255));
+  reader.value("--mean", "X", "Mean over the picture at most, in steps of 255 a channel",
+               limit(options.tolerance.mean, 255));
   reader.value("--worst-block", "X", "The same of any 16x16 pixels", limit(options.tolerance.worst_block, 255));
-  reader.value("--share", "X", "Share of pixels that are off by more than " + std::to_string(seen_steps) + " steps, 0 to 1",
+  reader.value("--share", "X",
+               "Share of pixels that are off by more than " + std::to_string(seen_steps) + " steps, 0 to 1",
                limit(options.tolerance.share, 1));
   reader.option_defaults()->group("Files");
   reader.value("--difference", "FILE.png", "Write the difference, 8 times as bright", png(options.difference));

@@ -166,10 +166,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
-      "--grain", "--schedule",   "--double-buffer", "--simd",   "--size",        "--msaa",
-      "--ui",    "--hide-ui",    "--headless",      "--software",    "--draw",   "--frames",      "--screenshot",
-      "--stats", "--events",     "--trace",         "--ui-map", "--data",        "--remove-parts"};
+      "MODEL",      "--clips-from",    "--replay", "--pus",         "--local-store", "--tile",  "--grain",
+      "--schedule", "--double-buffer", "--simd",   "--size",        "--msaa",        "--ui",    "--hide-ui",
+      "--headless", "--software",      "--draw",   "--frames",      "--screenshot",  "--stats", "--events",
+      "--trace",    "--ui-map",        "--data",   "--remove-parts"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }

@@ -67,7 +67,8 @@ Complaint read_limit(const Json& tolerance, std::string_view key, double most, s
   if (!tolerance.contains(key)) return {};
   const Json& object = tolerance[key];
   if (!object.is_object()) return must_be(key, "an object with \"most\" and \"because\"");
-  if (Complaint complaint = unknown_key_in(object, {"most", "because"})) return '"' + std::string(key) + "\": " + *complaint;
+  if (Complaint complaint = unknown_key_in(object, {"most", "because"}))
+    return '"' + std::string(key) + "\": " + *complaint;
   const Json& number = object["most"];
   const double value = number.is_number() ? number.get<double>() : -1.0;
   if (!(value >= 0 && value <= most)) {
@@ -105,8 +106,9 @@ class CaseReader {
       : all_(all), json_(json), defaults_(defaults) {}
 
   Complaint read(RegressionCase& into) const {
-    if (Complaint complaint = unknown_key_in(json_, {"name", "models", "preset", "scene", "recording", "agents", "frame",
-                                                     "camera", "size", "context", "tolerance", "options", "expected"})) {
+    if (Complaint complaint =
+            unknown_key_in(json_, {"name", "models", "preset", "scene", "recording", "agents", "frame", "camera",
+                                   "size", "context", "tolerance", "options", "expected"})) {
       return complaint;
     }
     if (Complaint complaint = read_words(into.words)) return complaint;

@@ -15,8 +15,8 @@ std::string counts_as_attributes(const RegressionRun& run) {
   double seconds = 0;
   for (const CaseOutcome& outcome : run.outcomes) seconds += outcome.seconds;
   return attribute("tests", std::to_string(counts.all)) + attribute("failures", std::to_string(counts.failed)) +
-         attribute("errors", std::to_string(counts.not_drawn)) +
-         attribute("skipped", std::to_string(counts.left_out)) + attribute("time", fixed(seconds, 3));
+         attribute("errors", std::to_string(counts.not_drawn)) + attribute("skipped", std::to_string(counts.left_out)) +
+         attribute("time", fixed(seconds, 3));
 }
 
 /// What a test case has inside, which says how it ended; empty if it went well.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "app/files/joined.h"
 #include "app/files/program_version.h"
 
 namespace throng::app {
@@ -35,12 +36,14 @@ std::vector<render::PngText> texts_of(const PictureOrigin& origin) {
   return texts;
 }
 
-std::vector<render::PngText> origin_texts(const DrawnBy& drawn_by) {
-  return texts_of({.program = "Throng " + program_version() + ", commit " + program_commit(),
-                   .context = drawn_by.context,
-                   .renderer = drawn_by.gl_renderer,
-                   .gl_version = drawn_by.gl_version});
+PictureOrigin origin_of(const DrawnBy& drawn_by) {
+  return {.program = "Throng " + program_version() + ", commit " + program_commit(),
+          .context = drawn_by.context,
+          .renderer = drawn_by.gl_renderer,
+          .gl_version = drawn_by.gl_version};
 }
+
+std::vector<render::PngText> origin_texts(const DrawnBy& drawn_by) { return texts_of(origin_of(drawn_by)); }
 
 PictureOrigin read_origin(const std::filesystem::path& file) {
   PictureOrigin origin;
@@ -70,9 +73,14 @@ std::string origin_text(const PictureOrigin& origin) {
 }
 
 std::string other_origin(const PictureOrigin& expected, const PictureOrigin& actual) {
-  const std::string before = origin_text(expected), now = origin_text(actual);
-  if (before.empty() || before == now) return {};
-  return "the expected picture is of " + before + (now.empty() ? "" : ", this one of " + now);
+  std::vector<std::string> before, now;
+  for (const Member member : {&PictureOrigin::context, &PictureOrigin::renderer, &PictureOrigin::gl_version}) {
+    if ((expected.*member).empty() || expected.*member == actual.*member) continue;
+    before.push_back(expected.*member);
+    if (!(actual.*member).empty()) now.push_back(actual.*member);
+  }
+  if (before.empty()) return {};
+  return "the expected picture was made by " + joined(before) + (now.empty() ? "" : ", not " + joined(now));
 }
 
 }  // namespace throng::app

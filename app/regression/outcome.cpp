@@ -7,9 +7,27 @@ namespace throng::app {
 RunCounts counts_of(const RegressionRun& run) {
   RunCounts counts{.all = run.outcomes.size()};
   for (const CaseOutcome& outcome : run.outcomes) {
-    counts.failed += outcome.verdict == Verdict::failed ? 1 : 0;
-    counts.not_drawn += outcome.verdict == Verdict::not_drawn ? 1 : 0;
-    counts.left_out += outcome.verdict == Verdict::left_out ? 1 : 0;
+    switch (outcome.verdict) {
+      case Verdict::passed:
+      case Verdict::same:
+        ++counts.as_expected;
+        break;
+      case Verdict::failed:
+        ++counts.failed;
+        break;
+      case Verdict::not_drawn:
+        ++counts.not_drawn;
+        break;
+      case Verdict::left_out:
+        ++counts.left_out;
+        break;
+      case Verdict::changed:
+        ++counts.changed;
+        break;
+      case Verdict::added:
+        ++counts.added;
+        break;
+    }
   }
   return counts;
 }
@@ -36,11 +54,15 @@ const char* word_of(Verdict verdict) {
 
 std::string summary_of(const RegressionRun& run) {
   const RunCounts counts = counts_of(run);
-  std::string text = counted(counts.all, "picture") + ": " +
-                     std::to_string(counts.all - counts.failed - counts.not_drawn - counts.left_out) +
-                     " as expected, " + std::to_string(counts.failed) + " failed";
-  if (counts.not_drawn > 0) text += ", " + std::to_string(counts.not_drawn) + " not drawn";
-  if (counts.left_out > 0) text += ", " + std::to_string(counts.left_out) + " left out";
+  std::string text = counted(counts.all, "picture") + ": " + std::to_string(counts.as_expected) + " as expected";
+  const auto add = [&text](std::size_t count, const char* what) {
+    if (count > 0) text += ", " + std::to_string(count) + " " + what;
+  };
+  add(counts.changed, "changed");
+  add(counts.added, "new");
+  add(counts.failed, "failed");
+  add(counts.not_drawn, "not drawn");
+  add(counts.left_out, "left out");
   return text;
 }
 

@@ -18,10 +18,10 @@ struct CaseOutcome {
   std::string name;
   std::string context;  ///< "egl", "osmesa"
   Verdict verdict = Verdict::passed;
-  std::string message;                ///< what went wrong, or why it was left out; else empty
-  std::vector<JudgedFigure> figures;  ///< empty: nothing was compared
-  std::string brief;                  ///< them in a few words
-  bool differs = false;               ///< in any pixel
+  std::string message;                                       ///< what went wrong, or why it was left out; else empty
+  std::vector<JudgedFigure> figures;                         ///< empty: nothing was compared
+  std::string brief;                                         ///< them in a few words
+  bool differs = false;                                      ///< in any pixel
   std::filesystem::path expected, actual, difference, heat;  ///< pictures; empty: there is none
   PictureOrigin expected_origin, actual_origin;
   double seconds = 0;
@@ -39,14 +39,14 @@ struct RegressionRun {
 
 /// How often each kind of end came about.
 struct RunCounts {
-  std::size_t all = 0, failed = 0, not_drawn = 0, left_out = 0;
+  std::size_t all = 0, as_expected = 0, changed = 0, added = 0, failed = 0, not_drawn = 0, left_out = 0;
 };
 RunCounts counts_of(const RegressionRun& run);
 
 /// Returns the word for it in lines and pages: "ok", "FAILED".
 const char* word_of(Verdict verdict);
 
-/// Returns "12 cases: 10 as expected, 1 failed, 1 not drawn, 0 left out".
+/// Returns "12 pictures: 9 as expected, 1 new, 1 failed, 1 not drawn"; kinds that are none of are not in it.
 std::string summary_of(const RegressionRun& run);
 
 }  // namespace throng::app

@@ -61,8 +61,8 @@ void put_figures(PageWriter& page, const CaseOutcome& outcome) {
 }
 
 void put_button(PageWriter& page, const std::string& what, const std::string& label, bool pressed) {
-  page.put("<button type=\"button\" data-show=\"" + what + "\" aria-pressed=\"" + (pressed ? "true" : "false") +
-           "\">" + label + "</button>");
+  page.put("<button type=\"button\" data-show=\"" + what + "\" aria-pressed=\"" + (pressed ? "true" : "false") + "\">" +
+           label + "</button>");
 }
 
 constexpr std::string_view zoom_button =
@@ -77,15 +77,16 @@ void put_pair(PageWriter& page, const CaseOutcome& outcome) {
   if (!outcome.difference.empty()) put_button(page, "difference", "Difference, 8 times as bright", false);
   if (!outcome.heat.empty()) put_button(page, "heat", "Heat map", false);
   page.put(zoom_button);
-  page.put("</div><div class=\"wide\"><div class=\"frame\" data-shown=\"slider\">");
+  page.put("</div><div class=\"wide\"><div class=\"stage\"><div class=\"frame\" data-shown=\"slider\">");
   page.image(outcome.expected, "expected", "the expected picture");
   page.image(outcome.actual, "over actual", "the picture that was drawn");
   if (!outcome.difference.empty()) page.image(outcome.difference, "over difference", "their difference");
   if (!outcome.heat.empty()) page.image(outcome.heat, "over heat", "a heat map of their difference");
-  page.put("<div class=\"divider\"></div><span class=\"side left\">expected</span>"
-           "<span class=\"side right\">actual</span></div>"
-           "<input class=\"slide\" type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" "
-           "aria-label=\"where the expected picture ends\"></div></div>");
+  page.put(
+      "<div class=\"divider\"></div><span class=\"side left\">expected</span>"
+      "<span class=\"side right\">actual</span></div>"
+      "<input class=\"slide\" type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" "
+      "aria-label=\"where the expected picture ends\"></div></div></div>");
 }
 
 /// Pictures of two sizes, which cannot lie on each other, or the only one that there is.
@@ -136,12 +137,13 @@ Status write_page(const RegressionRun& run, const std::filesystem::path& file) {
   auto created = OutputFile::create(file);
   if (!created) return created.error();
   PageWriter page(*created);
-  page.put("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width\"><title>");
+  page.put(
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width\"><title>");
   page.put(escaped(run.title) + ": " + summary_of(run) + "</title><style>");
   page.put(page_styles);
-  page.put("</style></head><body><header><h1>" + escaped(run.title) + "</h1><p>" + summary_of(run) +
-           ".</p><p>Throng " + program_version() + ", commit " + escaped(program_commit()) + "</p></header>\n");
+  page.put("</style></head><body><header><h1>" + escaped(run.title) + "</h1><p>" + summary_of(run) + ".</p><p>Throng " +
+           program_version() + ", commit " + escaped(program_commit()) + "</p></header>\n");
   for (const bool bad : {true, false}) {
     for (const CaseOutcome& outcome : run.outcomes) {
       if (is_bad(outcome.verdict) == bad) put_case(page, outcome);

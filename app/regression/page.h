@@ -6,8 +6,8 @@
 namespace throng::app {
 
 /// Writes a run as one HTML page that needs no other file and no network. It shows what failed first; a slider divides
-/// expected and actual picture, and buttons show the difference and the heat map in their place. Pictures of a case that
-/// passed to the bit are shown once.
+/// expected and actual picture, and buttons show the difference and the heat map in their place. Pictures of a case
+/// that passed to the bit are shown once.
 Status write_page(const RegressionRun& run, const std::filesystem::path& file);
 
 }  // namespace throng::app

@@ -32,6 +32,8 @@ td.beyond { color: var(--bad); font-weight: 600; }
 button { font: inherit; padding: 3px 12px; border: 1px solid var(--line); border-radius: 6px; background: none;
   color: inherit; cursor: pointer; }
 button[aria-pressed=true] { border-color: var(--mark); color: var(--mark); font-weight: 600; }
+.stage { width: max-content; max-width: 100%; }
+.stage:has(.large) { max-width: none; }
 .frame { position: relative; width: max-content; max-width: 100%; overflow: hidden; border: 1px solid var(--line); }
 .frame.large { max-width: none; overflow: visible; }
 .frame img { display: block; max-width: 100%; height: auto; }
@@ -47,7 +49,7 @@ button[aria-pressed=true] { border-color: var(--mark); color: var(--mark); font-
 .side { position: absolute; bottom: 8px; padding: 1px 8px; border-radius: 4px; background: rgba(0, 0, 0, .65);
   color: #fff; font-size: 13px; pointer-events: none; }
 .side.left { left: 8px; } .side.right { right: 8px; }
-.slide { display: block; width: 100%; margin: 6px 0 0; }
+.slide { display: block; width: 100%; margin: 6px 0 0; accent-color: var(--mark); }
 .wide { overflow-x: auto; }
 .origin, .command { margin: 8px 0 0; color: var(--faint); font-size: 13px; overflow-wrap: anywhere; }
 code { font: 13px/1.4 ui-monospace, monospace; }

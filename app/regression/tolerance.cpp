@@ -10,9 +10,7 @@ namespace {
 
 std::string percent(double share) { return fixed(100 * share, 2) + "%"; }
 
-bool has_no_limit(const Tolerance& tolerance) {
-  return !tolerance.mean && !tolerance.worst_block && !tolerance.share;
-}
+bool has_no_limit(const Tolerance& tolerance) { return !tolerance.mean && !tolerance.worst_block && !tolerance.share; }
 
 /// What two pictures are held to where nobody says what else: they are the same.
 DifferenceLimit no_difference() { return {.most = 0, .because = "no tolerance is given"}; }
@@ -38,9 +36,11 @@ std::vector<JudgedFigure> judge(const PictureDifference& difference, const Toler
   const auto steps = [](double value) { return fixed(value, 3); };
   std::vector<JudgedFigure> figures;
   figures.push_back(judged("mean", difference.mean, tolerance.mean, steps));
-  figures.push_back(judged("worst block at " + place_of_block(difference), difference.worst_block,
-                           tolerance.worst_block, steps));
-  figures.push_back(judged("share of pixels", difference.share, tolerance.share, percent));
+  figures.push_back(judged("worst block", difference.worst_block, tolerance.worst_block, [&](double value) {
+    return value == 0 ? steps(value) : steps(value) + " at " + place_of_block(difference);
+  }));
+  figures.push_back(judged("share of pixels off by more than " + std::to_string(seen_steps) + " steps",
+                           difference.share, tolerance.share, percent));
   if (!figures.back().limit.empty()) figures.back().limit = percent(tolerance.share->most);
   return figures;
 }
@@ -50,8 +50,10 @@ bool all_within(const std::vector<JudgedFigure>& figures) {
 }
 
 std::string figures_text(const PictureDifference& difference) {
+  if (difference == PictureDifference()) return "no pixel differs";
   return "mean " + fixed(difference.mean, 3) + ", worst block " + fixed(difference.worst_block, 3) + " at " +
-         place_of_block(difference) + ", " + percent(difference.share) + " of pixels differ";
+         place_of_block(difference) + ", " + percent(difference.share) + " of pixels differ by more than " +
+         std::to_string(seen_steps) + " steps";
 }
 
 std::string excess_text(const std::vector<JudgedFigure>& figures) {

@@ -44,7 +44,8 @@ Result<std::vector<PngText>> read_png_texts(const std::filesystem::path& file) {
   if (read_bytes(*opened, signature.size()) != signature) return Error{file.string() + ": it is no PNG"};
   std::vector<PngText> texts;
   std::uint64_t place = signature.size();
-  for (auto head = read_head(*opened); head && head->type != "IDAT" && head->type != "IEND"; head = read_head(*opened)) {
+  for (auto head = read_head(*opened); head && head->type != "IDAT" && head->type != "IEND";
+       head = read_head(*opened)) {
     constexpr std::size_t head_bytes = 8;
     if (head->type == "tEXt" && head->length <= most_text_bytes) {
       const auto bytes = read_bytes(*opened, head->length);

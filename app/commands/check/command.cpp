@@ -99,11 +99,11 @@ int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& opti
   if (anim::Status written = write_reports(run, options, report); !written) {
     return end_with(exit_job_failed, written.error().message);
   }
+  const std::string summary = summary_of(run) + "; see " + report.string();
   const RunCounts counts = counts_of(run);
-  if (anim::Status told = print(summary_of(run) + "; see " + report.string() + "\n"); !told) {
-    return end_with(exit_job_failed, told.error().message);
-  }
-  return counts.failed + counts.not_drawn > 0 ? exit_job_failed : exit_done;
+  if (counts.failed + counts.not_drawn > 0) return end_with(exit_job_failed, summary);
+  const anim::Status told = print(summary + "\n");
+  return told ? static_cast<int>(exit_done) : end_with(exit_job_failed, told.error().message);
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 namespace throng::app {
 
-/// Runs `throng check`: draws the cases of a file and holds them against the expected pictures. Returns the exit status.
+/// Runs `throng check`: draws the cases of a file and holds them against the expected pictures. Returns the exit
+/// status.
 int run_check(const CheckOptions& options);
 
 }  // namespace throng::app

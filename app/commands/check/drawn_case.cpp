@@ -66,9 +66,10 @@ bool CaseDrawer::draw(const RegressionCase& wanted, CaseOutcome& outcome) const 
   }
   std::vector<std::string> words{"throng"};
   words.insert(words.end(), wanted.words.begin(), wanted.words.end());
-  words.insert(words.end(), {"--headless=" + outcome.context, "--software", "--screenshot", file_of(outcome, "actual")});
+  words.insert(words.end(),
+               {"--headless=" + outcome.context, "--software", "--screenshot", file_of(outcome, "actual")});
   if (!plan_.data.empty()) words.insert(words.end(), {"--data", plan_.data});
-  outcome.command = as_typed(words);
+  outcome.command = "cd " + as_typed({plan_.all.folder.string()}) + " && " + as_typed(words);
   words.front() = plan_.program;
   const auto ended = run_child(words, {.folder = plan_.all.folder});
   if (!ended || ended->status != 0) {

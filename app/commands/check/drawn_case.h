@@ -12,11 +12,11 @@ namespace throng::app {
 /// What all cases of a run share.
 struct CheckPlan {
   const RegressionCases& all;
-  std::string program;         ///< that draws: this one
-  std::string typed;           ///< how a person calls `throng check` for one case, without its name
-  std::filesystem::path out;   ///< the folder for what is drawn
-  std::string data;            ///< folder of shaders and assets; empty: where the program finds them
-  bool update = false;         ///< expected pictures are written
+  std::string program;        ///< that draws: this one
+  std::string typed;          ///< how a person calls `throng check` for one case, without its name
+  std::filesystem::path out;  ///< the folder for what is drawn
+  std::string data;           ///< folder of shaders and assets; empty: where the program finds them
+  bool update = false;        ///< expected pictures are written
 };
 
 /// Draws cases, each in a process of its own, since a process has one GL context.

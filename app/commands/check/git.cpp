@@ -25,8 +25,15 @@ std::vector<std::string> names_in(const std::string& status) {
 }
 
 std::optional<std::string> unkept_in(const fs::path& folder, const std::vector<std::string>& names) {
-  std::vector<std::string> words{"git", "--literal-pathspecs", "-C", folder.string(), "status", "--porcelain",
-                                 "--untracked-files=all", "--ignored", "--"};
+  std::vector<std::string> words{"git",
+                                 "--literal-pathspecs",
+                                 "-C",
+                                 folder.string(),
+                                 "status",
+                                 "--porcelain",
+                                 "--untracked-files=all",
+                                 "--ignored",
+                                 "--"};
   words.insert(words.end(), names.begin(), names.end());
   const auto ended = run_child(words);
   if (!ended) return "git is not installed, so nothing can bring back what is replaced in " + folder.string();

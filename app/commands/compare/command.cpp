@@ -26,8 +26,7 @@ int run_compare(const CompareOptions& options) {
     return end_with(exit_job_failed, told.error().message);
   }
   const std::vector<JudgedFigure> figures = judge(*difference, options.tolerance);
-  return all_within(figures) ? static_cast<int>(exit_done)
-                             : end_with(exit_job_failed, first + excess_text(figures));
+  return all_within(figures) ? static_cast<int>(exit_done) : end_with(exit_job_failed, first + excess_text(figures));
 }
 
 }  // namespace throng::app

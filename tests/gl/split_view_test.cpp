@@ -13,8 +13,8 @@ namespace throng::app::split_view_test {
 namespace {
 
 using render::Image;
-using render::test::compare;
 using render::test::looks_the_same;
+using render::test::measure_difference;
 
 constexpr int width = 320, height = 180, line = 128;
 constexpr int beside_the_line = 2;  // pixels

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/render/gl/context.h"
 #include "tests/sanitized.h"
 
 namespace throng::soak {

@@ -5,6 +5,7 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
+#include "app/command_line/options_trajectories.h"
 #include "app/recording/crowd_file.h"
 #include "app/settings/cast_option.h"
 #include "app/settings/placement_options.h"
@@ -251,6 +252,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       ->allow_extra_args()
       ->group("Model");
   declare_placements(reader, options);
+  declare_trajectories(reader, options);
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_cast(reader, options);
@@ -268,6 +270,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       "  throng --agents 5000 --scene stadium\n"
       "  throng fox.glb --view=Run\n"
       "  throng --cast fox.glb*3,horse.glb --headless --screenshot animals.png\n"
+      "  throng --trajectories walk.sqlite\n"
       "  throng mine.throng\n"
       "\n"
       "Other commands, each with a --help of its own:\n"
@@ -296,6 +299,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   options.error_given = all_given || names_an_error(reader);
   options.shadows_given = all_given || reader.given("--shadows") || reader.given("--crowd-shade");
   settle_level_of_detail(reader, options.tuning);
+  if (auto contradiction = settle_trajectories(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
   return options;

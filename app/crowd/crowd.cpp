@@ -10,28 +10,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/clothes.h"
 #include "app/crowd/cut_scene_layout.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
-#include "app/crowd/tower_view.h"
+#include "app/crowd/tiles.h"
 #include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float shortest = 0.90F, tallest = 1.08F;           // scale
-constexpr float slowest = 0.90F, fastest = 1.10F;            // playback of those who stay
-constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over the clip's own speed
 constexpr float least_playback = 0.4F, most_playback = 1.7F;
-constexpr float out_of_step = 0.04F;  // of a walk cycle
-constexpr double widest_in_spacings = 0.4;
 constexpr int slowness_to_catch_up = 4;  // who is behind makes up one second in so many
-
-constexpr std::uint64_t looks_stream = 4;
-constexpr std::uint64_t variants_stream = 9;
-constexpr std::uint64_t painted_stream = 11;
-constexpr std::uint64_t clothes_stream = 14;
 
 // The wave: how long somebody is up, and how unevenly they rise.
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
@@ -50,88 +39,10 @@ CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const
       break;
     case Scene::film:
       return cut_scene_layout(agents, seed, roles);
+    case Scene::trajectories:
+      return followers_layout(agents);
   }
   return grid_layout(agents, roles);
-}
-
-std::vector<Habit> habits_of(const CrowdLayout& layout) {
-  std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);
-  habits.insert(habits.end(), layout.marchers.size(), Habit::march);
-  for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
-  return habits;
-}
-
-/// The size and the colours of a body, and the shape of one that was made for it.
-struct BodyLook {
-  float scale = 1.0F;
-  Tints tints{};
-  Variant variant{};
-  std::uint32_t shade = 0;
-};
-
-/// Makes bodies differ. Streams of their own draw what not every character has, so that nobody else's draws change.
-class BodyLooks {
- public:
-  BodyLooks(std::uint32_t seed, const Variety& variety)
-      : variety_(variety), variants_(seed, variants_stream), painted_(seed, painted_stream) {}
-
-  /// Returns the look of the next agent, of character `number`. `scale` and `tints` were drawn for it.
-  BodyLook next(const CharacterRoles& character, std::uint8_t number, float scale, const Tints& tints) {
-    const Variant variant = random_variant(variants_);
-    const float size = random_size(painted_);
-    const std::uint32_t shade = random_shade(painted_);
-    const bool is_first = !std::exchange(met_[number], true);
-    if (is_first) first_tints_[number] = tints;
-    if (!variety_.differs) return {1.0F, first_tints_[number], {}, 0};
-    const Tints own = between(first_tints_[number], tints, variety_.tint);
-    if (!character.is_painted) return {varied_size(scale, variety_.size), own, variant, 0};
-    if (is_first) return {1.0F, own, variant, 0};
-    return {varied_size(size, variety_.size), own, variant, weaker_shade(shade, variety_.tint)};
-  }
-
- private:
-  Variety variety_;
-  Random variants_, painted_;
-  std::array<bool, 256> met_{};
-  std::array<Tints, 256> first_tints_{};
-};
-
-std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene, const CharacterRoles& roles,
-                                         const Variety& variety) {
-  if (variety.clothes != Clothes::pattern) return {};
-  const std::vector<glm::dvec3> places = places_of(layout);
-  return ClothesPattern(motif_of(scene, places.size()), places,
-                        tower_view(scene, places.size(), roles, variety.clothes));
-}
-
-CrowdLooks looks_of(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety,
-                    const std::optional<ClothesPattern>& pattern) {
-  const std::vector<Habit> habits = habits_of(layout);
-  Random random(seed, looks_stream), clothes(seed, clothes_stream);
-  BodyLooks bodies(seed, variety);
-  const std::vector<glm::dvec3> places = pattern ? places_of(layout) : std::vector<glm::dvec3>();
-  CrowdLooks looks;
-  for (std::size_t agent = 0; agent < habits.size(); ++agent) {
-    const CharacterRoles& character = cast.of(agent);
-    const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
-    const bool marches = habits[agent] == Habit::march, walks = agent < layout.walkers.size();
-    const float scale = random.between(shortest, tallest), phase = random.unit();
-    const float pace = walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest);
-    const BodyLook body = bodies.next(character, cast.numbers()[agent], scale, random_tints(random));
-    // Those who march have steps of one length, and a script counts on that of those who act.
-    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale);
-    looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
-    looks.paces.push_back(pace);
-    looks.start_phases.push_back(phase);
-    looks.tints.push_back(pattern ? pattern->at(places[agent], body.tints, clothes) : body.tints);
-    looks.variants.push_back(body.variant);
-    looks.shades.push_back(body.shade);
-    if (!marches) continue;
-    const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
-    const double ragged = in_step + static_cast<double>(out_of_step * phase);
-    looks.start_phases.back() = std::min(static_cast<float>(ragged - std::floor(ragged)), 0x1.fffffep-1F);
-  }
-  return looks;
 }
 
 CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CrowdCast& cast) {
@@ -153,19 +64,19 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 }  // namespace
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
-             const Variety& variety)
+             const Variety& variety, const TrackSource& tracks)
     : Crowd(layout_of(scene, agents, seed, common_roles(characters), variety.clothes), scene, seed, characters, variety,
-            common_roles(characters)) {
+            tracks, common_roles(characters)) {
   assert(size() == agents);
 }
 
 Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
-             const Variety& variety, CharacterRoles common)
+             const Variety& variety, const TrackSource& tracks, CharacterRoles common)
     : laid_out_for_(std::move(common)),
       cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
-      looks_(looks_of(layout, seed, cast_, variety, pattern_of(layout, scene, laid_out_for_, variety))),
+      looks_(looks_of(layout, scene, seed, cast_, laid_out_for_, variety)),
       state_{.behind = std::vector<anim::Ticks>(marchers_.size()),
              .next_waves = {},
              .minds = CrowdMinds(cast_, habits_of(layout), seed),
@@ -173,9 +84,12 @@ Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::sp
              .positions = std::vector<glm::vec3>(looks_.scales.size()),
              .headings = std::vector<Heading>(looks_.scales.size()),
              .speeds = std::vector<float>(looks_.scales.size(), 0.0F),
-             .playback_speeds = std::vector<float>(looks_.scales.size(), 1.0F)} {
+             .playback_speeds = std::vector<float>(looks_.scales.size(), 1.0F),
+             .track_clock = {},
+             .absent = {}} {
   place(layout);
   if (layout.wave_seconds > 0.0) expect_wave(layout);
+  if (scene == Scene::trajectories) follow(tracks, seed);
 }
 
 void Crowd::place(const CrowdLayout& layout) {
@@ -284,6 +198,10 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
     follow_walkers();
     march(dt);
     turn_standers(dt);
+  }
+  if (followers_) {
+    app::advance(state_.track_clock, anim::to_seconds(dt));
+    follow_tracks(executor, jobs);
   }
   for (const ClipRequest& request : state_.minds.requests()) match_playback(request.agent);
   return state_.minds.requests();

@@ -11,25 +11,17 @@
 #include "app/character/roles.h"
 #include "app/crowd/cast.h"
 #include "app/crowd/character_look.h"
+#include "app/crowd/crowd_looks.h"
+#include "app/crowd/followers.h"
 #include "app/crowd/layout.h"
 #include "app/crowd/minds.h"
 #include "app/crowd/walkers.h"
 #include "app/settings/settings.h"
+#include "app/trajectory/track_clock.h"
 #include "engine/anim/base/executor.h"
 #include "engine/anim/base/units.h"
 
 namespace throng::app {
-
-/// The properties of each agent that never change.
-struct CrowdLooks {
-  std::vector<float> scales;        ///< 0.9 to 1.1
-  std::vector<float> radii;         ///< metres
-  std::vector<float> paces;         ///< playback speed of what is done in place; of walkers, speed over the clip's
-  std::vector<float> start_phases;  ///< 0 to below 1
-  std::vector<Tints> tints;
-  std::vector<Variant> variants;
-  std::vector<std::uint32_t> shades;  ///< InstanceRecord::shade
-};
 
 /// Returns how much a tuning lets agents differ.
 inline Variety variety_of(const Tuning& tuning) {
@@ -46,6 +38,8 @@ struct CrowdState {
   std::vector<glm::vec3> positions;
   std::vector<Heading> headings;
   std::vector<float> speeds, playback_speeds;
+  TrackClock track_clock;            ///< of followers
+  std::vector<std::uint8_t> absent;  ///< [agent] 1: it is not there; empty: everybody is
 };
 using CrowdMoment = std::optional<CrowdState>;
 
@@ -55,9 +49,10 @@ using CrowdMoment = std::optional<CrowdState>;
 class Crowd {
  public:
   /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them. `variety` says how much agents of
-  /// one character differ; the first of a painted one is as its file has it.
+  /// one character differ; the first of a painted one is as its file has it. The scene of trajectories needs `tracks`,
+  /// and an agent for each of its people; others do not read them.
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
-        const Variety& variety = {});
+        const Variety& variety = {}, const TrackSource& tracks = {});
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& character)
       : Crowd(scene, agents, seed, std::span(&character, 1)) {}
   Crowd(const Crowd&) = delete;  // its parts point at the cast
@@ -118,8 +113,12 @@ class Crowd {
 
  private:
   friend glm::vec3 middle_of(const Crowd& crowd);
+  friend const Followers* followers_of(const Crowd& crowd);
+  friend const TrackClock& track_clock_of(const Crowd& crowd);
+  friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
+  friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
-        const Variety& variety, CharacterRoles common);
+        const Variety& variety, const TrackSource& tracks, CharacterRoles common);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();
@@ -129,6 +128,9 @@ class Crowd {
   void turn_standers(anim::Ticks dt);
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
+  void follow(const TrackSource& tracks, std::uint32_t seed);
+  void follow_tracks(anim::Executor& executor, int jobs);
+  void follow_track(std::size_t agent);
 
   CharacterRoles laid_out_for_;
   CrowdCast cast_;
@@ -137,9 +139,19 @@ class Crowd {
   CrowdLooks looks_;
   CrowdState state_;
   anim::Ticks wave_period_{};
+  std::optional<Followers> followers_;
 };
 
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
+
+/// Returns the people of a recorded crowd; null in the other scenes.
+inline const Followers* followers_of(const Crowd& crowd) { return crowd.followers_ ? &*crowd.followers_ : nullptr; }
+/// Returns the time of the recorded crowd.
+inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state_.track_clock; }
+/// Takes a recorded crowd to another time, at a frame boundary.
+void set_track_clock(Crowd& crowd, const TrackClock& clock);
+/// Returns [agent] 1 for people who are not there now; empty where everybody is.
+inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) { return crowd.state_.absent; }
 
 }  // namespace throng::app

@@ -90,7 +90,7 @@ class GroupMap {
 /// Finds the lanes near a point by a coarse grid.
 class LaneMap {
  public:
-  explicit LaneMap(const GroundPlan& ground)
+  explicit LaneMap(const GroupGround& ground)
       : lanes_(ground.lanes),
         grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 1},
         cells_(grid_.size()) {
@@ -125,7 +125,7 @@ class LaneMap {
 /// Finds the obstacles near a point by the same grid.
 class ObstacleMap {
  public:
-  explicit ObstacleMap(const GroundPlan& ground)
+  explicit ObstacleMap(const GroupGround& ground)
       : obstacles_(ground.obstacles),
         gap_(from_obstacle * ground.spacing),
         grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 5},
@@ -163,7 +163,7 @@ std::size_t pick_size(Random& random) {
 }
 
 // Before the camera, which looks from the viewpoint at the middle of the square.
-glm::dvec2 somewhere_in_front(const GroundPlan& ground, Random& random) {
+glm::dvec2 somewhere_in_front(const GroupGround& ground, Random& random) {
   const glm::dvec2 ahead = -glm::normalize(ground.viewpoint);
   const auto depth = static_cast<double>(random.between(5.0F, 7.5F));
   const double side = static_cast<double>(random.between(-0.55F, 0.55F)) * depth;
@@ -235,7 +235,7 @@ class Swell {
 
 class GroupPlacer {
  public:
-  GroupPlacer(const GroundPlan& ground, Random random)
+  GroupPlacer(const GroupGround& ground, Random random)
       : ground_(ground),
         random_(random),
         groups_(ground.side, ground.spacing),
@@ -276,7 +276,7 @@ class GroupPlacer {
     return groups_.is_free(group, gap * ground_.spacing) && lanes_.is_free(group) && obstacles_.is_free(group);
   }
 
-  const GroundPlan& ground_;
+  const GroupGround& ground_;
   Random random_;
   GroupMap groups_;
   LaneMap lanes_;
@@ -287,7 +287,7 @@ class GroupPlacer {
 
 }  // namespace
 
-std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random) {
+std::vector<StanderPlace> place_groups(std::size_t standers, const GroupGround& ground, Random random) {
   std::vector<StanderPlace> places;
   places.reserve(standers);
   GroupPlacer placer(ground, random);

@@ -20,7 +20,7 @@ struct LaneGround {
 };
 
 /// The ground on which standing agents find places.
-struct GroundPlan {
+struct GroupGround {
   double side;           ///< metres; the side of the square about the origin
   double spacing;        ///< CharacterRoles::spacing
   glm::dvec2 viewpoint;  ///< kept clear, with a few groups set before it
@@ -31,6 +31,6 @@ struct GroundPlan {
 /// Places loose groups of one to six, each a ring that faces its middle, closer here and farther apart there, clear
 /// of lanes, obstacles and each other.
 /// Spreads past the square's edge when it is full, so all `standers` find a place.
-std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random);
+std::vector<StanderPlace> place_groups(std::size_t standers, const GroupGround& ground, Random random);
 
 }  // namespace throng::app

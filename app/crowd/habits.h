@@ -18,6 +18,7 @@ enum class Habit : std::uint8_t {
   rest,         ///< has a seat on a bench
   train,        ///< runs round the stadium's field
   act,          ///< does what a script says (CutScene)
+  follow,       ///< is where a recorded crowd has it (Followers)
 };
 
 /// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and

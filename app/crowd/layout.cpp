@@ -117,7 +117,7 @@ CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const Character
   const std::vector<BenchSeat> seats = seats_in(side, spacing, plan.fixtures);
   const std::vector<Obstacle> taken = with_seats(layout.obstacles, seats, spacing);
   const std::vector<StanderPlace> seated = seat_some(seats, left, Random(seed, 12));
-  const GroundPlan ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
+  const GroupGround ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
   layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
   layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());
   return layout;
@@ -128,6 +128,12 @@ std::size_t grid_columns(std::size_t agents) {
 }
 
 double grid_pitch(double spacing) { return 1.5 * spacing; }
+
+CrowdLayout followers_layout(std::size_t agents) {
+  CrowdLayout layout;
+  layout.standers.assign(agents, {.position = {}, .heading = {}, .habit = Habit::follow});
+  return layout;
+}
 
 CrowdLayout grid_layout(std::size_t agents, const CharacterRoles& roles) {
   const std::size_t columns = grid_columns(agents);

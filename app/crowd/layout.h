@@ -70,4 +70,7 @@ double grid_pitch(double spacing);
 /// Lays out rows that face +Z; the first is at z 0, the others behind it, x centred on 0.
 CrowdLayout grid_layout(std::size_t agents, const CharacterRoles& roles);
 
+/// Lays out people who are where a recorded crowd has them.
+CrowdLayout followers_layout(std::size_t agents);
+
 }  // namespace throng::app

@@ -37,6 +37,12 @@ class CrowdMinds {
   /// Shows `role` if the character can play it; the agent has the same in mind as before.
   void show(std::size_t agent, Role role);
 
+  /// Notes what an agent does that is told by others, without a request.
+  void tell(std::size_t agent, Role role) {
+    const auto played = cast_->of(agent).playable(role);
+    if (played) roles_[agent] = *played, clips_[agent] = cast_->of(agent).clip(*played);
+  }
+
   /// Lets everybody go on with what they have in mind, by the clips that their characters have for it now. Who plays
   /// another clip from then on is among the requests; there are no others.
   void take_new_clips(anim::Ticks now);

@@ -9,7 +9,8 @@
 namespace throng::app {
 
 // The words for each enumeration of the settings and the report, in its order. The command line has the same words.
-inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "stadium", "grid", "film"};
+inline constexpr std::array<const char*, 6> scene_words = {"plaza", "parade", "stadium",
+                                                           "grid",  "film",   "trajectories"};
 inline constexpr std::array<const char*, 2> clothes_words = {"own", "pattern"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
@@ -19,8 +20,9 @@ inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 3> error_sampling_words = {"some", "all", "off"};
 inline constexpr std::array<const char*, 3> split_words = {"off", "exact | LOD", "difference"};
-inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
-                                                           "has a seat", "trains",       "acts"};
+inline constexpr std::array<const char*, 9> habit_words = {"strolls", "stands about", "marches",
+                                                           "watches", "has a seat",   "rests on a bench",
+                                                           "trains",  "acts",         "is where its file says"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
 inline constexpr std::array<const char*, 6> up_axis_words = {"x", "y", "z", "-x", "-y", "-z"};

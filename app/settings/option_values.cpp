@@ -66,6 +66,10 @@ std::vector<std::string> parts_between_commas(const std::string& text) {
   return parts;
 }
 
+ValueReader real_number(std::optional<double>& target, double least, double most) {
+  return [&target, least, most](const std::string& text) { return read_number(text, least, most, target.emplace()); };
+}
+
 ValueReader number_between(float& target, float least, float most) {
   return [&target, least, most](const std::string& text) {
     return read_number(text, static_cast<double>(least), static_cast<double>(most), target);
@@ -162,6 +166,12 @@ ValueReader image_size(int& width, int& height) {
 
 ValueReader camera(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
+    constexpr std::string_view follow = "follow:";
+    options.followed.clear();
+    if (text.starts_with(follow) && text.size() > follow.size()) {
+      options.followed = text.substr(follow.size());
+      return {};
+    }
     if (text.find(',') == std::string::npos) {
       options.camera.reset();
       return any_text(options.camera_name)(text);

@@ -51,6 +51,8 @@ Complaint read_number(const std::string& text, double least, double most, Number
 ValueReader whole_number(int& target, int least, int most);
 /// Reads any number from `least` to `most`.
 ValueReader number_between(float& target, float least, float most);
+/// Reads any number from `least` to `most`.
+ValueReader real_number(std::optional<double>& target, double least, double most);
 /// Reads a number of bytes with or without a unit: "500MB", "1.5GB", "2GiB".
 ValueReader memory_size(std::uint64_t& target);
 ValueReader frame_seconds(std::optional<double>& target);  ///< 1e-6 to 3600

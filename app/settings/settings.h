@@ -9,6 +9,7 @@
 #include "app/character/cast_entry.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
+#include "app/settings/trajectory_options.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
@@ -17,7 +18,7 @@
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, trajectories };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
@@ -140,6 +141,7 @@ struct DemoOptions {
   std::vector<std::string> clips_from;     ///< files whose clips every character plays too
   anim::PlacementChoice placement;         ///< size and place of all of them; what it leaves open is guessed
   std::vector<ModelPlacement> placements;  ///< of single models, over that
+  TrajectoryOptions trajectories;
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;           ///< unset: see drawn_frames; a window draws all
@@ -171,11 +173,12 @@ struct DemoOptions {
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
-  std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
-  bool events = false;                                 ///< the statistics sum up the events of all agents
-  std::string record, replay;                          ///< files; empty: not asked for
-  std::string preset;                                  ///< the file of the preset that was read; empty: none
-  bool remove_parts = false;                           ///< what killed runs left beside the files to write is removed
+  std::string camera_name;     ///< named camera of the scene, empty: the scene's first
+  std::string followed;        ///< `--camera follow:ID`: who the camera goes with; empty: nobody
+  bool events = false;         ///< the statistics sum up the events of all agents
+  std::string record, replay;  ///< files; empty: not asked for
+  std::string preset;          ///< the file of the preset that was read; empty: none
+  bool remove_parts = false;   ///< what killed runs left beside the files to write is removed
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

@@ -1,12 +1,16 @@
 #include "app/show/camera_guide.h"
 
 #include "app/crowd/cast.h"
+#include "app/show/track_cameras.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
 
 namespace throng::app {
 
-std::vector<NamedCamera> cameras_of(const Stage& stage) {
+std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect) {
+  if (const Followers* const followers = followers_of(stage.crowd())) {
+    return track_cameras(*followers, static_cast<float>(stage.crowd().laid_out_for().height), aspect);
+  }
   return scene_cameras(stage.tuning().scene, static_cast<std::size_t>(stage.tuning().agents),
                        common_roles(roles_of(stage.characters())), stage.tuning().clothes);
 }

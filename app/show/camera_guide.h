@@ -12,7 +12,8 @@
 namespace throng::app {
 
 /// Returns the named cameras of the scene on a stage.
-std::vector<NamedCamera> cameras_of(const Stage& stage);
+/// `aspect` is that of the picture.
+std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect = 16.0F / 9.0F);
 
 /// Moves the camera where nobody flies it: along a path, as the film of a cut scene, or with an agent.
 class CameraGuide {

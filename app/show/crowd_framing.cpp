@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/show/track_cameras.h"
+
 namespace throng::app {
 namespace {
 
@@ -73,6 +75,9 @@ render::Camera framed(const render::Camera& camera, std::span<const FramedBox> b
 }
 
 std::vector<FramedBox> boxes_of(const Stage& stage) {
+  if (const Followers* const followers = followers_of(stage.crowd())) {
+    return {box_of(*followers, static_cast<float>(stage.crowd().laid_out_for().height))};
+  }
   std::vector<FramedBox> boxes;
   const auto agents = static_cast<std::uint32_t>(stage.crowd().size());
   boxes.reserve(agents);

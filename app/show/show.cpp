@@ -11,6 +11,7 @@
 #include "app/files/nearest_names.h"
 #include "app/lod/mesh_lods.h"
 #include "app/show/opened_crowd.h"
+#include "app/show/opened_trajectories.h"
 #include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/fly_camera.h"
@@ -58,15 +59,22 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
 }
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
-  const Tuning tuning = with_savings(options.tuning, painter_->spared());
+  Tuning tuning = with_savings(options.tuning, painter_->spared());
+  std::shared_ptr<const Trajectories> trajectories;
+  if (!options.trajectories.file.empty()) {
+    trajectories = open_trajectories(options.trajectories, error);
+    if (trajectories == nullptr) return false;
+    tuning.agents = static_cast<int>(trajectories->persons.size());
+  }
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
   const auto start = RunFigures::Clock::now();
-  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages());
+  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), 0, std::move(trajectories));
   figures_.set_spawn(milliseconds_since(start));
   if (!stage) return fail(error, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
+  if (!begin_tracks(options, error)) return false;
   if (options.events) stage_->animated().sum_up_events();
   const int agents = tuning.agents;
   if (!options.selected || *options.selected < agents) return true;
@@ -75,8 +83,25 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
+// A recorded crowd begins where it was asked to.
+bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
+  const Trajectories* const all = trajectories_of(*stage_).get();
+  if (all == nullptr) return true;
+  if (options.trajectories.start) {
+    TrackClock clock = track_clock_of(stage_->crowd());
+    clock.seconds = *options.trajectories.start;
+    if (clock.seconds < clock.first || clock.seconds > clock.last) {
+      return fail(error, exit_usage,
+                  "--start: " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
+                      std::to_string(clock.last) + " s of its clock");
+    }
+    set_track_clock(*stage_, clock);
+  }
+  return true;
+}
+
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
-  const auto cameras = cameras_of(*stage_);
+  const auto cameras = cameras_of(*stage_, static_cast<float>(width) / static_cast<float>(height));
   const NamedCamera* named = find_camera(cameras, options.camera_name);
   if (named == nullptr) {
     std::vector<std::string> names;
@@ -159,7 +184,8 @@ anim::Result<double> Show::set_placement(std::size_t character, const anim::Plac
 }
 
 anim::Status Show::exchange(std::vector<CharacterSource> characters) {
-  auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
+  auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame(),
+                             trajectories_of(*stage_));
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();

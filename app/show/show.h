@@ -111,6 +111,7 @@ class Show {
  private:
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
+  bool begin_tracks(const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
   anim::Status take(LoadedCast cast);
   anim::Status exchange(std::vector<CharacterSource> characters);

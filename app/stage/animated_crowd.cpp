@@ -68,9 +68,10 @@ anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const Reordered
   return replaced;
 }
 
-void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
+void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSource& tracks) {
   const auto agents = static_cast<std::size_t>(tuning.agents);
-  crowd_ = std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning));
+  crowd_ =
+      std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning), tracks);
   ++number_;
   held_clip_.reset();
   fallen_->reset();
@@ -79,8 +80,14 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
   system_->set_agent_count(0);
   if (clocks == Clocks::begin_anew) system_->restart();
   cut_scene_.reset();
+  track_players_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
+  if (tuning.scene == Scene::trajectories) {
+    track_players_ = std::make_unique<TrackPlayers>(*system_, *crowd_, characters_);
+    if (event_sums_) event_sums_->reset(agents);
+    return;
+  }
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     play(agent, crowd_->clips()[agent], anim::Ticks{}, static_cast<double>(crowd_->start_phases()[agent]));
   }

@@ -16,6 +16,7 @@
 #include "app/stage/fallen_agents.h"
 #include "app/stage/picking.h"
 #include "app/stage/placed_feet.h"
+#include "app/stage/track_players.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/lod/level_of_detail.h"
@@ -41,8 +42,8 @@ class AnimatedCrowd {
   anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
-  /// Makes the crowd of the tuning's scene anew.
-  void populate(const Tuning& tuning, Clocks clocks);
+  /// Makes the crowd of the tuning's scene anew. The scene of trajectories needs them.
+  void populate(const Tuning& tuning, Clocks clocks, const TrackSource& tracks = {});
 
   /// Lets everybody go on where they are, by the clips that the roles of the characters have now. Each character can
   /// walk as before.
@@ -55,6 +56,12 @@ class AnimatedCrowd {
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
   /// Takes foot placement from agents that no longer need it, or that are not visible. Call it before an update.
   void take_back_feet(std::span<const anim::VisibleAgent> visible) { feet_->take_back(visible); }
+  /// Sets what the people of a recorded crowd play where they are posed. Call it before an update.
+  void follow_tracks(std::span<const anim::AgentUpdate> updates) {
+    if (track_players_) track_players_->set(updates);
+  }
+  /// Takes a recorded crowd to another time, at a frame boundary.
+  void set_track_clock(const TrackClock& clock) { app::set_track_clock(*crowd_, clock); }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
@@ -114,6 +121,9 @@ class AnimatedCrowd {
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
+  bool follows_a_script(std::uint32_t agent) const {
+    return crowd_->habits()[agent] == Habit::act || crowd_->habits()[agent] == Habit::follow;
+  }
   bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
   void play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase = 0.0);
@@ -130,9 +140,10 @@ class AnimatedCrowd {
   std::unique_ptr<PlacedFeet> feet_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
-  std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
-  std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
-  std::vector<std::uint8_t> left_out_;   // [agent] 1: is one of fallen_
+  std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes
+  std::unique_ptr<TrackPlayers> track_players_;  // the same
+  std::vector<float> played_speeds_;             // of each agent's clip, as the system was told
+  std::vector<std::uint8_t> left_out_;           // [agent] 1: is one of fallen_
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };

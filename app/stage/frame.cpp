@@ -105,7 +105,8 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                .scales = crowd().scales(),
                .character_of = crowd().characters(),
                .clips = crowd().clips(),
-               .left_out = animated_->left_out()},
+               .left_out = animated_->left_out(),
+               .absent = absent_of(crowd())},
               lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);
   mesh_choice_.choose(selection().visible, crowd().characters(), mesh_lods_, tuning_, animated_->system().executor(),
                       system().options().pus);
@@ -124,6 +125,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
   pose_fallen(last_frame);
+  animated_->follow_tracks(lod_.updates());
   animated_->system().update(lod_.updates());
   measure(camera, size);
   const anim::ErrorFigures error = meter_.pose_figures();

@@ -25,7 +25,7 @@ float AnimatedCrowd::clip_seconds(std::uint32_t agent) const {
 }
 
 void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
-  if (crowd_->habits()[agent] == Habit::act || fallen_->phase(agent) != FallenAgents::Phase::standing) return;
+  if (follows_a_script(agent) || fallen_->phase(agent) != FallenAgents::Phase::standing) return;
   if (!holds_clip(agent)) {
     let_go_of_clip();
     held_clip_ = {.agent = agent, .clip = crowd_->clips()[agent]};
@@ -48,13 +48,13 @@ void AnimatedCrowd::let_go_of_clip() {
   change_clip(agent, crowd_->clips()[agent], anim::to_ticks(fade_after_holding));
 }
 
-bool AnimatedCrowd::can_fall(std::uint32_t agent) const {
-  return fallen_->possible(agent) && crowd_->habits()[agent] != Habit::act;
-}
+bool AnimatedCrowd::can_fall(std::uint32_t agent) const { return fallen_->possible(agent) && !follows_a_script(agent); }
 
 anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& direction) {
   const CharacterSource& character = character_of(agent);
-  if (crowd_->habits()[agent] == Habit::act) return anim::Error{"nobody who acts in the cut scene can be pushed over"};
+  if (follows_a_script(agent)) {
+    return anim::Error{"nobody who acts in the cut scene or follows a file can be pushed over"};
+  }
   if (!can_fall(agent)) {
     const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing(), "; ", "; ");
     return anim::Error{character.name + " cannot be pushed over: " + missing};

@@ -57,10 +57,13 @@ void Stage::learn_level_of_detail() {
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                   render::PalettePageSource& pages, std::uint64_t first_frame) {
+                                                   render::PalettePageSource& pages, std::uint64_t first_frame,
+                                                   std::shared_ptr<const Trajectories> trajectories) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
+  stage->trajectories_ = std::move(trajectories);
+  if (anim::Status shown = stage->can_show(stage->tuning_); !shown) return shown.error();
   stage->frame_ = first_frame;
   auto animated = AnimatedCrowd::create(stage->characters_, tuning.system, stage->lod_);
   if (!animated) return animated.error();
@@ -74,7 +77,19 @@ std::span<const CharacterSource> Stage::people() const {
   return {characters_.begin(), prop};
 }
 
-anim::Status Stage::apply(const Tuning& tuning) {
+// A recorded crowd has as many people as it has.
+anim::Status Stage::can_show(Tuning& tuning) const {
+  if (tuning.scene != Scene::trajectories) return anim::Done{};
+  if (trajectories_ == nullptr) {
+    return anim::Error{"scene trajectories: no file of them is open; start with --trajectories FILE"};
+  }
+  tuning.agents = static_cast<int>(trajectories_->persons.size());
+  return anim::Done{};
+}
+
+anim::Status Stage::apply(const Tuning& asked) {
+  Tuning tuning = asked;
+  if (anim::Status shown = can_show(tuning); !shown) return shown;
   if (anim::Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);
@@ -89,7 +104,8 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips, std::option
   const bool walked = roles.can_walk();
   assign_roles(characters_[character], clips);
   if (share) roles.share = *share;
-  const bool keeps_places = !share && roles.can_walk() == walked && tuning_.scene != Scene::film;
+  const bool keeps_places =
+      !share && roles.can_walk() == walked && tuning_.scene != Scene::film && tuning_.scene != Scene::trajectories;
   if (!keeps_places) return populate();
   animated_->take_roles();
   if (!moving_) lod_.make_all_due();
@@ -138,7 +154,7 @@ void Stage::restart() {
 }
 
 void Stage::populate(AnimatedCrowd::Clocks clocks) {
-  animated_->populate(tuning_, clocks);
+  animated_->populate(tuning_, clocks, track_source(trajectories_, characters_));
   selected_.reset();
   exact_.reset(crowd().size(), frame_);
   forget_what_is_shown();
@@ -154,6 +170,11 @@ void Stage::forget_what_is_shown() {
   mesh_choice_.reset(crowd().size());
   shown_.reset(crowd().size(), frame_);
   meter_.reset(crowd().size());
+}
+
+void set_track_clock(Stage& stage, const TrackClock& clock) {
+  stage.animated_->set_track_clock(clock);
+  stage.forget_what_is_shown();
 }
 
 void Stage::select(std::optional<std::uint32_t> agent) {

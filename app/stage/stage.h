@@ -35,8 +35,10 @@ class Stage {
  public:
   /// Makes a stage for 1 to most_models people in `characters`, and adds the balloon to them. Every agent is one of
   /// these characters. Asks `pages` for no page before the first pose. Counts frames on from `first_frame`.
+  /// `trajectories` may be null; then there is no scene of trajectories.
   static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                     render::PalettePageSource& pages, std::uint64_t first_frame = 0);
+                                                     render::PalettePageSource& pages, std::uint64_t first_frame = 0,
+                                                     std::shared_ptr<const Trajectories> trajectories = {});
 
   /// Takes new tuning, at a frame boundary. A different crowd starts anew. Errors: those of AnimatedCrowd::configure;
   /// then the old tuning goes on.
@@ -103,11 +105,14 @@ class Stage {
 
  private:
   friend const StageTimes& times_of(const Stage& stage);
+  friend void set_track_clock(Stage& stage, const TrackClock& clock);
+  friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
   void learn_level_of_detail();
+  anim::Status can_show(Tuning& tuning) const;
   anim::LodLimits limits() const;
   std::array<glm::vec4, 6> seen_by(const render::Camera& camera, const glm::vec2& size) const;
   anim::LodRequest lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const;
@@ -117,6 +122,7 @@ class Stage {
   void measure(const render::Camera& camera, const glm::vec2& size);
 
   std::vector<CharacterSource> characters_;
+  std::shared_ptr<const Trajectories> trajectories_;  // null: none
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
@@ -134,6 +140,12 @@ class Stage {
 
 /// Returns how long the parts of the last frame took.
 inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
+
+/// Takes a recorded crowd to another time, at a frame boundary. Everybody is posed for it at once.
+void set_track_clock(Stage& stage, const TrackClock& clock);
+
+/// Returns the recorded crowd of the scene of trajectories; null where there is none.
+inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage) { return stage.trajectories_; }
 
 /// Returns the mesh LODs that everybody in view is drawn with, in the order of selection().visible.
 inline const MeshChoice& mesh_choice_of(const Stage& stage) { return stage.mesh_choice_; }

@@ -109,6 +109,7 @@ LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
                  .clips = crowd.clips,
                  .importance = importance_.of_agents(),
                  .changing = importance_.changing(),
+                 .absent = crowd.absent,
                  .choices = &choices_,
                  .camera = request_.camera,
                  .rules = request_.rules,
@@ -122,6 +123,7 @@ LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
 
 void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs) {
   assert(crowd.left_out.empty() || crowd.left_out.size() == shown_in_.size());
+  assert(crowd.absent.empty() || crowd.absent.size() == shown_in_.size());
   assert(!request.selected || *request.selected < shown_in_.size());
   request_ = request;
   ++frame_;

@@ -29,6 +29,7 @@ struct LodCrowd {
   std::span<const std::uint8_t> character_of = {};  ///< index into the characters; empty: every agent is the first
   std::span<const int> clips = {};              ///< index of the character's clips; below 0: stands still; empty: all 0
   std::span<const std::uint8_t> left_out = {};  ///< 1: update_also() alone poses it; empty: no agent
+  std::span<const std::uint8_t> absent = {};    ///< 1: it is not there, and neither seen nor posed; empty: no agent
 };
 
 /// The request of a program for one frame.

@@ -130,6 +130,7 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.clips.empty() || frame.clips.size() == frame.positions.size());
   assert(frame.changing.empty() || frame.changing.size() == frame.positions.size());
   assert(frame.importance.empty() || frame.importance.size() == frame.positions.size());
+  assert(frame.absent.empty() || frame.absent.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.rules.tolerance_pixels > 0.0F));
   assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
@@ -195,7 +196,12 @@ struct LodTile {
     by_tolerance_.fill(0);
     const float cosine_of_centre = cosine_of_degrees(frame.rules.centre_degrees);
     for (std::size_t agent = first; agent < end; ++agent) {
-      decide_one(frame, squares, cosine_of_centre, state, selection, agent);
+      const bool is_there = frame.absent.empty() || frame.absent[agent] == 0;
+      if (is_there) {
+        decide_one(frame, squares, cosine_of_centre, state, selection, agent);
+      } else {
+        state.frames_seen[agent] = 0;
+      }
     }
     std::ranges::copy(by_tolerance_, cost.by_tolerance.begin());
   }

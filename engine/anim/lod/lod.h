@@ -133,8 +133,9 @@ struct LodFrame {
   std::span<const std::uint8_t> character_of;  ///< index into `characters`; empty: every agent is the first
   std::span<const int> clips;                  ///< index of the character's clips; below 0: stands still; empty: all 0
   std::span<const float> importance;           ///< above 0; 1: as the rules say, 2: half the error; empty: all 1
-  std::span<const std::uint8_t> changing;  ///< 1: goes over to another clip (LodChoices::changing); empty: none does
-  const LodChoices* choices = nullptr;     ///< of `characters`; null: counts no cost, and forbids LodRule::budget
+  std::span<const std::uint8_t> changing;     ///< 1: goes over to another clip (LodChoices::changing); empty: none does
+  std::span<const std::uint8_t> absent = {};  ///< 1: neither seen nor due; empty: everybody is there
+  const LodChoices* choices = nullptr;        ///< of `characters`; null: counts no cost, and forbids LodRule::budget
   LodCamera camera;
   LodRules rules;
   LodForce force = {};        ///< LodRule::off ignores its interval

@@ -14,7 +14,7 @@ constexpr std::size_t people = 3000;
 
 /// Returns how many stand in each cell of the ground, the fewest first.
 std::vector<int> counts(std::uint32_t seed) {
-  const GroundPlan ground{.side = side, .spacing = 1.0, .viewpoint = {75.0, 75.0}, .lanes = {}, .obstacles = {}};
+  const GroupGround ground{.side = side, .spacing = 1.0, .viewpoint = {75.0, 75.0}, .lanes = {}, .obstacles = {}};
   const auto columns = static_cast<std::size_t>(side / cell);
   std::vector<int> found(columns * columns);
   for (const StanderPlace& place : place_groups(people, ground, Random(seed, 3))) {

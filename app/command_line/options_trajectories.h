@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/command_line/option_reader.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// Adds the options of a recorded crowd.
+void declare_trajectories(OptionReader& reader, DemoOptions& options);
+
+/// Makes the scene that of the recorded crowd, if one is named. `--up` is the crowd's where it has the crowd's name, or
+/// no model is named. Returns what cannot be, "--start: goes with --trajectories".
+std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options);
+
+}  // namespace throng::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/character/roles.h"
+#include "app/crowd/cast.h"
+#include "app/crowd/character_look.h"
+#include "app/crowd/layout.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// The properties of each agent that never change.
+struct CrowdLooks {
+  std::vector<float> scales;        ///< 0.9 to 1.1
+  std::vector<float> radii;         ///< metres
+  std::vector<float> paces;         ///< playback speed of what is done in place; of walkers, speed over the clip's
+  std::vector<float> start_phases;  ///< 0 to below 1
+  std::vector<Tints> tints;
+  std::vector<Variant> variants;
+  std::vector<std::uint32_t> shades;  ///< InstanceRecord::shade
+};
+
+/// Returns [agent] what everybody of a layout is there for.
+std::vector<Habit> habits_of(const CrowdLayout& layout);
+
+/// Gives everybody a size, colours, a pace and a phase. `laid_out_for` is what the layout was made for. Streams of
+/// random numbers of their own draw what not every character has, so that nobody else's draws change.
+CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, const CrowdCast& cast,
+                    const CharacterRoles& laid_out_for, const Variety& variety);
+
+}  // namespace throng::app

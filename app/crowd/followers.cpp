@@ -1,0 +1,32 @@
+#include "app/crowd/followers.h"
+
+#include <cassert>
+#include <numbers>
+#include <utility>
+
+#include "app/crowd/random.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint64_t headings_stream = 17;
+constexpr double shortest_row = 1e-3;  // seconds that somebody with a single row is there
+
+}  // namespace
+
+Followers::Followers(TrackSource source, std::span<const std::uint8_t> characters, std::span<const float> scales,
+                     std::uint32_t seed)
+    : source_(std::move(source)),
+      characters_(characters.begin(), characters.end()),
+      scales_(scales.begin(), scales.end()) {
+  const Trajectories& all = *source_.trajectories;
+  assert(all.persons.size() == characters.size() && characters.size() == scales.size());
+  row_seconds_ = all.rows_a_second > 0.0 ? 1.0 / all.rows_a_second : shortest_row;
+  Random random(seed, headings_stream);
+  constexpr float half_turn = std::numbers::pi_v<float>;
+  for (std::size_t agent = 0; agent < characters.size(); ++agent) {
+    steps_.emplace_back(track(agent), plane(agent), scales_[agent], random.between(-half_turn, half_turn));
+  }
+}
+
+}  // namespace throng::app

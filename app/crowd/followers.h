@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "app/crowd/stride_plane.h"
+#include "app/crowd/track_steps.h"
+#include "app/trajectory/trajectories.h"
+
+namespace throng::app {
+
+/// A recorded crowd, and how each of the characters that play it moves.
+struct TrackSource {
+  std::shared_ptr<const Trajectories> trajectories;
+  std::vector<StridePlane> planes;  ///< [character]
+};
+
+/// The people of a recorded crowd. Agent i is person i of the file. Everything about them is a function of time, so a
+/// clock may go to any moment; nothing changes once they are made.
+class Followers {
+ public:
+  /// `characters` and `scales` have one element an agent.
+  Followers(TrackSource source, std::span<const std::uint8_t> characters, std::span<const float> scales,
+            std::uint32_t seed);
+
+  std::size_t count() const { return steps_.size(); }
+  const Trajectories& trajectories() const { return *source_.trajectories; }
+  const StridePlane& plane(std::size_t agent) const { return source_.planes[characters_[agent]]; }
+
+  /// Returns whether somebody is there at a time: from the first row to the last one, and as long as a row lasts.
+  bool is_there(std::size_t agent, double seconds) const {
+    const SmoothTrack way = track(agent);
+    return seconds >= way.first() && seconds < way.last() + row_seconds_;
+  }
+  glm::vec3 position(std::size_t agent, double seconds) const { return track(agent).position(seconds); }
+  TrackStep step(std::size_t agent, double seconds) const {
+    return steps_[agent].at(track(agent), scales_[agent], seconds);
+  }
+
+ private:
+  SmoothTrack track(std::size_t agent) const { return SmoothTrack(source_.trajectories->persons[agent].rows); }
+
+  TrackSource source_;
+  std::vector<std::uint8_t> characters_;
+  std::vector<float> scales_;
+  std::vector<TrackSteps> steps_;
+  double row_seconds_ = 0.0;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,105 @@
+#include "app/crowd/track_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace throng::app {
+namespace {
+
+constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
+constexpr double stride_window = 0.8;                       // seconds: about a stride, so that sway is taken out
+constexpr double stand_window = 2.0;                        // seconds in which somebody who stands gets nowhere
+constexpr float stands_below = 0.04F, moves_above = 0.14F;  // metres a second over that window
+constexpr float turns_above = 0.08F;                        // metres a second
+constexpr float turns_at_once = 0.9F;                       // metres a second
+constexpr float turned_a_second = 10.0F;                     // of what is left of a turn, at that speed
+constexpr float turns_with_file = 25.0F;                    // of what is left, towards a heading of the file
+
+float direction_of(const glm::vec2& way) { return std::atan2(way.x, way.y); }
+
+/// Returns the share of what is left of a turn that somebody of this speed makes in some seconds.
+float share_of_turn(float speed, double seconds) {
+  const float eager = glm::clamp((speed - turns_above) / (turns_at_once - turns_above), 0.0F, 1.0F);
+  return 1.0F - std::exp(-turned_a_second * eager * std::sqrt(eager) * static_cast<float>(seconds));
+}
+
+// Who stands sways too, and makes no steps by it.
+glm::vec2 velocity_of_steps(const SmoothTrack& track, double seconds) {
+  const glm::vec2 velocity = track.velocity(seconds, stride_window);
+  const float got_on = glm::length(track.velocity(seconds, stand_window));
+  return velocity * glm::smoothstep(stands_below, moves_above, got_on);
+}
+
+glm::vec2 seen_by(float heading, const glm::vec2& velocity) {
+  const float sine = std::sin(heading), cosine = std::cos(heading);
+  return {velocity.x * cosine - velocity.y * sine, velocity.x * sine + velocity.y * cosine};
+}
+
+}  // namespace
+
+TrackSteps::TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading)
+    : first_(track.first()) {
+  const double length = track.last() - track.first();
+  const double between_rows = length / std::max<double>(static_cast<double>(track.row_count()) - 1.0, 1.0);
+  spacing_ = between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds;
+  knots_.resize(static_cast<std::size_t>(std::ceil(length / spacing_)) + 1);
+  turn(track, first_heading);
+  count(track, plane, scale);
+}
+
+void TrackSteps::turn(const SmoothTrack& track, float first_heading) {
+  const bool is_told = track.has_heading();
+  std::optional<float> heading;
+  if (is_told) heading = track.heading(first_);
+  for (std::size_t i = 0; i < knots_.size() && !heading; ++i) {
+    const glm::vec2 velocity = track.velocity(time_of(i), stride_window);
+    if (glm::length(velocity) > 0.5F * turns_at_once) heading = direction_of(velocity);
+  }
+  if (!heading) {
+    const glm::vec3 way = track.position(track.last()) - track.position(first_);
+    constexpr float got_somewhere = 0.2F;  // metres
+    heading = std::hypot(way.x, way.z) > got_somewhere ? direction_of({way.x, way.z}) : first_heading;
+  }
+  for (std::size_t i = 0; i < knots_.size(); ++i) {
+    const glm::vec2 velocity = track.velocity(time_of(i), stride_window);
+    const float wanted = is_told ? track.heading(time_of(i)) : direction_of(velocity);
+    const float share = is_told ? 1.0F - std::exp(-turns_with_file * static_cast<float>(spacing_))
+                                : share_of_turn(glm::length(velocity), spacing_);
+    *heading += share * wrapped_angle(wanted - *heading);
+    knots_[i].heading = *heading;
+  }
+}
+
+void TrackSteps::count(const SmoothTrack& track, const StridePlane& plane, float scale) {
+  const auto pace = [&](std::size_t knot) {
+    const glm::vec2 velocity = velocity_of_steps(track, time_of(knot));
+    return plane.stride(seen_by(knots_[knot].heading, velocity) / scale).cycles_per_second;
+  };
+  double cycles = 0.0, before = pace(0);
+  for (std::size_t i = 0; i < knots_.size(); ++i) {
+    const double now = i == 0 ? before : pace(i);
+    if (i > 0) cycles += 0.5 * (before + now) * spacing_;
+    before = now;
+    knots_[i].cycles = static_cast<float>(std::fmod(cycles, static_cast<double>(cycles_in_all)));
+  }
+}
+
+TrackStep TrackSteps::at(const SmoothTrack& track, float scale, double seconds) const {
+  const double place = std::clamp((seconds - first_) / spacing_, 0.0, static_cast<double>(knots_.size() - 1));
+  const auto knot = std::min(static_cast<std::size_t>(place), std::max<std::size_t>(knots_.size(), 2) - 2);
+  const auto t = static_cast<float>(place - static_cast<double>(knot));
+  const Knot& from = knots_[knot];
+  const Knot& to = knots_[std::min(knot + 1, knots_.size() - 1)];
+  float way = to.cycles - from.cycles;
+  if (way < 0.0F) way += cycles_in_all;
+  const float heading = from.heading + t * (to.heading - from.heading);
+  return {.heading = heading,
+          .velocity = seen_by(heading, velocity_of_steps(track, seconds)) / scale,
+          .cycles = static_cast<double>(from.cycles) + static_cast<double>(t * way)};
+}
+
+}  // namespace throng::app

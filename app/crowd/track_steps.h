@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/crowd/stride_plane.h"
+#include "app/trajectory/smooth_track.h"
+
+namespace throng::app {
+
+/// What somebody's legs do at a time.
+struct TrackStep {
+  float heading = 0.0F;      ///< radians from +Z towards +X
+  glm::vec2 velocity{0.0F};  ///< metres a second at scale 1, aside (to the left) and ahead, without sway
+  double cycles = 0.0;       ///< strides so far, but for whole multiples of TrackSteps::cycles_in_all
+};
+
+/// Where somebody looks and how many steps they have made, all along a track: a function of time alone, so that one can
+/// look at any moment without those before it. It keeps a value of each every tenth of a second, or fifth where rows
+/// are as far apart.
+///
+/// Without headings in the file, people turn to where they walk, the sooner the faster they are. Who hardly moves turns
+/// hardly, and so steps back or aside where the file goes there. Who stands keeps the heading.
+class TrackSteps {
+ public:
+  static constexpr float cycles_in_all = 256.0F;
+
+  TrackSteps() = default;
+  /// `scale`: of the body. `first_heading`: of somebody who never moves.
+  TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading);
+
+  TrackStep at(const SmoothTrack& track, float scale, double seconds) const;
+
+ private:
+  struct Knot {
+    float heading = 0.0F;  // not wrapped, so that it can be interpolated
+    float cycles = 0.0F;   // 0 to below cycles_in_all
+  };
+  void turn(const SmoothTrack& track, float first_heading);
+  void count(const SmoothTrack& track, const StridePlane& plane, float scale);
+  double time_of(std::size_t knot) const { return first_ + spacing_ * static_cast<double>(knot); }
+
+  std::vector<Knot> knots_;
+  double first_ = 0.0, spacing_ = 0.1;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,58 @@
+#include "app/show/track_cameras.h"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+#include "app/trajectory/ground_bounds.h"
+#include "app/view/fly_camera.h"
+
+namespace throng::app {
+namespace {
+
+struct Look {
+  const char* name;
+  float yaw, pitch, field_of_view;  // degrees
+};
+
+/// Stands at a side of the crowd at the height of eyes, and looks across.
+CameraPlace close_to(const FramedBox& box, float height) {
+  const glm::vec3 middle = 0.5F * (box.low + box.high);
+  return {middle.x, box.low.y + 0.95F * height, box.high.z + 2.5F * height, 0.0F, -5.0F, 50.0F};
+}
+
+}  // namespace
+
+FramedBox box_of(const Followers& followers, float height) {
+  const GroundBounds bounds = bounds_of(followers.trajectories());
+  const float beside = 0.3F * height;
+  return {.low = {bounds.low.x - beside, 0.0F, bounds.low.y - beside},
+          .high = {bounds.high.x + beside, height, bounds.high.y + beside}};
+}
+
+std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect) {
+  const FramedBox box = box_of(followers, height);
+  // From a long side, so that the crowd fills the width of the picture.
+  const bool is_deep = box.high.z - box.low.z > box.high.x - box.low.x;
+  const float turn = is_deep ? 90.0F : 0.0F;
+  const std::array looks{Look{"front", turn + 20.0F, -28.0F, 42.0F},
+                         Look{"above", turn, -64.0F, 50.0F},
+                         Look{"close", 0.0F, 0.0F, 0.0F},
+                         Look{"far", turn + 30.0F, -14.0F, 36.0F},
+                         Look{"tower", turn + 12.0F, -42.0F, 45.0F},
+                         Look{"top", 0.0F, -90.0F, 40.0F}};
+  std::vector<NamedCamera> cameras;
+  for (const Look& look : looks) {
+    if (look.field_of_view == 0.0F) {
+      cameras.push_back({look.name, close_to(box, height)});
+      continue;
+    }
+    const render::Camera toward =
+        camera_at({.yaw = look.yaw, .pitch = look.pitch, .field_of_view = look.field_of_view});
+    cameras.push_back({look.name, place_of(framed(toward, {&box, 1}, aspect, {}))});
+  }
+  return cameras;
+}
+
+}  // namespace throng::app

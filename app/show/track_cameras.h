@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "app/crowd/followers.h"
+#include "app/show/crowd_framing.h"
+#include "app/view/scenes.h"
+
+namespace throng::app {
+
+/// Returns a box around all that ever moves in a recorded crowd.
+FramedBox box_of(const Followers& followers, float height);
+
+/// Returns the cameras of a recorded crowd, which see all that ever moves in it: front, above, close, far, tower and
+/// top, which looks straight down with the file's y up. `close` stands among the people. `height` is that of a person.
+std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect);
+
+}  // namespace throng::app

@@ -1,0 +1,113 @@
+#include "app/stage/followed_mix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "engine/anim/asset/marker_map.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, and from it to the next
+constexpr float least_seen_weight = 0.002F;                 // what weighs less is not seen
+
+anim::MarkedClip marked(const anim::BakedClip& clip) {
+  return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};
+}
+
+anim::FineTicks fine(double seconds) { return anim::to_ticks(seconds) * anim::fine_ticks_per_tick; }
+
+/// Returns a number that looks like chance, the same for the same two.
+std::uint32_t scrambled(std::uint32_t person, std::int64_t turn) {
+  std::uint64_t x = (std::uint64_t{person} << 32U) ^ static_cast<std::uint64_t>(turn);
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return static_cast<std::uint32_t>((x ^ (x >> 31U)) >> 32U);
+}
+
+/// Writes clips into a mix so that the moment is reached when its time has come.
+class MixWriter {
+ public:
+  MixWriter(const FollowedMoment& moment, const anim::Character& character) : moment_(moment), character_(character) {}
+
+  void add_gait(const StridePoint& gait, const StridePoint& reference, float weight, double cycles_per_second) {
+    const anim::MarkedClip counted = marked(clip(reference.clip)), played = marked(clip(gait.clip));
+    const double cycle = moment_.step.cycles - std::floor(moment_.step.cycles);
+    const anim::FineTicks length = counted.duration * anim::fine_ticks_per_tick;
+    const auto at = std::min(static_cast<anim::FineTicks>(cycle * static_cast<double>(length)), length - 1);
+    const anim::MarkerMap::Place place = anim::MarkerMap(counted, played).at(at);
+    const double speed = place.rate * cycles_per_second * anim::to_seconds(counted.duration) * moment_.rate;
+    add(gait.clip, weight, place.position, speed, anim::StepVoice::follows);
+  }
+
+  void add_rest(int rest, float weight) {
+    constexpr double spread = 0.37;  // seconds from one person's rest to the next one's
+    const double at = moment_.seconds + spread * static_cast<double>(moment_.person % 97);
+    const double length = anim::to_seconds(std::max(clip(rest).duration, anim::Ticks{1}));
+    const double into = at - length * std::floor(at / length);
+    add(rest, weight, fine(into), moment_.rate, anim::StepVoice::own);
+  }
+
+  /// Lets the heaviest gait speak for all.
+  FollowedMix finished() {
+    anim::MixedClip* leader = nullptr;
+    for (anim::MixedClip& one : std::span(mix_.of).first(mix_.count)) {
+      if (one.voice == anim::StepVoice::own || (leader != nullptr && leader->weight >= one.weight)) continue;
+      leader = &one;
+    }
+    if (leader != nullptr) leader->voice = anim::StepVoice::leads;
+    return mix_;
+  }
+
+ private:
+  const anim::BakedClip& clip(int index) const { return character_.clips[static_cast<std::size_t>(index)]; }
+
+  void add(int index, float weight, anim::FineTicks position, double speed, anim::StepVoice voice) {
+    if (weight < least_seen_weight && mix_.count > 0) return;
+    const auto before = std::span(mix_.of).first(mix_.count);
+    const auto same = std::ranges::find(before, index, &anim::MixedClip::clip);
+    if (same != before.end()) {
+      same->weight += weight;
+      return;
+    }
+    const auto way = static_cast<anim::FineTicks>(speed * 65536.0) * moment_.ahead.count();
+    mix_.of.at(mix_.count++) = {index, std::max(weight, least_seen_weight), position - way, speed, voice};
+  }
+
+  const FollowedMoment& moment_;
+  const anim::Character& character_;
+  FollowedMix mix_;
+};
+
+/// Returns the clip with which somebody stands in a turn.
+int rest_of(const CharacterRoles& roles, int stand, std::uint32_t person, std::int64_t turn) {
+  constexpr std::uint32_t in_all = 10, looks_around = 3;
+  const int look = roles.clip(Role::look_around);
+  return look != no_clip && scrambled(person, turn) % in_all < looks_around ? look : stand;
+}
+
+}  // namespace
+
+FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const CharacterRoles& roles,
+                         const anim::Character& character) {
+  MixWriter writer(moment, character);
+  const StridePlane::Stride stride = plane.stride(moment.step.velocity);
+  const std::span<const StridePoint> points = plane.points();
+  for (const auto& share : stride.shares.all()) {
+    if (share.point > 0) {
+      writer.add_gait(points[share.point], points[plane.reference()], share.weight, stride.cycles_per_second);
+      continue;
+    }
+    const double turns = moment.seconds / rest_seconds + 0.61 * static_cast<double>(moment.person);
+    const auto turn = static_cast<std::int64_t>(std::floor(turns));
+    const double into = (turns - std::floor(turns)) * rest_seconds / rest_fade;
+    const auto t = static_cast<float>(std::min(into, 1.0));
+    const float arrived = t * t * (3.0F - 2.0F * t);
+    writer.add_rest(rest_of(roles, points[0].clip, moment.person, turn), share.weight * arrived);
+    writer.add_rest(rest_of(roles, points[0].clip, moment.person, turn - 1), share.weight * (1.0F - arrived));
+  }
+  return writer.finished();
+}
+
+}  // namespace throng::app

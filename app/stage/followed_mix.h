@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "app/character/roles.h"
+#include "app/crowd/stride_plane.h"
+#include "app/crowd/track_steps.h"
+#include "engine/anim/agent/clip_mix_channel.h"
+#include "engine/anim/bake/character.h"
+
+namespace throng::app {
+
+/// A moment of somebody who follows a track, as far as the pose goes by it.
+struct FollowedMoment {
+  TrackStep step;
+  double seconds = 0.0;      ///< of the file's clock
+  double rate = 1.0;         ///< seconds of the file that pass in a second; below 0: backwards
+  anim::Ticks ahead{};       ///< the moment is so far ahead of the animation's clock
+  std::uint32_t person = 0;  ///< people who stand look about at different times
+};
+
+/// The clips of such a pose.
+struct FollowedMix {
+  std::array<anim::MixedClip, anim::ClipMixChannel::most> of{};
+  std::size_t count = 0;
+
+  std::span<const anim::MixedClip> clips() const { return {of.data(), count}; }
+};
+
+/// Returns the clips of a moment: gaits by the velocity, all at the same place of the stride, and a way to stand, which
+/// changes every few seconds. `plane` is the one of the character, which has `roles`. Allocates nothing.
+FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const CharacterRoles& roles,
+                         const anim::Character& character);
+
+}  // namespace throng::app

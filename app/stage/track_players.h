@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "app/character/source.h"
+#include "app/crowd/crowd.h"
+#include "engine/anim/agent/animation_system.h"
+
+namespace throng::app {
+
+/// Returns the gaits of a character in the plane of its velocity, and how it stands.
+StridePlane stride_plane_of(const CharacterSource& source);
+
+/// Returns the recorded crowd with the gaits of these characters; null `trajectories` are for no scene of them.
+TrackSource track_source(std::shared_ptr<const Trajectories> trajectories, std::span<const CharacterSource> characters);
+
+/// Poses people who follow the tracks of a recorded crowd. Each agent plays a mix of gaits that follows from the time
+/// of the crowd's clock alone, and is set only where the agent is posed.
+class TrackPlayers {
+ public:
+  /// Gives every agent its channel. All of them outlive this; `characters` has one element a character of the system.
+  TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd, std::span<const CharacterSource> characters);
+
+  /// Sets what the agents of these updates play, at the time for which each is posed. Call it before the update.
+  /// Allocates nothing.
+  void set(std::span<const anim::AgentUpdate> updates);
+
+ private:
+  void set(std::uint32_t agent, anim::Ticks ahead);
+
+  anim::AnimationSystem* system_;
+  const Crowd* crowd_;
+  std::span<const CharacterSource> characters_;
+};
+
+}  // namespace throng::app

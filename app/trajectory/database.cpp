@@ -1,0 +1,143 @@
+#include "app/trajectory/database.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <sqlite3.h>
+
+#include "engine/files/input_file.h"
+
+namespace throng::app {
+namespace {
+
+/// Returns the address by which SQLite opens a file as it lies there.
+std::string address_of(const std::string& file) {
+  static constexpr char hex[] = "0123456789ABCDEF";
+  std::string address = "file:";
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '?' || c == '#' || c == '%' || byte < 0x20) {
+      address += {'%', hex[byte >> 4U], hex[byte & 15U]};
+    } else {
+      address += c;
+    }
+  }
+  if (address.starts_with("file://")) address.insert(5, "//");  // no host, but a path that begins with two slashes
+  return address + "?immutable=1";
+}
+
+/// Lets statements read, and nothing else.
+int allow_reading(void* /*context*/, int action, const char* first, const char* /*second*/, const char* /*database*/,
+                  const char* trigger_or_view) {
+  const bool is_function = action == SQLITE_FUNCTION;
+  const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || is_function;
+  static_cast<void>(first);
+  return reads && trigger_or_view == nullptr ? SQLITE_OK : SQLITE_DENY;
+}
+
+void bind_hands(sqlite3* handle) {
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, 64 << 20);
+  sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, 100'000);
+  sqlite3_limit(handle, SQLITE_LIMIT_COLUMN, 200);
+  sqlite3_limit(handle, SQLITE_LIMIT_EXPR_DEPTH, 20);
+  sqlite3_limit(handle, SQLITE_LIMIT_COMPOUND_SELECT, 2);
+  sqlite3_limit(handle, SQLITE_LIMIT_VDBE_OP, 25'000);
+  sqlite3_limit(handle, SQLITE_LIMIT_FUNCTION_ARG, 8);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_limit(handle, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 100);
+  sqlite3_limit(handle, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+  sqlite3_limit(handle, SQLITE_LIMIT_WORKER_THREADS, 0);
+  sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0", nullptr, nullptr, nullptr);
+  sqlite3_set_authorizer(handle, allow_reading, nullptr);
+}
+
+}  // namespace
+
+DatabaseRow::Kind DatabaseRow::kind(int column) const {
+  switch (sqlite3_column_type(statement_, column)) {
+    case SQLITE_INTEGER:
+      return Kind::whole;
+    case SQLITE_FLOAT:
+      return Kind::real;
+    case SQLITE_TEXT:
+      return Kind::text;
+    case SQLITE_BLOB:
+      return Kind::bytes;
+    default:
+      return Kind::nothing;
+  }
+}
+
+std::int64_t DatabaseRow::whole(int column) const { return sqlite3_column_int64(statement_, column); }
+double DatabaseRow::real(int column) const { return sqlite3_column_double(statement_, column); }
+
+std::string_view DatabaseRow::text(int column) const {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return text == nullptr ? std::string_view()
+                         : std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+}
+
+bool DatabaseRow::number(int column, double& value) const {
+  const int type = sqlite3_column_type(statement_, column);
+  value = sqlite3_column_double(statement_, column);
+  return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+}
+
+Result<Database> Database::open(const std::string& file) {
+  if (const auto regular = InputFile::open(file, "a database"); !regular) return regular.error();
+  sqlite3* handle = nullptr;
+  const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
+  const int status = sqlite3_open_v2(address_of(file).c_str(), &handle, flags, nullptr);
+  Database database({handle, [](sqlite3* opened) { sqlite3_close_v2(opened); }});
+  if (status != SQLITE_OK) return database.failure();
+  bind_hands(handle);
+  return database;
+}
+
+Error Database::failure() const {
+  const std::string said = handle_ == nullptr ? "there is no memory left" : sqlite3_errmsg(handle_.get());
+  return {"it cannot be read as a database (" + said + "); export it anew"};
+}
+
+Status Database::for_rows(const std::string& query, const std::function<bool(const DatabaseRow&)>& visit) {
+  sqlite3_stmt* statement = nullptr;
+  const int prepared = sqlite3_prepare_v2(handle_.get(), query.c_str(), -1, &statement, nullptr);
+  const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owner(statement, sqlite3_finalize);
+  if (prepared != SQLITE_OK) return failure();
+  const DatabaseRow row(statement);
+  int status = SQLITE_ROW;
+  while ((status = sqlite3_step(statement)) == SQLITE_ROW) {
+    if (!visit(row)) return Done{};
+  }
+  if (status != SQLITE_DONE) return failure();
+  return Done{};
+}
+
+Result<std::vector<Database::Table>> Database::tables() {
+  std::vector<Table> tables;
+  const Status listed = for_rows(
+      "SELECT name FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name NOT LIKE 'sqlite%' LIMIT 100",
+      [&](const DatabaseRow& row) {
+        tables.push_back({std::string(row.text(0)), {}});
+        return true;
+      });
+  if (!listed) return listed.error();
+  for (Table& table : tables) {
+    std::string quoted;
+    for (const char c : table.name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    sqlite3_stmt* statement = nullptr;
+    const std::string query = "SELECT * FROM \"" + quoted + "\" LIMIT 0";
+    if (sqlite3_prepare_v2(handle_.get(), query.c_str(), -1, &statement, nullptr) != SQLITE_OK) return failure();
+    const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owner(statement, sqlite3_finalize);
+    for (int i = 0; i < sqlite3_column_count(statement); ++i) {
+      table.columns.emplace_back(sqlite3_column_name(statement, i));
+    }
+  }
+  return tables;
+}
+
+}  // namespace throng::app

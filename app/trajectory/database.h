@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/result.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace throng::app {
+
+/// A row of an answer.
+class DatabaseRow {
+ public:
+  enum class Kind : std::uint8_t { nothing, whole, real, text, bytes };
+
+  explicit DatabaseRow(sqlite3_stmt* statement) : statement_(statement) {}
+  Kind kind(int column) const;
+  std::int64_t whole(int column) const;
+  double real(int column) const;
+  std::string_view text(int column) const;  ///< until the next row
+  /// Returns the number in a column, or why there is none.
+  bool number(int column, double& value) const;
+
+ private:
+  sqlite3_stmt* statement_;
+};
+
+/// A database file that is only read. It is taken as it lies on the disk; what journals beside it say is not read, and
+/// neither views, triggers nor functions of the file run.
+class Database {
+ public:
+  static Result<Database> open(const std::string& file);
+
+  /// Calls visit(row) for each row of an answer until it returns false.
+  /// The error is the end of a sentence: the database is broken, or has no such table.
+  Status for_rows(const std::string& query, const std::function<bool(const DatabaseRow&)>& visit);
+
+  struct Table {
+    std::string name;
+    std::vector<std::string> columns;
+  };
+  /// Returns the tables of the file, without views and those that another program makes up.
+  Result<std::vector<Table>> tables();
+
+ private:
+  explicit Database(std::shared_ptr<sqlite3> handle) : handle_(std::move(handle)) {}
+  Error failure() const;
+
+  std::shared_ptr<sqlite3> handle_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+
+namespace throng::app {
+
+/// Reads the XML that SUMO writes (FCD), piece by piece: the people, and the vehicles where there are no people.
+class FcdParser {
+ public:
+  /// Rows go to `sink`, which outlives the parser.
+  FcdParser(RowSink& sink, bool is_lenient);
+  ~FcdParser();
+  FcdParser(const FcdParser&) = delete;
+  FcdParser& operator=(const FcdParser&) = delete;
+
+  /// Calls this when the first person comes after vehicles, whose rows count no more.
+  void when_people_come(std::function<void()> forget_vehicles);
+  /// Reads on. Returns false after the first error. `is_last` ends the document.
+  bool read(std::string_view text, bool is_last);
+  /// The end of a sentence, "line 7: ...".
+  const std::string& fault() const;
+  bool is_row_at_fault() const;  ///< --lenient would skip it
+  std::size_t bad_rows() const;
+  const std::string& first_bad_row() const;
+  bool has_people() const;
+  bool has_z() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Returns whether a text that begins so is XML.
+bool is_xml(std::string_view head);
+
+/// Reads all rows of a file. Errors begin with the file's name.
+Status read_fcd_xml(const std::string& file, const TrackReading& options, const ReadProgress& progress,
+                    RawTracks& tracks);
+
+/// What the rows of an FcdParser mean.
+RowFacts fcd_facts();
+
+}  // namespace throng::app

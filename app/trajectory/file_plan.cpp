@@ -1,0 +1,77 @@
+#include "app/trajectory/file_plan.h"
+
+#include <span>
+#include <utility>
+
+#include "app/trajectory/sqlite_file.h"
+#include "app/trajectory/text_format.h"
+#include "app/trajectory/vadere_plan.h"
+#include "engine/files/input_file.h"
+
+namespace throng::app {
+namespace {
+
+GroundRing placed_ring(const FileRing& ring, double unit, const glm::dvec2& origin) {
+  GroundRing placed;
+  placed.reserve(ring.size());
+  for (const glm::dvec2& point : ring) {
+    placed.emplace_back(static_cast<float>(point.x * unit - origin.x), static_cast<float>(origin.y - point.y * unit));
+  }
+  return placed;
+}
+
+GroundArea placed_area(const FileArea& area, double unit, const glm::dvec2& origin) {
+  GroundArea placed{placed_ring(area.outline, unit, origin), {}};
+  for (const FileRing& hole : area.holes) placed.holes.push_back(placed_ring(hole, unit, origin));
+  return placed;
+}
+
+}  // namespace
+
+GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dvec2& origin) {
+  GroundPlan placed;
+  for (const FileArea& area : plan.floors) placed.floors.push_back(placed_area(area, metres_a_unit, origin));
+  for (const FileRing& ring : plan.obstacles) placed.obstacles.push_back(placed_ring(ring, metres_a_unit, origin));
+  for (const FileLine& line : plan.walls) {
+    placed.walls.push_back({placed_ring(line.points, metres_a_unit, origin), line.name});
+  }
+  for (const FileArea& area : plan.exits) placed.exits.push_back(placed_area(area, metres_a_unit, origin));
+  for (const FileLine& line : plan.measurement_lines) {
+    placed.measurement_lines.push_back({placed_ring(line.points, metres_a_unit, origin), line.name});
+  }
+  return placed;
+}
+
+Result<FilePlan> read_file_plan(const std::string& file) {
+  constexpr std::size_t most_bytes = std::size_t{256} << 20U;
+  const auto opened = InputFile::open(file, "walls as WKT");
+  if (!opened) return Error{file + ": " + opened.error().message};
+  std::string head(16, '\0');
+  InputFile input = *opened;
+  const auto read = input.read(std::as_writable_bytes(std::span(head)));
+  if (read && is_sqlite(head)) return read_sqlite_plan(file);
+  const auto text = read_text(file, "walls as WKT", most_bytes);
+  if (!text) return Error{file + ": " + text.error().message};
+  if (const std::string why = why_no_text(*text); !why.empty()) return Error{file + ": " + why};
+  const std::string_view bare = std::string_view(*text).substr(byte_order_mark(*text));
+  const std::size_t first = bare.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return Error{file + ": it is empty; name a file of WKT"};
+  if (bare[first] == '{') {
+    const auto json = parse_json(bare);
+    if (!json) return Error{file + ": " + json.error().message + "; name a .scenario of Vadere, or walls as WKT"};
+    auto scenario = vadere_scenario(*json);
+    if (!scenario) return Error{file + ": " + scenario.error().message};
+    return std::move(scenario->plan);
+  }
+  auto plan = parse_wkt(bare);
+  if (!plan) return Error{file + ": " + plan.error().message};
+  return plan;
+}
+
+Result<GroundPlan> read_ground_plan(const std::string& file, const glm::dvec2& origin) {
+  const auto plan = read_file_plan(file);
+  if (!plan) return plan.error();
+  return placed_plan(*plan, 1.0, origin);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/trajectory/ground_plan.h"
+#include "app/trajectory/reading.h"
+#include "engine/result.h"
+
+namespace throng::app {
+
+using FileRing = std::vector<glm::dvec2>;
+
+struct FileArea {
+  FileRing outline;
+  std::vector<FileRing> holes;
+};
+
+struct FileLine {
+  FileRing points;
+  std::string name = {};
+};
+
+/// A GroundPlan in the units and axes of its file: x to the east, y to the north.
+struct FilePlan {
+  std::vector<FileArea> floors;
+  std::vector<FileRing> obstacles;
+  std::vector<FileLine> walls;
+  std::vector<FileArea> exits;
+  std::vector<FileLine> measurement_lines;
+};
+
+/// Reads Well-Known Text: points are left out, lines become walls, and polygons floors, those within another one
+/// obstacles. Several geometries may follow each other. The error is the end of a sentence, "line 3: ...; ...".
+Result<FilePlan> parse_wkt(std::string_view text);
+
+/// Reads walls and floors: WKT, a scenario of Vadere, or what JuPedSim wrote. Errors begin with the file's name.
+Result<FilePlan> read_file_plan(const std::string& file);
+
+/// Returns the plan about the file's place `origin`, which is in metres.
+GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dvec2& origin);
+
+/// Reads a file of walls that is in metres, about `origin`.
+Result<GroundPlan> read_ground_plan(const std::string& file, const glm::dvec2& origin);
+
+}  // namespace throng::app

@@ -1,0 +1,212 @@
+#include "app/trajectory/ndjson.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/trajectory/number_text.h"
+#include "app/trajectory/table_layout.h"
+
+namespace throng::app {
+namespace {
+
+/// Goes through the text of an object. Strings keep their escapes: no key that is looked for has one.
+class JsonScanner {
+ public:
+  explicit JsonScanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
+
+  bool takes(char wanted) {
+    skip_blanks();
+    if (at_ == end_ || *at_ != wanted) return false;
+    ++at_;
+    return true;
+  }
+  bool is_at(char wanted) {
+    skip_blanks();
+    return at_ < end_ && *at_ == wanted;
+  }
+  bool is_at_end() {
+    skip_blanks();
+    return at_ == end_;
+  }
+  /// Takes a string, without its quotes.
+  bool take_string(std::string_view& text) {
+    if (!takes('"')) return false;
+    const char* const first = at_;
+    for (; at_ < end_ && *at_ != '"'; ++at_) {
+      if (*at_ == '\\' && at_ + 1 < end_) ++at_;
+    }
+    if (at_ == end_) return false;
+    text = {first, static_cast<std::size_t>(at_ - first)};
+    ++at_;
+    return true;
+  }
+  /// Takes a value that is no object and no list: its text, without quotes.
+  bool take_plain(std::string_view& text) {
+    if (is_at('"')) return take_string(text);
+    const char* const first = at_;
+    while (at_ < end_ && *at_ != ',' && *at_ != '}' && *at_ != ']' && *at_ != ' ') ++at_;
+    text = {first, static_cast<std::size_t>(at_ - first)};
+    return !text.empty();
+  }
+  /// Takes any value.
+  bool skip_value() {
+    std::size_t depth = 0;
+    std::string_view ignored;
+    do {
+      skip_blanks();
+      if (at_ == end_) return false;
+      if (*at_ == '"') {
+        if (!take_string(ignored)) return false;
+        continue;
+      }
+      if (*at_ == '{' || *at_ == '[') ++depth;
+      if ((*at_ == '}' || *at_ == ']') && depth-- == 0) return false;
+      ++at_;
+    } while (depth > 0 || (at_ < end_ && *at_ != ',' && *at_ != '}' && *at_ != ']'));
+    return true;
+  }
+
+ private:
+  void skip_blanks() {
+    while (at_ < end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\r')) ++at_;
+  }
+
+  const char* at_;
+  const char* end_;
+};
+
+/// Calls visit(key) for each member of an object, which takes its value. Returns false if it is no object.
+template <typename Visit>
+bool for_members(JsonScanner& scanner, Visit visit) {
+  if (!scanner.takes('{')) return false;
+  if (scanner.takes('}')) return true;
+  std::string_view key;
+  do {
+    if (!scanner.take_string(key) || !scanner.takes(':') || !visit(key)) return false;
+  } while (scanner.takes(','));
+  return scanner.takes('}');
+}
+
+using Found = std::array<std::string_view, track_field_count>;
+
+class NdjsonParser final : public LineParser {
+ public:
+  std::unique_ptr<LineParser> copy() const override { return std::make_unique<NdjsonParser>(*this); }
+
+  bool read(std::string_view line, RowSink& sink) override {
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) return true;
+    JsonScanner scanner(line);
+    Found found;
+    bool is_prediction = false, is_scene = false;
+    const bool is_object = for_members(scanner, [&](std::string_view key) {
+      if (key == "track")
+        return for_members(scanner, [&](auto inner) { return take(scanner, inner, found, is_prediction); });
+      if (key != "scene") return take(scanner, key, found, is_prediction);
+      is_scene = true;
+      return for_members(scanner, [&](std::string_view inner) { return take_scene(scanner, inner, sink); });
+    });
+    if (!is_object || !scanner.is_at_end()) {
+      sink.fault =
+          "it is no JSON object; put one there, such as {\"track\": {\"f\": 10, \"p\": 7, \"x\": 1.5, \"y\": 2}}";
+      return false;
+    }
+    return is_scene || is_prediction || add(found, sink);
+  }
+
+  TrackField time() const { return time_; }
+  bool has(TrackField field) const { return (seen_ >> static_cast<unsigned>(field) & 1U) != 0; }
+
+ private:
+  bool take(JsonScanner& scanner, std::string_view key, Found& found, bool& is_prediction) {
+    if (key == "prediction_number") {
+      std::string_view value;
+      if (!scanner.take_plain(value)) return false;
+      is_prediction = value != "null";
+      return true;
+    }
+    const TrackField field = field_of(key);
+    if (field == TrackField::none) return scanner.skip_value();
+    if (scanner.is_at('{') || scanner.is_at('[')) return scanner.skip_value();
+    seen_ |= 1U << static_cast<unsigned>(field);
+    return scanner.take_plain(found[static_cast<std::size_t>(field)]);
+  }
+
+  static bool take_scene(JsonScanner& scanner, std::string_view key, RowSink& sink) {
+    std::string_view text;
+    if (key != "fps") return scanner.skip_value();
+    if (scanner.is_at('{') || scanner.is_at('[') || !scanner.take_plain(text)) return false;
+    double rate = 0.0;
+    if (is_number_text(text, rate) && rate > 0.0 && rate <= 10'000.0) sink.scene_rate = rate;
+    return true;
+  }
+
+  bool add(const Found& found, RowSink& sink) const {
+    const auto number_of = [&](TrackField field, double& value) {
+      const std::string_view text = found[static_cast<std::size_t>(field)];
+      if (is_number_text(text, value) && std::isfinite(value)) return true;
+      const std::string name = field == TrackField::x ? "x" : field == TrackField::y ? "y" : "time or frame";
+      sink.fault = text.empty() ? "it has no " + name + "; add it"
+                                : "\"" + std::string(text.substr(0, 40)) + "\" is not a number; put " + name + " there";
+      return false;
+    };
+    RawRow row;
+    if (found[static_cast<std::size_t>(TrackField::id)].empty()) {
+      sink.fault = "it has no id of a person; add \"p\" or \"id\"";
+      return false;
+    }
+    if (!number_of(time_, row.time) || !number_of(TrackField::x, row.x) || !number_of(TrackField::y, row.y))
+      return false;
+    double value = 0.0;
+    if (!found[static_cast<std::size_t>(TrackField::z)].empty()) {
+      if (!number_of(TrackField::z, value)) return false;
+      row.z = static_cast<float>(value);
+    }
+    if (!found[static_cast<std::size_t>(TrackField::angle)].empty()) {
+      if (!number_of(TrackField::angle, value)) return false;
+      row.angle = static_cast<float>(value);
+    }
+    row.person = sink.ids.number_of(found[static_cast<std::size_t>(TrackField::id)]);
+    return add_row(row, sink);
+  }
+
+  /// The fields that keys mean are kept, for the same few come in every line.
+  TrackField field_of(std::string_view key) {
+    for (const auto& [name, field] : known_) {
+      if (name == key) return field;
+    }
+    const TrackField field = column_named(key).field;
+    if (known_.size() < 32) known_.emplace_back(key, field);
+    return field;
+  }
+
+  friend Result<TextFormat> throng::app::ndjson_format(std::string_view);
+
+  std::vector<std::pair<std::string, TrackField>> known_;
+  unsigned seen_ = 0;
+  TrackField time_ = TrackField::frame;
+};
+
+}  // namespace
+
+Result<TextFormat> ndjson_format(std::string_view first) {
+  auto parser = std::make_unique<NdjsonParser>();
+  RowSink sink;
+  TextFormat format;
+  static_cast<void>(parser->read(first, sink));  // which keys are there
+  if (parser->has(TrackField::time)) parser->time_ = TrackField::time;
+  if (!parser->read(first, sink)) return Error{"the first row: " + sink.fault};
+  const bool is_trajnet =
+      first.find("\"track\"") != std::string_view::npos || first.find("\"scene\"") != std::string_view::npos;
+  format.facts.format = is_trajnet ? "trajnet ndjson" : "JSON lines";
+  format.facts.has_frames = parser->time_ == TrackField::frame;
+  format.facts.rate_rule = is_trajnet ? RateRule::annotated : RateRule::by_speed;
+  format.facts.has_z = parser->has(TrackField::z);
+  if (parser->has(TrackField::angle)) format.facts.angle = AngleMeaning::unknown;
+  format.parser = std::move(parser);
+  return format;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/trajectory/file_plan.h"
+#include "app/trajectory/id_table.h"
+
+namespace throng::app {
+
+/// More people are refused.
+inline constexpr std::size_t most_people = 100'000;
+/// Places further from the middle of the file's world are refused, in metres.
+inline constexpr double most_metres = 1e7;
+/// Times further from 0 are refused: three hundred years in seconds, milliseconds of our days.
+inline constexpr double most_time = 1e13;
+
+/// A row as a file has it, in its own units.
+struct RawRow {
+  double time = 0.0;        ///< seconds, or frames
+  double x = 0.0, y = 0.0;  ///< on the ground; y to the north
+  float z = 0.0F;
+  float angle = std::numeric_limits<float>::quiet_NaN();  ///< as AngleMeaning says
+  std::uint32_t person = 0;                               ///< a number of an IdTable
+};
+static_assert(sizeof(RawRow) == 40);
+
+/// Returns TrackRow::heading of a direction on the ground, x to the east and y to the north; NaN for no direction.
+inline float heading_of_direction(double x, double y) {
+  if (x == 0.0 && y == 0.0) return std::numeric_limits<float>::quiet_NaN();
+  return static_cast<float>(std::atan2(x, -y));
+}
+
+/// Rows that follow each other in a file.
+struct RowBlock {
+  std::vector<RawRow> rows;
+  std::size_t table = 0;  ///< the table of RawTracks that their numbers are of
+};
+
+enum class AngleMeaning : std::uint8_t {
+  none,
+  unknown,  ///< counterclockwise from +x, degrees or radians
+  degrees,  ///< counterclockwise from +x
+  radians,  ///< counterclockwise from +x
+  compass,  ///< degrees clockwise from north
+  heading,  ///< TrackRow::heading itself
+};
+
+/// How many frames a second has where the file does not say it.
+enum class RateRule : std::uint8_t {
+  by_speed,   ///< 25, or 16 where people were too fast then
+  annotated,  ///< as many as let people have 2.5 rows a second
+};
+
+/// What a format, or the head of a file, says of all rows.
+struct RowFacts {
+  std::string format;
+  bool has_frames = false;          ///< RawRow::time counts frames
+  std::optional<double> rate = {};  ///< frames a second
+  RateRule rate_rule = RateRule::by_speed;
+  std::optional<double> unit = {};  ///< metres
+  bool tells_unit = false;  ///< metres or centimetres are told apart where the file does not say it; else it is metres
+  double times_a_second = 1.0;  ///< of rows that have a time
+  AngleMeaning angle = AngleMeaning::none;
+  bool has_z = false;
+  bool z_is_head = false;
+  bool repeats_ends = false;  ///< a row at the same time and place as the one before is no duplicate
+  std::vector<std::string> said = {};
+};
+
+/// Takes the rows of one thread.
+struct RowSink {
+  std::vector<RawRow> rows;
+  IdTable ids;
+  double most = most_metres;  ///< the largest number of a place in the file's unit
+  std::string fault = {};     ///< what is wrong with the last row: "\"abc\" is not a number; put x in metres there"
+  double scene_rate = 0.0;    ///< rows a second of a person, where the file says it between rows
+};
+
+/// Adds a row whose numbers are finite. Returns false if it is wrong all the same, after filling sink.fault.
+bool add_row(const RawRow& row, RowSink& sink);
+
+/// Reads the lines of a text. Each thread has one of its own.
+class LineParser {
+ public:
+  virtual ~LineParser() = default;
+  virtual std::unique_ptr<LineParser> copy() const = 0;
+  /// Reads a line and adds the rows that it has, often one. Returns false if it is wrong, after filling sink.fault.
+  virtual bool read(std::string_view line, RowSink& sink) = 0;
+};
+
+/// All of a file, in its own units.
+struct RawTracks {
+  RowFacts facts;
+  std::vector<RowBlock> blocks;  ///< in the order of the file
+  std::vector<IdTable> tables;
+  FilePlan plan;
+  std::size_t bad_rows = 0;
+  std::string first_bad_row;
+  double scene_rate = 0.0;
+};
+
+}  // namespace throng::app

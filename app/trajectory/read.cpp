@@ -1,0 +1,158 @@
+#include "app/trajectory/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "app/files/joined.h"
+#include "app/trajectory/fcd_xml.h"
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/sqlite_file.h"
+#include "app/trajectory/text_format.h"
+#include "app/trajectory/text_rows.h"
+#include "app/trajectory/tracks.h"
+#include "app/trajectory/vadere_plan.h"
+#include "engine/files/input_file.h"
+
+namespace throng::app {
+namespace {
+
+std::size_t count_rows(const RawTracks& tracks) {
+  std::size_t count = 0;
+  for (const RowBlock& block : tracks.blocks) count += block.rows.size();
+  return count;
+}
+
+/// Takes the obstacles, and the length of a step where rows have steps, of the scenario beside a file of Vadere.
+Status read_scenario(const std::string& file, const TrackReading& options, RawTracks& tracks) {
+  const auto scenario_file = scenario_beside(file);
+  if (!scenario_file) {
+    if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / VadereScenario{}.seconds_a_step;
+    return Done{};
+  }
+  const auto text = read_text(*scenario_file, "a scenario", most_json_bytes);
+  if (!text) return Error{*scenario_file + ": " + text.error().message};
+  const auto json = parse_json(*text);
+  if (!json) return Error{*scenario_file + ": " + json.error().message + "; give the walls with --walls"};
+  auto scenario = vadere_scenario(*json);
+  if (!scenario) return Error{*scenario_file + ": " + scenario.error().message};
+  if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / scenario->seconds_a_step;
+  if (!options.walls.empty()) return Done{};
+  tracks.plan = std::move(scenario->plan);
+  tracks.facts.said.push_back("The place is that of " + *scenario_file + ".");
+  return Done{};
+}
+
+Status read_text_rows(const std::string& file, std::string_view head, const TrackReading& options,
+                      const ReadProgress& progress, RawTracks& tracks) {
+  if (head.size() >= head_bytes && head.find('\n') == std::string_view::npos && why_no_text(head).empty()) {
+    return Error{file + ": line 1: it is longer than 64 KiB; name a file with a row a line"};
+  }
+  auto format = text_format_of(head, options);
+  if (!format) return Error{file + ": " + format.error().message};
+  tracks.facts = format->facts;
+  Status read = read_rows(file, *format, options, progress, tracks);
+  if (read && format->otherwise != nullptr && count_rows(tracks) == 0 && tracks.bad_rows == 0) {
+    format->parser = std::move(format->otherwise);
+    tracks.facts.format += " of vehicles";
+    tracks.tables.clear();
+    read = read_rows(file, *format, options, progress, tracks);
+  }
+  if (!read || tracks.facts.format != "Vadere") return read;
+  return read_scenario(file, options, tracks);
+}
+
+Status read_raw(const std::string& file, const TrackReading& options, const ReadProgress& progress, RawTracks& tracks) {
+  const auto head = read_head(file);
+  if (!head) return head.error();
+  if (is_sqlite(*head)) return read_sqlite(file, options, progress, tracks);
+  if (is_xml(*head)) return read_fcd_xml(file, options, progress, tracks);
+  return read_text_rows(file, *head, options, progress, tracks);
+}
+
+/// The width of a plan in its units; 0 of none.
+double width_of(const FilePlan& plan) {
+  double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;
+  const auto add = [&](const FileRing& ring) {
+    for (const glm::dvec2& point : ring) {
+      least_x = std::min(least_x, point.x);
+      most_x = std::max(most_x, point.x);
+      least_y = std::min(least_y, point.y);
+      most_y = std::max(most_y, point.y);
+    }
+  };
+  for (const FileArea& area : plan.floors) add(area.outline);
+  for (const FileRing& ring : plan.obstacles) add(ring);
+  for (const FileLine& line : plan.walls) add(line.points);
+  return std::max({most_x - least_x, most_y - least_y, 0.0});
+}
+
+double width_of(const Trajectories& tracks) {
+  float least_x = 1e30F, most_x = -1e30F, least_z = 1e30F, most_z = -1e30F;
+  for (const PersonTrack& person : tracks.persons) {
+    for (const TrackRow& row : person.rows) {
+      least_x = std::min(least_x, row.x);
+      most_x = std::max(most_x, row.x);
+      least_z = std::min(least_z, row.z);
+      most_z = std::max(most_z, row.z);
+    }
+  }
+  return static_cast<double>(std::max(most_x - least_x, most_z - least_z));
+}
+
+/// Walls of a file of its own may be in other units than the rows: in those in which they are about as wide.
+double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
+  const double people = std::max(width_of(tracks), 1.0), walls = width_of(plan);
+  double best = 1.0;
+  const auto misfit = [&](double unit) { return walls > 0.0 ? std::abs(std::log(walls * unit / people)) : 0.0; };
+  for (const double unit : std::array{0.01, 0.001}) {
+    if (misfit(unit) + 1.0 < misfit(best)) best = unit;
+  }
+  if (best < 1.0) {
+    tracks.said.push_back(std::string("Walls are taken as ") + (best < 0.005 ? "millimetres" : "centimetres") +
+                          ", for so they are about as wide as the crowd.");
+  }
+  return best;
+}
+
+void swap_up(const TrackReading& options, RawTracks& tracks) {
+  if (options.up == TrackUp::z) return;
+  for (RowBlock& block : tracks.blocks) {
+    for (RawRow& row : block.rows) {
+      const double height = row.y;
+      row.y = -static_cast<double>(row.z);
+      row.z = static_cast<float>(height);
+    }
+  }
+  tracks.facts.has_z = true;
+}
+
+}  // namespace
+
+Result<Trajectories> read_trajectories(const std::string& file, const TrackReading& options,
+                                       const ReadProgress& progress) {
+  Result<FilePlan> walls = FilePlan{};
+  if (!options.walls.empty()) walls = read_file_plan(options.walls);
+  if (!walls) return walls.error();
+  RawTracks raw;
+  if (const Status read = read_raw(file, options, progress, raw); !read) return read.error();
+  swap_up(options, raw);
+  auto tracks = tracks_of_rows(raw, file, options);
+  if (!tracks) return tracks;
+  if (!options.walls.empty()) {
+    tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
+  }
+  if (progress) progress(1.0);
+  return tracks;
+}
+
+bool looks_like_trajectories(const std::string& file) {
+  const auto head = read_head(file);
+  if (!head) return false;
+  if (is_sqlite(*head) || is_xml(*head)) return true;
+  return text_format_of(*head, {}).has_value();
+}
+
+}  // namespace throng::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/trajectory/reading.h"
+#include "app/trajectory/trajectories.h"
+#include "engine/result.h"
+
+namespace throng::app {
+
+/// Reads a recorded or simulated crowd. README.md beside this file lists the formats, which are told apart by what is
+/// in the file. It takes at most 100 bytes of memory a row, and calls `progress` from this thread. Errors: one sentence
+/// that begins with the file's name, names the line, and says what to do.
+Result<Trajectories> read_trajectories(const std::string& file, const TrackReading& options,
+                                       const ReadProgress& progress = {});
+
+/// Returns whether `file` begins as one of trajectories does, so that it is no model.
+bool looks_like_trajectories(const std::string& file);
+
+}  // namespace throng::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace throng::app {
+
+/// What the height z of a file's rows is.
+enum class TrackHeight : std::uint8_t {
+  by_format,  ///< of the head in the text of the Jülich archive, of the ground elsewhere
+  head,
+  ground,
+};
+
+/// The unit of a file's angles.
+enum class TrackAngle : std::uint8_t { told_apart, degrees, radians };
+
+/// The axis of a file that points up. The ground is the file's (x, y) where that is z; it is (x, -z) where it is y.
+enum class TrackUp : std::uint8_t { z, y };
+
+/// How trajectories are read. What is left out is told apart, and said in Trajectories::said.
+struct TrackReading {
+  std::optional<double> fps = {};            ///< frames a second of rows that have frames
+  std::optional<double> metres_a_unit = {};  ///< metres that a unit of x, y and z is
+  TrackUp up = TrackUp::z;
+  TrackHeight height = TrackHeight::by_format;
+  TrackAngle angle = TrackAngle::told_apart;
+  std::optional<double> start_seconds = {};  ///< rows before this time of the file's clock are left out
+  std::string walls = {};  ///< a file of read_ground_plan(); without it, what lies in or beside the file
+  bool lenient = false;    ///< skip rows that are wrong, and count them
+};
+
+/// Is called with the share of the file that is read, from 0 to 1, at most some ten times a second.
+using ReadProgress = std::function<void(double)>;
+
+}  // namespace throng::app

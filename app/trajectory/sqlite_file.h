@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+
+namespace throng::app {
+
+/// Returns whether a file that begins so is a database.
+bool is_sqlite(std::string_view head);
+
+/// Reads the rows and the place of a database of JuPedSim. Opens it read-only, takes no part in transactions of others
+/// (what lies in a journal beside it is not read), and runs nothing that the file brings along.
+/// Errors begin with the file's name.
+Status read_sqlite(const std::string& file, const TrackReading& options, const ReadProgress& progress,
+                   RawTracks& tracks);
+
+/// Reads the place alone.
+Result<FilePlan> read_sqlite_plan(const std::string& file);
+
+}  // namespace throng::app

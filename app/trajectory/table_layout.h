@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace throng::app {
+
+/// What a column of a table holds.
+enum class TrackField : std::uint8_t {
+  none,
+  id,
+  time,
+  frame,
+  x,
+  y,
+  z,
+  angle,
+  direction_x,
+  direction_y,
+  end_time,  // of a row that is a step from (x, y) at `time`
+  end_x,
+  end_y,
+};
+inline constexpr std::size_t track_field_count = 13;
+
+struct TableColumn {
+  TrackField field = TrackField::none;
+  std::string name;  ///< as the file has it
+  std::string unit;  ///< "cm", "deg"; empty where the name says none
+};
+
+/// How the lines of a table become rows.
+struct TableLayout {
+  char separator = ' ';  ///< ' ' means any run of blanks and tabs
+  std::vector<TableColumn> columns;
+  bool may_be_empty = false;  ///< a line without an id says nothing, as in tables of SUMO
+  bool whole_ids = false;     ///< ids are numbers: 1.0e+00 is 1
+
+  bool has(TrackField field) const;
+  const TableColumn* column_of(TrackField field) const;
+};
+
+/// Returns the separator of a line: the one of ; tab , that it has most often, or ' '.
+char separator_of(std::string_view line);
+
+/// Returns the fields of a line, without quotes and the blanks around them.
+std::vector<std::string> fields_of(std::string_view line, char separator);
+
+/// Returns what the name of a column means, and its unit: "X [cm]" is x in cm. Case does not matter.
+TableColumn column_named(std::string_view name);
+
+/// Names the columns of a header. `prefix` is left out of names: "person" for person_x. Of fields that two columns
+/// could be, the first is taken.
+TableLayout layout_of_header(std::string_view line, std::string_view prefix = {});
+
+/// Returns what a table lacks, and what it could be called, "id (person, agent, ...)"; empty if it lacks nothing.
+std::string missing_fields(const TableLayout& layout);
+
+/// Returns whether columns are called person_... or vehicle_..., beside the time of a step, as SUMO does.
+bool has_columns_of(std::string_view header, std::string_view prefix);
+
+}  // namespace throng::app

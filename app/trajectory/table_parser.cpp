@@ -1,0 +1,185 @@
+#include "app/trajectory/table_parser.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "app/trajectory/number_text.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::size_t index_of(TrackField field) { return static_cast<std::size_t>(field); }
+
+std::string_view meaning_of(TrackField field) {
+  switch (field) {
+    case TrackField::id:
+      return "the person's id";
+    case TrackField::time:
+      return "the time in seconds";
+    case TrackField::end_time:
+      return "the end of the step in seconds";
+    case TrackField::frame:
+      return "the number of the frame";
+    case TrackField::x:
+      return "x in metres";
+    case TrackField::y:
+      return "y in metres";
+    case TrackField::end_x:
+      return "x of the step's end in metres";
+    case TrackField::end_y:
+      return "y of the step's end in metres";
+    case TrackField::z:
+      return "z in metres";
+    case TrackField::angle:
+      return "an angle";
+    case TrackField::direction_x:
+    case TrackField::direction_y:
+      return "a part of the direction";
+    case TrackField::none:
+      break;
+  }
+  return "a number";
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+const char* after_blanks(const char* at, const char* end, char separator) {
+  while (at < end && is_blank(*at) && (*at != separator || separator == ' ')) ++at;
+  return at;
+}
+
+/// Returns where the cell ends that begins at `at`: at a separator or the line's end.
+const char* end_of_cell(const char* at, const char* end, char separator) {
+  bool is_quoted = false;
+  for (; at < end; ++at) {
+    if (*at == '"') is_quoted = !is_quoted;
+    if (!is_quoted && (*at == separator || (separator == ' ' && *at == '\t'))) break;
+  }
+  return at;
+}
+
+std::string_view cell_text(const char* at, const char* end) {
+  while (end > at && is_blank(end[-1])) --end;
+  if (end - at >= 2 && *at == '"' && end[-1] == '"') return {at + 1, static_cast<std::size_t>(end - at) - 2};
+  return {at, static_cast<std::size_t>(end - at)};
+}
+
+/// Returns what an error shows of a cell: its first letters.
+std::string shown(std::string_view text) {
+  std::string result;
+  for (const char c : text.substr(0, 40)) result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+  return "\"" + result + (text.size() > 40 ? "...\"" : "\"");
+}
+
+}  // namespace
+
+struct TableParser::Cells {
+  std::string_view id;
+  std::array<double, track_field_count> numbers;
+
+  double operator[](TrackField field) const { return numbers[index_of(field)]; }
+};
+
+TableParser::TableParser(TableLayout layout) : layout_(std::move(layout)) {
+  time_ = layout_.has(TrackField::time) ? TrackField::time : TrackField::frame;
+  has_direction_ = layout_.has(TrackField::direction_x) && layout_.has(TrackField::direction_y);
+  for (TableColumn& column : layout_.columns) {
+    if (time_ == TrackField::time && column.field == TrackField::frame) column.field = TrackField::none;
+  }
+  while (!layout_.columns.empty() && layout_.columns.back().field == TrackField::none) layout_.columns.pop_back();
+}
+
+bool TableParser::read(std::string_view line, RowSink& sink) {
+  const char* const end = line.data() + line.size();
+  const char* const at = after_blanks(line.data(), end, layout_.separator);
+  if (at == end || *at == '#') return true;
+  Cells cells;
+  cells.numbers.fill(no_number);
+  return read_cells(at, end, cells, sink) && add(cells, sink);
+}
+
+bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowSink& sink) const {
+  const char separator = layout_.separator;
+  for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
+    const TrackField field = layout_.columns[i].field;
+    at = after_blanks(at, end, separator);
+    if (at == end && (separator == ' ' || (i > 0 && end[-1] != separator))) {
+      sink.fault = "it has " + std::to_string(i) + (i == 1 ? " column" : " columns") + ", but " +
+                   layout_.columns.back().name + " is column " + std::to_string(layout_.columns.size()) +
+                   "; put what is missing there";
+      return false;
+    }
+    const char* stop = nullptr;
+    if (field != TrackField::none && field != TrackField::id) {
+      double& number = cells.numbers[index_of(field)];
+      stop = read_number(at, end, number);
+      if (stop != nullptr) stop = after_blanks(stop, end, separator);
+      const bool is_whole = stop != nullptr && (stop == end || *stop == separator || separator == ' ');
+      const bool ends_well = is_whole && (separator != ' ' || stop == end || is_blank(stop[-1]));
+      if (!ends_well || !std::isfinite(number)) {
+        stop = end_of_cell(at, end, separator);
+        const std::string_view text = cell_text(at, stop);
+        const bool is_left_out = text.empty() && layout_.may_be_empty;
+        if (is_left_out) number = no_number;
+        if (!is_left_out && (!is_number_text(text, number) || !std::isfinite(number))) {
+          return refuse_cell(i, text, sink);
+        }
+      }
+    } else {
+      stop = end_of_cell(at, end, separator);
+      if (field == TrackField::id) cells.id = cell_text(at, stop);
+    }
+    at = stop < end && *stop == separator ? stop + 1 : stop;
+  }
+  return true;
+}
+
+bool TableParser::refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const {
+  double number = 0.0;
+  const bool is_number = is_number_text(text, number);
+  const std::string_view wrong = text.empty() ? " is no number" : is_number ? " is not finite" : " is not a number";
+  sink.fault = (text.empty() ? "an empty cell" : shown(text)) + std::string(wrong) + "; put " +
+               std::string(meaning_of(layout_.columns[column].field)) + " there";
+  if (text.find(',') != std::string_view::npos) sink.fault += ", with a point instead of the comma";
+  return false;
+}
+
+bool TableParser::add(const Cells& cells, RowSink& sink) const {
+  if (cells.id.empty()) {
+    if (layout_.may_be_empty) return true;
+    sink.fault = "the person's id is empty; put one there";
+    return false;
+  }
+  RawRow row{.time = cells[time_], .x = cells[TrackField::x], .y = cells[TrackField::y]};
+  if (std::isnan(row.time) || std::isnan(row.x) || std::isnan(row.y)) {
+    sink.fault = "time, x or y is empty; put a number there";
+    return false;
+  }
+  if (const double z = cells[TrackField::z]; !std::isnan(z)) row.z = static_cast<float>(z);
+  if (has_direction_) {
+    row.angle = heading_of_direction(cells[TrackField::direction_x], cells[TrackField::direction_y]);
+  } else {
+    row.angle = static_cast<float>(cells[TrackField::angle]);
+  }
+  char digits[32];
+  std::string_view id = cells.id;
+  if (double number = 0.0; layout_.whole_ids && is_number_text(id, number) && std::abs(number) < 1e15) {
+    const char* const stop = std::to_chars(digits, std::end(digits), std::llround(number)).ptr;
+    id = {digits, static_cast<std::size_t>(stop - digits)};
+  }
+  row.person = sink.ids.number_of(id);
+  if (!add_row(row, sink)) return false;
+  const double end_time = cells[TrackField::end_time];
+  if (std::isnan(end_time)) return true;
+  row.time = end_time;
+  row.x = cells[TrackField::end_x];
+  row.y = cells[TrackField::end_y];
+  return add_row(row, sink);
+}
+
+}  // namespace throng::app

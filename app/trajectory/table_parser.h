@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/table_layout.h"
+
+namespace throng::app {
+
+/// Reads the lines of a table, each a row, or two where a line is a step. Empty lines and those after a # say nothing.
+class TableParser final : public LineParser {
+ public:
+  explicit TableParser(TableLayout layout);
+  std::unique_ptr<LineParser> copy() const override { return std::make_unique<TableParser>(*this); }
+  bool read(std::string_view line, RowSink& sink) override;
+
+ private:
+  struct Cells;
+  bool read_cells(const char* at, const char* end, Cells& cells, RowSink& sink) const;
+  bool add(const Cells& cells, RowSink& sink) const;
+  bool refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const;
+
+  TableLayout layout_;
+  TrackField time_ = TrackField::time;
+  bool has_direction_ = false;
+};
+
+}  // namespace throng::app

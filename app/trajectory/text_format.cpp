@@ -1,0 +1,275 @@
+#include "app/trajectory/text_format.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/files/joined.h"
+#include "app/trajectory/ndjson.h"
+#include "app/trajectory/number_text.h"
+#include "app/trajectory/table_parser.h"
+
+namespace throng::app {
+namespace {
+
+struct HeadLines {
+  std::vector<std::string_view> comments;  ///< those before the first other line, without their #
+  std::string_view first = {};             ///< the first line that is no comment and not empty
+  std::string_view second = {};            ///< the next such line
+  std::size_t first_byte = 0, first_line = 1;
+  std::size_t second_byte = 0, second_line = 1;
+};
+
+std::string_view without_end(std::string_view line) {
+  while (!line.empty() && (line.back() == '\r' || line.back() == '\n')) line.remove_suffix(1);
+  return line;
+}
+
+HeadLines lines_of(std::string_view head) {
+  HeadLines lines;
+  std::size_t at = byte_order_mark(head), number = 1;
+  for (; at < head.size() && lines.second.empty(); ++number) {
+    const std::size_t end = std::min(head.find('\n', at), head.size());
+    const std::string_view line = without_end(head.substr(at, end - at));
+    const std::size_t text = line.find_first_not_of(" \t");
+    if (text != std::string_view::npos && line[text] == '#') {
+      if (lines.first.empty()) lines.comments.push_back(line.substr(text + 1));
+    } else if (text != std::string_view::npos && lines.first.empty()) {
+      lines.first = line;
+      lines.first_byte = at;
+      lines.first_line = number;
+    } else if (text != std::string_view::npos) {
+      lines.second = line;
+      lines.second_byte = at;
+      lines.second_line = number;
+    }
+    at = end + 1;
+  }
+  return lines;
+}
+
+bool is_row_of_numbers(std::string_view line) {
+  double number = 0.0;
+  const std::vector<std::string> fields = fields_of(line, separator_of(line));
+  return !fields.empty() && std::ranges::all_of(fields, [&](const std::string& field) {
+    return field.empty() || is_number_text(field, number);
+  });
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Returns the number after `word` in a comment: "framerate: 25 fps".
+std::optional<double> number_after(const std::string& comment, std::string_view word) {
+  std::size_t at = comment.find(word);
+  if (at == std::string::npos) return {};
+  at = comment.find_first_of("0123456789.", at + word.size());
+  if (at == std::string::npos) return {};
+  double number = 0.0;
+  const char* const end = comment.data() + comment.size();
+  const bool is_rate = read_number(comment.data() + at, end, number) != nullptr && number > 0.0 && number <= 10'000.0;
+  return is_rate ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> metres_of(const std::string& unit) {
+  if (unit == "m") return 1.0;
+  if (unit == "cm") return 0.01;
+  if (unit == "mm") return 0.001;
+  if (unit == "km") return 1000.0;
+  if (unit == "ft") return 0.3048;
+  if (unit == "in") return 0.0254;
+  return {};
+}
+
+double units_a_second(const std::string& unit) {
+  if (unit == "ms") return 1e3;
+  if (unit == "us") return 1e6;
+  if (unit == "ns") return 1e9;
+  if (unit == "min") return 1.0 / 60.0;
+  return 1.0;
+}
+
+/// Takes what the names of columns say of units, and which columns there are.
+void take_columns(const TableLayout& layout, RowFacts& facts) {
+  const TableColumn* const time = layout.column_of(TrackField::time);
+  facts.has_frames = time == nullptr;
+  if (time != nullptr) facts.times_a_second = units_a_second(time->unit);
+  if (const auto metres = metres_of(layout.column_of(TrackField::x)->unit)) {
+    facts.unit = metres;
+    facts.said.push_back("The header says that x is in " + layout.column_of(TrackField::x)->unit + ".");
+  }
+  facts.has_z = layout.has(TrackField::z);
+  if (layout.has(TrackField::direction_x) && layout.has(TrackField::direction_y)) {
+    facts.angle = AngleMeaning::heading;
+  } else if (const TableColumn* const angle = layout.column_of(TrackField::angle)) {
+    facts.angle = angle->unit.starts_with("deg")   ? AngleMeaning::degrees
+                  : angle->unit.starts_with("rad") ? AngleMeaning::radians
+                                                   : AngleMeaning::unknown;
+  }
+}
+
+TableLayout layout_without_header(std::initializer_list<TrackField> fields) {
+  TableLayout layout;
+  static constexpr const char* names[] = {"",      "id",          "time",        "frame",    "x",     "y",    "z",
+                                          "angle", "direction x", "direction y", "end time", "end x", "end y"};
+  for (const TrackField field : fields) {
+    layout.columns.push_back({field, names[static_cast<std::size_t>(field)], {}});
+  }
+  return layout;
+}
+
+/// Takes what comments say: frame rate and unit.
+void take_comments(const HeadLines& lines, RowFacts& facts) {
+  for (const std::string_view line : lines.comments) {
+    const std::string comment = lower_case(line);
+    for (const std::string_view word : {"framerate", "frame rate", "fps"}) {
+      if (!facts.rate) facts.rate = number_after(comment, word);
+    }
+    if (facts.unit) continue;
+    if (comment.find("x/cm") != std::string::npos || comment.find("in cm") != std::string::npos) facts.unit = 0.01;
+    if (comment.find("x/m") != std::string::npos || comment.find("in m") != std::string::npos) facts.unit = 1.0;
+    if (facts.unit) facts.said.push_back(*facts.unit < 1.0 ? "A comment says centimetres." : "A comment says metres.");
+  }
+}
+
+/// Returns the layout that a comment such as "# id frame x/m y/m z/m" names.
+std::optional<TableLayout> layout_in_comments(const HeadLines& lines) {
+  for (const std::string_view comment : lines.comments) {
+    TableLayout layout = layout_of_header(comment);
+    const bool is_short = layout.columns.size() <= fields_of(lines.first, separator_of(lines.first)).size();
+    if (is_short && missing_fields(layout).empty()) return layout;
+  }
+  return {};
+}
+
+TextFormat archive_text(const HeadLines& lines, std::size_t columns) {
+  TextFormat format;
+  RowFacts& facts = format.facts;
+  using enum TrackField;
+  std::optional<TableLayout> named = layout_in_comments(lines);
+  TableLayout layout = named         ? *named
+                       : columns > 4 ? layout_without_header({id, frame, x, y, z})
+                                     : layout_without_header({id, frame, x, y});
+  layout.separator = separator_of(lines.first);
+  const bool is_jupedsim = layout.has(angle);  // its text has the ground's height where the archive has the head's
+  take_comments(lines, facts);
+  take_columns(layout, facts);
+  if (is_jupedsim && facts.angle == AngleMeaning::unknown) facts.angle = AngleMeaning::degrees;
+  facts.format = is_jupedsim ? "JuPedSim text" : "text of the Jülich archive";
+  facts.z_is_head = facts.has_z && !is_jupedsim;
+  facts.tells_unit = true;
+  format.parser = std::make_unique<TableParser>(std::move(layout));
+  return format;
+}
+
+TextFormat street_matrix(std::size_t /*columns*/) {
+  TextFormat format;
+  using enum TrackField;
+  TableLayout layout = layout_without_header({frame, id, x, z, y});
+  layout.whole_ids = true;
+  take_columns(layout, format.facts);
+  format.facts.format = "ETH/UCY matrix (obsmat)";
+  format.facts.rate_rule = RateRule::annotated;
+  format.parser = std::make_unique<TableParser>(std::move(layout));
+  return format;
+}
+
+Result<TextFormat> table_without_header(const HeadLines& lines) {
+  const std::size_t columns = fields_of(lines.first, separator_of(lines.first)).size();
+  const bool has_blanks = separator_of(lines.first) == ' ' || separator_of(lines.first) == '\t';
+  const bool is_named = layout_in_comments(lines).has_value();
+  if (is_named || (has_blanks && (columns == 4 || columns == 5))) return archive_text(lines, columns);
+  if (has_blanks && (columns == 7 || columns == 8)) return street_matrix(columns);
+  return Error{"line " + std::to_string(lines.first_line) + ": rows of " + counted(columns, "number") +
+               " without a header; put a line before them that names the columns, such as id,frame,x,y"};
+}
+
+Error unnamed(const HeadLines& lines, const std::string& missing) {
+  std::vector<std::string> names;
+  for (const std::string& field : fields_of(lines.first, separator_of(lines.first))) {
+    if (names.size() < 20) names.push_back("\"" + field.substr(0, 30) + "\"");
+  }
+  return {"line " + std::to_string(lines.first_line) + ": its columns are " + joined(names, ", ", " and ") +
+          ", of which none is " + missing + "; name them so"};
+}
+
+/// Reads tables of SUMO: people, and vehicles where there are no people.
+TextFormat sumo_table(std::string_view header) {
+  const bool has_people = has_columns_of(header, "person"), has_vehicles = has_columns_of(header, "vehicle");
+  const auto parser = [&](const char* prefix, RowFacts* facts) {
+    TableLayout layout = layout_of_header(header, prefix);
+    layout.may_be_empty = true;
+    if (facts != nullptr) take_columns(layout, *facts);
+    return std::make_unique<TableParser>(std::move(layout));
+  };
+  TextFormat format;
+  format.parser = parser(has_people ? "person_" : "vehicle_", &format.facts);
+  if (has_people && has_vehicles) format.otherwise = parser("vehicle_", nullptr);
+  format.facts.format = "SUMO FCD table";
+  if (format.facts.angle != AngleMeaning::none) format.facts.angle = AngleMeaning::compass;
+  return format;
+}
+
+Result<TextFormat> table_with_header(const HeadLines& lines) {
+  if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines.first);
+  TableLayout layout = layout_of_header(lines.first);
+  if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
+  TextFormat format;
+  take_columns(layout, format.facts);
+  const bool is_vadere = layout.has(TrackField::end_time) || lower_case(lines.first).find("-pid") != std::string::npos;
+  if (is_vadere) {
+    format.facts.format = "Vadere";
+    format.facts.repeats_ends = true;
+  } else {
+    format.facts.format = "table with a header";
+    take_comments(lines, format.facts);
+  }
+  format.parser = std::make_unique<TableParser>(std::move(layout));
+  return format;
+}
+
+Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::size_t line) {
+  if (!format) return format;
+  format->body = body;
+  format->body_line = line;
+  return format;
+}
+
+}  // namespace
+
+std::size_t byte_order_mark(std::string_view head) { return head.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+
+std::string why_no_text(std::string_view head) {
+  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
+  if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
+  if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";
+  if (const std::size_t zero = head.find('\0'); zero != std::string_view::npos) {
+    const bool is_wide = head.size() > 3 && (head[1] == '\0') != (head[0] == '\0');
+    return is_wide ? "it is UTF-16; save it as UTF-8"
+                   : "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
+  }
+  return {};
+}
+
+Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*options*/) {
+  if (const std::string why = why_no_text(head); !why.empty()) return Error{why};
+  const HeadLines lines = lines_of(head);
+  if (lines.first.empty()) {
+    return Error{head.empty() ? "it is empty; name a file with rows" : "it has no rows; name a file with some"};
+  }
+  const std::size_t text = lines.first.find_first_not_of(" \t");
+  if (lines.first[text] == '{') return with_body(ndjson_format(lines.first), lines.first_byte, lines.first_line);
+  if (is_row_of_numbers(lines.first)) {
+    return with_body(table_without_header(lines), lines.first_byte, lines.first_line);
+  }
+  const std::size_t body = lines.second.empty() ? head.size() : lines.second_byte;
+  return with_body(table_with_header(lines), body, lines.second.empty() ? lines.first_line + 1 : lines.second_line);
+}
+
+}  // namespace throng::app

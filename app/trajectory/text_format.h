@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+
+namespace throng::app {
+
+/// A format whose rows are lines, and how to read them.
+struct TextFormat {
+  RowFacts facts;
+  std::unique_ptr<LineParser> parser;
+  std::unique_ptr<LineParser> otherwise;  ///< reads the rows where `parser` finds none; often null
+  std::size_t body = 0;                   ///< the byte at which rows begin
+  std::size_t body_line = 1;              ///< its line
+};
+
+/// Tells a text apart by its first lines, which `head` holds up to its last newline or the file's end.
+/// The error is the end of a sentence that begins with the file's name.
+Result<TextFormat> text_format_of(std::string_view head, const TrackReading& options);
+
+/// Returns why bytes are no text that can be read, and what to do; empty if they may be.
+std::string why_no_text(std::string_view head);
+
+/// Returns how many bytes a mark of UTF-8 at the front takes.
+std::size_t byte_order_mark(std::string_view head);
+
+}  // namespace throng::app

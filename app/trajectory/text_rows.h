@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+#include "app/trajectory/text_format.h"
+
+namespace throng::app {
+
+/// A format is told apart by so many bytes.
+inline constexpr std::size_t head_bytes = std::size_t{64} << 10U;
+
+/// Returns the beginning of a file, up to a newline: enough to tell its format.
+Result<std::string> read_head(const std::string& file);
+
+/// Reads all rows of a text into `tracks`: its blocks, on as many threads as help.
+/// Errors begin with the file's name.
+Status read_rows(const std::string& file, const TextFormat& format, const TrackReading& options,
+                 const ReadProgress& progress, RawTracks& tracks);
+
+/// Returns the error of a row: "FILE: line 7: ... , or skip such rows with --lenient".
+Error row_error(const std::string& file, const std::string& where, const std::string& fault);
+
+Error too_many_people(const std::string& file);
+
+}  // namespace throng::app

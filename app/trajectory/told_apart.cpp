@@ -1,0 +1,238 @@
+#include "app/trajectory/told_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "app/files/joined.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::size_t most_steps = 50'000;
+
+/// A step of somebody from a row to the next.
+struct SampledStep {
+  double time, x, y;
+  float angle;
+};
+
+/// Steps of the first people of the file.
+std::vector<SampledStep> sample_steps(const RawTracks& tracks) {
+  std::vector<const RawRow*> last(std::min<std::size_t>(tracks.tables.front().size(), 2000));
+  std::vector<SampledStep> steps;
+  for (const RowBlock& block : tracks.blocks) {
+    for (const RawRow& row : block.rows) {
+      if (row.person >= last.size()) continue;
+      const RawRow* const before = std::exchange(last[row.person], &row);
+      if (before == nullptr || before->time >= row.time) continue;
+      steps.push_back({row.time - before->time, row.x - before->x, row.y - before->y, before->angle});
+      if (steps.size() == most_steps) return steps;
+    }
+  }
+  return steps;
+}
+
+/// The value that such a share of them lie below; 0 of none.
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
+double step_time(const std::vector<SampledStep>& steps) {
+  std::vector<double> times;
+  for (const SampledStep& step : steps) times.push_back(step.time);
+  return percentile(std::move(times), 0.5);
+}
+
+/// Units that people go in a unit of time, of all that move, at a percentile.
+double pace(const std::vector<SampledStep>& steps, double share) {
+  std::vector<double> paces;
+  for (const SampledStep& step : steps) paces.push_back(std::hypot(step.x, step.y) / step.time);
+  return percentile(std::move(paces), share);
+}
+
+/// A high percentile of z over the first rows: of heads, it is how tall people are.
+double high_z(const RawTracks& tracks, double share) {
+  std::vector<double> heights;
+  for (const RowBlock& block : tracks.blocks) {
+    for (const RawRow& row : block.rows) {
+      heights.push_back(static_cast<double>(row.z));
+      if (heights.size() == most_steps) return percentile(std::move(heights), share);
+    }
+  }
+  return percentile(std::move(heights), share);
+}
+
+/// Tells metres from centimetres.
+double unit_told(RawTracks& tracks, const std::vector<SampledStep>& steps) {
+  RowFacts& facts = tracks.facts;
+  const double tall = high_z(tracks, 0.5);
+  if (facts.z_is_head && tall > 50.0 && tall < 300.0) {
+    facts.said.push_back("Places are in centimetres: heads are " + fixed(tall, 0) + " high in the middle.");
+    return 0.01;
+  }
+  if (facts.z_is_head && tall > 0.5 && tall < 3.0) {
+    facts.said.push_back("Places are in metres: heads are " + fixed(tall, 2) + " high in the middle.");
+    return 1.0;
+  }
+  const double fast = pace(steps, 0.95) * facts.rate.value_or(25.0);
+  const bool is_centimetres = fast > 15.0;
+  facts.said.push_back(
+      is_centimetres
+          ? "Places are in centimetres: in metres, people would go " + fixed(fast, 0) + " m/s; --unit overrules it."
+          : "Places are taken as metres: people go up to " + fixed(fast, 1) + " m/s; --unit overrules it.");
+  return is_centimetres ? 0.01 : 1.0;
+}
+
+double unit_of(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps) {
+  if (options.metres_a_unit) return *options.metres_a_unit;
+  if (tracks.facts.unit) return *tracks.facts.unit;
+  return tracks.facts.tells_unit ? unit_told(tracks, steps) : 1.0;
+}
+
+/// Frames a second of a file that does not say it.
+double rate_told(RawTracks& tracks, const std::vector<SampledStep>& steps, double metres_a_unit) {
+  RowFacts& facts = tracks.facts;
+  const double step = std::max(step_time(steps), 1e-9);
+  if (facts.rate_rule == RateRule::annotated) {
+    const double rows = tracks.scene_rate > 0.0 ? tracks.scene_rate : 2.5;
+    facts.said.push_back(std::string(tracks.scene_rate > 0.0 ? "The file says" : "Such files have") + " a row of " +
+                         "somebody every " + fixed(1.0 / rows, 2) + " s, which is " + fixed(step, 0) + " frames, so " +
+                         fixed(rows * step, 1) + " frames are a second; --fps overrules it.");
+    return rows * step;
+  }
+  constexpr double usual = 25.0, other = 16.0, too_fast = 2.0;
+  const double speed = pace(steps, 0.5) * metres_a_unit * usual;
+  if (speed > too_fast) {
+    facts.said.push_back("The file does not say its frame rate: 16 a second are taken, for people would go " +
+                         fixed(speed, 1) + " m/s with 25; --fps overrules it.");
+    return other;
+  }
+  facts.said.push_back("The file does not say its frame rate: 25 a second are taken, with which people go " +
+                       fixed(speed, 1) + " m/s; --fps overrules it.");
+  return usual;
+}
+
+double frames_a_second(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps,
+                       double metres_a_unit) {
+  if (options.fps) return *options.fps;
+  if (tracks.facts.rate) {
+    tracks.facts.said.push_back("The file says " + fixed(*tracks.facts.rate, 2) + " frames a second.");
+    return *tracks.facts.rate;
+  }
+  return rate_told(tracks, steps, metres_a_unit);
+}
+
+/// How well angles agree with the ways that people go: 1 if they look ahead, -1 if they look back. NaN if nobody goes.
+double agreement(const std::vector<SampledStep>& steps, AngleMeaning meaning, double least_pace) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const SampledStep& step : steps) {
+    const double way = std::hypot(step.x, step.y);
+    if (!std::isfinite(step.angle) || way / step.time < least_pace) continue;
+    double angle = static_cast<double>(step.angle);
+    if (meaning != AngleMeaning::radians) angle *= degree;
+    if (meaning == AngleMeaning::compass) angle = std::numbers::pi / 2.0 - angle;
+    sum += std::cos(angle - std::atan2(step.y, step.x));
+    ++count;
+  }
+  return count < 10 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
+}
+
+/// The largest angle of the file, without its sign.
+double largest_angle(const RawTracks& tracks) {
+  float largest = 0.0F;
+  for (const RowBlock& block : tracks.blocks) {
+    for (const RawRow& row : block.rows) {
+      if (std::abs(row.angle) > largest) largest = std::abs(row.angle);  // false for NaN
+    }
+  }
+  return static_cast<double>(largest);
+}
+
+Result<AngleMeaning> angle_told(RawTracks& tracks, const std::vector<SampledStep>& steps, double least_pace) {
+  const double largest = largest_angle(tracks);
+  std::vector<std::string>& said = tracks.facts.said;
+  if (largest > 2.0 * std::numbers::pi + 0.01) {
+    said.push_back("Angles are in degrees: they go up to " + fixed(largest, 0) + ".");
+    return AngleMeaning::degrees;
+  }
+  if (largest == 0.0) return AngleMeaning::degrees;
+  const double degrees = agreement(steps, AngleMeaning::degrees, least_pace);
+  const double radians = agreement(steps, AngleMeaning::radians, least_pace);
+  if (std::isnan(radians) || std::abs(radians - degrees) < 0.2) {
+    return Error{"its angles go up to " + fixed(largest, 2) +
+                 ", which may be degrees or radians; say which with --angle degrees or --angle radians"};
+  }
+  const bool is_radians = radians > degrees;
+  said.push_back(std::string("Angles are in ") + (is_radians ? "radians" : "degrees") +
+                 ": so they agree with the ways that people go.");
+  return is_radians ? AngleMeaning::radians : AngleMeaning::degrees;
+}
+
+Result<AngleMeaning> angle_of(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps,
+                              double least_pace) {
+  AngleMeaning meaning = tracks.facts.angle;
+  if (meaning == AngleMeaning::none || meaning == AngleMeaning::heading) return meaning;
+  if (options.angle == TrackAngle::degrees && meaning != AngleMeaning::compass) meaning = AngleMeaning::degrees;
+  if (options.angle == TrackAngle::radians) meaning = AngleMeaning::radians;
+  if (meaning == AngleMeaning::unknown) {
+    const auto told = angle_told(tracks, steps, least_pace);
+    if (!told) return told;
+    meaning = *told;
+  }
+  if (const double agreed = agreement(steps, meaning, least_pace); agreed < 0.0) {
+    tracks.facts.said.push_back(
+        "Angles are taken " +
+        std::string(meaning == AngleMeaning::compass ? "clockwise from north" : "counterclockwise from +x") +
+        ", but people do not go where they point: they agree by " + fixed(agreed, 2) + " on the average.");
+  }
+  return meaning;
+}
+
+bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_unit) {
+  if (!tracks.facts.has_z || options.height == TrackHeight::ground) return false;
+  const double high = high_z(tracks, 0.95) * metres_a_unit, low = high_z(tracks, 0.05) * metres_a_unit;
+  std::vector<std::string>& said = tracks.facts.said;
+  const bool could_be = low > 0.9 && high < 2.3;
+  if (options.height == TrackHeight::head) return true;
+  if (!tracks.facts.z_is_head) {
+    if (could_be) {
+      said.push_back("z is taken as the ground, but it lies between " + fixed(low, 2) + " and " + fixed(high, 2) +
+                     " m, as heads do; --height head takes it so.");
+    }
+    return false;
+  }
+  const bool is_head = high > 0.5 && high < 2.5;
+  if (is_head) {
+    said.push_back("z is the height of heads: 95 of 100 rows are below " + fixed(high, 2) + " m.");
+  } else {
+    said.push_back("z cannot be the height of heads, for 95 of 100 rows are below " + fixed(high, 2) +
+                   " m; it is taken as the ground.");
+  }
+  return is_head;
+}
+
+}  // namespace
+
+Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options) {
+  const std::vector<SampledStep> steps = sample_steps(tracks);
+  RowScale scale;
+  scale.metres_a_unit = unit_of(tracks, options, steps);
+  scale.times_a_second = tracks.facts.has_frames ? frames_a_second(tracks, options, steps, scale.metres_a_unit)
+                                                 : tracks.facts.times_a_second;
+  constexpr double least_speed = 0.3;  // metres a second: slower people look anywhere
+  const auto angle = angle_of(tracks, options, steps, least_speed / (scale.times_a_second * scale.metres_a_unit));
+  if (!angle) return angle.error();
+  scale.angle = *angle;
+  scale.z_is_head = z_is_head(tracks, options, scale.metres_a_unit);
+  return scale;
+}
+
+}  // namespace throng::app

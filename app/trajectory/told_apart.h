@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+
+namespace throng::app {
+
+/// What the file's numbers mean, once it is known.
+struct RowScale {
+  double times_a_second = 1.0;  ///< seconds, milliseconds or frames
+  double metres_a_unit = 1.0;
+  AngleMeaning angle = AngleMeaning::none;  ///< never unknown
+  bool z_is_head = false;
+};
+
+/// Tells apart what neither the file nor the options say, by how people move and by their heights, and adds what was
+/// told to facts.said. Rows have numbers of tables.front(). The error is the end of a sentence.
+Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options);
+
+}  // namespace throng::app

@@ -107,8 +107,8 @@ class CaseReader {
 
   Complaint read(RegressionCase& into) const {
     if (Complaint complaint =
-            unknown_key_in(json_, {"name", "models", "preset", "scene", "recording", "agents", "frame", "camera",
-                                   "size", "context", "tolerance", "options", "expected"})) {
+            unknown_key_in(json_, {"name", "models", "preset", "scene", "recording", "trajectories", "agents", "frame",
+                                   "camera", "size", "context", "tolerance", "options", "expected"})) {
       return complaint;
     }
     if (Complaint complaint = read_words(into.words)) return complaint;
@@ -142,6 +142,7 @@ class CaseReader {
         {"preset", {"--preset", any_text(unchecked)}},
         {"scene", {"--scene", scene}},
         {"recording", {"--replay", file_name(unchecked)}},
+        {"trajectories", {"--trajectories", file_name(unchecked)}},
         {"agents", {"--agents", agents}},
         {"frame", {"--frames", whole_number(options.frames, 1, std::numeric_limits<int>::max())}},
         {"camera", {"--camera", camera(options)}},

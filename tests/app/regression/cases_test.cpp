@@ -36,6 +36,12 @@ TEST(Cases, RepeatARecording) {
   EXPECT_THAT(all.cases[0].words, ElementsAre("--replay", "run.rec", "--frames", "3"));
 }
 
+TEST(Cases, ShowARecordedCrowd) {
+  const RegressionCases all =
+      good(R"({"cases": [{"name": "one", "trajectories": "people.csv", "options": ["--fps", "25"]}]})");
+  EXPECT_THAT(all.cases[0].words, ElementsAre("--trajectories", "people.csv", "--fps", "25"));
+}
+
 TEST(Cases, HaveWhatTheyLeaveOpenFromTheDefaults) {
   const RegressionCases all = good(R"({"defaults": {"agents": 4, "size": "8x8", "context": "both", "models": "a.glb"},
                                        "cases": [{"name": "one"}, {"name": "two", "agents": 5, "context": "osmesa"}]})");
@@ -106,8 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
               "case 2 \"a\": another case has that name; give each its own"},
         Wrong{"UnknownKeyOfACase", CASE(R"("scenne": "grid")"),
               "case 2 \"b\": unknown key \"scenne\"; is \"scene\" meant?"},
-        Wrong{"Scene", CASE(R"("scene": "moon")"),
-              "case 2 \"b\": \"scene\" must be plaza, parade, "},
+        Wrong{"Scene", CASE(R"("scene": "moon")"), "case 2 \"b\": \"scene\" must be plaza, parade, "},
         Wrong{"Agents", CASE(R"("agents": 0)"), "case 2 \"b\": \"agents\" must be a whole number, 1 to 100000"},
         Wrong{"AgentsInTheDefaults", R"({"defaults": {"agents": 0}, "cases": [{"name": "a"}]})",
               "defaults: \"agents\" must be a whole number, 1 to 100000"},

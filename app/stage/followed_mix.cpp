@@ -10,7 +10,7 @@ namespace throng::app {
 namespace {
 
 constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, and from it to the next
-constexpr float least_seen_weight = 0.002F;            // what weighs less is not seen
+constexpr float least_seen_weight = 0.002F;                 // what weighs less is not seen
 
 anim::MarkedClip marked(const anim::BakedClip& clip) {
   return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};

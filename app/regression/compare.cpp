@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 namespace throng::app {
 namespace {
@@ -58,12 +59,18 @@ std::array<int, 3> heat_of(int steps) {
 
 int dimmed_grey(const std::uint8_t* pixel) { return 40 + (pixel[0] * 2 + pixel[1] * 5 + pixel[2]) / 20; }
 
+/// A ring of white around one of magenta is seen on any picture.
 void frame_block(Image& picture, int left, int top) {
-  constexpr std::array<int, 3> magenta{255, 0, 255};
-  for (int i = -1; i <= block_edge; ++i) {
-    for (const auto& [x, y] : {std::pair{left + i, top - 1}, std::pair{left + i, top + block_edge},
-                               std::pair{left - 1, top + i}, std::pair{left + block_edge, top + i}}) {
-      if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) paint(picture.pixel(x, y), magenta);
+  constexpr std::array<int, 3> magenta{255, 0, 255}, white{255, 255, 255};
+  for (int away = 1; away <= 3; ++away) {
+    const int edge = block_edge + 2 * away - 1;  // between two sides of the ring
+    for (int i = 0; i <= edge; ++i) {
+      const int x = left - away, y = top - away;
+      for (const auto& [px, py] :
+           {std::pair{x + i, y}, std::pair{x + i, y + edge}, std::pair{x, y + i}, std::pair{x + edge, y + i}}) {
+        if (px < 0 || py < 0 || px >= picture.width || py >= picture.height) continue;
+        paint(picture.pixel(px, py), away == 3 ? white : magenta);
+      }
     }
   }
 }

@@ -86,7 +86,9 @@ void put_pair(PageWriter& page, const CaseOutcome& outcome) {
       "<div class=\"divider\"></div><span class=\"side left\">expected</span>"
       "<span class=\"side right\">actual</span></div>"
       "<input class=\"slide\" type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" "
-      "aria-label=\"where the expected picture ends\"></div></div></div>");
+      "aria-label=\"where the expected picture ends\">"
+      "<p class=\"key\">Grey is the same, blue a step of 255, yellow 32, red 64 and more. The frame is around the "
+      "worst block.</p></div></div></div>");
 }
 
 /// Pictures of two sizes, which cannot lie on each other, or the only one that there is.

@@ -42,7 +42,7 @@ button[aria-pressed=true] { border-color: var(--mark); color: var(--mark); font-
 [data-shown=slider] .actual { clip-path: inset(0 0 0 var(--at, 50%)); }
 [data-shown=expected] .actual, [data-shown]:not([data-shown=difference]) .difference,
 [data-shown]:not([data-shown=heat]) .heat, [data-shown]:not([data-shown=slider]) .divider,
-[data-shown]:not([data-shown=slider]) .side, [data-shown]:not([data-shown=slider]) ~ .slide { display: none; }
+[data-shown]:not([data-shown=slider]) .side, [data-shown]:not([data-shown=slider]) ~ .slide, [data-shown]:not([data-shown=heat]) ~ .key { display: none; }
 [data-shown=slider] { cursor: ew-resize; touch-action: pan-y; }
 .divider { position: absolute; top: 0; bottom: 0; left: var(--at, 50%); width: 2px; margin-left: -1px;
   background: #fff; box-shadow: 0 0 3px #000; pointer-events: none; }
@@ -51,6 +51,7 @@ button[aria-pressed=true] { border-color: var(--mark); color: var(--mark); font-
 .side.left { left: 8px; } .side.right { right: 8px; }
 .slide { display: block; width: 100%; margin: 6px 0 0; accent-color: var(--mark); }
 .wide { overflow-x: auto; }
+.key { margin: 6px 0 0; color: var(--faint); font-size: 13px; }
 .origin, .command { margin: 8px 0 0; color: var(--faint); font-size: 13px; overflow-wrap: anywhere; }
 code { font: 13px/1.4 ui-monospace, monospace; }
 )css";

@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include <glm/geometric.hpp>
+
 #include "app/files/joined.h"
 
 namespace throng::app {
@@ -31,8 +33,11 @@ Words words_of(std::string_view name) {
   return words;
 }
 
+// A single letter is a whole word: the l of Strafe_L.
 bool any_begins_with(const Words& words, std::string_view beginning) {
-  return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(beginning); });
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return beginning.size() == 1 ? word == beginning : word.starts_with(beginning);
+  });
 }
 
 bool any_begins_with_one_of(const Words& words, std::span<const std::string_view> beginnings) {
@@ -43,9 +48,18 @@ struct RoleWords {
   Role role;
   std::vector<std::string_view> wanted;    // best first
   std::vector<std::string_view> unwanted;  // a name with such a word is another thing
+  std::vector<std::string_view> also{};    // a name without any of these words is another thing, too
 };
 
-const std::vector<std::string_view> not_straight_ahead{"back", "left", "right", "strafe", "jump", "stop", "start"};
+const std::vector<std::string_view> not_straight_ahead{"back",   "bwd",  "left", "right",
+                                                       "strafe", "jump", "stop", "start"};
+const std::vector<std::string_view> not_a_steady_step{"jump", "stop",  "start", "turn",   "crouch", "dodge", "roll",
+                                                      "dash", "climb", "stair", "attack", "hit",    "up",    "down"};
+
+std::vector<std::string_view> not_steady_nor(std::vector<std::string_view> others) {
+  others.insert(others.end(), not_a_steady_step.begin(), not_a_steady_step.end());
+  return others;
+}
 
 const std::vector<RoleWords>& vocabulary() {
   static const std::vector<RoleWords> words{
@@ -62,6 +76,34 @@ const std::vector<RoleWords>& vocabulary() {
        {"idle", "land", "start", "end", "attack", "walk", "run"}},
       {Role::clap, {"clap", "applau"}, {}},
       {Role::sit, {"sit", "seat"}, {"down", "up", "pose", "stand", "start", "stop"}},
+      {Role::walk_back,
+       {"walk", "step", "move", "strafe", "jog", "run"},
+       not_steady_nor({"left", "right", "l", "r"}),
+       {"back", "bwd"}},
+      {Role::step_left,
+       {"step", "strafe", "walk", "move", "jog", "run"},
+       not_steady_nor({"right", "r", "back", "bwd", "forward", "fwd"}),
+       {"left", "l"}},
+      {Role::step_right,
+       {"step", "strafe", "walk", "move", "jog", "run"},
+       not_steady_nor({"left", "l", "back", "bwd", "forward", "fwd"}),
+       {"right", "r"}},
+      {Role::shuffle,
+       {"shuffl", "slow"},
+       not_steady_nor({"back", "bwd", "left", "right", "strafe", "jog", "run", "danc"}),
+       {"shuffl", "walk"}},
+      {Role::step_in_place,
+       {"march", "step", "trampl", "mark"},
+       not_steady_nor({"left", "right"}),
+       {"place", "spot", "time"}},
+      {Role::veer_left,
+       {"veer", "diag", "forward", "fwd"},
+       not_steady_nor({"right", "r", "back", "bwd"}),
+       {"left", "l"}},
+      {Role::veer_right,
+       {"veer", "diag", "forward", "fwd"},
+       not_steady_nor({"left", "l", "back", "bwd"}),
+       {"right", "r"}},
   };
   return words;
 }
@@ -74,6 +116,7 @@ constexpr std::size_t another_thing = std::numeric_limits<std::size_t>::max();
 // Lower is plainer: first the word itself, then as few others beside it as possible ("Idle" before "Idle_Gun").
 std::size_t strangeness(const Words& words, const RoleWords& role) {
   if (any_begins_with_one_of(words, role.unwanted)) return another_thing;
+  if (!role.also.empty() && !any_begins_with_one_of(words, role.also)) return another_thing;
   for (std::size_t rank = 0; rank < role.wanted.size(); ++rank) {
     if (!any_begins_with(words, role.wanted[rank])) continue;
     const auto long_words = std::ranges::count_if(words, [](const auto& word) { return word.size() > 1; });
@@ -113,6 +156,24 @@ std::optional<Role> role_named(std::string_view name) {
 
 std::string known_roles() { return joined(role_names, ", ", " and "); }
 
+glm::dvec2 way_of(Role gait) {
+  constexpr double aside_of_veering = 0.316, ahead_of_veering = 0.949;  // one part aside to three ahead
+  switch (gait) {
+    case Role::walk_back:
+      return {0.0, -1.0};
+    case Role::step_left:
+      return {1.0, 0.0};
+    case Role::step_right:
+      return {-1.0, 0.0};
+    case Role::veer_left:
+      return {aside_of_veering, ahead_of_veering};
+    case Role::veer_right:
+      return {-aside_of_veering, ahead_of_veering};
+    default:
+      return {0.0, 1.0};
+  }
+}
+
 double CharacterRoles::ground_speed(Role gait) const {
   if (clip(gait) == no_clip) return 0.0;
   switch (gait) {
@@ -123,8 +184,14 @@ double CharacterRoles::ground_speed(Role gait) const {
     case Role::run:
       return run_speed;
     default:
-      return 0.0;
+      return glm::length(velocities[index_of(gait)]);
   }
+}
+
+glm::dvec2 CharacterRoles::velocity(Role gait) const {
+  const glm::dvec2& measured = velocities[index_of(gait)];
+  const double speed = ground_speed(gait);
+  return speed > 0.0 && measured != glm::dvec2(0.0) ? measured : glm::dvec2(0.0, speed);
 }
 
 std::optional<Role> CharacterRoles::playable(Role role) const {
@@ -150,7 +217,7 @@ CharacterRoles roles_by_name(std::span<const std::string> clip_names) {
 
   CharacterRoles roles;
   for (const RoleWords& role : vocabulary()) roles.clips[index_of(role.role)] = plainest(names, role);
-  for (const Role gait : {Role::jog, Role::run}) {  // what stands in for a walk is no faster one
+  for (const Role gait : {Role::jog, Role::run, Role::shuffle}) {  // what stands in for a walk is no other gait
     if (roles.clip(gait) == roles.clip(Role::walk)) roles.clips[index_of(gait)] = no_clip;
   }
   roles.others = clips_for_any_role(names);

@@ -10,17 +10,38 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 namespace throng::app {
 
 /// The things that a member of the crowd can do.
-enum class Role : std::uint8_t { stand, look_around, walk, jog, run, wave, cheer, clap, sit, other };
-inline constexpr std::size_t role_count = 9;  ///< roles that one clip fills; `other` is any clip
+enum class Role : std::uint8_t {
+  stand,
+  look_around,
+  walk,
+  jog,
+  run,
+  wave,
+  cheer,
+  clap,
+  sit,
+  walk_back,  // from here on for people who are led by a file of trajectories; no scene asks for them
+  step_left,
+  step_right,
+  shuffle,
+  step_in_place,
+  veer_left,
+  veer_right,
+  other
+};
+inline constexpr std::size_t role_count = 16;  ///< roles that one clip fills; `other` is any clip
 
 /// The names that `--clips`, the role file and the overlay use, in the order of Role.
-inline constexpr std::array<const char*, role_count> role_names = {"stand", "look_around", "walk", "jog", "run",
-                                                                   "wave",  "cheer",       "clap", "sit"};
+inline constexpr std::array<const char*, role_count> role_names = {
+    "stand", "look_around", "walk",      "jog",        "run",     "wave",          "cheer",     "clap",
+    "sit",   "walk_back",   "step_left", "step_right", "shuffle", "step_in_place", "veer_left", "veer_right"};
 std::optional<Role> role_named(std::string_view name);
-std::string known_roles();  ///< "stand, look_around, ... and sit"
+std::string known_roles();  ///< "stand, look_around, ... and veer_right"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
 /// A person's choice of the clip that plays a role; "none" is no clip at all.
@@ -46,6 +67,22 @@ struct Passage {
   double seconds = 0.0;
 };
 
+/// The roles that go somewhere, slowest ahead first.
+inline constexpr std::array<Role, 9> gait_roles = {Role::shuffle,    Role::walk,      Role::jog,
+                                                   Role::run,        Role::walk_back, Role::step_left,
+                                                   Role::step_right, Role::veer_left, Role::veer_right};
+
+/// Returns the way that a gait goes, as its name says: to the left and ahead. It has the length 1.
+glm::dvec2 way_of(Role gait);
+
+/// Metres a second to the left and ahead, by Role; 0 for what is no gait.
+using RoleVelocities = std::array<glm::dvec2, role_count>;
+constexpr RoleVelocities no_velocities() {
+  RoleVelocities velocities{};
+  velocities.fill(glm::dvec2(0.0));
+  return velocities;
+}
+
 inline constexpr double person_height = 1.8;  ///< metres; every distance of a scene is meant for this height
 
 /// Small animals stand at least so far apart, of what people do, because a place is made for people.
@@ -54,12 +91,13 @@ inline constexpr double least_spacing = 0.6;
 /// The clips of a character that the crowd plays for each role, and the body that it needs room for.
 struct CharacterRoles {
   RoleClips clips = no_clips();
-  std::vector<int> others;        ///< clips that agents play in place, in turns, where there is no clip to stand with
-  Passage sit_down, stand_up;     ///< into `sit` and out of it
-  double walk_speed = 0.0;        ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  double jog_speed = 0.0;         ///< the same for the jog; 0: agents that would jog walk
-  double run_speed = 0.0;         ///< the same for the run; 0: agents that would run jog or walk
-  double walk_seconds = 1.0;      ///< length of the walk clip: one left and one right step
+  std::vector<int> others;     ///< clips that agents play in place, in turns, where there is no clip to stand with
+  Passage sit_down, stand_up;  ///< into `sit` and out of it
+  double walk_speed = 0.0;     ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
+  double jog_speed = 0.0;      ///< the same for the jog; 0: agents that would jog walk
+  double run_speed = 0.0;      ///< the same for the run; 0: agents that would run jog or walk
+  RoleVelocities velocities = no_velocities();  ///< of the clips of gaits themselves, at scale 1; 0: nobody goes so
+  double walk_seconds = 1.0;                    ///< length of the walk clip: one left and one right step
   std::vector<double> turns;      ///< [clip] quarter turns a second to the left of its root motion; empty: none turns
   double height = person_height;  ///< metres
   double radius = 0.3;            ///< metres; radius of the body seen from above, arms down
@@ -79,8 +117,12 @@ struct CharacterRoles {
   /// distance of a scene is multiplied by it.
   double spacing() const { return std::max({size(), radius / 0.5, least_spacing}); }
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
-  /// Returns the metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
+  /// Returns the metres a second of a gait's clip at scale 1; 0 if there is no such clip, it stays in place, or it goes
+  /// another way than its role says.
   double ground_speed(Role gait) const;
+  /// Returns the same with its direction: metres a second to the left and ahead. A walk, jog or run goes ahead,
+  /// whatever its clip does.
+  glm::dvec2 velocity(Role gait) const;
   /// Returns the role that is played for `role`: itself, else the nearest one (run, jog, walk; sit or look_around,
   /// stand); nothing if that has no clip either.
   std::optional<Role> playable(Role role) const;

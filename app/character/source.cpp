@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "app/character/material_data.h"
 #include "app/character/morph_deltas.h"
 #include "app/character/packed.h"
@@ -48,6 +50,16 @@ std::vector<int> to_be_repeated(const anim::Character& character, const std::vec
 double gait_speed(const CharacterSource& source, Role gait) {
   const int clip = source.roles.clip(gait);
   return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
+}
+
+// A clip that goes another way than its role says is no such gait.
+glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
+  constexpr double same_way = 0.7;  // the cosine of 45 degrees
+  const int clip = source.roles.clip(gait);
+  if (clip == no_clip) return glm::dvec2(0.0);
+  const glm::dvec2 velocity = anim::ground_velocity(*source.character, clip);
+  const glm::dvec2 way = way_of(gait);
+  return glm::dot(velocity, way) > same_way * glm::length(velocity) ? velocity : glm::dvec2(0.0);
 }
 
 // What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
@@ -227,6 +239,9 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
   const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
   roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;
   roles.run_speed = run > least_gain * std::max(roles.walk_speed, roles.jog_speed) ? run : 0.0;
+  for (const Role gait : gait_roles) roles.velocities[index_of(gait)] = gait_velocity(source, gait);
+  glm::dvec2& shuffle = roles.velocities[index_of(Role::shuffle)];
+  if (least_gain * glm::length(shuffle) > roles.walk_speed) shuffle = glm::dvec2(0.0);
   if (!roles.can_walk()) return;
   const auto walk = static_cast<std::size_t>(roles.clip(Role::walk));
   roles.walk_seconds = anim::to_seconds(source.character->clips[walk].duration);

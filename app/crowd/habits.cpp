@@ -71,6 +71,13 @@ constexpr Stay stays[] = {
     {2.5F, 6.0F},   // cheer
     {2.5F, 6.0F},   // clap
     {6.0F, 24.0F},  // sit
+    {8.0F, 24.0F},  // walk_back
+    {8.0F, 24.0F},  // step_left
+    {8.0F, 24.0F},  // step_right
+    {8.0F, 24.0F},  // shuffle
+    {8.0F, 24.0F},  // step_in_place
+    {8.0F, 24.0F},  // veer_left
+    {8.0F, 24.0F},  // veer_right
     {4.0F, 14.0F},  // other
 };
 static_assert(std::size(stays) == role_count + 1);

@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-void shuffle(std::vector<std::uint8_t>& numbers, Random& random) {
+void mix_up(std::vector<std::uint8_t>& numbers, Random& random) {
   for (std::size_t left = numbers.size(); left > 1; --left) {
     std::swap(numbers[left - 1], numbers[random.below(static_cast<std::uint32_t>(left))]);
   }
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> ShareDealer::deal(std::span<const std::uint8_t> number
     dealt.push_back(*std::ranges::max_element(numbers, {}, owed));
     owed_[dealt.back()] -= 1.0;
   }
-  shuffle(dealt, random);
+  mix_up(dealt, random);
   return dealt;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace throng::app {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double most_cycles_per_second = 2.2;  // of a sprinter: who is faster is carried
 constexpr float standing = 1e-3F;               // metres a second
+constexpr float steps_from = 0.12F;             // metres a second; who is slower stands in part
 constexpr float least_stride = 1e-3F;           // metres
 
 anim::BlendPlane plane_of(std::span<const StridePoint> points) {
@@ -27,7 +29,8 @@ void keep_slower(float& slowest, float speed) { slowest = slowest > 0.0F ? std::
 
 }  // namespace
 
-StridePlane::StridePlane(std::vector<StridePoint> points) : points_(std::move(points)), plane_(plane_of(points_)) {
+StridePlane::StridePlane(std::vector<StridePoint> points, Middle middle)
+    : points_(std::move(points)), middle_(middle), plane_(plane_of(points_)) {
   for (const StridePoint& point : std::span(points_).subspan(1)) {
     const glm::vec2 velocity = point.velocity;
     if (std::abs(velocity.x) > std::abs(velocity.y)) {
@@ -57,6 +60,7 @@ StridePlane::Stride StridePlane::stride(const glm::vec2& velocity) const {
     metres += share.weight * points_[share.point].velocity * static_cast<float>(points_[share.point].seconds);
   }
   const float length = std::max(glm::length(metres), least_stride);
+  stride.stands = 1.0F - glm::smoothstep(0.0F, steps_from, speed);
   stride.cycles_per_second = std::min(static_cast<double>(speed / length), most_cycles_per_second);
   return stride;
 }

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// A gait of a character, or the way that it stands.
+/// A gait of a character, or the way that it stands or steps on the spot.
 struct StridePoint {
   int clip = 0;
   glm::vec2 velocity{0.0F};  ///< metres a second at scale 1, aside (to the left) and ahead; 0: it stands
@@ -24,17 +24,23 @@ struct StridePoint {
 /// So somebody slower than the slowest gait moves by more of it than the share of the speed would be.
 class StridePlane {
  public:
-  /// `points` has at least one, the one that stands first. None has the velocity of another.
-  explicit StridePlane(std::vector<StridePoint> points);
+  /// How somebody is in the middle of the plane: stands, or steps on the spot, so that slow people lift their feet.
+  enum class Middle : unsigned char { stands, steps };
+
+  /// `points` has at least one, the middle first, whose velocity is 0. None has the velocity of another.
+  StridePlane(std::vector<StridePoint> points, Middle middle);
 
   struct Stride {
     anim::BlendPlane::Shares shares;
     double cycles_per_second = 0.0;
+    float stands = 1.0F;  ///< the share of standing still over what the other shares are: 1 at rest, 0 from a slow walk
   };
   /// `velocity`: metres a second at scale 1, aside and ahead.
   Stride stride(const glm::vec2& velocity) const;
 
   std::span<const StridePoint> points() const { return points_; }
+  /// Returns whether a point has feet that come down.
+  bool is_gait(std::size_t point) const { return point > 0 || middle_ == Middle::steps; }
   /// Returns the gait by whose stride cycles are counted: the first that moves; 0 where nobody does.
   std::size_t reference() const { return points_.size() > 1 ? 1 : 0; }
 
@@ -42,6 +48,7 @@ class StridePlane {
   float slowest(const glm::vec2& direction) const;
 
   std::vector<StridePoint> points_;
+  Middle middle_;
   anim::BlendPlane plane_;
   float slowest_ahead_ = 0.0F, slowest_back_ = 0.0F, slowest_aside_ = 0.0F;
 };

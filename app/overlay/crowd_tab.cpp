@@ -219,6 +219,16 @@ constexpr RoleRow role_rows[] = {
     {Role::cheer, "Cheer", "The clip of those who cheer, and of the stadium's wave."},
     {Role::clap, "Clap", "The clip of those who applaud."},
     {Role::sit, "Sit", "The clip of those who have a seat. Without one they stand."},
+    {Role::walk_back, "Walk back", "The clip of those who step back where a file of trajectories says so."},
+    {Role::step_left, "Step left", "The clip of those who step to their left where a file of trajectories says so."},
+    {Role::step_right, "Step right", "The clip of those who step to their right where a file of trajectories says so."},
+    {Role::shuffle, "Shuffle", "The clip of those who move on in a jam, where a file of trajectories says so."},
+    {Role::step_in_place, "Step in place",
+     "The clip of those who hardly get on, where a file of trajectories says so."},
+    {Role::veer_left, "Veer left",
+     "The clip of those who walk on and a little to their left, by a file of trajectories."},
+    {Role::veer_right, "Veer right",
+     "The clip of those who walk on and a little to their right, by a file of trajectories."},
 };
 
 void show_roles(const TabContext& context) {

@@ -52,7 +52,10 @@ std::optional<RecordedRequest> share(NumberReader& numbers) {
 
 RecordedRoles roles(NumberReader& numbers) {
   RecordedRoles roles{.character = numbers.next<std::uint32_t>()};
-  for (int& clip : roles.clips) clip = numbers.next<std::int32_t>();
+  for (int& clip : roles.clips) {
+    if (numbers.at_end()) break;  // an earlier version knew fewer roles
+    clip = numbers.next<std::int32_t>();
+  }
   return roles;
 }
 

@@ -130,7 +130,9 @@ void AnimatedCrowd::match_playback() {
 }
 
 void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {
-  if (stand) {
+  if (stand && track_players_) {
+    feet_->place(*crowd_, agent, is_shown, track_players_->planted(agent));
+  } else if (stand) {
     feet_->place(*crowd_, agent, is_shown);
   } else {
     feet_->let_go(agent);

@@ -10,7 +10,8 @@ namespace throng::app {
 namespace {
 
 constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, and from it to the next
-constexpr float least_seen_weight = 0.002F;                 // what weighs less is not seen
+constexpr float least_walk = 0.12F;                    // share of gaits below which no foot is lifted
+constexpr float least_seen_weight = 0.002F;            // what weighs less is not seen
 
 anim::MarkedClip marked(const anim::BakedClip& clip) {
   return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};
@@ -31,7 +32,8 @@ class MixWriter {
  public:
   MixWriter(const FollowedMoment& moment, const anim::Character& character) : moment_(moment), character_(character) {}
 
-  void add_gait(const StridePoint& gait, const StridePoint& reference, float weight, double cycles_per_second) {
+  /// Returns the phase of the gait's clip.
+  double add_gait(const StridePoint& gait, const StridePoint& reference, float weight, double cycles_per_second) {
     const anim::MarkedClip counted = marked(clip(reference.clip)), played = marked(clip(gait.clip));
     const double cycle = moment_.step.cycles - std::floor(moment_.step.cycles);
     const anim::FineTicks length = counted.duration * anim::fine_ticks_per_tick;
@@ -39,6 +41,7 @@ class MixWriter {
     const anim::MarkerMap::Place place = anim::MarkerMap(counted, played).at(at);
     const double speed = place.rate * cycles_per_second * anim::to_seconds(counted.duration) * moment_.rate;
     add(gait.clip, weight, place.position, speed, anim::StepVoice::follows);
+    return static_cast<double>(place.position) / static_cast<double>(played.duration * anim::fine_ticks_per_tick);
   }
 
   void add_rest(int rest, float weight) {
@@ -87,27 +90,55 @@ int rest_of(const CharacterRoles& roles, int stand, std::uint32_t person, std::i
   return look != no_clip && scrambled(person, turn) % in_all < looks_around ? look : stand;
 }
 
+int standing_clip(const CharacterRoles& roles) {
+  const int stand = roles.clip(Role::stand);
+  if (stand != no_clip) return stand;
+  return roles.others.empty() ? 0 : roles.others.front();
+}
+
+/// Adds ways to stand, one of which fades to the next every few seconds.
+void add_rests(const FollowedMoment& moment, const CharacterRoles& roles, float weight, MixWriter& writer) {
+  const double turns = moment.seconds / rest_seconds + 0.61 * static_cast<double>(moment.person);
+  const auto turn = static_cast<std::int64_t>(std::floor(turns));
+  const auto t = static_cast<float>(std::min((turns - std::floor(turns)) * rest_seconds / rest_fade, 1.0));
+  const float arrived = t * t * (3.0F - 2.0F * t);
+  const int stand = standing_clip(roles);
+  writer.add_rest(rest_of(roles, stand, moment.person, turn), weight * arrived);
+  writer.add_rest(rest_of(roles, stand, moment.person, turn - 1), weight * (1.0F - arrived));
+}
+
 }  // namespace
 
-FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const CharacterRoles& roles,
-                         const anim::Character& character) {
+FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const Stances& stances,
+                         const CharacterRoles& roles, const anim::Character& character) {
   MixWriter writer(moment, character);
   const StridePlane::Stride stride = plane.stride(moment.step.velocity);
   const std::span<const StridePoint> points = plane.points();
+  std::array<float, person_legs> planted{};
+  float walks = 0.0F, stands = stride.stands;
   for (const auto& share : stride.shares.all()) {
-    if (share.point > 0) {
-      writer.add_gait(points[share.point], points[plane.reference()], share.weight, stride.cycles_per_second);
+    const float weight = share.weight * (1.0F - stride.stands);
+    if (!plane.is_gait(share.point)) {
+      stands += weight;
       continue;
     }
-    const double turns = moment.seconds / rest_seconds + 0.61 * static_cast<double>(moment.person);
-    const auto turn = static_cast<std::int64_t>(std::floor(turns));
-    const double into = (turns - std::floor(turns)) * rest_seconds / rest_fade;
-    const auto t = static_cast<float>(std::min(into, 1.0));
-    const float arrived = t * t * (3.0F - 2.0F * t);
-    writer.add_rest(rest_of(roles, points[0].clip, moment.person, turn), share.weight * arrived);
-    writer.add_rest(rest_of(roles, points[0].clip, moment.person, turn - 1), share.weight * (1.0F - arrived));
+    if (weight < least_seen_weight) continue;
+    const double phase =
+        writer.add_gait(points[share.point], points[plane.reference()], weight, stride.cycles_per_second);
+    walks += weight;
+    for (std::size_t leg = 0; leg < person_legs; ++leg) {
+      planted[leg] += weight * stances.planted(share.point, leg, phase);
+    }
   }
-  return writer.finished();
+  if (stands > least_seen_weight) add_rests(moment, roles, stands, writer);
+  FollowedMix mix = writer.finished();
+  // Steps that are hardly seen are none, and both feet stand.
+  const float rests = 1.0F - std::min(walks / least_walk, 1.0F);
+  for (std::size_t leg = 0; leg < person_legs; ++leg) {
+    const float of_gaits = walks > 0.0F ? planted[leg] / walks : 1.0F;
+    mix.planted[leg] = std::min(of_gaits + rests, 1.0F);
+  }
+  return mix;
 }
 
 }  // namespace throng::app

@@ -7,6 +7,7 @@
 #include "app/character/roles.h"
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/track_steps.h"
+#include "app/stage/stances.h"
 #include "engine/anim/agent/clip_mix_channel.h"
 #include "engine/anim/bake/character.h"
 
@@ -25,13 +26,14 @@ struct FollowedMoment {
 struct FollowedMix {
   std::array<anim::MixedClip, anim::ClipMixChannel::most> of{};
   std::size_t count = 0;
+  std::array<float, person_legs> planted{};  ///< how firmly each foot stands, 0 to 1
 
   std::span<const anim::MixedClip> clips() const { return {of.data(), count}; }
 };
 
 /// Returns the clips of a moment: gaits by the velocity, all at the same place of the stride, and a way to stand, which
-/// changes every few seconds. `plane` is the one of the character, which has `roles`. Allocates nothing.
-FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const CharacterRoles& roles,
-                         const anim::Character& character);
+/// changes every few seconds. Plane, stances and roles are those of the character. Allocates nothing.
+FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const Stances& stances,
+                         const CharacterRoles& roles, const anim::Character& character);
 
 }  // namespace throng::app

@@ -68,7 +68,7 @@ bool PlacedFeet::give(std::uint32_t agent, bool is_shown) {
   return true;
 }
 
-void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
+void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown, std::span<const float> planted) {
   if (!give(agent, is_shown)) return;
   const bool begins = !std::exchange(now_.feet[agent].placed, true);
   [[maybe_unused]] const anim::Status placed =
@@ -76,6 +76,7 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
         const anim::JointMotion placement = placement_of(crowd, agent);
         feet.set_placement(placement);
         feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
+        for (int leg = 0; const float firmly : planted) feet.set_planted(leg++, firmly);
         if (begins) feet.set_weight(1.0F, is_shown ? fade : anim::Ticks{});
       });
   assert(placed && "the graph is as large as it was");

@@ -38,8 +38,9 @@ class PlacedFeet {
   void reset(std::size_t agents);
 
   /// Lets the feet of an agent stand where they came down. The feet of an agent that `is_shown` already fade to there.
-  /// Call it before an update of the agent with all bones, for the pose of now.
-  void place(const Crowd& crowd, std::uint32_t agent, bool is_shown);
+  /// Call it before an update of the agent with all bones, for the pose of now. `planted` says of each leg how firmly
+  /// it stands; without it, feet go by the height that the pose has them at.
+  void place(const Crowd& crowd, std::uint32_t agent, bool is_shown, std::span<const float> planted = {});
   /// Lets the feet of an agent go as the clip has them. Call it before the update.
   void let_go(std::uint32_t agent);
   /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.

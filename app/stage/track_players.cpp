@@ -5,16 +5,13 @@
 #include <cassert>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
-#include "app/stage/followed_mix.h"
+#include "app/character/gait_plane.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float least_apart = 0.1F;  // metres a second between two gaits
-
-FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, std::uint32_t agent, anim::Ticks ahead) {
+FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
+                   anim::Ticks ahead) {
   const Followers& followers = *followers_of(crowd);
   TrackClock clock = track_clock_of(crowd);
   advance(clock, anim::to_seconds(ahead));
@@ -23,28 +20,23 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, std::uint3
                               .rate = clock.rate,
                               .ahead = ahead,
                               .person = agent};
-  return followed_mix(moment, followers.plane(agent), source.roles, *source.character);
+  return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 
 }  // namespace
 
 StridePlane stride_plane_of(const CharacterSource& source) {
-  const CharacterRoles& roles = source.roles;
-  const int stand = roles.clip(Role::stand);
-  const int other = roles.others.empty() ? 0 : roles.others.front();
-  std::vector<StridePoint> points{{.clip = stand == no_clip ? other : stand}};
-  for (const Role gait : {Role::walk, Role::jog, Role::run}) {
-    const auto speed = static_cast<float>(roles.ground_speed(gait));
-    if (roles.clip(gait) == no_clip || speed <= 0.0F) continue;
-    const glm::vec2 velocity(0.0F, speed);
-    const auto is_near = [&](const StridePoint& point) {
-      return glm::distance(point.velocity, velocity) < least_apart;
-    };
-    if (std::ranges::any_of(points, is_near)) continue;
-    const anim::BakedClip& clip = source.character->clips[static_cast<std::size_t>(roles.clip(gait))];
-    points.push_back({.clip = roles.clip(gait), .velocity = velocity, .seconds = anim::to_seconds(clip.duration)});
+  const auto seconds_of = [&](int clip) {
+    return anim::to_seconds(source.character->clips[static_cast<std::size_t>(clip)].duration);
+  };
+  std::vector<StridePoint> points;
+  for (const GaitPoint& gait : gait_points(source.roles)) {
+    points.push_back({.clip = gait.clip, .velocity = gait.velocity, .seconds = seconds_of(gait.clip)});
   }
-  return StridePlane(std::move(points));
+  const int steps = source.roles.clip(Role::step_in_place);
+  if (steps == no_clip || points.size() < 2) return {std::move(points), StridePlane::Middle::stands};
+  points.front() = {.clip = steps, .velocity = glm::vec2(0.0F), .seconds = seconds_of(steps)};
+  return {std::move(points), StridePlane::Middle::steps};
 }
 
 TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
@@ -58,20 +50,28 @@ TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
 TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
                            std::span<const CharacterSource> characters)
     : system_(&system), crowd_(&crowd), characters_(characters) {
+  for (const CharacterSource& each : characters) stances_.emplace_back(*each.character, stride_plane_of(each));
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    const FollowedMix mix = mix_at(crowd, characters_[crowd.characters()[agent]], agent, {});
+    const FollowedMix mix = mix_of(agent, {});
     [[maybe_unused]] const auto added =
         system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix.clips()));
     assert(added && "clips of roles are those of the character");
   }
 }
 
+FollowedMix TrackPlayers::mix_of(std::uint32_t agent, anim::Ticks ahead) const {
+  const std::size_t character = crowd_->characters()[agent];
+  return mix_at(*crowd_, characters_[character], stances_[character], agent, ahead);
+}
+
+std::array<float, person_legs> TrackPlayers::planted(std::uint32_t agent) const { return mix_of(agent, {}).planted; }
+
 void TrackPlayers::set(std::span<const anim::AgentUpdate> updates) {
   for (const anim::AgentUpdate& update : updates) set(update.agent.number, update.look_ahead);
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
-  const FollowedMix mix = mix_at(*crowd_, characters_[crowd_->characters()[agent]], agent, ahead);
+  const FollowedMix mix = mix_of(agent, ahead);
   const anim::AgentView posed = std::as_const(*system_).agent(agent);
   [[maybe_unused]] const anim::Status changed = system_->agent(agent).change<anim::ClipMixChannel>(
       posed.channel_id(0), [&](anim::ClipMixChannel& channel) { channel.set(mix.clips()); });

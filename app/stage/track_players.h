@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
+#include "app/stage/followed_mix.h"
 #include "engine/anim/agent/animation_system.h"
 
 namespace throng::app {
@@ -28,12 +30,17 @@ class TrackPlayers {
   /// Allocates nothing.
   void set(std::span<const anim::AgentUpdate> updates);
 
+  /// Returns how firmly the feet of an agent stand now, 0 to 1 each.
+  std::array<float, person_legs> planted(std::uint32_t agent) const;
+
  private:
   void set(std::uint32_t agent, anim::Ticks ahead);
+  FollowedMix mix_of(std::uint32_t agent, anim::Ticks ahead) const;
 
   anim::AnimationSystem* system_;
   const Crowd* crowd_;
   std::span<const CharacterSource> characters_;
+  std::vector<Stances> stances_;  // [character]
 };
 
 }  // namespace throng::app

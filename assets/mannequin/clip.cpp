@@ -16,9 +16,28 @@ Clip sample(const Motion& motion) {
 }
 
 std::vector<Motion> make_motions() {
-  return {make_idle(), make_walk(),     make_cheer(),       make_wave(),           make_clap(),
-          make_jog(),  make_run(),      make_look_around(), make_turn(Side::left), make_turn(Side::right),
-          make_talk(), make_sit_down(), make_sit(),         make_stand_up(),       make_stumble()};
+  return {make_idle(),
+          make_walk(),
+          make_cheer(),
+          make_wave(),
+          make_clap(),
+          make_jog(),
+          make_run(),
+          make_look_around(),
+          make_turn(Side::left),
+          make_turn(Side::right),
+          make_talk(),
+          make_sit_down(),
+          make_sit(),
+          make_stand_up(),
+          make_stumble(),
+          make_walk_back(),
+          make_side_step(Side::left),
+          make_side_step(Side::right),
+          make_shuffle(),
+          make_step_in_place(),
+          make_veer(Side::left),
+          make_veer(Side::right)};
 }
 
 std::vector<Clip> make_clips() {

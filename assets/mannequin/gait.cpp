@@ -27,27 +27,31 @@ struct FootPlace {
 
 dvec3 pitched(dvec3 v, double pitch) { return glm::angleAxis(-pitch * degrees, dvec3(1, 0, 0)) * v; }
 
-/// The planted foot rolls over the heel's edge and then over the ball; the ground runs backwards below the body.
-FootPlace planted(const Gait& gait, double phase) {
+/// Metres a second over the ground, at least those of a shuffle: who steps on the spot lifts the feet as high.
+double lifting_speed(const Gait& gait) { return std::max(0.45, std::hypot(gait.speed, gait.aside)); }
+
+/// The planted foot rolls over the heel's edge and over the ball; the ground runs backwards below the body.
+FootPlace planted(const Gait& gait, Side side, double phase) {
   const double pitch = periodic_curve(gait.pitch, phase);
   const dvec3 pivot = pitch > 0 ? heel_from_ankle : ball_from_ankle();
   const dvec3 rolled = pivot - pitched(pivot, pitch);
-  const double ahead = gait.foot_flat + stride(gait) * (0.5 * gait.stance - phase);
+  const dvec3 gone = stride(gait) * (0.5 * gait.stance - phase);
+  const double outward = gait.foot_spread + (side == Side::left ? gone.x : -gone.x);
   const double turn = gait.toe_out * degrees;
-  return {{gait.foot_spread + std::sin(turn) * rolled.z, rolled.y, ahead + std::cos(turn) * rolled.z}, pitch};
+  return {{outward + std::sin(turn) * rolled.z, rolled.y, gait.foot_flat + gone.z + std::cos(turn) * rolled.z}, pitch};
 }
 
 /// From toe-off to strike, leaving and arriving nearly with the planted foot's velocity, but clear of the ground.
-FootPlace swung(const Gait& gait, double phase) {
+FootPlace swung(const Gait& gait, Side side, double phase) {
   constexpr double h = 1e-5;
   const double span = 1 - gait.stance;
-  const dvec3 peel(0, 0.19 * gait.speed * span, 0);
-  const dvec3 drop(0, -0.30 * gait.speed * span, 0);
+  const dvec3 peel(0, gait.peel * lifting_speed(gait) * span, 0);
+  const dvec3 drop(0, -gait.drop * lifting_speed(gait) * span, 0);
   const double t = (phase - gait.stance) / span;
-  const dvec3 off = planted(gait, gait.stance).offset;
-  const dvec3 on = planted(gait, 0).offset;
-  const dvec3 leaving = (off - planted(gait, gait.stance - h).offset) / h * span + peel;
-  const dvec3 arriving = (planted(gait, h).offset - on) / h * span * dvec3(1, 1, 0.92) + drop;
+  const dvec3 off = planted(gait, side, gait.stance).offset;
+  const dvec3 on = planted(gait, side, 0).offset;
+  const dvec3 leaving = (off - planted(gait, side, gait.stance - h).offset) / h * span + peel;
+  const dvec3 arriving = (planted(gait, side, h).offset - on) / h * span * dvec3(1, 1, 0.92) + drop;
   dvec3 offset(0, 6.75 * gait.swing_height * t * (1 - t) * (1 - t), 0);
   for (int axis = 0; axis < 3; ++axis) {
     offset[axis] += hermite(off[axis], leaving[axis], on[axis], arriving[axis], t);
@@ -55,17 +59,27 @@ FootPlace swung(const Gait& gait, double phase) {
   return {offset, periodic_curve(gait.pitch, phase)};
 }
 
+/// How much of the foot's pitch the toes take up: all of it on the ground. In the air they straighten until the strike,
+/// or, of a foot that comes down on its ball, until the middle of the way.
+double toe_share(const Gait& gait, double airborne) {
+  const bool lands_on_toes = periodic_curve(gait.pitch, 0) < 0;
+  const double straightened = lands_on_toes ? 4 * airborne * (1 - airborne) : airborne;
+  return 1 - straightened * straightened;
+}
+
 }  // namespace
 
-double stride(const Gait& gait) { return gait.speed * static_cast<double>(gait.frames) / key_rate; }
+dvec3 stride(const Gait& gait) {
+  return dvec3(gait.aside, 0, gait.speed) * static_cast<double>(gait.frames) / key_rate;
+}
 
 void step(Pose& pose, const Gait& gait, Side side, double phase) {
   const double own = phase - std::floor(phase);
-  const FootPlace place = own <= gait.stance ? planted(gait, own) : swung(gait, own);
+  const FootPlace place = own <= gait.stance ? planted(gait, side, own) : swung(gait, side, own);
   const dvec3 rest = skeleton()[joint_index("foot.L")].position;
   const double outward = side == Side::left ? place.offset.x : -place.offset.x;
   const double airborne = std::max(0.0, (own - gait.stance) / (1 - gait.stance));
-  const double bend = std::clamp(-place.pitch, 0.0, 55.0) * (1 - airborne * airborne);
+  const double bend = std::clamp(-place.pitch, 0.0, 55.0) * toe_share(gait, airborne);
   place_leg(pose, side, {{outward, rest.y + place.offset.y, place.offset.z}, place.pitch, gait.toe_out, bend});
 }
 
@@ -107,18 +121,18 @@ Pose stride_pose(const Gait& gait, double phase) {
   return pose;
 }
 
-namespace {
-
-Motion make_gait(const char* name, const Gait& gait) {
-  const auto pose = [gait](double phase) {
-    Pose posed = stride_pose(gait, phase + first_phase);
-    posed.root.z = stride(gait) * phase;
+Motion gait_clip(const char* name, const Gait& gait, const std::function<Pose(const Gait& gait, double phase)>& pose) {
+  const auto on_its_way = [gait, pose](double phase) {
+    Pose posed = pose(gait, phase + first_phase);
+    posed.root = stride(gait) * phase;
     return posed;
   };
-  return {name, gait.frames, true, pose, {{0.5 - first_phase, "footstep_right"}, {1.0 - first_phase, "footstep_left"}}};
+  return {name,
+          gait.frames,
+          true,
+          on_its_way,
+          {{0.5 - first_phase, "footstep_right"}, {1.0 - first_phase, "footstep_left"}}};
 }
-
-}  // namespace
 
 const Gait& walking() {
   static constexpr Gait walk{
@@ -147,7 +161,7 @@ const Gait& walking() {
   return walk;
 }
 
-Motion make_walk() { return make_gait("walk", walking()); }
+Motion make_walk() { return gait_clip("walk", walking(), stride_pose); }
 
 Motion make_jog() {
   constexpr Gait jog{.frames = 22,
@@ -172,7 +186,7 @@ Motion make_jog() {
                      .elbow = 80,
                      .elbow_swing = 12,
                      .curl = 32};
-  return make_gait("jog", jog);
+  return gait_clip("jog", jog, stride_pose);
 }
 
 Motion make_run() {
@@ -198,7 +212,7 @@ Motion make_run() {
                      .elbow = 92,
                      .elbow_swing = 16,
                      .curl = 38};
-  return make_gait("run", run);
+  return gait_clip("run", run, stride_pose);
 }
 
 }  // namespace throng::mannequin

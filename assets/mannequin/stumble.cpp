@@ -87,7 +87,7 @@ Pose trip(double share) {
     throw_arm(pose, side, own, time);
     step(pose, walking(), side, own);
   }
-  pose.root.z = stride(walking()) * (phase - first_phase);
+  pose.root = stride(walking()) * (phase - first_phase);
   return pose;
 }
 

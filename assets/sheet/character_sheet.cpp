@@ -1,11 +1,12 @@
 // throng_character_sheet FOLDER: the built-in character looked at from all sides, in pictures for people.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "assets/sheet/contact_sheet.h"
 #include "assets/sheet/studio.h"
@@ -53,9 +54,8 @@ render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float headi
                        .place = {column_place(column, pitch), 0.0F, 0.0F},
                        .heading = heading,
                        .tints = plain_clothes});
-    const glm::dvec3 travelled(root[0][3]);
-    const auto ahead = static_cast<float>(travelled.z);
-    figures.back().place -= glm::vec3(std::sin(heading) * ahead, 0.0F, std::cos(heading) * ahead);
+    const glm::vec3 gone(root[0][3]);
+    figures.back().place -= glm::angleAxis(heading, glm::vec3(0.0F, 1.0F, 0.0F)) * glm::vec3(gone.x, 0.0F, gone.z);
   }
   return studio.take({.width = 1000, .height = 220, .metres = 2.36F, .centre = {0.0F, 1.12F, 0.0F}, .shadows = false},
                      figures);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <span>
 
 #include "assets/sheet/contact_sheet.h"
@@ -46,6 +47,18 @@ std::vector<std::size_t> palette_bytes_by_level(const anim::Skeleton& skeleton) 
   return bytes;
 }
 
+std::vector<anim::PaletteMatrix> written(const std::vector<glm::dmat4>& palette) {
+  std::vector<anim::PaletteMatrix> rows(palette.size());
+  for (std::size_t entry = 0; entry < palette.size(); ++entry) {
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        rows[entry].rows[row][column] = static_cast<float>(palette[entry][column][row]);
+      }
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::unique_ptr<Studio> Studio::open() {
@@ -66,7 +79,8 @@ std::unique_ptr<Studio> Studio::open() {
   return studio;
 }
 
-std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
+std::vector<anim::PaletteMatrix> Studio::palette_of(const Figure& figure) const {
+  if (!figure.palette.empty()) return figure.palette;
   const anim::Skeleton& skeleton = character_.model.skeleton;
   if (figure.pose) {
     std::vector<anim::StateTransform> locals;
@@ -75,24 +89,17 @@ std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
       locals.back().rotation = figure.pose->rotations[mannequin::joint_index(bone.name)];
       if (bone.name == "hips") locals.back().position += figure.pose->hips;
     }
-    return anim::pose_from_locals(skeleton, std::move(locals)).palette;
+    return written(anim::pose_from_locals(skeleton, std::move(locals)).palette);
   }
   const auto clip = std::ranges::find(character_.model.clips, figure.clip, &anim::Clip::name);
   const bool found = clip != character_.model.clips.end();
-  return anim::reference_pose(skeleton, found ? &*clip : nullptr, figure.seconds).palette;
+  return written(anim::reference_pose(skeleton, found ? &*clip : nullptr, figure.seconds).palette);
 }
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
-  const std::vector<glm::dmat4> palette = palette_of(figure);
+  const std::vector<anim::PaletteMatrix> palette = palette_of(figure);
   const render::PaletteSlot slot = slots_->acquire(palette_bytes(palette.size()));
-  auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
-  for (std::size_t entry = 0; entry < palette.size(); ++entry) {
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 4; ++column) {
-        rows[entry * 12 + static_cast<std::size_t>(row * 4 + column)] = static_cast<float>(palette[entry][column][row]);
-      }
-    }
-  }
+  std::memcpy(slots_->memory(slot), palette.data(), palette.size() * sizeof(anim::PaletteMatrix));
   render::InstanceRecord record{};
   for (int axis = 0; axis < 3; ++axis) record.position[axis] = figure.place[axis];
   record.scale = figure.scale;

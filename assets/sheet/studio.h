@@ -11,6 +11,7 @@
 #include "app/character/source.h"
 #include "app/crowd/character_look.h"
 #include "assets/mannequin/pose.h"
+#include "engine/anim/base/transform.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
 #include "engine/render/palette/palette_slots.h"
@@ -23,6 +24,7 @@ struct Figure {
   std::string clip = {};                               ///< empty: the bind pose, or `pose`
   double seconds = 0;                                  ///< of the clip
   std::optional<mannequin::Pose> pose = std::nullopt;  ///< instead of a clip
+  std::vector<anim::PaletteMatrix> palette = {};       ///< instead of either
   glm::vec3 place{0.0F};                               ///< metres
   float heading = 0.0F;                                ///< radians, 0 faces the camera
   float scale = 1.0F;
@@ -55,7 +57,7 @@ class Studio {
 
  private:
   Studio() = default;
-  std::vector<glm::dmat4> palette_of(const Figure& figure) const;
+  std::vector<anim::PaletteMatrix> palette_of(const Figure& figure) const;
   render::InstanceRecord record_of(const Figure& figure);
 
   app::CharacterSource character_;

@@ -9,9 +9,16 @@
 namespace throng::test {
 
 /// The built-in character's clips in the order of its file.
-inline constexpr std::array<const char*, 15> clip_list{"idle", "walk",     "cheer",       "wave",      "clap",
-                                                       "jog",  "run",      "look around", "turn left", "turn right",
-                                                       "talk", "sit down", "sit",         "stand up",  "stumble"};
+inline constexpr std::array<const char*, 22> clip_list{
+    "idle",      "walk",       "cheer",   "wave",          "clap",      "jog",       "run",     "look around",
+    "turn left", "turn right", "talk",    "sit down",      "sit",       "stand up",  "stumble", "walk back",
+    "step left", "step right", "shuffle", "step in place", "veer left", "veer right"};
+
+/// The gaits: they travel, loop, and mark where their feet come down.
+inline bool is_gait(const std::string& clip) {
+  return clip == "walk" || clip == "jog" || clip == "run" || clip == "walk back" || clip.starts_with("step ") ||
+         clip.starts_with("veer ") || clip == "shuffle";
+}
 
 inline bool plays_once(const std::string& clip) {
   return clip == "sit down" || clip == "stand up" || clip == "stumble";

@@ -64,7 +64,7 @@ TEST(MannequinClips, MarkEveryFootThatComesDownOnItsWay) {
   const CharacterFile file = CharacterFile::committed();
   for (const auto& animation : file.json()["animations"]) {
     const std::string name = animation["name"];
-    const bool goes = name == "walk" || name == "jog" || name == "run" || name == "stumble" || name.starts_with("turn");
+    const bool goes = is_gait(name) || name == "stumble" || name.starts_with("turn");
     ASSERT_EQ(animation.contains("extras"), goes) << name;
     if (!goes) continue;
     const Playback clip(file, name);
@@ -81,14 +81,57 @@ TEST(MannequinClips, MarkEveryFootThatComesDownOnItsWay) {
   }
 }
 
-TEST(MannequinWalk, TravelsEvenlyAlongPositiveZAtWalkingSpeed) {
-  const Playback walk(CharacterFile::committed(), "walk");
-  EXPECT_NEAR(walk.pose(walk.duration())[0].position.z / walk.duration(), 1.35, 1e-4);
-  for (std::size_t key = 0; key < walk.key_count(); ++key) {
-    const glm::dvec3 root = walk.pose(walk.key_time(key))[0].position;
-    EXPECT_NEAR(root.z, 1.35 * walk.key_time(key), 1e-5);
-    EXPECT_EQ(root.x, 0);
-    EXPECT_EQ(root.y, 0);
+struct Travel {
+  const char* clip;
+  glm::dvec3 velocity;  // metres a second
+};
+
+TEST(MannequinGaits, TravelEvenlyWhereTheyGoAtTheirSpeed) {
+  const std::vector<Travel> gaits{{"walk", {0, 0, 1.35}},       {"jog", {0, 0, 2.4}},
+                                  {"run", {0, 0, 3.6}},         {"walk back", {0, 0, -0.8}},
+                                  {"step left", {0.45, 0, 0}},  {"step right", {-0.45, 0, 0}},
+                                  {"shuffle", {0, 0, 0.45}},    {"step in place", {0, 0, 0}},
+                                  {"veer left", {0.4, 0, 1.2}}, {"veer right", {-0.4, 0, 1.2}}};
+  for (const Travel& gait : gaits) {
+    const Playback clip(CharacterFile::committed(), gait.clip);
+    for (std::size_t key = 0; key < clip.key_count(); ++key) {
+      const glm::dvec3 root = clip.pose(clip.key_time(key))[0].position;
+      EXPECT_LT(glm::distance(root, gait.velocity * clip.key_time(key)), 1e-5) << gait.clip << " at key " << key;
+    }
+  }
+}
+
+TEST(MannequinGaits, MarkTheRightFootFirstAtAQuarterAndTheLeftOneAtThreeQuarters) {
+  const CharacterFile file = CharacterFile::committed();
+  for (const auto& animation : file.json()["animations"]) {
+    const std::string name = animation["name"];
+    if (!is_gait(name)) continue;
+    const double length = Playback(file, name).duration();
+    const auto& keys = animation["extras"]["throng_data_keys"];
+    ASSERT_EQ(keys.size(), 2U) << name;
+    EXPECT_EQ(keys[0]["name"], "footstep_right") << name;
+    EXPECT_EQ(keys[1]["name"], "footstep_left") << name;
+    EXPECT_NEAR(keys[0]["time"].get<double>(), 0.25 * length, 1e-3) << name;
+    EXPECT_NEAR(keys[1]["time"].get<double>(), 0.75 * length, 1e-3) << name;
+  }
+}
+
+TEST(MannequinSideSteps, NeverCrossTheFeetAndAreEachOthersImage) {
+  const CharacterFile file = CharacterFile::committed();
+  const Playback left(file, "step left");
+  const Playback right(file, "step right");
+  ASSERT_EQ(left.duration(), right.duration());
+  const auto place = [](const Playback& clip, const char* joint, double time) {
+    const std::vector<PosedJoint> pose = clip.pose(time);
+    return pose[clip.joint(joint)].position - pose[0].position;
+  };
+  for (std::size_t key = 0; key + 1 < left.key_count(); ++key) {
+    const double time = left.key_time(key);
+    const double half_a_cycle_on = std::fmod(time + 0.5 * left.duration(), left.duration());
+    const glm::dvec3 foot = place(left, "foot.L", time);
+    EXPECT_GT(foot.x - place(left, "foot.R", time).x, 0.15) << time;
+    const glm::dvec3 image = place(right, "foot.R", half_a_cycle_on);
+    EXPECT_LT(glm::distance(foot, {-image.x, image.y, image.z}), 1e-3) << time;
   }
 }
 

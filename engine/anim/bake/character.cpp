@@ -4,6 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "engine/anim/bake/ground_speed.h"
+
 namespace throng::anim {
 
 const char* fault_of(const Character& character) {
@@ -31,6 +35,21 @@ double ground_speed(const Character& character, int clip) {
   if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
   const double travel = std::hypot(baked.loop_displacement.x, baked.loop_displacement.z);
   return travel / to_seconds(baked.duration);
+}
+
+glm::dvec2 ground_velocity(const Character& character, int clip) {
+  const double speed = ground_speed(character, clip);
+  const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
+  glm::dvec2 way(0.0);
+  if (speed == 0.0) return way;
+  if (baked.root_motion.keys.empty()) {
+    way = -stance_velocity(sample_stride(character.skeleton, baked.keyframe(), character.height));
+  } else {
+    const glm::dvec3 travels = root_velocity(baked.root_motion, 0).linear;
+    way = {travels.x, travels.z};
+  }
+  const double length = glm::length(way);
+  return length > 0.0 ? way * (speed / length) : glm::dvec2(0.0, speed);
 }
 
 }  // namespace throng::anim

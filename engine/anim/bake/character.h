@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "engine/anim/asset/data_keys.h"
@@ -99,5 +100,9 @@ Character reorder_character(const Character& character, const Model& model, cons
 /// its feet do not slide. It is the speed of the clip's root motion; without any, that of the foot that stands; 0 for
 /// clips that stay where they are.
 double ground_speed(const Character& character, int clip);
+
+/// Returns that speed with its direction at the clip's start: metres a second along x, which is to the left of who
+/// faces +Z, and along z. A clip in place goes against the foot that stands, which is measured anew with each call.
+glm::dvec2 ground_velocity(const Character& character, int clip);
 
 }  // namespace throng::anim

@@ -58,6 +58,44 @@ TEST(RolesByName, EachGaitHasItsOwnAndNoneIsTwoOfThem) {
   EXPECT_EQ(clip_for(Role::run, one), "none");
 }
 
+TEST(RolesByName, StepsAsideAndBackAreFoundAsArtistsNameThem) {
+  struct Case {
+    Role role;
+    const char* name;
+  };
+  for (const auto& [role, name] :
+       {Case{Role::walk_back, "Walking_Backwards"}, Case{Role::walk_back, "Walk_Back"},
+        Case{Role::walk_back, "Armature|walk back"}, Case{Role::walk_back, "Jog_Bwd_Loop"},
+        Case{Role::step_left, "Strafe_Left"}, Case{Role::step_left, "StepLeft"}, Case{Role::step_left, "step left"},
+        Case{Role::step_left, "Left Strafe Walking"}, Case{Role::step_left, "StrafeL"},
+        Case{Role::step_left, "SideStep_Left"}, Case{Role::step_right, "Running_Strafe_Right"},
+        Case{Role::step_right, "Walk_R"}, Case{Role::step_right, "StepRight"}, Case{Role::shuffle, "Shuffle"},
+        Case{Role::shuffle, "Slow_Walk"}, Case{Role::step_in_place, "March_In_Place"},
+        Case{Role::step_in_place, "step in place"}, Case{Role::veer_left, "Walk_Fwd_Left"},
+        Case{Role::veer_right, "veer right"}}) {
+    const CharacterRoles roles = roles_by_name(Names{"Idle", "Walking_A", name});
+    EXPECT_EQ(roles.clip(role), 2) << name;
+    EXPECT_EQ(roles.clip(Role::walk), 1) << name;
+    EXPECT_EQ(std::ranges::count(roles.clips, 2), 1) << name << " has one role";
+  }
+}
+
+TEST(RolesByName, OtherThingsToTheLeftAndBackAreNoSteps) {
+  for (const char* const name :
+       {"turn left", "Turn_Left_Walk", "Left Turn", "Wave_Left", "Jump_Back", "Backflip", "Walk_Back_Left_Start",
+        "Strafe_Left_Stop", "Crouch_Walk_Left", "Step_Back_Dodge", "Shuffle_Dance", "LeftHandOut", "Slow_Run"}) {
+    const CharacterRoles roles = roles_by_name(Names{"Idle", "Walk", name});
+    for (const Role role : {Role::walk_back, Role::step_left, Role::step_right, Role::shuffle}) {
+      EXPECT_EQ(roles.clip(role), no_clip) << name << " is " << role_names.at(index_of(role));
+    }
+  }
+}
+
+TEST(RolesByName, ASlowWalkThatIsTheOnlyWalkIsNoShuffle) {
+  EXPECT_EQ(clip_for(Role::walk, {"Idle", "Slow_Walk"}), "Slow_Walk");
+  EXPECT_EQ(clip_for(Role::shuffle, {"Idle", "Slow_Walk"}), "none");
+}
+
 TEST(RolesByName, SittingIsNotSittingDown) {
   const Names names{"Sit_Chair_Down", "Sit_Chair_Idle", "Sit_Chair_Pose", "Sit_Chair_StandUp", "Look_Around"};
   EXPECT_EQ(clip_for(Role::sit, names), "Sit_Chair_Idle");
@@ -69,7 +107,9 @@ TEST(RolesByName, HaveNamesOfTheirOwn) {
     EXPECT_EQ(role_named(role_names.at(role)), static_cast<Role>(role));
   }
   EXPECT_EQ(role_named("other"), std::nullopt);
-  EXPECT_EQ(known_roles(), "stand, look_around, walk, jog, run, wave, cheer, clap and sit");
+  EXPECT_EQ(known_roles(),
+            "stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, shuffle, "
+            "step_in_place, veer_left and veer_right");
 }
 
 TEST(PlayableRole, IsTheNearestThatTheCharacterHasAClipFor) {

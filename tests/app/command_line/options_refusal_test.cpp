@@ -113,7 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
                             "--budget-ms: goes with --lod budget"}),
     name_of);
 
-const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";
+const std::string roles =
+    "roles are stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, "
+    "shuffle, step_in_place, veer_left and veer_right";
 
 INSTANTIATE_TEST_SUITE_P(
     Clips, Refusal,

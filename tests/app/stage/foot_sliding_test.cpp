@@ -1,77 +1,38 @@
 // Planted feet stand still on the ground, measured on the poses that are drawn: a minute of a scene.
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
 #include "app/view/scenes.h"
-#include "engine/anim/rig/limbs.h"
+#include "tests/app/stage/posed_feet.h"
 
 namespace throng::app::foot_sliding_test {
 namespace {
 
 constexpr anim::Ticks frame = anim::ticks_per_second / 60;
 
-/// Palette memory that can be looked at.
-class KeptPages final : public render::PalettePageSource {
- public:
-  render::PalettePage add_page() override {
-    pages_.push_back(source_.add_page());
-    return pages_.back();
-  }
-  const anim::PaletteMatrix* palette(const render::PaletteSlot& slot) const {
-    const std::byte* const memory = pages_[slot.page].memory + slot.first_line * render::palette_line_bytes;
-    return reinterpret_cast<const anim::PaletteMatrix*>(memory);
-  }
-
- private:
-  render::HeapPageSource source_{std::size_t{16} << 20};
-  std::vector<render::PalettePage> pages_;
-};
-
-glm::dvec3 transformed(const anim::PaletteMatrix& matrix, const glm::dvec3& point) {
-  glm::dvec3 moved(0.0);
-  for (int row = 0; row < 3; ++row) {
-    const float* m = matrix.rows[row];
-    moved[row] = static_cast<double>(m[0]) * point.x + static_cast<double>(m[1]) * point.y +
-                 static_cast<double>(m[2]) * point.z + static_cast<double>(m[3]);
-  }
-  return moved;
-}
-
-/// The ball of a foot: it stays down longest, while the heel comes and goes.
-struct Ball {
-  anim::JointPlace place;
-  double planted_below;  ///< metres in the model: how high it is when it stands
-};
+constexpr double roll = 0.02;  // metres that the ball of a standing foot may be up: a shoe's tip
 
 class Feet {
  public:
-  explicit Feet(const anim::Skeleton& skeleton) {
-    const anim::Limbs limbs = anim::find_limbs(skeleton);
-    for (const auto& leg : {limbs.left_leg, limbs.right_leg}) {
-      const anim::JointPlace place = anim::joint_place(skeleton, leg.value().tip);
-      constexpr double roll = 0.02;  // of a shoe's tip
-      balls_.push_back({place, place.position.y + roll});
-    }
-  }
+  explicit Feet(const anim::Skeleton& skeleton) : posed_(skeleton) {}
 
   /// Adds how fast each planted ball moves over the ground.
   void measure(const Stage& stage, const KeptPages& pages) {
-    const Crowd& crowd = stage.crowd();
-    last_.resize(crowd.size() * balls_.size());
-    for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-      const ShownPose& shown = stage.shown().pose(agent);
-      for (std::size_t foot = 0; foot < balls_.size(); ++foot) {
-        Standing& last = last_[agent * balls_.size() + foot];
-        const Standing now = shown.shown() ? standing(crowd, agent, balls_[foot], pages.palette(shown.to)) : Standing{};
-        if (now.planted && last.planted) {
-          slid_ += std::hypot(now.x - last.x, now.z - last.z);
+    last_.resize(stage.crowd().size() * PosedFeet::feet);
+    for (std::uint32_t agent = 0; agent < stage.crowd().size(); ++agent) {
+      for (std::size_t foot = 0; foot < PosedFeet::feet; ++foot) {
+        std::optional<PosedFeet::Ball>& last = last_[agent * PosedFeet::feet + foot];
+        std::optional<PosedFeet::Ball> now = posed_.ball(stage, pages, agent, foot);
+        EXPECT_TRUE(!now || std::isfinite(now->x + now->z + now->lift));
+        if (now && now->lift >= roll) now.reset();
+        if (now && last) {
+          slid_ += std::hypot(now->x - last->x, now->z - last->z);
           seconds_ += anim::to_seconds(frame);
         }
         last = now;
@@ -83,26 +44,8 @@ class Feet {
   double seconds() const { return seconds_; }
 
  private:
-  struct Standing {
-    bool planted = false;
-    double x = 0.0, z = 0.0;
-  };
-
-  static Standing standing(const Crowd& crowd, std::uint32_t agent, const Ball& ball,
-                           const anim::PaletteMatrix* palette) {
-    const glm::dvec3 in_model = transformed(palette[ball.place.entry], ball.place.position);
-    const glm::dvec3 position(crowd.positions()[agent]);
-    const auto scale = static_cast<double>(crowd.scales()[agent]);
-    const auto cosine = static_cast<double>(crowd.headings()[agent].cosine);
-    const auto sine = static_cast<double>(crowd.headings()[agent].sine);
-    EXPECT_TRUE(std::isfinite(in_model.x + in_model.y + in_model.z));
-    return {.planted = in_model.y < ball.planted_below,
-            .x = position.x + scale * (cosine * in_model.x + sine * in_model.z),
-            .z = position.z + scale * (cosine * in_model.z - sine * in_model.x)};
-  }
-
-  std::vector<Ball> balls_;
-  std::vector<Standing> last_;  // [agent][foot]
+  PosedFeet posed_;
+  std::vector<std::optional<PosedFeet::Ball>> last_;  // [agent][foot] of those that stand
   double slid_ = 0.0;
   double seconds_ = 0.0;
 };

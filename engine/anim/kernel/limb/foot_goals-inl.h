@@ -14,15 +14,16 @@ namespace throng::anim::HWY_NAMESPACE {
 /// The least y of a normal. Steeper ground counts as flat, and so does ground that is not finite.
 inline constexpr float steepest_ground = 0.2F;
 
-/// The two ends of the sole, relative to the ankle and rotated with the foot.
+/// The two ends of the sole, relative to the ankle: the heel, and the ground below the joint of the toes.
 template <class V>
 struct Soles {
   Vectors<V> heel, ball;
 };
 
 template <class D, class V>
-HWY_INLINE Soles<V> sole_of(D d, const PlacedLeg& leg, const Quaternions<V>& foot) {
-  return {rotated(foot, broadcast_vector(d, &leg.sole[0].x)), rotated(foot, broadcast_vector(d, &leg.sole[1].x))};
+HWY_INLINE Soles<V> sole_of(D d, const PlacedLeg& leg, const Quaternions<V>& foot, const Vectors<V>& normal) {
+  const Vectors<V> toes = rotated(foot, broadcast_vector(d, &leg.sole[1].x));
+  return {rotated(foot, broadcast_vector(d, &leg.sole[0].x)), scaled_add(normal, hn::Set(d, -leg.ball_height), toes)};
 }
 
 /// Returns the distance from the ankle to the lowest point of the sole, along `normal`.
@@ -122,13 +123,21 @@ HWY_INLINE V planted_share(D d, const PlacedBodies<D>& bodies, V planted, V lift
   return hn::IfThenElse(hn::Ge(planted, zero), planted, share);
 }
 
+/// Returns how high a sole is where it does not stand. Where the host says when a foot stands, one in the air keeps off
+/// the ground, which blends of a step and a standing leg do not.
+template <class D, class V>
+HWY_INLINE V air_under(D d, V leg_length, V planted, V lift) {
+  const V least = hn::Mul(leg_length, hn::Set(d, foot_clearance));
+  return hn::IfThenElse(hn::Ge(planted, hn::Zero(d)), hn::Max(lift, least), lift);
+}
+
 /// Returns the goal of a foot. The footing of the ball is locked, so that the heel may rise and fall. The ground under
 /// the foot says how far the hip comes down for it. A place that is still out of reach then, behind a body that walks
 /// away, is approached as far as the leg goes, and its lock ends.
 template <class D, class V>
 HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>& bodies, const LegReaches<V>& reach,
                                 const JointMotions<V>& ankle, PlacedFeet<D>& foot) {
-  const Soles<V> sole = sole_of(d, leg, ankle.rotation);
+  const Soles<V> sole = sole_of(d, leg, ankle.rotation, upwards(d, hn::Set(d, 1.0F)));
   const V lift = hn::Add(ankle.position.y, hn::Min(sole.heel.y, sole.ball.y));
   FootGoals<V> goal;
   goal.planted = planted_share(d, bodies, foot.planted, lift);
@@ -142,9 +151,10 @@ HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>
                                                                             foot.reached, bodies.lock, bodies.seconds));
 
   goal.ankle.rotation = product(limited_tilt(d, locked.normal, bodies.least_tilt_cosine), ankle.rotation);
-  const Soles<V> tilted = sole_of(d, leg, goal.ankle.rotation);
+  const Soles<V> tilted = sole_of(d, leg, goal.ankle.rotation, locked.normal);
   goal.steps = rise_of_step(d, foot.lock, goal.planted, bodies.lock.release_seconds);
-  const V lifted = hn::Add(hn::NegMulAdd(lift, goal.planted, lift), goal.steps);
+  const V in_the_air = air_under(d, reach.length, foot.planted, lift);
+  const V lifted = hn::Add(hn::NegMulAdd(in_the_air, goal.planted, in_the_air), goal.steps);
   const V above_ground = hn::Div(hn::Add(clearance(tilted, locked.normal), lifted), locked.normal.y);
   const auto ankle_over = [&](V ball_x, V ball_z) {
     const V x = hn::Sub(ball_x, tilted.ball.x);

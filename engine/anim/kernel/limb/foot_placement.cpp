@@ -52,7 +52,8 @@ Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::
     rig.legs[static_cast<std::size_t>(rig.leg_count++)] = {
         .limb = *limb,
         .sole = {glm::vec3(0.0F, sole_height - ankle.y, 0.0F),
-                 glm::vec3(ball.x - ankle.x, sole_height - ankle.y, ball.z - ankle.z)}};
+                 bones.toe < 0 ? glm::vec3(0.0F, sole_height - ankle.y, 0.0F) : ball - ankle},
+        .ball_height = bones.toe < 0 ? 0.0F : ball.y - sole_height};
   }
   rig.pelvis = carrying_joint(rig);
   if (rig.pelvis < 0) {

@@ -25,6 +25,9 @@ inline constexpr float knee_reserve = 0.02F;
 /// A share of the leg's length: a lock lowers the pelvis by no more than this below what the ground asks.
 inline constexpr float lock_reserve = 0.012F;
 
+/// A share of the leg's length: a foot that its host says is in the air is no lower than that over the ground.
+inline constexpr float foot_clearance = 0.03F;
+
 /// The bones of one leg, by index.
 struct LegBones {
   int hip = -1;
@@ -35,7 +38,10 @@ struct LegBones {
 
 struct PlacedLeg {
   TwoBoneLimb limb;
-  std::array<glm::vec3, 2> sole{};  ///< heel and ball, metres from the ankle, bind pose; the same point without a toe
+  /// The heel, which is the sole below the ankle, and the joint of the toes, metres from the ankle in the bind pose.
+  /// The toes stay flat while the heel rises, so the joint keeps its height. Without a toe both are the heel.
+  std::array<glm::vec3, 2> sole{};
+  float ball_height = 0.0F;  ///< metres of that joint over the sole
 };
 
 /// The legs of a character and the joint that carries them all. They are made at load and shared by every character of

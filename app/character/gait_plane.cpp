@@ -1,0 +1,70 @@
+#include "app/character/gait_plane.h"
+
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace throng::app {
+namespace {
+
+// A clip that goes nearly where its name says is placed exactly there, so that who walks straight ahead plays two clips
+// and not three. Who veers does so as far as the clip does.
+glm::vec2 place_of(const CharacterRoles& roles, Role gait) {
+  constexpr double nearly = 0.966;  // the cosine of 15 degrees
+  const glm::dvec2 velocity = roles.velocity(gait), way = way_of(gait);
+  const double speed = glm::length(velocity);
+  const bool along_an_axis = way.x == 0.0 || way.y == 0.0;
+  return glm::vec2(along_an_axis && glm::dot(velocity, way) > nearly * speed ? way * speed : velocity);
+}
+
+int standing_clip(const CharacterRoles& roles) {
+  const int stand = roles.clip(Role::stand);
+  if (stand != no_clip) return stand;
+  return roles.others.empty() ? 0 : roles.others.front();
+}
+
+// Steps ahead in the place of steps that there are not. It lies twice as far out as it is fast, so that at its speed
+// half of it is standing: feet rise and fall and hardly reach out.
+GaitPoint stand_in(const CharacterRoles& roles, Role gait) {
+  constexpr double out = 2.0;
+  const Role steps = roles.ground_speed(Role::shuffle) > 0.0 ? Role::shuffle : Role::walk;
+  return {.clip = roles.clip(steps), .velocity = glm::vec2(way_of(gait) * (out * roles.ground_speed(steps)))};
+}
+
+bool has_place(const std::vector<GaitPoint>& points, const glm::vec2& velocity) {
+  constexpr float nearest = 0.05F;  // metres a second between two gaits
+  for (const GaitPoint& point : points) {
+    if (glm::distance(point.velocity, velocity) < nearest) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<GaitPoint> gait_points(const CharacterRoles& roles) {
+  std::vector<GaitPoint> points{{.clip = standing_clip(roles)}};
+  if (!roles.can_walk()) return points;
+  const auto add = [&](const GaitPoint& point) {
+    if (has_place(points, point.velocity)) points.push_back(point);
+  };
+  for (const Role gait : gait_roles) {
+    if (roles.ground_speed(gait) > 0.0) add({.clip = roles.clip(gait), .velocity = place_of(roles, gait)});
+  }
+  for (const Role needed : {Role::walk_back, Role::step_left, Role::step_right}) {
+    if (roles.ground_speed(needed) <= 0.0) add(stand_in(roles, needed));
+  }
+  return points;
+}
+
+anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
+                                                                   Middle middle) {
+  std::vector<anim::BlendPoint2d> points;
+  for (const GaitPoint& point : gait_points(roles)) points.push_back({.clip = point.clip, .place = point.velocity});
+  const int steps = roles.clip(Role::step_in_place);
+  if (middle == Middle::steps && steps != no_clip && roles.can_walk()) {
+    points.front() = {.clip = steps, .pace = anim::Pace::gait};
+  }
+  return anim::BlendSpace2d::create(std::move(points), anim::PlaneMeaning::velocity, clip_count);
+}
+
+}  // namespace throng::app

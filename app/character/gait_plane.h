@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/character/roles.h"
+#include "engine/anim/agent/blend_space_2d_channel.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// The clip that is played alone at a velocity: metres a second at scale 1, x to the left and y ahead.
+struct GaitPoint {
+  int clip = 0;
+  glm::vec2 velocity{0.0F};
+};
+
+/// Returns how a character stands, with the velocity 0, and then each of its gaits, no two with one velocity. Where
+/// side steps or steps back are missing, the shuffle or the walk tramples in their place. A character that cannot walk
+/// only stands.
+std::vector<GaitPoint> gait_points(const CharacterRoles& roles);
+
+/// Says what a character does in the middle of the plane.
+enum class Middle : unsigned char {
+  stands,
+  steps  ///< on the spot, so that slow people lift their feet; whoever has no such clip stands
+};
+
+/// Returns the same as a blend space. Errors: a role plays a clip that the character does not have.
+anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
+                                                                   Middle middle = Middle::stands);
+
+}  // namespace throng::app

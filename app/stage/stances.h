@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "app/crowd/stride_plane.h"
+#include "engine/anim/bake/character.h"
+
+namespace throng::app {
+
+inline constexpr std::size_t person_legs = 2;  ///< left, then right, as anim::CharacterRigs has them
+
+/// Tells when the feet of each gait of a character stand, measured on the clips at load: a foot stands while its ball
+/// is low and goes back as fast as the gait goes ahead.
+class Stances {
+ public:
+  Stances() = default;
+  Stances(const anim::Character& character, const StridePlane& plane);
+
+  /// Returns how firmly a foot stands, 0 to 1, at a place of a gait's clip, 0 to 1. `point` is one of the plane that
+  /// moves. A foot whose clip has no stance is reported to stand half the time.
+  float planted(std::size_t point, std::size_t leg, double phase) const;
+
+ private:
+  /// The part of a clip in which a foot stands.
+  struct Stance {
+    float down = 0.0F;    // phase, 0 to below 1
+    float length = 0.5F;  // of the cycle
+  };
+  std::vector<std::array<Stance, person_legs>> of_;  // [point]
+};
+
+}  // namespace throng::app

@@ -11,6 +11,7 @@
 #include "app/settings/preset.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/render/gl/context.h"
 
 namespace throng::soak {
 namespace {
@@ -141,7 +142,9 @@ const std::vector<Option>& other_options() {
       {"--select", 0.2F, word_of({"0"})},
       {"--view", 0.1F, word_of({"", "", "=walk"})},
       {"--hide-ui", 0.0F, text("")},
-      {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
+      {"--headless", 1.0F,
+       word_of({"", "=egl", render::gl::osmesa_is_built_in() ? "=osmesa" : "=egl", "=none", "=none", "=none"})},
+      {"--software", 0.1F, text("")},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
       {"--frames", 1.0F, any_frames},
       {"--dt", 0.3F, any_seconds},

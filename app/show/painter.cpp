@@ -107,7 +107,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
 anim::Status Painter::load_scenery(const std::string& data_option) {
   auto props = load_props(data_option);
   if (!props) return props.error();
-  return scenery_.load(*props, *renderer_);
+  return scenery_.load(std::move(*props), *renderer_);
 }
 
 DrawnBy Painter::drawn_by() const {
@@ -187,13 +187,17 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   add_threshold_rings(lines_, thresholds_.thresholds(), view.lod_camera(), middle);
 }
 
-void Painter::upload(Stage& stage, const PaintedView& view) {
+anim::Status Painter::upload(Stage& stage, const PaintedView& view) {
   picture_.compose(stage);
-  scenery_.follow(stage.tuning(), stage.crowd(), *renderer_);
+  if (anim::Status placed = scenery_.follow(stage, *renderer_); !placed) return placed;
   gather_lines(stage, view);
-  if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
+  if (!splits(stage.tuning())) {
+    renderer_->upload(crowd_frame(stage, view, picture_));
+    return anim::Done{};
+  }
   stage.pose_exactly();
   exact_picture_.compose(stage, Poses::exact);
+  return anim::Done{};
 }
 
 render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView& view) {
@@ -213,7 +217,9 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   const TakenAway& taken_away = stage.tuning().taken_away;
   jobs_.use(stage.system());
   FrameTimes times;
-  if (!taken_away.upload) times.upload_ms = time_of([&] { upload(stage, view); });
+  anim::Status drawn = anim::Done{};
+  if (!taken_away.upload) times.upload_ms = time_of([&] { drawn = upload(stage, view); });
+  if (!drawn) return drawn;
   if (!taken_away.drawing) {
     times.submission_ms = time_of([&] {
       if (device_timer_) device_timer_->begin();
@@ -222,7 +228,6 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
       renderer_->fences().insert(stage.frame());
     });
   }
-  anim::Status drawn = anim::Done{};
   times.wait_ms = time_of([&] { drawn = renderer_->finish(); });
   if (device_timer_ && !taken_away.drawing) times.device_ms = device_timer_->milliseconds();
   figures.add_drawing(start, times, draw_counts_);
@@ -231,7 +236,9 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
 
 anim::Status Painter::draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels) {
   jobs_.use(stage.system());
-  if (!is_drawn) upload(stage, view);
+  if (!is_drawn) {
+    if (anim::Status uploaded = upload(stage, view); !uploaded) return uploaded;
+  }
   return renderer_->draw_labels(crowd_frame(stage, view, picture_), labels);
 }
 

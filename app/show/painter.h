@@ -83,7 +83,7 @@ class Painter {
   anim::Status open_renderer(const DemoOptions& options);
   anim::Status load_scenery(const std::string& data_option);
   render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture);
-  void upload(Stage& stage, const PaintedView& view);
+  anim::Status upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
   void gather_lines(const Stage& stage, const PaintedView& view);
 

@@ -1,6 +1,10 @@
 #include "app/show/scenery.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "app/crowd/crowd.h"
+#include "app/place/plan_mesh.h"
 
 namespace throng::app {
 namespace {
@@ -32,21 +36,40 @@ void add_lamps(const PlacedProp& prop, std::vector<render::SceneryLamp>& lamps) 
 
 }  // namespace
 
-anim::Status Scenery::load(std::span<const render::SceneryMeshData> props, render::Renderer& renderer) {
+anim::Status Scenery::load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer) {
+  loaded_ = std::move(props);
   for (std::size_t prop = 0; prop < prop_count; ++prop) {
-    const auto mesh = std::ranges::find(props, prop_names[prop], &render::SceneryMeshData::name);
-    if (mesh != props.end()) meshes_[prop] = static_cast<std::uint32_t>(mesh - props.begin());
+    const auto mesh = std::ranges::find(loaded_, prop_names[prop], &render::SceneryMeshData::name);
+    if (mesh != loaded_.end()) meshes_[prop] = static_cast<std::uint32_t>(mesh - loaded_.begin());
   }
-  placed_.reset();
-  if (auto loaded = renderer.load_scenery(props); !loaded) return anim::Error{loaded.error().message};
+  placed_.reset(), planned_.reset(), plan_mesh_.reset();
+  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return anim::Error{loaded.error().message};
   return anim::Done{};
 }
 
-void Scenery::follow(const Tuning& tuning, const Crowd& crowd, render::Renderer& renderer) {
+anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& renderer) {
+  if (planned_ == trajectories_of(stage)) return anim::Done{};
+  planned_ = trajectories_of(stage);
+  placed_.reset();
+  if (plan_mesh_) loaded_.resize(*plan_mesh_);
+  plan_mesh_.reset();
+  if (planned_ != nullptr) {
+    render::SceneryMeshData mesh = plan_mesh(planned_->plan);
+    if (!mesh.vertices.empty()) plan_mesh_ = static_cast<std::uint32_t>(loaded_.size()), loaded_.push_back(std::move(mesh));
+  }
+  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return anim::Error{loaded.error().message};
+  return anim::Done{};
+}
+
+anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
+  if (anim::Status loaded = load_plan_of(stage, renderer); !loaded) return loaded;
+  const Tuning& tuning = stage.tuning();
+  const Crowd& crowd = stage.crowd();
   const CharacterRoles& roles = crowd.laid_out_for();
+  const Trajectories* const recorded = tuning.scene == Scene::trajectories ? planned_.get() : nullptr;
   const Cause cause{tuning.scene,     crowd.size(),       tuning.seed,      roles.spacing(),
-                    roles.walk_speed, roles.walk_seconds, roles.can_walk(), tuning.clothes};
-  if (placed_ == cause) return;
+                    roles.walk_speed, roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
+  if (placed_ == cause) return anim::Done{};
   placed_ = cause;
   const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);
   ground_ = place.ground;
@@ -58,8 +81,10 @@ void Scenery::follow(const Tuning& tuning, const Crowd& crowd, render::Renderer&
     const auto mesh = meshes_[static_cast<std::size_t>(prop.prop)];
     if (mesh) instances.push_back({*mesh, prop.place, prop.tint});
   }
+  if (recorded != nullptr && plan_mesh_) instances.push_back({*plan_mesh_});
   renderer.place_scenery(instances);
   renderer.place_lamps(lamps);
+  return anim::Done{};
 }
 
 }  // namespace throng::app

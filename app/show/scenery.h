@@ -3,13 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "app/crowd/crowd.h"
 #include "app/place/place.h"
 #include "app/settings/settings.h"
+#include "app/stage/stage.h"
 #include "engine/render/renderer.h"
 
 namespace throng::app {
@@ -18,14 +18,18 @@ namespace throng::app {
 class Scenery {
  public:
   /// Gives the renderer the props of all places. Errors: those of Renderer::load_scenery.
-  anim::Status load(std::span<const render::SceneryMeshData> props, render::Renderer& renderer);
+  anim::Status load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer);
 
-  /// Places props around the crowd of a tuning, if another place stood there before.
-  void follow(const Tuning& tuning, const Crowd& crowd, render::Renderer& renderer);
+  /// Places props around the crowd of a stage, or the walls and floors of a recorded one, if another place stood there
+  /// before. Errors: those of Renderer::load_scenery, which the first frame of a recorded crowd calls again.
+  anim::Status follow(const Stage& stage, render::Renderer& renderer);
 
   const render::SceneGround& ground() const { return ground_; }
 
  private:
+  /// Gives the renderer the walls and floors of a recorded crowd, if it has those of another one.
+  anim::Status load_plan_of(const Stage& stage, render::Renderer& renderer);
+
   /// All that a place follows from.
   struct Cause {
     Scene scene;
@@ -34,11 +38,15 @@ class Scenery {
     double spacing, walk_speed, walk_seconds;
     bool walks;
     Clothes clothes;
+    const Trajectories* recorded;
 
     friend bool operator==(const Cause&, const Cause&) = default;
   };
 
+  std::vector<render::SceneryMeshData> loaded_;                  // props, then the plan's mesh where there is one
   std::array<std::optional<std::uint32_t>, prop_count> meshes_;  // [prop]; none: there is no such mesh
+  std::shared_ptr<const Trajectories> planned_;                  // whose plan is loaded; null: none is
+  std::optional<std::uint32_t> plan_mesh_;
   std::optional<Cause> placed_;
   render::SceneGround ground_;
 };

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace throng::app {
+
+/// What lies on the ground of a plan. `border` becomes a wall where nobody walks, `solid` everywhere.
+enum class CoverLayer : std::uint8_t { floor, border, solid, exit };
+inline constexpr std::size_t cover_layer_count = 4;
+
+/// What is drawn of it.
+enum class CoverPart : std::uint8_t { wall, floor, exit };
+inline constexpr std::size_t cover_part_count = 3;
+
+/// A piece of a part: two sides that go up from its lowest to its highest line. These may have no length.
+struct CoverPiece {
+  CoverPart part;
+  std::array<glm::dvec2, 2> left, right;  ///< [low, high]
+};
+
+/// Cuts overlapping polygons of any shape into pieces that overlap nowhere.
+/// Within a polygon is what an odd number of its lines surrounds, so lines that cross or have no area harm nothing.
+/// The sides of all pieces together are the outlines of the parts.
+class PlanCover {
+ public:
+  /// Adds a polygon of rings. Those within others are its holes.
+  void add(CoverLayer layer, std::span<const std::vector<glm::dvec2>> rings);
+  /// Adds a wall along a line or a closed ring, on both sides of it.
+  void add_band(CoverLayer layer, std::span<const glm::dvec2> line, bool is_closed, double half_width);
+
+  std::vector<CoverPiece> pieces() const;
+
+ private:
+  struct Edge {
+    glm::dvec2 low, high;
+    std::uint32_t polygon;
+
+    double x_at(double y) const;
+  };
+  struct Crossing {
+    double x;
+    std::uint32_t edge;
+  };
+  struct OpenPiece {
+    CoverPart part;
+    std::uint32_t left, right;
+    double from;
+  };
+
+  void add_ring(std::span<const glm::dvec2> ring);
+  void add_convex(CoverLayer layer, std::span<const glm::dvec2> ring);
+  void add_corner(CoverLayer layer, const std::array<glm::dvec2, 3>& points, double half_width);
+  std::vector<double> events() const;
+  void cut(std::span<const Crossing> crossings, double from, std::vector<OpenPiece>& pieces) const;
+  CoverPiece closed(const OpenPiece& piece, double to) const;
+
+  std::vector<Edge> edges_;  // turned, so that hardly any lies level
+  std::vector<CoverLayer> layers_;  // [polygon]
+};
+
+}  // namespace throng::app

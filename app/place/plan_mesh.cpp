@@ -1,0 +1,191 @@
+#include "app/place/plan_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/place/plan_cover.h"
+
+namespace throng::app {
+namespace {
+
+using DoubleRing = std::vector<glm::dvec2>;
+using Triangle = std::array<glm::vec3, 3>;
+
+constexpr std::size_t most_lines = 5000;  // each is compared with those beside it
+constexpr double line_half_width = 0.04;
+constexpr float floor_height = -0.003F, exit_height = -0.002F, line_height = -0.001F;  // metres
+constexpr double least_cell = 1.0, cells_of_floor = 20'000.0;
+
+/// Linear bytes.
+struct Paint {
+  std::uint8_t red, green, blue;
+};
+constexpr Paint wall_side{150, 145, 135}, wall_top{222, 218, 208}, floor_paint{92, 95, 100}, exit_paint{28, 105, 44},
+    line_paint{205, 62, 14};
+
+/// Adds flat triangles, none longer than a length, because haze and the crowd's shade are known at corners alone.
+class PlanBuilder {
+ public:
+  PlanBuilder() { mesh_.name = "plan", mesh_.lods.emplace_back(); }
+
+  void add(const Triangle& corners, const glm::vec3& normal, const Paint& paint, float longest) {
+    std::size_t first = 0;  // of the longest side
+    std::array<float, 3> lengths{};
+    for (std::size_t i = 0; i < 3; ++i) lengths.at(i) = glm::distance(corners.at(i), corners.at((i + 1) % 3));
+    for (std::size_t i = 1; i < 3; ++i) first = lengths.at(i) > lengths.at(first) ? i : first;
+    if (lengths.at(first) <= longest) return add_whole(corners, normal, paint);
+    const glm::vec3 &a = corners.at(first), &b = corners.at((first + 1) % 3), &c = corners.at((first + 2) % 3);
+    const glm::vec3 middle = 0.5F * (a + b);
+    add({a, middle, c}, normal, paint, longest);
+    add({middle, b, c}, normal, paint, longest);
+  }
+  /// Adds a level or upright quad of corners in order around it, half of which may have no area.
+  void add_quad(const std::array<glm::vec3, 4>& corners, const glm::vec3& normal, const Paint& paint, float longest) {
+    add({corners[0], corners[1], corners[2]}, normal, paint, longest);
+    add({corners[0], corners[2], corners[3]}, normal, paint, longest);
+  }
+  render::SceneryMeshData take() { return std::move(mesh_); }
+
+ private:
+  void add_whole(Triangle corners, const glm::vec3& normal, const Paint& paint) {
+    const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (glm::dot(across, across) < 1e-16F) return;
+    if (glm::dot(across, normal) < 0.0F) std::swap(corners[1], corners[2]);  // the front is seen
+    for (const glm::vec3& corner : corners) {
+      mesh_.lods.front().indices.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
+      mesh_.vertices.push_back({.position = {corner.x, corner.y, corner.z},
+                                .normal = {normal.x, normal.y, normal.z},
+                                .color = {paint.red, paint.green, paint.blue, 255}});
+    }
+  }
+
+  render::SceneryMeshData mesh_;
+};
+
+DoubleRing doubles(const std::vector<glm::vec2>& points) { return {points.begin(), points.end()}; }
+
+double area_of(const DoubleRing& ring) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * std::abs(twice);
+}
+
+std::size_t line_count(const GroundPlan& plan) {
+  std::size_t count = 0;
+  for (const std::vector<GroundArea>* areas : {&plan.floors, &plan.exits}) {
+    for (const GroundArea& area : *areas) {
+      count += area.outline.size();
+      for (const GroundRing& hole : area.holes) count += hole.size();
+    }
+  }
+  for (const GroundRing& ring : plan.obstacles) count += ring.size();
+  for (const GroundLine& line : plan.walls) count += line.points.size();
+  return count;
+}
+
+std::vector<DoubleRing> rings_of(const GroundArea& area) {
+  std::vector<DoubleRing> rings{doubles(area.outline)};
+  for (const GroundRing& hole : area.holes) rings.push_back(doubles(hole));
+  return rings;
+}
+
+// What can be walked on has walls around it and blocks in its holes; they end where somebody walks.
+void add_floor(const GroundArea& area, PlanCover& cover) {
+  constexpr double least_area = 1e-4;  // square metres
+  const std::vector<DoubleRing> rings = rings_of(area);
+  cover.add(CoverLayer::floor, rings);
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    const bool is_flat = area_of(rings[ring]) < least_area;
+    cover.add_band(CoverLayer::border, rings[ring], true, plan_wall_thickness * (is_flat ? 0.5 : 1.0));
+    if (ring > 0) cover.add(CoverLayer::border, std::span(rings).subspan(ring, 1));
+  }
+}
+
+PlanCover cover_of(const GroundPlan& plan) {
+  PlanCover cover;
+  for (const GroundArea& area : plan.floors) add_floor(area, cover);
+  for (const GroundRing& obstacle : plan.obstacles) {
+    const DoubleRing ring = doubles(obstacle);
+    cover.add(CoverLayer::solid, std::span(&ring, 1));
+    if (area_of(ring) < 1e-4) cover.add_band(CoverLayer::solid, ring, true, 0.5 * plan_wall_thickness);
+  }
+  for (const GroundLine& line : plan.walls) {
+    cover.add_band(CoverLayer::solid, doubles(line.points), false, 0.5 * plan_wall_thickness);
+  }
+  for (const GroundArea& area : plan.exits) cover.add(CoverLayer::exit, rings_of(area));
+  return cover;
+}
+
+glm::vec3 raised(const glm::dvec2& at, float height) {
+  return {static_cast<float>(at.x), height, static_cast<float>(at.y)};
+}
+
+void add_level(const CoverPiece& piece, float height, const Paint& paint, float longest, PlanBuilder& builder) {
+  builder.add_quad({raised(piece.left[0], height), raised(piece.right[0], height), raised(piece.right[1], height),
+                    raised(piece.left[1], height)},
+                   {0.0F, 1.0F, 0.0F}, paint, longest);
+}
+
+void add_side(const std::array<glm::dvec2, 2>& side, double outwards, float height, PlanBuilder& builder) {
+  constexpr float longest = 3.0F;
+  const glm::dvec2 way = side[1] - side[0];
+  const double length = glm::length(way);
+  if (length < 1e-6) return;
+  const glm::dvec2 normal = outwards * glm::dvec2(way.y, -way.x) / length;
+  builder.add_quad({raised(side[0], floor_height), raised(side[1], floor_height), raised(side[1], height),
+                    raised(side[0], height)},
+                   raised(normal, 0.0F), wall_side, longest);
+}
+
+void add_piece(const CoverPiece& piece, float height, float cell, PlanBuilder& builder) {
+  switch (piece.part) {
+    case CoverPart::floor:
+      return add_level(piece, floor_height, floor_paint, cell, builder);
+    case CoverPart::exit:
+      return add_level(piece, exit_height, exit_paint, cell, builder);
+    case CoverPart::wall:
+      add_level(piece, height, wall_top, 3.0F, builder);
+      add_side(piece.left, -1.0, height, builder);
+      add_side(piece.right, 1.0, height, builder);
+  }
+}
+
+void add_line(const GroundLine& line, float cell, PlanBuilder& builder) {
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    const glm::dvec2 from = line.points[i], to = line.points[i + 1];
+    const double length = glm::distance(from, to);
+    if (length < 1e-6) continue;
+    const glm::dvec2 along = line_half_width * (to - from) / length, aside(-along.y, along.x);
+    builder.add_quad({raised(from - along - aside, line_height), raised(to + along - aside, line_height),
+                      raised(to + along + aside, line_height), raised(from - along + aside, line_height)},
+                     {0.0F, 1.0F, 0.0F}, line_paint, cell);
+  }
+}
+
+}  // namespace
+
+render::SceneryMeshData plan_mesh(const GroundPlan& plan, float wall_height) {
+  PlanBuilder builder;
+  if (line_count(plan) > most_lines) return builder.take();
+  double area = 0.0;
+  for (const std::vector<GroundArea>* areas : {&plan.floors, &plan.exits}) {
+    for (const GroundArea& each : *areas) area += area_of(doubles(each.outline));
+  }
+  const auto cell = static_cast<float>(std::max(least_cell, std::sqrt(area / cells_of_floor)));
+  for (const CoverPiece& piece : cover_of(plan).pieces()) add_piece(piece, wall_height, cell, builder);
+  for (const GroundLine& line : plan.measurement_lines) add_line(line, cell, builder);
+  return builder.take();
+}
+
+}  // namespace throng::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/trajectory/ground_plan.h"
+#include "engine/render/scenery_data.h"
+
+namespace throng::app {
+
+/// How high the walls of a plan are, in metres: people are seen over them.
+inline constexpr float plan_wall_height = 1.2F;
+/// How thick they are.
+inline constexpr double plan_wall_thickness = 0.15;
+
+/// Returns the mesh of a plan: upright walls, solid obstacles, floors, exits and lines.
+/// Walls stand beside the floors, so nobody who keeps to the floors stands in one. Where an exit lies there is no wall.
+/// Floors lie a few millimetres below the ground, which is drawn behind all else, so that feet and what is drawn below
+/// them stay visible.
+/// An outline without an area becomes a wall along its lines. A plan of more than 5000 lines has no mesh.
+render::SceneryMeshData plan_mesh(const GroundPlan& plan, float wall_height = plan_wall_height);
+
+}  // namespace throng::app

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace throng::app {
@@ -13,8 +14,11 @@ namespace {
 
 // Plans are full of lines along their axes. Turned by an angle that nobody builds with, none of them lies level.
 constexpr double turn_cosine = 0.8253356149096783, turn_sine = 0.5646424733950354;  // 0.6 radians
-constexpr double same_place = 1e-7;                                                // metres
+constexpr double same_place = 1e-7;                                                 // metres
 constexpr double same_height = 1e-9;
+constexpr std::uint32_t no_polygon = 0xFFFFFFFF;  // a column's line
+// What takes a second on a slow core. Beyond it lines cross so often that they are no plan.
+constexpr std::size_t most_comparisons = 100'000'000, most_crossings = 30'000'000;
 
 glm::dvec2 turned(const glm::dvec2& at) {
   return {turn_cosine * at.x - turn_sine * at.y, turn_sine * at.x + turn_cosine * at.y};
@@ -109,15 +113,32 @@ void PlanCover::add_band(CoverLayer layer, std::span<const glm::dvec2> line, boo
   }
 }
 
-// Returns the heights at which a line begins, ends or meets another one, in ascending order.
+void PlanCover::cut_columns(double width) {
+  constexpr double most_columns = 400.0;
+  if (edges_.empty()) return;
+  glm::dvec2 lowest = edges_.front().low, highest = edges_.front().high;
+  for (const Edge& edge : edges_) {
+    lowest = glm::min(lowest, glm::min(edge.low, edge.high));
+    highest = glm::max(highest, glm::max(edge.low, edge.high));
+  }
+  width = std::max(width, (highest.x - lowest.x) / most_columns);
+  for (double x = lowest.x + width; x < highest.x; x += width) {
+    edges_.push_back({{x, lowest.y}, {x, highest.y}, no_polygon});
+  }
+}
+
+// Returns the heights at which a line begins, ends or meets another one, in ascending order; none if that is too much.
 std::vector<double> PlanCover::events() const {
   std::vector<double> heights;
   std::vector<const Edge*> order, active;
+  std::size_t comparisons = 0;
   for (const Edge& edge : edges_) order.push_back(&edge);
   std::ranges::sort(order, {}, [](const Edge* edge) { return edge->low.y; });
   for (const Edge* edge : order) {
     heights.insert(heights.end(), {edge->low.y, edge->high.y});
     std::erase_if(active, [&](const Edge* other) { return other->high.y <= edge->low.y; });
+    comparisons += active.size();
+    if (comparisons > most_comparisons || heights.size() > most_crossings) return {};
     const auto [least, most] = std::minmax(edge->low.x, edge->high.x);
     const glm::dvec2 way = edge->high - edge->low;
     for (const Edge* other : active) {
@@ -139,17 +160,22 @@ std::vector<double> PlanCover::events() const {
 // Goes from the left to the right over the lines of a strip, and adds a piece for each stretch of a part.
 void PlanCover::cut(std::span<const Crossing> crossings, double from, std::vector<OpenPiece>& pieces) const {
   Inside inside(layers_);
-  std::array<std::optional<std::uint32_t>, cover_part_count> begun;
+  std::array<std::optional<PieceSide>, cover_part_count> begun;
   for (std::size_t i = 0; i < crossings.size();) {
     const Crossing first = crossings[i];
+    bool is_column = false;
     for (; i < crossings.size() && crossings[i].x - first.x <= same_place; ++i) {
-      inside.cross_line_of(edges_[crossings[i].edge].polygon);
+      const std::uint32_t polygon = edges_[crossings[i].edge].polygon;
+      if (polygon == no_polygon) is_column = true;
+      if (polygon != no_polygon) inside.cross_line_of(polygon);
     }
     const std::array<bool, cover_part_count> parts = inside.parts();
     for (std::size_t part = 0; part < cover_part_count; ++part) {
-      if (parts.at(part) == begun.at(part).has_value()) continue;
-      if (!parts.at(part)) pieces.push_back({static_cast<CoverPart>(part), *begun.at(part), first.edge, from});
-      begun.at(part) = parts.at(part) ? std::optional(first.edge) : std::nullopt;
+      std::optional<PieceSide>& left = begun.at(part);
+      const PieceSide side{first.edge, parts.at(part) != left.has_value()};
+      if (!side.is_outline && !is_column) continue;
+      if (left) pieces.push_back({static_cast<CoverPart>(part), *left, side, from});
+      left = parts.at(part) ? std::optional(side) : std::nullopt;
     }
   }
 }
@@ -158,7 +184,8 @@ CoverPiece PlanCover::closed(const OpenPiece& piece, double to) const {
   const auto side = [&](const Edge& edge) {
     return std::array{turned_back({edge.x_at(piece.from), piece.from}), turned_back({edge.x_at(to), to})};
   };
-  return {piece.part, side(edges_[piece.left]), side(edges_[piece.right])};
+  return {piece.part, side(edges_[piece.left.edge]), side(edges_[piece.right.edge]), piece.left.is_outline,
+          piece.right.is_outline};
 }
 
 std::vector<CoverPiece> PlanCover::pieces() const {
@@ -170,11 +197,13 @@ std::vector<CoverPiece> PlanCover::pieces() const {
   for (std::uint32_t edge = 0; edge < order.size(); ++edge) order[edge] = edge;
   std::ranges::sort(order, {}, [&](std::uint32_t edge) { return edges_[edge].low.y; });
   const std::vector<double> heights = events();
-  std::size_t begun = 0;
+  std::size_t begun = 0, work = 0;
   for (std::size_t strip = 0; strip + 1 < heights.size(); ++strip) {
     const double middle = 0.5 * (heights[strip] + heights[strip + 1]);
     while (begun < order.size() && edges_[order[begun]].low.y <= middle) active.push_back(order[begun++]);
     std::erase_if(active, [&](std::uint32_t edge) { return edges_[edge].high.y <= middle; });
+    work += active.size();
+    if (work > most_crossings) return {};
     crossings.clear();
     for (const std::uint32_t edge : active) crossings.push_back({edges_[edge].x_at(middle), edge});
     std::ranges::sort(crossings, {}, [](const Crossing& at) { return std::pair(at.x, at.edge); });

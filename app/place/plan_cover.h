@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,12 +22,13 @@ inline constexpr std::size_t cover_part_count = 3;
 /// A piece of a part: two sides that go up from its lowest to its highest line. These may have no length.
 struct CoverPiece {
   CoverPart part;
-  std::array<glm::dvec2, 2> left, right;  ///< [low, high]
+  std::array<glm::dvec2, 2> left, right;   ///< [low, high]
+  bool left_is_outline, right_is_outline;  ///< else the part goes on there
 };
 
 /// Cuts overlapping polygons of any shape into pieces that overlap nowhere.
 /// Within a polygon is what an odd number of its lines surrounds, so lines that cross or have no area harm nothing.
-/// The sides of all pieces together are the outlines of the parts.
+/// The sides of all pieces that are outlines are those of the parts.
 class PlanCover {
  public:
   /// Adds a polygon of rings. Those within others are its holes.
@@ -34,6 +36,10 @@ class PlanCover {
   /// Adds a wall along a line or a closed ring, on both sides of it.
   void add_band(CoverLayer layer, std::span<const glm::dvec2> line, bool is_closed, double half_width);
 
+  /// Cuts all that was added into columns, so that no piece is much wider. Nothing may be added after it.
+  void cut_columns(double width);
+
+  /// Returns the pieces; none where lines cross so often that it would take more than seconds.
   std::vector<CoverPiece> pieces() const;
 
  private:
@@ -47,9 +53,15 @@ class PlanCover {
     double x;
     std::uint32_t edge;
   };
+  struct PieceSide {
+    std::uint32_t edge;
+    bool is_outline;
+
+    friend auto operator<=>(const PieceSide&, const PieceSide&) = default;
+  };
   struct OpenPiece {
     CoverPart part;
-    std::uint32_t left, right;
+    PieceSide left, right;
     double from;
   };
 
@@ -60,7 +72,7 @@ class PlanCover {
   void cut(std::span<const Crossing> crossings, double from, std::vector<OpenPiece>& pieces) const;
   CoverPiece closed(const OpenPiece& piece, double to) const;
 
-  std::vector<Edge> edges_;  // turned, so that hardly any lies level
+  std::vector<Edge> edges_;         // turned, so that hardly any lies level
   std::vector<CoverLayer> layers_;  // [polygon]
 };
 

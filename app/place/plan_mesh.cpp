@@ -22,13 +22,13 @@ using Triangle = std::array<glm::vec3, 3>;
 constexpr std::size_t most_lines = 5000;  // each is compared with those beside it
 constexpr double line_half_width = 0.04;
 constexpr float floor_height = -0.003F, exit_height = -0.002F, line_height = -0.001F;  // metres
-constexpr double least_cell = 1.0, cells_of_floor = 20'000.0;
+constexpr double least_cell = 1.0, least_wall_step = 3.0, most_cells = 6'000.0;
 
 /// Linear bytes.
 struct Paint {
   std::uint8_t red, green, blue;
 };
-constexpr Paint wall_side{150, 145, 135}, wall_top{222, 218, 208}, floor_paint{92, 95, 100}, exit_paint{28, 105, 44},
+constexpr Paint wall_side{150, 145, 135}, wall_top{222, 218, 208}, floor_paint{60, 64, 70}, exit_paint{10, 72, 26},
     line_paint{205, 62, 14};
 
 /// Adds flat triangles, none longer than a length, because haze and the crowd's shade are known at corners alone.
@@ -81,17 +81,36 @@ double area_of(const DoubleRing& ring) {
   return 0.5 * std::abs(twice);
 }
 
-std::size_t line_count(const GroundPlan& plan) {
-  std::size_t count = 0;
-  for (const std::vector<GroundArea>* areas : {&plan.floors, &plan.exits}) {
-    for (const GroundArea& area : *areas) {
-      count += area.outline.size();
-      for (const GroundRing& hole : area.holes) count += hole.size();
-    }
+/// How much there is to draw.
+struct PlanSize {
+  std::size_t lines = 0;
+  double length = 0.0, area = 0.0;  // metres, square metres
+
+  void add(const std::vector<glm::vec2>& points) {
+    lines += points.size();
+    for (std::size_t i = 1; i < points.size(); ++i)
+      length += static_cast<double>(glm::distance(points[i - 1], points[i]));
   }
-  for (const GroundRing& ring : plan.obstacles) count += ring.size();
-  for (const GroundLine& line : plan.walls) count += line.points.size();
-  return count;
+  void add(const GroundArea& whole) {
+    area += area_of(doubles(whole.outline));
+    add(whole.outline);
+    for (const GroundRing& hole : whole.holes) add(hole);
+  }
+  /// The longest side of a triangle on the ground, and of one of a wall.
+  float ground_step() const {
+    return static_cast<float>(std::max({least_cell, std::sqrt(area / most_cells), length / most_cells}));
+  }
+  float wall_step() const { return static_cast<float>(std::max(least_wall_step, length / most_cells)); }
+};
+
+PlanSize size_of(const GroundPlan& plan) {
+  PlanSize size;
+  for (const GroundArea& area : plan.floors) size.add(area);
+  for (const GroundArea& area : plan.exits) size.add(area);
+  for (const GroundRing& ring : plan.obstacles) size.add(ring);
+  for (const GroundLine& line : plan.walls) size.add(line.points);
+  for (const GroundLine& line : plan.measurement_lines) size.add(line.points);
+  return size;
 }
 
 std::vector<DoubleRing> rings_of(const GroundArea& area) {
@@ -137,27 +156,30 @@ void add_level(const CoverPiece& piece, float height, const Paint& paint, float 
                    {0.0F, 1.0F, 0.0F}, paint, longest);
 }
 
-void add_side(const std::array<glm::dvec2, 2>& side, double outwards, float height, PlanBuilder& builder) {
-  constexpr float longest = 3.0F;
+struct PlanShape {
+  float wall_height, wall_step, ground_step;
+};
+
+void add_side(const std::array<glm::dvec2, 2>& side, double outwards, const PlanShape& shape, PlanBuilder& builder) {
   const glm::dvec2 way = side[1] - side[0];
   const double length = glm::length(way);
   if (length < 1e-6) return;
   const glm::dvec2 normal = outwards * glm::dvec2(way.y, -way.x) / length;
-  builder.add_quad({raised(side[0], floor_height), raised(side[1], floor_height), raised(side[1], height),
-                    raised(side[0], height)},
-                   raised(normal, 0.0F), wall_side, longest);
+  builder.add_quad({raised(side[0], floor_height), raised(side[1], floor_height), raised(side[1], shape.wall_height),
+                    raised(side[0], shape.wall_height)},
+                   raised(normal, 0.0F), wall_side, shape.wall_step);
 }
 
-void add_piece(const CoverPiece& piece, float height, float cell, PlanBuilder& builder) {
+void add_piece(const CoverPiece& piece, const PlanShape& shape, PlanBuilder& builder) {
   switch (piece.part) {
     case CoverPart::floor:
-      return add_level(piece, floor_height, floor_paint, cell, builder);
+      return add_level(piece, floor_height, floor_paint, shape.ground_step, builder);
     case CoverPart::exit:
-      return add_level(piece, exit_height, exit_paint, cell, builder);
+      return add_level(piece, exit_height, exit_paint, shape.ground_step, builder);
     case CoverPart::wall:
-      add_level(piece, height, wall_top, 3.0F, builder);
-      add_side(piece.left, -1.0, height, builder);
-      add_side(piece.right, 1.0, height, builder);
+      add_level(piece, shape.wall_height, wall_top, shape.wall_step, builder);
+      if (piece.left_is_outline) add_side(piece.left, -1.0, shape, builder);
+      if (piece.right_is_outline) add_side(piece.right, 1.0, shape, builder);
   }
 }
 
@@ -177,14 +199,13 @@ void add_line(const GroundLine& line, float cell, PlanBuilder& builder) {
 
 render::SceneryMeshData plan_mesh(const GroundPlan& plan, float wall_height) {
   PlanBuilder builder;
-  if (line_count(plan) > most_lines) return builder.take();
-  double area = 0.0;
-  for (const std::vector<GroundArea>* areas : {&plan.floors, &plan.exits}) {
-    for (const GroundArea& each : *areas) area += area_of(doubles(each.outline));
-  }
-  const auto cell = static_cast<float>(std::max(least_cell, std::sqrt(area / cells_of_floor)));
-  for (const CoverPiece& piece : cover_of(plan).pieces()) add_piece(piece, wall_height, cell, builder);
-  for (const GroundLine& line : plan.measurement_lines) add_line(line, cell, builder);
+  const PlanSize size = size_of(plan);
+  if (size.lines > most_lines) return builder.take();
+  const float ground_step = size.ground_step(), wall_step = size.wall_step();
+  PlanCover cover = cover_of(plan);
+  cover.cut_columns(2.0 * static_cast<double>(ground_step));
+  for (const CoverPiece& piece : cover.pieces()) add_piece(piece, {wall_height, wall_step, ground_step}, builder);
+  for (const GroundLine& line : plan.measurement_lines) add_line(line, ground_step, builder);
   return builder.take();
 }
 

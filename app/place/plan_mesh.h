@@ -14,7 +14,8 @@ inline constexpr double plan_wall_thickness = 0.15;
 /// Walls stand beside the floors, so nobody who keeps to the floors stands in one. Where an exit lies there is no wall.
 /// Floors lie a few millimetres below the ground, which is drawn behind all else, so that feet and what is drawn below
 /// them stay visible.
-/// An outline without an area becomes a wall along its lines. A plan of more than 5000 lines has no mesh.
+/// An outline without an area becomes a wall along its lines. A plan of more than 5000 lines, or of lines that cross
+/// without end, has no mesh.
 render::SceneryMeshData plan_mesh(const GroundPlan& plan, float wall_height = plan_wall_height);
 
 }  // namespace throng::app

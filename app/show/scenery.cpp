@@ -55,7 +55,8 @@ anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& rendere
   plan_mesh_.reset();
   if (planned_ != nullptr) {
     render::SceneryMeshData mesh = plan_mesh(planned_->plan);
-    if (!mesh.vertices.empty()) plan_mesh_ = static_cast<std::uint32_t>(loaded_.size()), loaded_.push_back(std::move(mesh));
+    if (!mesh.vertices.empty())
+      plan_mesh_ = static_cast<std::uint32_t>(loaded_.size()), loaded_.push_back(std::move(mesh));
   }
   if (auto loaded = renderer.load_scenery(loaded_); !loaded) return anim::Error{loaded.error().message};
   return anim::Done{};
@@ -67,8 +68,8 @@ anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
   const Crowd& crowd = stage.crowd();
   const CharacterRoles& roles = crowd.laid_out_for();
   const Trajectories* const recorded = tuning.scene == Scene::trajectories ? planned_.get() : nullptr;
-  const Cause cause{tuning.scene,     crowd.size(),       tuning.seed,      roles.spacing(),
-                    roles.walk_speed, roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
+  const Cause cause{tuning.scene,       crowd.size(),     tuning.seed,    roles.spacing(), roles.walk_speed,
+                    roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
   if (placed_ == cause) return anim::Done{};
   placed_ = cause;
   const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);

@@ -79,14 +79,24 @@ double ground_area(const std::vector<Face>& faces) {
 
 GroundRing rectangle(glm::vec2 low, glm::vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
-GroundPlan room_with_pillar() {
-  return {.floors = {{rectangle({0.0F, 0.0F}, {10.0F, 8.0F}), {rectangle({4.0F, 3.0F}, {5.0F, 4.0F})}}}};
+GroundPlan floor_of(const GroundRing& outline, const std::vector<GroundRing>& holes = {}) {
+  GroundPlan plan;
+  plan.floors.push_back({outline, holes});
+  return plan;
 }
 
-/// Every line that a wall has at its top belongs to a level face and to an upright one, in opposite directions; lines
-/// between level faces, or between upright ones, belong to two of them.
+GroundPlan obstacle_of(const GroundRing& outline) {
+  GroundPlan plan;
+  plan.obstacles.push_back(outline);
+  return plan;
+}
+
+GroundPlan room_with_pillar() {
+  return floor_of(rectangle({0.0F, 0.0F}, {10.0F, 8.0F}), {rectangle({4.0F, 3.0F}, {5.0F, 4.0F})});
+}
+
+/// Nothing is missing around the walls: their sides face all ways alike, and each begins where another one ends.
 void expect_closed_above_ground(const std::vector<Face>& faces) {
-  // Volume: the flow of a constant field through all faces and the ground below the walls is nothing.
   glm::dvec3 sum(0.0);
   for (const Face& face : faces) {
     if (face.is_on_ground()) continue;
@@ -94,7 +104,6 @@ void expect_closed_above_ground(const std::vector<Face>& faces) {
   }
   EXPECT_NEAR(sum.x, 0.0, 1e-3);
   EXPECT_NEAR(sum.z, 0.0, 1e-3);
-  // Each piece of an upright face's foot ends where another one begins.
   std::map<std::pair<long, long>, int> balance;
   const auto key = [](const glm::vec3& at) { return std::pair(std::lround(at.x * 1e3F), std::lround(at.z * 1e3F)); };
   for (const Face& face : faces) {
@@ -169,7 +178,8 @@ TEST(PlanMesh, ThinPartitionsAndSharpCornersLeaveTheFloorFree) {
 }
 
 TEST(PlanMesh, ObstaclesAreBlocksAndLinesAreWalls) {
-  GroundPlan plan{.obstacles = {rectangle({1, 1}, {3, 2})}, .walls = {{{{0, 5}, {4, 5}, {4, 9}}, ""}}};
+  GroundPlan plan = obstacle_of(rectangle({1, 1}, {3, 2}));
+  plan.walls.push_back({{{0, 5}, {4, 5}, {4, 9}}, ""});
   const std::vector<Face> faces = faces_of(plan);
   expect_closed_above_ground(faces);
   EXPECT_NEAR(top_area(faces), 2.0 + 8.0 * 0.15, 1e-3);  // the corner fills what the ends overlap
@@ -196,21 +206,28 @@ TEST(PlanMesh, DegenerateRingsBecomeWallsOrNothing) {
   const double nothing = 0.0;
   for (const auto& [ring, ground] : {std::pair(line, nothing), std::pair(flat, nothing), std::pair(bow, 8.0),
                                      std::pair(repeated, nothing), std::pair(doubled, 16.0)}) {
-    const std::vector<Face> floor = faces_of({.floors = {{ring, {ring}}}}), alone = faces_of({.floors = {{ring, {}}}});
+    EXPECT_NEAR(ground_area(faces_of(floor_of(ring, {ring}))), 0.0, 1e-3) << "its hole is all of it";
+    const std::vector<Face> alone = faces_of(floor_of(ring));
     EXPECT_NEAR(ground_area(alone), ground, 1e-3);
     if (ring != repeated) {
       EXPECT_GT(top_area(alone), 0.7);
       expect_closed_above_ground(alone);
-      EXPECT_GT(top_area(faces_of({.obstacles = {ring}})), 0.7);
+      EXPECT_GT(top_area(faces_of(obstacle_of(ring))), 0.7);
     }
   }
   EXPECT_TRUE(plan_mesh({}).vertices.empty());
-  EXPECT_TRUE(faces_of({.floors = {{{}, {{}}}}, .obstacles = {{}}, .walls = {{{}, ""}}, .exits = {{{}, {}}}}).empty());
-  EXPECT_TRUE(faces_of({.walls = {{{{1, 1}}, ""}}, .measurement_lines = {{{}, ""}, {{{1, 1}}, ""}}}).empty());
+  GroundPlan empty = floor_of({}, {{}});
+  empty.obstacles.emplace_back();
+  empty.exits.emplace_back();
+  for (std::vector<GroundLine>* lines : {&empty.walls, &empty.measurement_lines}) {
+    lines->emplace_back();
+    lines->push_back({{{1, 1}}, ""});
+  }
+  EXPECT_TRUE(faces_of(empty).empty());
 }
 
 TEST(PlanMesh, NoTriangleIsLong) {
-  const std::vector<Face> faces = faces_of({.floors = {{rectangle({-400, -1}, {400, 1}), {}}}});
+  const std::vector<Face> faces = faces_of(floor_of(rectangle({-400, -1}, {400, 1})));
   float longest = 0.0F;
   for (const Face& face : faces) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -152,8 +152,8 @@ std::vector<double> PlanCover::events() const {
     active.push_back(edge);
   }
   std::ranges::sort(heights);
-  const auto rest = std::ranges::unique(heights, [](double a, double b) { return b - a < same_height; });
-  heights.erase(rest.begin(), rest.end());
+  const auto is_same = [](double a, double b) { return b - a < same_height; };
+  heights.erase(std::unique(heights.begin(), heights.end(), is_same), heights.end());
   return heights;
 }
 

@@ -227,7 +227,7 @@ TEST(PlanMesh, DegenerateRingsBecomeWallsOrNothing) {
 }
 
 TEST(PlanMesh, NoTriangleIsLong) {
-  const std::vector<Face> faces = faces_of(floor_of(rectangle({-400, -1}, {400, 1})));
+  const std::vector<Face> faces = faces_of(floor_of(rectangle({-400, -20}, {400, 20})));
   float longest = 0.0F;
   for (const Face& face : faces) {
     for (std::size_t i = 0; i < 3; ++i) {

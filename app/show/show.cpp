@@ -76,6 +76,10 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   stage_ = std::move(*stage);
   if (!begin_tracks(options, error)) return false;
   if (options.events) stage_->animated().sum_up_events();
+  if (!options.output.labels.empty()) {
+    if (const anim::Status kept = keep_joints(*stage_); !kept)
+      return fail(error, exit_job_failed, kept.error().message);
+  }
   const int agents = tuning.agents;
   if (!options.selected || *options.selected < agents) return true;
   return fail(
@@ -240,6 +244,11 @@ anim::Status Show::draw() {
   if (viewer_ == nullptr) return painter_->draw(*stage_, view, figures_);
   const render::Camera round = viewer_->turntable().camera(view.aspect(), covered);
   return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())), stage_->tuning());
+}
+
+anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels) {
+  const PaintedView view{show.camera, {}, show.width, show.height};
+  return show.painter_->draw_labels(*show.stage_, view, is_drawn, labels);
 }
 
 anim::Status Show::rewind(std::size_t moment) {

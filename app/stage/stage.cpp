@@ -146,6 +146,8 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   return anim::Done{};
 }
 
+anim::Status keep_joints(Stage& stage) { return stage.joints_.begin(stage.animated_->system(), stage.characters_); }
+
 void Stage::restart() {
   moving_ = true;
   meter_ = ErrorMeter(characters_);

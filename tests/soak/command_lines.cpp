@@ -11,6 +11,7 @@
 #include "app/settings/preset.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/render/gl/context.h"
 
 namespace throng::soak {
 namespace {
@@ -141,11 +142,18 @@ const std::vector<Option>& other_options() {
       {"--select", 0.2F, word_of({"0"})},
       {"--view", 0.1F, word_of({"", "", "=walk"})},
       {"--hide-ui", 0.0F, text("")},
-      {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
+      {"--headless", 1.0F,
+       word_of({"", "=egl", render::gl::osmesa_is_built_in() ? "=osmesa" : "=egl", "=none", "=none", "=none"})},
+      {"--software", 0.1F, text("")},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
       {"--frames", 1.0F, any_frames},
       {"--dt", 0.3F, any_seconds},
       {"--replay", 0.0F, text("run.rec")},
+      {"--video", 0.0F, text("run.mp4")},
+      {"--fps-out", 0.0F, text("30")},
+      {"--pictures", 0.0F, text("pictures")},
+      {"--labels", 0.0F, text("labels")},
+      {"--seconds", 0.0F, text("0.5")},
       {"--screenshot", 0.3F, text("picture.png")},
       {"--stats", 1.0F, text("stats.json")},
       {"--events", 0.5F, text("")},

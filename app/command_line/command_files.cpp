@@ -22,11 +22,9 @@ RunFiles files_of(const DemoOptions& options) {
   if (options.trajectories.file != "-") files.read.push_back({"--trajectories", options.trajectories.file});
   files.read.push_back({"--walls", options.trajectories.reading.walls});
   files.read.push_back({"--replay", options.replay});
-  files.written = {{"--screenshot", options.screenshot},
-                   {"--stats", options.stats},
-                   {"--trace", options.trace},
-                   {"--record", options.record},
-                   {"--ui-map", options.ui_map}};
+  files.written = {{"--screenshot", options.screenshot}, {"--stats", options.stats},
+                   {"--trace", options.trace},           {"--record", options.record},
+                   {"--ui-map", options.ui_map},         {"--video", options.output.video}};
   files.remove_parts = options.remove_parts;
   return files;
 }
@@ -58,6 +56,21 @@ RunFiles files_of(const BenchOptions& options) {
 RunFiles files_of(const BakeOptions& options) {
   RunFiles files = reading(options.models, options.clips_from);
   files.written = {{"-o", options.pack}};
+  files.remove_parts = options.remove_parts;
+  return files;
+}
+
+RunFiles files_of(const CheckOptions& options) {
+  RunFiles files;
+  files.read = {{"CASES", options.cases}};
+  files.written = {{"--report", options.report}, {"--junit", options.junit}};
+  return files;
+}
+
+RunFiles files_of(const CompareOptions& options) {
+  RunFiles files;
+  files.read = {{"EXPECTED", options.expected}, {"ACTUAL", options.actual}};
+  files.written = {{"--difference", options.difference}};
   files.remove_parts = options.remove_parts;
   return files;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bake(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
+ParsedCommand parse_check(const std::vector<std::string>& arguments);
+ParsedCommand parse_compare(const std::vector<std::string>& arguments);
+
+/// Adds the option that keeps a headless run off the graphics card.
+void declare_software(OptionReader& reader, DemoOptions& options);
 
 /// Adds the option that says how much memory reading a model may take.
 void declare_memory_limit(OptionReader& reader, import::ImportOptions& options);
@@ -24,6 +30,11 @@ void declare_simd(OptionReader& reader, const anim::Kernels*& kernels);
 
 /// Adds the options that say in what size and where the models of files stand.
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
+
+/// Adds the options that say what a run writes of each of its frames.
+void declare_output(OptionReader& reader, DemoOptions& options);
+/// Fills what follows from these options and others, once the line is read. Returns what contradicts them.
+std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options);
 
 /// Returns the demo's help as the tables of app/command_line/README.md.
 std::string demo_options_as_markdown();

@@ -113,6 +113,7 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
                                                               {"egl", ContextKind::egl},
                                                               {"osmesa", ContextKind::osmesa},
                                                               {"none", ContextKind::none}}));
+  declare_software(reader, options);
   reader.value(
       "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot or --ui-map, else none)",
       choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
@@ -166,10 +167,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
-      "--grain", "--schedule",   "--double-buffer", "--simd",   "--size",        "--msaa",
-      "--ui",    "--hide-ui",    "--headless",      "--draw",   "--frames",      "--screenshot",
-      "--stats", "--events",     "--trace",         "--ui-map", "--data",        "--remove-parts"};
+      "MODEL",      "--clips-from",    "--replay", "--pus",          "--local-store", "--tile",     "--grain",
+      "--schedule", "--double-buffer", "--simd",   "--size",         "--msaa",        "--ui",       "--hide-ui",
+      "--headless", "--software",      "--draw",   "--frames",       "--screenshot",  "--stats",    "--events",
+      "--trace",    "--ui-map",        "--data",   "--remove-parts", "--video",       "--pictures", "--fps-out"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }
@@ -215,7 +216,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
     return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
   }
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
-  const bool is_still = !window && !options.screenshot.empty() && options.draw != DrawWhich::all;
+  const bool is_still = !window && !options.screenshot.empty() && drawn_frames(options) != DrawWhich::all;
   if (options.focus && !is_still) return "--focus: is for stills; use --headless and --screenshot";
   if (!options.focus && std::ranges::find(options.given, "--aperture") != options.given.end()) {
     return "--aperture: goes with --focus";
@@ -224,6 +225,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (window && std::max(options.width, options.height) > most_window_pixels) {
     return "--size: a window has at most " + std::to_string(most_window_pixels) + " pixels a side; use --headless";
   }
+  if (window && options.force_software) return "--software: goes with --headless";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
   return {};
 }
@@ -262,6 +264,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   declare_light(reader, options);
   declare_picture(reader, options);
   declare_run(reader, options);
+  declare_output(reader, options);
   declare_files(reader, options);
   reader.footer(
       "Examples:\n"
@@ -276,7 +279,9 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
       "  throng lod [MODEL]      what each bone level of a character saves and shows\n"
       "  throng bench [MODEL]    what an update of many agents costs\n"
-      "  throng bake MODEL...    models made ready to play, in one file that opens at once");
+      "  throng bake MODEL...    models made ready to play, in one file that opens at once\n"
+      "  throng check CASES      pictures held against expected ones, for a model or a preset of your own\n"
+      "  throng compare A B      how far two pictures are apart");
 }
 
 }  // namespace
@@ -297,6 +302,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = settle_trajectories(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
+  if (auto contradiction = settle_output(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
   return options;
 }

@@ -32,10 +32,12 @@ class Followers {
   const Trajectories& trajectories() const { return *source_.trajectories; }
   const StridePlane& plane(std::size_t agent) const { return source_.planes[characters_[agent]]; }
 
-  /// Returns whether somebody is there at a time: from the first row to the last one, and as long as a row lasts.
+  /// Returns whether somebody is there at a time: from the first row to the last one. Who has a single row is there as
+  /// long as a row lasts.
   bool is_there(std::size_t agent, double seconds) const {
     const SmoothTrack way = track(agent);
-    return seconds >= way.first() && seconds < way.last() + row_seconds_;
+    const double last = way.row_count() > 1 ? way.last() : way.first() + row_seconds_;
+    return seconds >= way.first() && seconds <= last;
   }
   glm::vec3 position(std::size_t agent, double seconds) const { return track(agent).position(seconds); }
   TrackStep step(std::size_t agent, double seconds) const {

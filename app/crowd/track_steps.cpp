@@ -11,13 +11,13 @@ namespace throng::app {
 namespace {
 
 constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
-constexpr double stride_window = 0.8;                       // seconds: about a stride, so that sway is taken out
-constexpr double stand_window = 2.0;                        // seconds in which somebody who stands gets nowhere
-constexpr float stands_below = 0.04F, moves_above = 0.14F;  // metres a second over that window
-constexpr float turns_above = 0.08F;                        // metres a second
-constexpr float turns_at_once = 0.9F;                       // metres a second
-constexpr float turned_a_second = 10.0F;                    // of what is left of a turn, at that speed
-constexpr float turns_with_file = 25.0F;                    // of what is left, towards a heading of the file
+constexpr double stride_window = 0.8;                        // seconds: about a stride, so that sway is taken out
+constexpr double stand_window = 3.0;                         // seconds in which somebody who stands gets nowhere
+constexpr float stands_below = 0.015F, moves_above = 0.06F;  // metres a second over that window
+constexpr float turns_above = 0.08F;                         // metres a second
+constexpr float turns_at_once = 0.9F;                        // metres a second
+constexpr float turned_a_second = 10.0F;                     // of what is left of a turn, at that speed
+constexpr float turns_with_file = 25.0F;                     // of what is left, towards a heading of the file
 
 float direction_of(const glm::vec2& way) { return std::atan2(way.x, way.y); }
 

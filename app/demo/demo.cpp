@@ -5,13 +5,16 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "app/demo/frame_reporter.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_loop.h"
 #include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
+#include "app/output/output.h"
 #include "app/overlay/overlay.h"
+#include "app/regression/origin.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
 #include "app/view/fly_camera.h"
@@ -52,7 +55,7 @@ anim::Status write_screenshot(Show& show, const std::string& file) {
   render::Renderer& renderer = show.painter().renderer();
   const render::Image& image = renderer.read_image();
   if (anim::Status read = renderer.finish(); !read) return read;
-  return render::write_png(image, file);
+  return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
 }
 
 /// Tells why something failed, if it did. Returns whether it did not.
@@ -81,36 +84,57 @@ void tell_once(const anim::Status& outcome, bool& told) {
   told = !outcome;
 }
 
-anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) {
+/// Draws a frame of those that are all drawn, or lets the output do it.
+anim::Status draw_one_of_all(Show& show, Output* output, int frame) {
+  return output != nullptr ? output->take(show, frame) : show.draw();
+}
+
+anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
   for (int frame = 1; !asked_to_stop() && (!options.frames_given || frame <= options.frames); ++frame) {
     const anim::Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;
     if (which != DrawWhich::all) continue;
-    if (anim::Status drawn = show.draw(); !drawn) return drawn;
+    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
   return which == DrawWhich::last ? show.draw() : anim::Done{};
 }
 
-anim::Status run_frames(Show& show, const DemoOptions& options) {
+anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) {
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
   const DrawWhich which = drawn_frames(options);
-  bool last = options.frames < 1, told = false;
+  const int frames = frames_of_run(options, show);
+  bool last = frames < 1, told = false;
   for (int frame = 1; !last; ++frame) {
     show.animate(step);
-    last = frame == options.frames || asked_to_stop() != 0;
+    last = frame == frames || asked_to_stop() != 0;
     tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
-    if (anim::Status drawn = show.draw(); !drawn) return drawn;
+    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
   return anim::Done{};
 }
 
+/// Ends an output after its run. A screenshot shows the last frame, also where its picture was there before.
+anim::Status finish_output(Show& show, const DemoOptions& options, Output* output) {
+  if (output == nullptr) return anim::Done{};
+  if (anim::Status finished = output->finish(); !finished) return finished;
+  return options.screenshot.empty() || output->drew_last() ? anim::Done{} : show.draw();
+}
+
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   if (options.ui) show.covered = column_share(options.width, options.ui_scale);
-  anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
+  std::unique_ptr<Output> output;
+  if (options.output.any()) {
+    auto begun = Output::begin(options, show);
+    if (!begun) return begun.error();
+    output = std::move(*begun);
+  }
+  anim::Status run =
+      replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
   if (!run) return run;
+  if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
   if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)
     return draw_overlay(show, options);
   return anim::Done{};
@@ -166,6 +190,9 @@ int run_show(const DemoOptions& options, Replay* replay) {
 }  // namespace
 
 int run_demo(const DemoOptions& options) {
+  if (const anim::Status ready = check_output(options.output); !ready) {
+    return end_with(exit_job_failed, ready.error().message);
+  }
   if (options.replay.empty()) return run_show(options, nullptr);
   const auto replay = Replay::open(options.replay);
   if (!replay) return end_with(exit_job_failed, replay.error().message);

@@ -9,6 +9,7 @@
 #include "app/character/cast_entry.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
+#include "app/settings/output_options.h"
 #include "app/settings/trajectory_options.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/import/import.h"
@@ -178,13 +179,15 @@ struct DemoOptions {
   bool events = false;         ///< the statistics sum up the events of all agents
   std::string record, replay;  ///< files; empty: not asked for
   std::string preset;          ///< the file of the preset that was read; empty: none
+  OutputOptions output;        ///< video, pictures and labels of all frames
   bool remove_parts = false;   ///< what killed runs left beside the files to write is removed
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
-/// Returns the frames that a headless run draws: those asked for; else the last, if something of it is written; else
-/// none.
+/// Returns the frames that a headless run draws: those asked for; else all, if something of each is written; else the
+/// last, if something of it is written; else none.
 inline DrawWhich drawn_frames(const DemoOptions& options) {
+  if (options.output.any()) return DrawWhich::all;
   const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();
   return options.draw.value_or(is_seen ? DrawWhich::last : DrawWhich::none);
 }

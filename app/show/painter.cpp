@@ -18,9 +18,9 @@ constexpr int software_triangles = 120'000;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
-// A single last picture can afford its full quality anywhere.
+// A single last picture can afford its full quality anywhere, and what is written to be kept deserves it.
 bool draws_live(const DemoOptions& options) {
-  return options.context == ContextKind::window || options.draw == DrawWhich::all;
+  return options.context == ContextKind::window || (options.draw == DrawWhich::all && !options.output.any());
 }
 
 void light_as_tuned(const Tuning& tuning, render::CrowdFrame& frame) {
@@ -227,6 +227,17 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   if (device_timer_ && !taken_away.drawing) times.device_ms = device_timer_->milliseconds();
   figures.add_drawing(start, times, draw_counts_);
   return drawn;
+}
+
+anim::Status Painter::draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels) {
+  jobs_.use(stage.system());
+  if (!is_drawn) upload(stage, view);
+  return renderer_->draw_labels(crowd_frame(stage, view, picture_), labels);
+}
+
+anim::Status Painter::measure_bodies(const Stage& stage, const PaintedView& view,
+                                     std::span<const render::PixelBox> boxes, std::span<render::BodyAlone> bodies) {
+  return renderer_->measure_bodies(crowd_frame(stage, view, picture_), boxes, bodies);
 }
 
 anim::Status Painter::draw(render::CrowdFrame frame, const Tuning& tuning) {

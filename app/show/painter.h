@@ -67,6 +67,11 @@ class Painter {
   void time_device();
   /// Draws what is no stage's in the same way, in the light of a tuning; the figures of a run know nothing of it.
   anim::Status draw(render::CrowdFrame frame, const Tuning& tuning);
+  /// Draws who is where in a stage, beside the picture that draw() made of it, or without one.
+  anim::Status draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels);
+  /// Measures what everybody of picture() covers alone. Call it after draw_labels(); see Renderer::measure_bodies.
+  anim::Status measure_bodies(const Stage& stage, const PaintedView& view, std::span<const render::PixelBox> boxes,
+                              std::span<render::BodyAlone> bodies);
   /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }

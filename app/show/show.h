@@ -109,6 +109,7 @@ class Show {
   std::string notice;
 
  private:
+  friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool begin_tracks(const DemoOptions& options, StartError& error);
@@ -132,5 +133,9 @@ class Show {
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
 };
+
+/// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
+/// render::Renderer::draw_labels.
+anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
 
 }  // namespace throng::app

@@ -114,7 +114,7 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
   MixWriter writer(moment, character);
   const StridePlane::Stride stride = plane.stride(moment.step.velocity);
   const std::span<const StridePoint> points = plane.points();
-  std::array<float, person_legs> planted{};
+  std::array<float, person_legs> margins{};
   float walks = 0.0F, stands = stride.stands;
   for (const auto& share : stride.shares.all()) {
     const float weight = share.weight * (1.0F - stride.stands);
@@ -127,7 +127,7 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
         writer.add_gait(points[share.point], points[plane.reference()], weight, stride.cycles_per_second);
     walks += weight;
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
-      planted[leg] += weight * stances.planted(share.point, leg, phase);
+      margins[leg] += weight * stances.margin(share.point, leg, phase);
     }
   }
   if (stands > least_seen_weight) add_rests(moment, roles, stands, writer);
@@ -135,7 +135,7 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
   // Steps that are hardly seen are none, and both feet stand.
   const float rests = 1.0F - std::min(walks / least_walk, 1.0F);
   for (std::size_t leg = 0; leg < person_legs; ++leg) {
-    const float of_gaits = walks > 0.0F ? planted[leg] / walks : 1.0F;
+    const float of_gaits = walks > 0.0F ? std::clamp(margins[leg] / walks, 0.0F, 1.0F) : 1.0F;
     mix.planted[leg] = std::min(of_gaits + rests, 1.0F);
   }
   return mix;

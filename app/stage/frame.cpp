@@ -69,7 +69,10 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 void Stage::move(anim::Ticks delta) {
   StopWatch watch;
   moving_ = delta > anim::Ticks{};
+  const double seconds = track_clock_of(crowd()).seconds;
   animated_->move(delta);
+  const TrackClock& clock = track_clock_of(crowd());
+  if ((clock.seconds - seconds) * clock.rate < 0.0) forget_what_is_shown();  // it begins anew, and nobody flies there
   times_.crowd_ms = watch.lap();
 }
 
@@ -112,6 +115,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                       system().options().pus);
   times_.selection_ms = watch.lap();
   shown_.hide_unseen(selection().visible, last_frame);
+  joints_.make_room(crowd().size());
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   for (anim::AgentUpdate& update : lod_.updates()) {
     const std::uint32_t agent = update.agent.number;
@@ -171,6 +175,7 @@ void Stage::show(anim::AgentUpdate& update, std::uint64_t last_frame) {
                      .format = system().characters().palette_format(character)};
   const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
   update.palette = meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
+  update.joints = joints_.destination(agent);
 }
 
 // Feet are placed for agents that are evaluated each frame and not ahead, so that it is known where the feet are;

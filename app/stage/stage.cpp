@@ -146,6 +146,8 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   return anim::Done{};
 }
 
+anim::Status keep_joints(Stage& stage) { return stage.joints_.begin(stage.animated_->system(), stage.characters_); }
+
 void Stage::restart() {
   moving_ = true;
   meter_ = ErrorMeter(characters_);
@@ -173,7 +175,7 @@ void Stage::forget_what_is_shown() {
 }
 
 void set_track_clock(Stage& stage, const TrackClock& clock) {
-  stage.animated_->set_track_clock(clock);
+  set_track_clock(*stage.animated_, clock);
   stage.forget_what_is_shown();
 }
 

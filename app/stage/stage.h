@@ -13,6 +13,7 @@
 #include "app/lod/shown_poses.h"
 #include "app/settings/settings.h"
 #include "app/stage/animated_crowd.h"
+#include "app/stage/kept_joints.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/render/camera.h"
 #include "engine/render/instance_record.h"
@@ -108,6 +109,8 @@ class Stage {
   friend void set_track_clock(Stage& stage, const TrackClock& clock);
   friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
+  friend anim::Status keep_joints(Stage& stage);
+  friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -132,6 +135,7 @@ class Stage {
   MeshChoice mesh_choice_;
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
+  KeptJoints joints_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
   StageTimes times_;
@@ -149,6 +153,9 @@ inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& s
 
 /// Returns the mesh LODs that everybody in view is drawn with, in the order of selection().visible.
 inline const MeshChoice& mesh_choice_of(const Stage& stage) { return stage.mesh_choice_; }
+
+/// Keeps the joints of everybody's poses from now on, for joints_of(stage). Errors: those of KeptJoints::begin.
+anim::Status keep_joints(Stage& stage);
 
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double low = 0.03;       // metres over where the ball is lowest, of a person 1.8 m tall
 constexpr double off_by = 0.5;     // of the gait's speed, by which a standing foot may go at another one
+constexpr double still = 0.15;     // metres a second, which a foot that stands does not exceed
 constexpr float settling = 0.04F;  // of a cycle, in which a foot comes down or is lifted
 constexpr std::size_t instants = anim::stride_instants;
 
@@ -22,10 +23,11 @@ using Standing = std::array<bool, instants>;
 Standing standing_of(const anim::Stride& stride, std::size_t ball, const glm::dvec2& gait) {
   double lowest = stride.at(0, ball).y;
   for (std::size_t i = 0; i < instants; ++i) lowest = std::min(lowest, stride.at(i, ball).y);
+  const double most = std::max(off_by * glm::length(gait), still * stride.size);
   Standing standing{};
   for (std::size_t i = 0; i < instants; ++i) {
     const bool is_low = stride.at(i, ball).y < lowest + low * stride.size;
-    standing[i] = is_low && glm::length(stride.velocity(i, ball) + gait) < off_by * glm::length(gait);
+    standing[i] = is_low && glm::length(stride.velocity(i, ball) + gait) < most;
   }
   return standing;
 }
@@ -62,12 +64,12 @@ Stances::Stances(const anim::Character& character, const StridePlane& plane) : o
   }
 }
 
-float Stances::planted(std::size_t point, std::size_t leg, double phase) const {
+float Stances::margin(std::size_t point, std::size_t leg, double phase) const {
   const Stance& stance = of_[point][leg];
-  float since = static_cast<float>(phase) - stance.down + 0.5F * settling;
-  since -= std::floor(since);
-  const float rises = since / settling, falls = (stance.length + settling - since) / settling;
-  return std::clamp(std::min(rises, falls), 0.0F, 1.0F);
+  // Seen from the middle of the stance, where the ends lie alike.
+  const float from_middle = static_cast<float>(phase) - stance.down - 0.5F * stance.length;
+  const float away = std::abs(from_middle - std::round(from_middle));
+  return 0.5F + (0.5F * stance.length - away) / settling;
 }
 
 }  // namespace throng::app

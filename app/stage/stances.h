@@ -18,9 +18,10 @@ class Stances {
   Stances() = default;
   Stances(const anim::Character& character, const StridePlane& plane);
 
-  /// Returns how firmly a foot stands, 0 to 1, at a place of a gait's clip, 0 to 1. `point` is one of the plane that
-  /// moves. A foot whose clip has no stance is reported to stand half the time.
-  float planted(std::size_t point, std::size_t leg, double phase) const;
+  /// Returns how far inside of its stance a foot is at a place of a gait's clip, 0 to 1: above 1 it stands, below 0 it
+  /// is in the air. Those of several gaits are mixed like the gaits, and so is the stance. `point` is one of the plane
+  /// that is a gait. A foot whose clip has no stance is reported to stand half the time.
+  float margin(std::size_t point, std::size_t leg, double phase) const;
 
  private:
   /// The part of a clip in which a foot stands.

@@ -1,9 +1,15 @@
 #include "engine/render/image.h"
 
+#include <array>
+#include <bit>
 #include <cassert>
 #include <csetjmp>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <png.h>
 
@@ -21,6 +27,8 @@ Image Image::blank(int width, int height) {
 
 namespace {
 
+constexpr std::size_t most_png_bytes = std::size_t{1} << 30U;
+
 struct FreeImage {
   void operator()(png_image* png) const { png_image_free(png); }
 };
@@ -33,9 +41,8 @@ std::unique_ptr<png_image, FreeImage> owned(png_image& png) {
 }  // namespace
 
 Result<Image> read_png(const std::filesystem::path& file) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 30U;
   const auto failed = [&](const std::string& why) { return Error{"cannot read image " + file.string() + ": " + why}; };
-  const auto bytes = read_file(file, "a .png", most_bytes);
+  const auto bytes = read_file(file, "a .png", most_png_bytes);
   if (!bytes) return failed(bytes.error().message);
   png_image png{};
   const auto freed = owned(png);
@@ -47,6 +54,53 @@ Result<Image> read_png(const std::filesystem::path& file) {
 }
 
 namespace {
+
+/// A PNG on its way out of memory, as it is and without a colour space.
+struct PngReader {
+  std::span<const std::byte> left;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string complaint;
+
+  explicit PngReader(std::span<const std::byte> bytes) : left(bytes) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore);
+    if (png != nullptr) info = png_create_info_struct(png);
+  }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+
+  static void ignore(png_structp /*png*/, png_const_charp /*warning*/) {}
+  static void fail(png_structp png, png_const_charp why) {
+    static_cast<PngReader*>(png_get_error_ptr(png))->complaint = why;
+    longjmp(png_jmpbuf(png), 1);
+  }
+  static void give(png_structp png, png_bytep bytes, std::size_t count) {
+    auto* const reader = static_cast<PngReader*>(png_get_io_ptr(png));
+    if (reader->left.size() < count) png_error(png, "it ends too early");
+    std::memcpy(bytes, reader->left.data(), count);
+    reader->left = reader->left.subspan(count);
+  }
+
+  bool read(NumberImage& image) {
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_read_fn(png, this, give);
+    png_read_info(png, info);
+    if (png_get_bit_depth(png, info) != 16 || png_get_color_type(png, info) != PNG_COLOR_TYPE_GRAY ||
+        png_get_interlace_type(png, info) != PNG_INTERLACE_NONE) {
+      png_error(png, "it is no grey PNG of 16 bits");
+    }
+    if (std::endian::native == std::endian::little) png_set_swap(png);
+    image.width = static_cast<int>(png_get_image_width(png, info));
+    image.height = static_cast<int>(png_get_image_height(png, info));
+    image.numbers.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    for (int row = 0; row < image.height; ++row) {
+      const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+      png_read_row(png, reinterpret_cast<png_bytep>(image.numbers.data() + first), nullptr);
+    }
+    return true;
+  }
+};
 
 /// A PNG on its way into a file. libpng leaves by a jump when something fails, so no object is made meanwhile.
 struct PngWriter {
@@ -74,30 +128,97 @@ struct PngWriter {
     if (!writer->outcome) png_error(png, "");
   }
 
-  bool write(const Image& image) {
-    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
+  void begin(int width, int height, int bits, int color_type) {
     png_set_write_fn(png, this, take, nullptr);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits, color_type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  }
+
+  bool write(const Image& image, std::span<png_text> texts) {
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
+    begin(image.width, image.height, 8, PNG_COLOR_TYPE_RGB_ALPHA);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png, info);
     for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
     png_write_end(png, info);
     return true;
   }
+
+  bool write(const NumberImage& image) {
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
+    begin(image.width, image.height, 16, PNG_COLOR_TYPE_GRAY);
+    png_write_info(png, info);
+    if (std::endian::native == std::endian::little) png_set_swap(png);
+    for (int row = 0; row < image.height; ++row) {
+      const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+      png_write_row(png, reinterpret_cast<png_const_bytep>(image.numbers.data() + first));
+    }
+    png_write_end(png, info);
+    return true;
+  }
 };
 
-}  // namespace
+/// Returns the texts as libpng takes them, which copies all but the letters.
+std::vector<png_text> lent_to_libpng(std::span<const PngText> texts) {
+  std::vector<png_text> lent;
+  for (const PngText& each : texts) {
+    png_text& text = lent.emplace_back();
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<png_charp>(each.keyword.c_str());
+    text.text = const_cast<png_charp>(each.text.c_str());
+    text.text_length = each.text.size();
+  }
+  return lent;
+}
 
-Status write_png(const Image& image, const std::filesystem::path& file) {
+Status write_whole_png(const auto& image, const std::filesystem::path& file, auto... more) {
   auto output = OutputFile::create(file);
   if (!output) return output.error();
   PngWriter writer(*output);
-  if (!writer.write(image)) {
+  if (!writer.write(image, more...)) {
     return writer.outcome ? Error{file.string() + ": cannot be written: there is no memory left"} : writer.outcome;
   }
   return output->commit();
 }
+
+}  // namespace
+
+Result<NumberImage> read_number_png(const std::filesystem::path& file) {
+  const auto failed = [&](const std::string& why) { return Error{"cannot read image " + file.string() + ": " + why}; };
+  const auto bytes = read_file(file, "a .png", most_png_bytes);
+  if (!bytes) return failed(bytes.error().message);
+  PngReader reader(*bytes);
+  NumberImage image;
+  if (!reader.read(image)) return failed(reader.complaint);
+  return image;
+}
+
+bool is_whole_png(const std::filesystem::path& file, int width, int height) {
+  constexpr std::size_t sizes_at = 16, head_bytes = 24, tail_bytes = 8;
+  auto input = InputFile::open(file, "a .png");
+  std::array<std::byte, head_bytes> head{};
+  std::array<std::byte, tail_bytes> tail{};
+  if (!input || input->size() < head_bytes + tail_bytes) return false;
+  if (const auto read = input->read(head); !read || *read != head.size()) return false;
+  if (!input->go_to(input->size() - tail_bytes)) return false;
+  if (const auto read = input->read(tail); !read || *read != tail.size()) return false;
+  const auto side_at = [&](std::size_t place) {
+    std::uint32_t side = 0;
+    for (std::size_t i = 0; i < sizeof(side); ++i) side = side << 8U | std::to_integer<std::uint32_t>(head[place + i]);
+    return side;
+  };
+  constexpr std::string_view end = "IEND\xAE\x42\x60\x82";
+  return png_sig_cmp(reinterpret_cast<png_const_bytep>(head.data()), 0, 8) == 0 &&
+         side_at(sizes_at) == static_cast<std::uint32_t>(width) &&
+         side_at(sizes_at + 4) == static_cast<std::uint32_t>(height) &&
+         std::memcmp(tail.data(), end.data(), tail.size()) == 0;
+}
+
+Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts) {
+  return write_whole_png(image, file, lent_to_libpng(texts));
+}
+Status write_png(const NumberImage& image, const std::filesystem::path& file) { return write_whole_png(image, file); }
 
 }  // namespace throng::render

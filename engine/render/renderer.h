@@ -16,6 +16,7 @@
 #include "engine/render/frame/tiled_target.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
+#include "engine/render/label_picture.h"
 #include "engine/render/lens.h"
 #include "engine/render/light/lamp_map.h"
 #include "engine/render/light/sky_light.h"
@@ -27,6 +28,7 @@
 #include "engine/render/passes/crowd_pass.h"
 #include "engine/render/passes/crowd_shade_pass.h"
 #include "engine/render/passes/ground_pass.h"
+#include "engine/render/passes/label_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/overlay_renderer.h"
 #include "engine/render/passes/shadow_pass.h"
@@ -104,6 +106,13 @@ class Renderer {
   /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
+  /// Draws who is where in the picture of a frame that was uploaded, behind what stands around. Errors: the device has
+  /// no memory for it.
+  Status draw_labels(const CrowdFrame& frame, LabelPicture& labels);
+  /// Measures what each instance of a frame that was uploaded would cover if it were alone. boxes[instance] holds it.
+  /// Errors: those of draw_labels().
+  Status measure_bodies(const CrowdFrame& frame, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies);
+
   /// Draws scenes into a part of the picture alone from now on, and gives the rest an sRGB colour, red in the lowest
   /// byte. A processor that draws has less to do then. Only a picture that is not tiled has a part.
   void draw_only(const PixelRect& part, std::uint32_t around) { part_ = {part, around}; }
@@ -147,6 +156,7 @@ class Renderer {
   void keep_to_part() const;
   DrawCounts draw_scene(const CrowdFrame& frame);
   DrawCounts draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels);
+  Status prepare_labels();
 
   gl::Context* context_;
   ShaderLibrary shaders_;
@@ -159,6 +169,7 @@ class Renderer {
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
   SplitPass split_{shaders_};
+  std::optional<LabelPass> labels_;  // none: nobody has asked for labels
   std::optional<OverlayRenderer> overlay_;
   TiledTarget target_;
   RendererOptions options_;

@@ -23,7 +23,8 @@ enum StorageBinding : unsigned {
   morph_entries_binding = 5,
   morph_weights_binding = 6,
   scenery_binding = 7,
-  casters_binding = 8
+  casters_binding = 8,
+  cells_binding = 9
 };
 /// The texture units of the light, which are the same in every program; materials have those before.
 enum LightUnit : unsigned {

@@ -18,6 +18,7 @@ class TiledTarget {
   static Result<TiledTarget> create(glm::ivec2 size, int samples, const TileLimits& limits);
 
   glm::ivec2 size() const { return tiles_.picture(); }
+  const PictureTiles& tiles() const { return tiles_; }
   bool is_tiled() const { return tiles_.count() > 1; }
 
   /// Returns the target that each tile is drawn into. It holds the whole picture if that is not tiled.

@@ -5,7 +5,7 @@
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/light/light_parts.h"
-#include "engine/render/passes/crowd_runs.h"
+#include "engine/render/passes/crowd_surfaces.h"
 
 namespace throng::render {
 namespace {
@@ -27,32 +27,6 @@ constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
 constexpr float solid_alpha = 0.9F;
 
-void add_runs(const CrowdMesh& mesh, std::size_t lod, const CrowdBatch& batch, IndirectDraws& draws,
-              const auto& is_wanted) {
-  for (const MaterialRun& triangles : mesh.runs(lod)) {
-    if (is_wanted(triangles.material)) draws.add(triangles, batch);
-  }
-}
-
-/// Makes a group of each material that `is_wanted`.
-void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws,
-                      const auto& is_wanted) {
-  draws.clear();
-  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
-    const CrowdMesh& mesh = meshes[run[0].character];
-    for (int material = 0; material < mesh.materials().size(); ++material) {
-      if (!is_wanted(mesh.materials()[material])) continue;
-      draws.begin_group(run[0].page, run[0].character, material);
-      for (const CrowdBatch& batch : run) {
-        add_runs(mesh, batch.mesh_lod, batch, draws, [material](int of_run) { return of_run == material; });
-      }
-    }
-  });
-}
-
-bool is_any(const CrowdMaterial& /*material*/) { return true; }
-bool is_blended(const CrowdMaterial& material) { return material.coverage == Coverage::blended; }
-
 void bind_texture(Unit unit, const CrowdTexture& texture) {
   glBindTextureUnit(unit, texture.image);
   glBindSampler(unit, texture.sampler);
@@ -70,14 +44,6 @@ void set_uniforms(const CrowdMaterial& material) {
   bind_texture(metallic_roughness_unit, material.metallic_roughness_texture);
   bind_texture(normal_unit, material.normal_texture);
   bind_texture(occlusion_unit, material.occlusion_texture);
-}
-
-void set_culling(const CrowdMaterial& material) {
-  if (material.double_sided) {
-    glDisable(GL_CULL_FACE);
-  } else {
-    glEnable(GL_CULL_FACE);
-  }
 }
 
 /// Lets other passes read textures by the textures' own filters again.

@@ -38,6 +38,14 @@ void add_triangles(const SceneryMeshData& mesh, const SceneryLodData& lod, bool 
   }
 }
 
+void test_scenery_depth() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);  // depth is reversed
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+}
+
 }  // namespace
 
 SceneryPass::SceneryPass(ShaderLibrary& shaders)
@@ -138,15 +146,23 @@ DrawCounts SceneryPass::draw_own_depth() {
   return counts;
 }
 
+DrawCounts SceneryPass::draw_depth_in_view(const CameraView& camera, float picture_height) {
+  if (commands_.empty()) return {};
+  selection_.choose(SceneryView(camera, picture_height));
+  compose(1);
+  test_scenery_depth();
+  glUseProgram(own_depth_.id());
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const DrawCounts counts = draw_part(whole);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return counts;
+}
+
 DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
   if (commands_.empty()) return {};
   selection_.choose(SceneryView(camera, picture_height));
   compose(part_count);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);  // depth is reversed
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  test_scenery_depth();
   DrawCounts counts;
   // Reading shadow maps costs more than another pass over the vertices.
   if ((light & shadow_part) != 0) counts = draw_own_depth();

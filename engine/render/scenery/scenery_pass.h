@@ -37,6 +37,8 @@ class SceneryPass {
   /// Draws what is in view, into the colours and depths that are bound. Allocates nothing.
   /// `light` has the parts of the light (light_parts.h), and scenery_lit_at_vertices or not.
   DrawCounts draw(const CameraView& camera, float picture_height, std::uint32_t light);
+  /// Draws the depths of what draw() draws for the same view.
+  DrawCounts draw_depth_in_view(const CameraView& camera, float picture_height);
   /// Draws depths alone along parallel rays, with coarser meshes, into the target that is bound. Depth tests and
   /// offsets are the caller's. `texel_metres` is the size of a texel.
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);

@@ -33,7 +33,7 @@ ShaderLibrary::ShaderLibrary(std::filesystem::path folder) : folder_(std::move(f
 ShaderLibrary::FolderState ShaderLibrary::state_on_disk() const {
   FolderState state{std::filesystem::file_time_type::min(), 0};
   std::error_code failed;  // a file that has just gone counts as old
-  for (const auto& file : std::filesystem::directory_iterator(folder_, failed)) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder_, failed)) {
     state.first = std::max(state.first, file.last_write_time(failed));
     ++state.second;
   }

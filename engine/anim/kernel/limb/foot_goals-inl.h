@@ -11,6 +11,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
+/// Metres: no sole is lower.
+inline constexpr float deepest_sole = -1e9F;
+
 /// The least y of a normal. Steeper ground counts as flat, and so does ground that is not finite.
 inline constexpr float steepest_ground = 0.2F;
 
@@ -123,12 +126,12 @@ HWY_INLINE V planted_share(D d, const PlacedBodies<D>& bodies, V planted, V lift
   return hn::IfThenElse(hn::Ge(planted, zero), planted, share);
 }
 
-/// Returns how high a sole is where it does not stand. Where the host says when a foot stands, one in the air keeps off
-/// the ground, which blends of a step and a standing leg do not.
+/// Returns how high a sole is at least where it does not stand. Where the host says when a foot stands, one in the air
+/// keeps off the ground, which blends of a step and a standing leg do not; else the pose says how high it is.
 template <class D, class V>
-HWY_INLINE V air_under(D d, V leg_length, V planted, V lift) {
-  const V least = hn::Mul(leg_length, hn::Set(d, foot_clearance));
-  return hn::IfThenElse(hn::Ge(planted, hn::Zero(d)), hn::Max(lift, least), lift);
+HWY_INLINE V least_air(D d, V leg_length, V planted) {
+  const V clear = hn::Mul(leg_length, hn::Set(d, foot_clearance));
+  return hn::IfThenElse(hn::Ge(planted, hn::Zero(d)), clear, hn::Set(d, deepest_sole));
 }
 
 /// Returns the goal of a foot. The footing of the ball is locked, so that the heel may rise and fall. The ground under
@@ -152,8 +155,9 @@ HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>
 
   goal.ankle.rotation = product(limited_tilt(d, locked.normal, bodies.least_tilt_cosine), ankle.rotation);
   const Soles<V> tilted = sole_of(d, leg, goal.ankle.rotation, locked.normal);
-  goal.steps = rise_of_step(d, foot.lock, goal.planted, bodies.lock.release_seconds);
-  const V in_the_air = air_under(d, reach.length, foot.planted, lift);
+  const V clear = least_air(d, reach.length, foot.planted);
+  goal.steps = rise_of_step(d, foot.lock, goal.planted, bodies.lock.release_seconds, clear);
+  const V in_the_air = hn::Max(lift, clear);
   const V lifted = hn::Add(hn::NegMulAdd(in_the_air, goal.planted, in_the_air), goal.steps);
   const V above_ground = hn::Div(hn::Add(clearance(tilted, locked.normal), lifted), locked.normal.y);
   const auto ankle_over = [&](V ball_x, V ball_z) {
@@ -164,8 +168,9 @@ HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>
   const Vectors<V> held = ankle_over(locked.place.x, locked.place.z);
   const Vectors<V> carried = ankle_over(hn::Add(ankle.position.x, sole.ball.x), hn::Add(ankle.position.z, sole.ball.z));
   const V held_drop = needed_drop(d, reach, held);
-  const V most_drop =
-      hn::MulAdd(reach.length, hn::Set(d, lock_reserve), hn::Max(needed_drop(d, reach, carried), hn::Zero(d)));
+  const V reserve =
+      hn::IfThenElse(hn::Ge(foot.planted, hn::Zero(d)), hn::Set(d, told_lock_reserve), hn::Set(d, lock_reserve));
+  const V most_drop = hn::MulAdd(reach.length, reserve, hn::Max(needed_drop(d, reach, carried), hn::Zero(d)));
   const auto is_beyond = hn::Gt(held_drop, most_drop);
   const V share = reached_share(d, reach, most_drop, carried, held);
   foot.reached = hn::IfThenElse(is_beyond, share, hn::Set(d, 1.0F));

@@ -167,13 +167,13 @@ HWY_INLINE Footings<V> step_foot_lock(D d, FootLocks<D>& lock, const Footings<V>
 }
 
 /// Returns how high a planted foot steps on its way back from a lock that it was released from, metres. It comes down
-/// where the pose has it.
+/// where the pose has it, and is `least` high in between.
 template <class D, class V>
-HWY_INLINE V rise_of_step(D d, const FootLocks<D>& lock, V planted, V release_seconds) {
+HWY_INLINE V rise_of_step(D d, const FootLocks<D>& lock, V planted, V release_seconds, V least) {
   const V one = hn::Set(d, 1.0F);
   const V fade = fading(d, lock.released_for, release_seconds);
   const V distance = hn::Sqrt(hn::MulAdd(lock.offset.z, lock.offset.z, hn::Mul(lock.offset.x, lock.offset.x)));
-  const V highest = hn::Mul(distance, hn::Set(d, 4.0F * step_height));
+  const V highest = hn::Mul(hn::Max(hn::Mul(distance, hn::Set(d, step_height)), least), hn::Set(d, 4.0F));
   const V firmly = hn::Max(hn::MulSub(hn::Set(d, 2.0F), planted, one), hn::Zero(d));
   const auto steps = hn::AndNot(lock.locked, hn::Or(lock.overstretched, lock.stepping));
   return hn::IfThenElseZero(steps, hn::Mul(hn::Mul(highest, firmly), hn::Mul(fade, hn::Sub(one, fade))));

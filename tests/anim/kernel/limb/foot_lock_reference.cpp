@@ -91,11 +91,12 @@ Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, cons
   return free_footing(lock, posed, options);
 }
 
-float rise_of_step(const FootLock& lock, float planted, const FootLockOptions& options) {
+float rise_of_step(const FootLock& lock, float planted, const FootLockOptions& options, float least) {
   if (lock.locked() || !(has(lock, FootLock::is_overstretched) || has(lock, FootLock::is_stepping))) return 0.0F;
   const float fade = fading(lock.released_for, options.release_seconds);
   const float distance = glm::length(glm::vec2(lock.offset.x, lock.offset.z));
-  return 4.0F * step_height * distance * std::max(2.0F * planted - 1.0F, 0.0F) * fade * (1.0F - fade);
+  const float highest = std::max(step_height * distance, least);
+  return 4.0F * highest * std::max(2.0F * planted - 1.0F, 0.0F) * fade * (1.0F - fade);
 }
 
 void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds) {

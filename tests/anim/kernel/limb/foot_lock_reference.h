@@ -12,7 +12,7 @@ Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, cons
                        float seconds, float reached = 1.0F);
 
 /// Returns how high a planted foot steps on its way back from a lock that it was released from, metres.
-float rise_of_step(const FootLock& lock, float planted, const FootLockOptions& options);
+float rise_of_step(const FootLock& lock, float planted, const FootLockOptions& options, float least = 0.0F);
 
 /// Adds to `slid` how far the ball of the foot got since the last frame, in world space, if it was planted all the
 /// while.

@@ -13,6 +13,10 @@
 
 namespace throng::anim {
 
+glm::vec3 under_toes(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
+  return foot * leg.sole[1] - leg.ball_height * normal;
+}
+
 namespace {
 
 constexpr glm::vec3 upwards{0.0F, 1.0F, 0.0F};
@@ -36,7 +40,12 @@ struct LegReach {
 
 /// How far the lowest point of the sole is below the ankle, along `normal`.
 float clearance(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
-  return std::max(glm::dot(foot * -leg.sole[0], normal), glm::dot(foot * -leg.sole[1], normal));
+  return -std::min(glm::dot(foot * leg.sole[0], normal), glm::dot(under_toes(leg, foot, normal), normal));
+}
+
+/// How high a foot in the air is at least, where the host says that it is there.
+float least_air(const PlacedFoot& foot, const LegReach& reach) {
+  return foot.planted >= 0.0F ? foot_clearance * reach.length : -1e9F;
 }
 
 Footing to_world(const JointMotion& model, const Footing& footing) {
@@ -59,8 +68,8 @@ Footing ground_of(const FootPlacementJob& job, const PlacedFoot& foot) {
 
 /// From the ankle to the ball of the foot, over the ground: the ball is what stands still while the heel comes and
 /// goes.
-glm::vec3 to_ball(const PlacedLeg& leg, const glm::quat& foot) {
-  const glm::vec3 ball = foot * leg.sole[1];
+glm::vec3 to_ball(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
+  const glm::vec3 ball = under_toes(leg, foot, normal);
   return {ball.x, 0.0F, ball.z};
 }
 
@@ -106,19 +115,22 @@ FootGoal goal_of(const FootPlacementJob& job, const PlacedLeg& leg, const LegRea
   const JointMotion& model = job.body->model_in_world;
   const FootPlacementOptions& options = job.body->options;
   const float planted = planted_share(foot, options, lift_of(leg, ankle));
-  const Footing under_ball = moved(ground_of(job, foot), ankle.position + to_ball(leg, ankle.rotation));
+  const Footing under_ball = moved(ground_of(job, foot), ankle.position + to_ball(leg, ankle.rotation, upwards));
   const Footing locked = to_model(
       model, step_foot_lock(foot.lock, to_world(model, under_ball), planted, options.lock, job.seconds, foot.reached));
-  FootGoal goal{.planted = planted, .steps = rise_of_step(foot.lock, planted, options.lock)};
+  const float clear = least_air(foot, reach);
+  FootGoal goal{.planted = planted, .steps = rise_of_step(foot.lock, planted, options.lock, clear)};
   goal.rotation = limited_turn(upwards, locked.normal, options.least_tilt_cosine) * ankle.rotation;
-  const float lift = lift_of(leg, ankle) * (1.0F - planted) + goal.steps;
+  const float lift = std::max(lift_of(leg, ankle), clear) * (1.0F - planted) + goal.steps;
   const float above_ground = clearance(leg, goal.rotation, locked.normal) + lift;
   const auto ankle_over = [&](const glm::vec3& ball) {
-    return moved(locked, ball - to_ball(leg, goal.rotation)).place + upwards * (above_ground / locked.normal.y);
+    return moved(locked, ball - to_ball(leg, goal.rotation, locked.normal)).place +
+           upwards * (above_ground / locked.normal.y);
   };
   const glm::vec3 held = ankle_over(locked.place);
   const glm::vec3 carried = ankle_over(under_ball.place);
-  const float most_drop = std::max(needed_drop(reach, carried), 0.0F) + lock_reserve * reach.length;
+  const float reserve = foot.planted >= 0.0F ? told_lock_reserve : lock_reserve;
+  const float most_drop = std::max(needed_drop(reach, carried), 0.0F) + reserve * reach.length;
   const bool is_beyond = needed_drop(reach, held) > most_drop;
   foot.reached = is_beyond ? reached_share(reach, most_drop, carried, held) : 1.0F;
   goal.drop = std::min(needed_drop(reach, held), most_drop);

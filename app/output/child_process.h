@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// A program that reads what we write, found in PATH and started without a shell. What it says is kept. Signals of the
+/// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program
+/// ignores SIGPIPE (end_in_words).
+class ChildProcess {
+ public:
+  /// Errors: there is no such program, or the system does not start it; the error says why: "there is none in PATH".
+  static anim::Result<ChildProcess> start(const std::vector<std::string>& words);
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&&) = delete;
+  ~ChildProcess();
+
+  /// Writes all of it, and waits while the program reads more slowly. Returns whether it has read all.
+  bool write(std::span<const std::byte> bytes);
+  /// Tells the program that there is no more, and waits for its end. Returns its exit status; 128 and more: a signal.
+  int finish();
+  /// Returns what it has said on its output and its errors, no more than the last megabyte.
+  const std::string& said() const { return said_; }
+
+ private:
+  ChildProcess() = default;
+  void listen();
+
+  pid_t process_ = -1;  // -1: none that is to be waited for
+  int input_ = -1;      // what it reads
+  int output_ = -1;     // what it says
+  std::string said_;
+};
+
+/// Returns the last line of a text that says something; empty if none does.
+std::string last_line(const std::string& text);
+
+}  // namespace throng::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/output/kept_lines.h"
+#include "app/output/label_frame.h"
+#include "app/output/output_folder.h"
+#include "app/output/workers.h"
+#include "app/settings/settings.h"
+#include "app/show/show.h"
+#include "engine/files/output_file.h"
+
+namespace throng::app {
+
+/// Writes labels of each frame into a folder: mask_000001.png, depth_000001.png, a line of labels.jsonl, and what all
+/// lines have in common, labels.json.
+class LabelFiles {
+ public:
+  /// Errors: those of OutputFolder::open, memory does not hold the labels, or a file cannot be written.
+  static anim::Result<std::unique_ptr<LabelFiles>> open(const DemoOptions& options, const Show& show);
+
+  /// Returns whether the files of a frame are there, of an earlier part of the run.
+  bool has(int frame) const;
+  /// Takes the frames one after the other, from the first. Errors: those of LabelMaker::make, or one of the frames
+  /// before could not be written.
+  anim::Status take(Show& show, int frame, bool is_drawn);
+  /// Passes over a frame that is there. Errors: one of the frames before could not be written.
+  anim::Status keep();
+  /// Ends labels.jsonl.
+  anim::Status finish();
+
+ private:
+  LabelFiles(OutputFolder folder, OutputFile lines, const Stage& stage, glm::ivec2 size);
+  anim::Status write(const LabelFrame& frame, const render::NumberImage& mask, const render::NumberImage& depth);
+
+  OutputFolder folder_;
+  glm::ivec2 size_;
+  KeptLines kept_;
+  OutputFile lines_;
+  LabelMaker maker_;
+  Workers writer_;  // last, as its jobs use all of it
+};
+
+}  // namespace throng::app

@@ -1,0 +1,165 @@
+#include "app/output/output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "app/files/joined.h"
+#include "engine/anim/base/cores.h"
+#include "engine/files/size_text.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double usual_rate = 60;
+constexpr int most_picture_writers = 4;
+
+/// Returns how many frames may wait for a thread, so that large ones do not fill the memory.
+std::size_t most_waiting_frames(const VideoFormat& format) {
+  constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_frames = 8;
+  const std::size_t bytes = 4 * static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height);
+  return std::clamp<std::size_t>(most_bytes / bytes, 1, most_frames);
+}
+
+VideoFormat format_of(const DemoOptions& options) {
+  const double of_run = options.dt ? 1.0 / *options.dt : usual_rate;
+  return {options.width, options.height, options.output.frames_per_second.value_or(of_run)};
+}
+
+int picture_writers() { return std::clamp(anim::usable_cores() / 2, 1, most_picture_writers); }
+
+}  // namespace
+
+anim::Status check_output(const OutputOptions& options) {
+  return options.video.empty() ? anim::Done{} : check_encoder(options.video);
+}
+
+int frames_of_run(const DemoOptions& options, const Show& show) {
+  const Crowd& crowd = show.stage().crowd();
+  const Followers* const recorded = followers_of(crowd);
+  const bool goes_on_to_its_end = recorded != nullptr && options.output.any() && options.trajectories.file != "-";
+  if (options.frames_given || !goes_on_to_its_end) return options.frames;
+  const TrackClock& clock = track_clock_of(crowd);
+  const double frames = std::ceil((clock.last - clock.seconds) / options.dt.value_or(1.0 / usual_rate));
+  return static_cast<int>(std::clamp(frames, 1.0, 1e9));
+}
+
+anim::Result<std::unique_ptr<Output>> Output::begin(const DemoOptions& options, const Show& show) {
+  const bool is_known = options.replay.empty() || options.frames_given;  // or the recording says it
+  std::unique_ptr<Output> output(new Output(options, is_known ? frames_of_run(options, show) : 0));
+  if (const anim::Status opened = output->open_files(options, show); !opened) return opened.error();
+  return output;
+}
+
+Output::Output(const DemoOptions& options, int frames)
+    : options_(options.output), format_(format_of(options)), progress_(frames) {}
+
+anim::Status Output::open_files(const DemoOptions& options, const Show& show) {
+  const std::size_t most_waiting = most_waiting_frames(format_);
+  if (!options_.labels.empty()) {
+    auto labels = LabelFiles::open(options, show);
+    if (!labels) return labels.error();
+    labels_ = std::move(*labels);
+  }
+  if (!options_.pictures.empty()) {
+    auto folder = OutputFolder::open("--pictures", options_.pictures, options_.run);
+    if (!folder) return folder.error();
+    pictures_ = std::move(*folder);
+    picture_writers_.emplace(picture_writers(), most_waiting);
+  }
+  if (options_.video.empty()) return anim::Done{};
+  auto video = VideoFile::create(options.output.video, format_);
+  if (!video) return video.error();
+  video_ = std::move(*video);
+  encoder_.emplace(1, most_waiting);
+  return anim::Done{};
+}
+
+bool Output::is_there(int frame) const {
+  if (video_ && !pictures_) return false;
+  if (labels_ && !labels_->has(frame)) return false;
+  return !pictures_ || render::is_whole_png(pictures_->file("frame", frame), format_.width, format_.height);
+}
+
+anim::Status Output::take(Show& show, int frame) {
+  frames_ = frame;
+  anim::Status taken = is_there(frame) ? use_again(frame) : draw(show, frame);
+  progress_.tell(frame);
+  return taken;
+}
+
+anim::Status Output::draw(Show& show, int frame) {
+  drew_last_ = video_ || pictures_;
+  if (drew_last_) {
+    if (anim::Status drawn = show.draw(); !drawn) return drawn;
+  }
+  if (labels_) {
+    if (anim::Status taken = labels_->take(show, frame, drew_last_); !taken) return taken;
+  }
+  return drew_last_ ? keep_image(show, frame) : anim::Done{};
+}
+
+anim::Status Output::keep_image(Show& show, int frame) {
+  render::Renderer& renderer = show.painter().renderer();
+  const auto image = std::make_shared<const render::Image>(renderer.read_image());
+  if (anim::Status read = renderer.finish(); !read) return read;
+  if (pictures_) {
+    const auto write = [image, file = pictures_->file("frame", frame)] { return render::write_png(*image, file); };
+    if (anim::Status added = picture_writers_->add(write); !added) return added;
+  }
+  return video_ ? add_to_video(image) : anim::Done{};
+}
+
+anim::Status Output::use_again(int frame) {
+  ++kept_;
+  drew_last_ = false;
+  if (labels_) {
+    if (anim::Status kept = labels_->keep(); !kept) return kept;
+  }
+  if (!video_) return anim::Done{};
+  return encoder_->add([this, file = pictures_->file("frame", frame)]() -> anim::Status {
+    const auto image = render::read_png(file);
+    return image ? video_->add(*image) : image.error();
+  });
+}
+
+anim::Status Output::add_to_video(SharedImage image) {
+  return encoder_->add([this, image = std::move(image)] { return video_->add(*image); });
+}
+
+anim::Status Output::finish() {
+  for (auto* const workers : {&picture_writers_, &encoder_}) {
+    if (!*workers) continue;
+    if (anim::Status finished = (*workers)->finish(); !finished) return finished;
+  }
+  if (labels_) {
+    if (anim::Status finished = labels_->finish(); !finished) return finished;
+  }
+  if (video_) {
+    if (anim::Status finished = video_->finish(); !finished) return finished;
+  }
+  progress_.end();
+  std::fprintf(stderr, "throng: %s\n", summary().c_str());
+  return anim::Done{};
+}
+
+std::string Output::summary() const {
+  std::string text = counted(static_cast<std::size_t>(frames_), "frame") + " in " + time_text(progress_.seconds());
+  if (video_) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(options_.video, error);
+    text +=
+        "; " + options_.video + ": " + time_text(frames_ / format_.rate) + " of video, " + size_text(error ? 0 : bytes);
+  }
+  if (pictures_) {
+    text += "; " + options_.pictures + ": " + counted(static_cast<std::size_t>(frames_), "picture");
+  }
+  if (labels_) text += "; " + options_.labels + ": labels of " + counted(static_cast<std::size_t>(frames_), "frame");
+  if (kept_ > 0) text += "; " + counted(static_cast<std::size_t>(kept_), "frame") + " were there from before";
+  return text;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/output/label_files.h"
+#include "app/output/output_folder.h"
+#include "app/output/progress.h"
+#include "app/output/video_file.h"
+#include "app/output/workers.h"
+#include "app/settings/settings.h"
+#include "app/show/show.h"
+
+namespace throng::app {
+
+/// Checks, before anything is loaded, that what an output needs beside this program is there. Errors: those of
+/// check_encoder().
+anim::Status check_output(const OutputOptions& options);
+
+/// Returns how many frames a run has: those asked for; without a wish, as many as a recorded crowd that is written goes
+/// on for.
+int frames_of_run(const DemoOptions& options, const Show& show);
+
+/// Writes a video, pictures and labels of each frame of a run. Drawing goes on while frames are encoded. A frame whose
+/// files are there already, of an earlier part of the same run, is not drawn again.
+class Output {
+ public:
+  /// Errors: a file or folder cannot be written, or is of another run.
+  static anim::Result<std::unique_ptr<Output>> begin(const DemoOptions& options, const Show& show);
+
+  /// Takes the frame that the show animated last, counted from 1; draws it unless its files are there. Errors: it
+  /// cannot be drawn, or one of the frames before could not be written.
+  anim::Status take(Show& show, int frame);
+  /// Returns whether the show's picture is that of the last frame.
+  bool drew_last() const { return drew_last_; }
+  /// Waits for what is not written yet, ends the video, and says in one line what there is. Errors: something could
+  /// not be written.
+  anim::Status finish();
+
+ private:
+  using SharedImage = std::shared_ptr<const render::Image>;
+
+  Output(const DemoOptions& options, int frames);
+  anim::Status open_files(const DemoOptions& options, const Show& show);
+  bool is_there(int frame) const;
+  anim::Status draw(Show& show, int frame);
+  anim::Status keep_image(Show& show, int frame);
+  anim::Status use_again(int frame);
+  anim::Status add_to_video(SharedImage image);
+  std::string summary() const;
+
+  OutputOptions options_;
+  VideoFormat format_;
+  std::optional<OutputFolder> pictures_;
+  std::unique_ptr<LabelFiles> labels_;
+  std::unique_ptr<VideoFile> video_;
+  int frames_ = 0, kept_ = 0;
+  bool drew_last_ = false;  // in colour
+  Progress progress_;
+  std::optional<Workers> encoder_, picture_writers_;  // go first, as they use all of it
+};
+
+}  // namespace throng::app

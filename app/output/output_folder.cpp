@@ -1,0 +1,66 @@
+#include "app/output/output_folder.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "app/files/json_file.h"
+#include "engine/files/output_file.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* run_name = "run.json";
+
+anim::Error refused_folder(std::string_view option, const fs::path& folder, const std::string& why) {
+  return {std::string(option) + " " + folder.string() + ": " + why};
+}
+
+bool has_files(const fs::path& folder) {
+  std::error_code error;
+  return fs::directory_iterator(folder, error) != fs::directory_iterator();
+}
+
+/// Returns the words as a shell would take them, more or less, for people.
+std::string as_line(const std::vector<std::string>& words) {
+  std::string line = "throng";
+  for (const std::string& word : words) line += " " + word;
+  return line;
+}
+
+}  // namespace
+
+anim::Result<OutputFolder> OutputFolder::open(std::string_view option, const fs::path& folder,
+                                              const std::vector<std::string>& run) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return refused_folder(option, folder, "cannot be made: " + error.message());
+  const fs::path file = folder / run_name;
+  if (fs::exists(file, error)) {
+    const auto json = JsonFile(file, {.malformed = "remove the folder, or name another"}).read();
+    if (!json) return json.error();
+    const auto version = json->value("throng", std::string());
+    const auto before = json->value("run", std::vector<std::string>());
+    if (before == run && version == THRONG_VERSION) return OutputFolder(folder);
+    return refused_folder(option, folder,
+                          "is of another run, `" + as_line(before) + "` of throng " + version +
+                              "; name another folder, or remove this one");
+  }
+  if (has_files(folder)) {
+    return refused_folder(option, folder, "has files, and no run.json says of which run; name another folder");
+  }
+  const Json json = {{"throng", THRONG_VERSION}, {"run", run}};
+  if (anim::Status written = write_whole_file(file, json.dump() + "\n"); !written) return written.error();
+  return OutputFolder(folder);
+}
+
+fs::path OutputFolder::file(std::string_view kind, int frame) const {
+  char name[64];
+  std::snprintf(name, sizeof(name), "%.*s_%06d.png", static_cast<int>(kind.size()), kind.data(), frame);
+  return folder_ / name;
+}
+
+}  // namespace throng::app

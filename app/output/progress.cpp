@@ -1,0 +1,49 @@
+#include "app/output/progress.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "app/files/joined.h"
+
+namespace throng::app {
+
+std::string time_text(double seconds) {
+  constexpr double exact = 10;
+  if (seconds < exact) return fixed(seconds, 1) + " s";
+  const auto whole = static_cast<long long>(std::llround(seconds));
+  constexpr long long minute = 60, hour = 3600;
+  if (whole < minute) return std::to_string(whole) + " s";
+  if (whole < hour) return std::to_string(whole / minute) + " min " + std::to_string(whole % minute) + " s";
+  return std::to_string(whole / hour) + " h " + std::to_string(whole % hour / minute) + " min";
+}
+
+std::string progress_text(int frame, int frames, double seconds) {
+  const double rate = seconds > 0 ? frame / seconds : 0;
+  std::string text = "frame " + std::to_string(frame);
+  if (frames > 0) text += " of " + std::to_string(frames);
+  text += ", " + fixed(rate, rate < 10 ? 1 : 0) + " a second";
+  if (frames > 0 && rate > 0) text += ", " + time_text((frames - frame) / rate) + " left";
+  return text;
+}
+
+Progress::Progress(int frames) : frames_(frames), is_seen_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() { end(); }
+
+void Progress::tell(int frame) {
+  constexpr std::chrono::milliseconds least_pause(250);
+  const Clock::time_point now = Clock::now();
+  if (!is_seen_ || now - told_ < least_pause) return;
+  told_ = now;
+  has_line_ = true;
+  std::fprintf(stderr, "\r\033[K%s", progress_text(frame, frames_, seconds()).c_str());
+}
+
+void Progress::end() {
+  if (has_line_) std::fprintf(stderr, "\r\033[K");
+  has_line_ = false;
+}
+
+}  // namespace throng::app

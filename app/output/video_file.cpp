@@ -1,0 +1,113 @@
+#include "app/output/video_file.h"
+
+#include <span>
+#include <string>
+#include <utility>
+
+#include "app/settings/option_values.h"
+
+namespace throng::app {
+namespace {
+
+constexpr const char* program = "ffmpeg";
+
+bool is_webm(const std::filesystem::path& file) { return file.extension() == ".webm"; }
+
+std::string encoder_of(const std::filesystem::path& file) { return is_webm(file) ? "libvpx-vp9" : "libx264"; }
+
+anim::Error not_started(const std::string& why) {
+  return {std::string("--video: ") + program + " does not start: " + why +
+          "; install the package ffmpeg, or write --pictures"};
+}
+
+/// Returns the words that start an ffmpeg which reads frames and writes `part`. Colours are those of HD television,
+/// which players take them for.
+std::vector<std::string> words_for(const std::filesystem::path& file, const std::filesystem::path& part,
+                                   const VideoFormat& format) {
+  std::vector<std::string> words{program,
+                                 "-hide_banner",
+                                 "-nostdin",
+                                 "-loglevel",
+                                 "error",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pixel_format",
+                                 "rgb24",
+                                 "-video_size",
+                                 std::to_string(format.width) + "x" + std::to_string(format.height),
+                                 "-framerate",
+                                 shortest_text(format.rate),
+                                 "-i",
+                                 "pipe:0",
+                                 "-an",
+                                 "-vf",
+                                 "scale=in_range=full:out_range=tv:out_color_matrix=bt709,format=yuv420p",
+                                 "-color_primaries",
+                                 "bt709",
+                                 "-color_trc",
+                                 "bt709",
+                                 "-colorspace",
+                                 "bt709",
+                                 "-c:v",
+                                 encoder_of(file)};
+  const std::vector<std::string> h264{"-preset", "medium", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"};
+  const std::vector<std::string> vp9{"-b:v",      "0", "-crf",      "28",   "-row-mt", "1",
+                                     "-cpu-used", "4", "-deadline", "good", "-f",      "webm"};
+  const std::vector<std::string>& rest = is_webm(file) ? vp9 : h264;
+  words.insert(words.end(), rest.begin(), rest.end());
+  words.insert(words.end(), {"-y", "file:" + part.string()});
+  return words;
+}
+
+}  // namespace
+
+anim::Status check_encoder(const std::filesystem::path& file) {
+  auto asked = ChildProcess::start({program, "-hide_banner", "-loglevel", "error", "-encoders"});
+  if (!asked) return not_started(asked.error().message);
+  const int status = asked->finish();
+  const std::string encoder = encoder_of(file);
+  if (status != 0) return not_started(last_line(asked->said()));
+  if (asked->said().find(" " + encoder + " ") != std::string::npos) return anim::Done{};
+  return anim::Error{"--video " + file.string() + ": this ffmpeg has no encoder " + encoder +
+                     "; install the package ffmpeg, or name a " + (is_webm(file) ? ".mp4" : ".webm")};
+}
+
+anim::Result<std::unique_ptr<VideoFile>> VideoFile::create(const std::filesystem::path& file,
+                                                           const VideoFormat& format) {
+  if (is_device_or_pipe(file)) {
+    return anim::Error{"--video " + file.string() + ": a video is written to and fro; name a file, not a pipe"};
+  }
+  auto output = OutputFile::create(file);
+  if (!output) return output.error();
+  auto encoder = ChildProcess::start(words_for(file, output->part(), format));
+  if (!encoder) return not_started(encoder.error().message);
+  return std::unique_ptr<VideoFile>(new VideoFile(std::move(*output), std::move(*encoder), format));
+}
+
+VideoFile::VideoFile(OutputFile file, ChildProcess encoder, const VideoFormat& format)
+    : file_(std::move(file)), encoder_(std::move(encoder)) {
+  rgb_.resize(static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height) * 3);
+}
+
+anim::Status VideoFile::add(const render::Image& frame) {
+  for (std::size_t pixel = 0; pixel < rgb_.size() / 3; ++pixel) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      rgb_[3 * pixel + channel] = std::byte{frame.rgba[4 * pixel + channel]};
+    }
+  }
+  if (encoder_.write(rgb_)) return anim::Done{};
+  return ended("ended before the video did", encoder_.finish());
+}
+
+anim::Status VideoFile::finish() {
+  if (const int status = encoder_.finish(); status != 0) return ended("failed at the end of the video", status);
+  return file_.commit();
+}
+
+anim::Error VideoFile::ended(const std::string& how, int status) const {
+  const std::string words = last_line(encoder_.said());
+  return {file_.file().string() + ": ffmpeg " + how + " (status " + std::to_string(status) + ")" +
+          (words.empty() ? "" : ": " + words)};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/output/child_process.h"
+#include "engine/anim/base/result.h"
+#include "engine/files/output_file.h"
+#include "engine/render/image.h"
+
+namespace throng::app {
+
+/// Says what a video is like.
+struct VideoFormat {
+  int width = 0, height = 0;  ///< pixels, even
+  double rate = 60;           ///< frames a second
+};
+
+/// Checks that an ffmpeg is installed that can make a video of this name. Errors: it is not, with the package that has
+/// it; it has not the encoder.
+anim::Status check_encoder(const std::filesystem::path& file);
+
+/// A video that an ffmpeg makes of frames: H.264 in .mp4, VP9 in .webm. The file is whole or as it was.
+class VideoFile {
+ public:
+  /// Errors: ffmpeg does not start, or the file cannot be written.
+  static anim::Result<std::unique_ptr<VideoFile>> create(const std::filesystem::path& file, const VideoFormat& format);
+
+  /// Adds a frame, which has the size of the video. Errors: ffmpeg ended; the error has its last words.
+  anim::Status add(const render::Image& frame);
+  /// Ends the video, and gives the file its name. Errors: ffmpeg failed, or the file cannot be written.
+  anim::Status finish();
+
+ private:
+  VideoFile(OutputFile file, ChildProcess encoder, const VideoFormat& format);
+  anim::Error ended(const std::string& how, int status) const;
+
+  OutputFile file_;
+  ChildProcess encoder_;
+  std::vector<std::byte> rgb_;  // of a frame
+};
+
+}  // namespace throng::app

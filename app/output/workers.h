@@ -1,0 +1,46 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Does jobs on threads of its own, so that drawing goes on meanwhile. One thread does them in the order in which they
+/// came. Who adds more than may wait, waits.
+class Workers {
+ public:
+  using Job = std::function<anim::Status()>;
+
+  Workers(int threads, std::size_t most_waiting);
+  /// Leaves out the jobs that have not begun.
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Adds a job. Errors: that of the first job that failed; from then on none is done.
+  anim::Status add(Job job);
+  /// Waits until all jobs are done. Errors: that of the first job that failed.
+  anim::Status finish();
+
+ private:
+  void work();
+  static anim::Status done(const Job& job);
+
+  std::size_t most_waiting_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> waiting_;
+  std::size_t at_work_ = 0;  // jobs that have begun and not ended
+  bool ends_ = false;
+  anim::Status outcome_ = anim::Done{};
+  std::vector<std::thread> threads_;  // last, as they use all of it
+};
+
+}  // namespace throng::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/character/source.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/transform.h"
+
+namespace throng::app {
+
+/// The joints of the poses that were written last: the place of each bone in model space. Nothing is kept until it is
+/// asked for.
+class KeptJoints {
+ public:
+  /// Has updates write the joints of these characters, which are the first of the system. Errors: those of
+  /// anim::Characters::write_joints.
+  anim::Status begin(anim::AnimationSystem& system, std::span<const CharacterSource> characters);
+  /// Makes room for that many agents. Call it before an update.
+  void make_room(std::size_t agents);
+
+  /// Returns where an update writes the joints of an agent; null while none are kept.
+  anim::PaletteDestination destination(std::uint32_t agent) const { return stride_ == 0 ? nullptr : joints(agent); }
+  /// Returns [bone] the joints of an agent with so many bones, as it was updated last.
+  std::span<const anim::PaletteMatrix> of(std::uint32_t agent, std::size_t bones) const {
+    return {joints(agent), bones};
+  }
+
+ private:
+  anim::PaletteMatrix* joints(std::uint32_t agent) const {
+    return reinterpret_cast<anim::PaletteMatrix*>(memory_.get() + stride_ * agent);
+  }
+
+  std::size_t stride_ = 0;  // bytes an agent; 0: none are kept
+  std::size_t agents_ = 0;
+  anim::AlignedBytes memory_;
+};
+
+}  // namespace throng::app

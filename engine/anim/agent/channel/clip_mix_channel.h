@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/anim/agent/channel.h"
+
+namespace throng::anim {
+
+/// Says whether the data keys of a clip are heard for others of its mix (`AgentMotion`).
+enum class StepVoice : unsigned char {
+  own,     ///< its data keys are its own
+  leads,   ///< it keeps step with others and delivers the keys that they share, with the weight of all
+  follows  ///< the clip that leads delivers the keys that they share
+};
+
+/// A clip of a mix, and where it is at the clock.
+struct MixedClip {
+  int clip = 0;
+  float weight = 1.0F;     ///< above 0; shares of the sum of all
+  FineTicks position = 0;  ///< may lie outside of the clip, whole loops away
+  double speed = 1.0;      ///< with which it goes on until it is set again; negative: backwards
+  StepVoice voice = StepVoice::own;
+};
+
+/// Plays the looping clips that its host gives, each at the weight and position given: the pose follows from what was
+/// set last and the time since. It is for motion that is a function of time, such as a recorded path, which one can
+/// look at in any order. A clip that stays in the mix keeps its player.
+class ClipMixChannel final : public Channel {
+ public:
+  static constexpr std::size_t most = 5;
+
+  explicit ClipMixChannel(std::span<const MixedClip> clips) { set(clips); }
+
+  /// Sets the mix, from the next update on: 1 to `most` clips, none twice. Another mix is a misuse and changes nothing.
+  void set(std::span<const MixedClip> clips);
+  std::span<const MixedClip> clips() const { return {clips_.data(), count_}; }
+
+  const char* fault(const EntityBuilder& build) const override;
+  Handle state() const override { return blend_.valid() ? blend_ : players_[0]; }
+  bool update(const EntityBuilder& build) override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override;
+  void destroy_entities(const EntityBuilder& build) override;
+  std::unique_ptr<Channel> clone() const override { return std::make_unique<ClipMixChannel>(*this); }
+
+ private:
+  bool take_players(const EntityBuilder& build);
+  void place_players(const EntityBuilder& build) const;
+  bool blend(const EntityBuilder& build);
+
+  std::array<MixedClip, most> clips_{};
+  std::size_t count_ = 0;
+  std::array<Handle, most> players_;  // of clips_[i], after update()
+  std::array<int, most> played_{};    // the clips of players_
+  std::size_t played_count_ = 0;
+  Handle blend_;  // an ease blender of two, or a mixer of more; invalid where one plays alone
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/mesh/mesh.h"
+#include "engine/render/passes/crowd_runs.h"
+#include "engine/render/passes/indirect_draws.h"
+
+namespace throng::render {
+
+/// Makes a group of each material of the crowd that `is_wanted`.
+void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws,
+                      const auto& is_wanted) {
+  draws.clear();
+  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
+    const CrowdMesh& mesh = meshes[run[0].character];
+    for (int material = 0; material < mesh.materials().size(); ++material) {
+      if (!is_wanted(mesh.materials()[material])) continue;
+      draws.begin_group(run[0].page, run[0].character, material);
+      for (const CrowdBatch& batch : run) {
+        for (const MaterialRun& triangles : mesh.runs(batch.mesh_lod)) {
+          if (triangles.material == material) draws.add(triangles, batch);
+        }
+      }
+    }
+  });
+}
+
+inline bool is_any(const CrowdMaterial& /*material*/) { return true; }
+inline bool is_blended(const CrowdMaterial& material) { return material.coverage == Coverage::blended; }
+
+/// Leaves out the backs of surfaces, unless a material has two sides.
+inline void set_culling(const CrowdMaterial& material) {
+  if (material.double_sided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+  }
+}
+
+}  // namespace throng::render

@@ -1,0 +1,31 @@
+#include "app/output/progress.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::app::progress_test {
+namespace {
+
+TEST(ProgressOfARun, SaysHowFarItIsAndHowLongItGoesOn) {
+  EXPECT_EQ(progress_text(30, 600, 12.5), "frame 30 of 600, 2.4 a second, 3 min 58 s left");
+  EXPECT_EQ(progress_text(300, 600, 10), "frame 300 of 600, 30 a second, 10 s left");
+  EXPECT_EQ(progress_text(7, 0, 0.5), "frame 7, 14 a second");
+}
+
+TEST(ProgressOfARun, HasTimesForPeople) {
+  EXPECT_EQ(time_text(4.23), "4.2 s");
+  EXPECT_EQ(time_text(38.4), "38 s");
+  EXPECT_EQ(time_text(238), "3 min 58 s");
+  EXPECT_EQ(time_text(7500), "2 h 5 min");
+}
+
+TEST(ProgressOfARun, SaysNothingWithoutATerminal) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(10);
+    for (int frame = 1; frame <= 10; ++frame) progress.tell(frame);
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace throng::app::progress_test

@@ -173,7 +173,7 @@ TEST_F(TrackPlayers, TheSceneNeedsAFile) {
   characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
   const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), pages_);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message, "scene trajectories: no file of them is open; start with --trajectories FILE");
+  EXPECT_EQ(made.error().message, "scene tracks: no file of trajectories is open; start with --trajectories FILE");
 }
 
 TEST_F(TrackPlayers, AnotherSceneAndBackBeginsTheCrowdAnew) {

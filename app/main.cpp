@@ -6,12 +6,22 @@
 #include "app/command_line/simd_choice.h"
 #include "app/commands/bake/command.h"
 #include "app/commands/bench/command.h"
+#include "app/commands/check/command.h"
+#include "app/commands/compare/command.h"
 #include "app/commands/inspect/command.h"
 #include "app/commands/lod/command.h"
 #include "app/commands/pose/command.h"
 #include "app/demo/demo.h"
 #include "app/files/exit_status.h"
+#include "app/files/program_version.h"
 #include "engine/files/output_file.h"
+
+// The build makes it for the program alone; others who compile this file have none.
+#if __has_include("throng_commit.h")
+#include "throng_commit.h"
+#else
+#define THRONG_COMMIT "unknown"
+#endif
 
 namespace throng::app {
 namespace {
@@ -22,6 +32,8 @@ int run(const InspectOptions& options) { return run_inspect(options); }
 int run(const LodOptions& options) { return run_lod(options); }
 int run(const BenchOptions& options) { return run_bench(options); }
 int run(const BakeOptions& options) { return run_bake(options); }
+int run(const CheckOptions& options) { return run_check(options); }
+int run(const CompareOptions& options) { return run_compare(options); }
 
 struct Run {
   int operator()(const auto& options) const {
@@ -47,6 +59,7 @@ struct Run {
 int main(int argument_count, char** arguments) {
   using namespace throng::app;
   end_in_words();
+  set_program_commit(THRONG_COMMIT);
   try {
     return std::visit(Run{}, parse_command_line({arguments + 1, arguments + argument_count}));
   } catch (...) {

@@ -60,4 +60,19 @@ RunFiles files_of(const BakeOptions& options) {
   return files;
 }
 
+RunFiles files_of(const CheckOptions& options) {
+  RunFiles files;
+  files.read = {{"CASES", options.cases}};
+  files.written = {{"--report", options.report}, {"--junit", options.junit}};
+  return files;
+}
+
+RunFiles files_of(const CompareOptions& options) {
+  RunFiles files;
+  files.read = {{"EXPECTED", options.expected}, {"ACTUAL", options.actual}};
+  files.written = {{"--difference", options.difference}};
+  files.remove_parts = options.remove_parts;
+  return files;
+}
+
 }  // namespace throng::app

@@ -12,5 +12,7 @@ RunFiles files_of(const InspectOptions& options);
 RunFiles files_of(const LodOptions& options);
 RunFiles files_of(const BenchOptions& options);
 RunFiles files_of(const BakeOptions& options);
+RunFiles files_of(const CheckOptions& options);
+RunFiles files_of(const CompareOptions& options);
 
 }  // namespace throng::app

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/command_line/version_text.h"
 #include "app/files/nearest_names.h"
 
 namespace throng::app {
@@ -116,14 +117,14 @@ std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& 
   add_flag_callback(
       "-h,--help", [] { throw CLI::CallForHelp(); }, "Show this text")
       ->trigger_on_parse();
-  set_version_flag("--version", "throng " THRONG_VERSION, "Show the version");
+  set_version_flag("--version", "", "Show the version, and what this build and this machine have");
   try {
     parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return {};
   } catch (const CLI::CallForHelp&) {
     return ShowText{CLI::detail::find_and_replace(help(), "\n\n\n", "\n\n")};
-  } catch (const CLI::CallForVersion& version) {
-    return ShowText{version.what() + std::string("\n")};
+  } catch (const CLI::CallForVersion&) {
+    return ShowText{version_text()};
   } catch (const CLI::ExtrasError&) {
     return UsageError{unexpected(remaining().front(), *this)};
   } catch (const CLI::ArgumentMismatch& error) {

@@ -19,12 +19,14 @@ struct Command {
   ParsedCommand (*parse)(const std::vector<std::string>& arguments);
 };
 
-const std::array<Command, 5>& commands() {
-  static const std::array<Command, 5> all{{{"pose", parse_pose},
+const std::array<Command, 7>& commands() {
+  static const std::array<Command, 7> all{{{"pose", parse_pose},
                                            {"inspect", parse_inspect},
                                            {"lod", parse_lod},
                                            {"bench", parse_bench},
-                                           {"bake", parse_bake}}};
+                                           {"bake", parse_bake},
+                                           {"check", parse_check},
+                                           {"compare", parse_compare}}};
   return all;
 }
 

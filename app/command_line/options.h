@@ -6,6 +6,8 @@
 
 #include "app/commands/bake/options.h"
 #include "app/commands/bench/options.h"
+#include "app/commands/check/options.h"
+#include "app/commands/compare/options.h"
 #include "app/commands/inspect/options.h"
 #include "app/commands/lod/options.h"
 #include "app/commands/pose/options.h"
@@ -24,8 +26,8 @@ struct UsageError {
   std::string message;
 };
 
-using ParsedCommand =
-    std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, BakeOptions, ShowText, UsageError>;
+using ParsedCommand = std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, BakeOptions,
+                                   CheckOptions, CompareOptions, ShowText, UsageError>;
 
 /// Reads a command line as README.md beside it documents it. `arguments` are without the program's own name.
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments);

@@ -16,6 +16,11 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bake(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
+ParsedCommand parse_check(const std::vector<std::string>& arguments);
+ParsedCommand parse_compare(const std::vector<std::string>& arguments);
+
+/// Adds the option that keeps a headless run off the graphics card.
+void declare_software(OptionReader& reader, DemoOptions& options);
 
 /// Adds the option that says how much memory reading a model may take.
 void declare_memory_limit(OptionReader& reader, import::ImportOptions& options);

@@ -113,6 +113,7 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
                                                               {"egl", ContextKind::egl},
                                                               {"osmesa", ContextKind::osmesa},
                                                               {"none", ContextKind::none}}));
+  declare_software(reader, options);
   reader.value(
       "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot or --ui-map, else none)",
       choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
@@ -166,10 +167,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",      "--clips-from",    "--replay",       "--pus",        "--local-store", "--tile",   "--grain",
-      "--schedule", "--double-buffer", "--simd",         "--size",       "--msaa",        "--ui",     "--hide-ui",
-      "--headless", "--draw",          "--frames",       "--screenshot", "--stats",       "--events", "--trace",
-      "--ui-map",   "--data",          "--remove-parts", "--video",      "--pictures",    "--fps-out"};
+      "MODEL",      "--clips-from",    "--replay", "--pus",          "--local-store", "--tile",     "--grain",
+      "--schedule", "--double-buffer", "--simd",   "--size",         "--msaa",        "--ui",       "--hide-ui",
+      "--headless", "--software",      "--draw",   "--frames",       "--screenshot",  "--stats",    "--events",
+      "--trace",    "--ui-map",        "--data",   "--remove-parts", "--video",       "--pictures", "--fps-out"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }
@@ -224,6 +225,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (window && std::max(options.width, options.height) > most_window_pixels) {
     return "--size: a window has at most " + std::to_string(most_window_pixels) + " pixels a side; use --headless";
   }
+  if (window && options.force_software) return "--software: goes with --headless";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
   return {};
 }
@@ -277,7 +279,9 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
       "  throng lod [MODEL]      what each bone level of a character saves and shows\n"
       "  throng bench [MODEL]    what an update of many agents costs\n"
-      "  throng bake MODEL...    models made ready to play, in one file that opens at once");
+      "  throng bake MODEL...    models made ready to play, in one file that opens at once\n"
+      "  throng check CASES      pictures held against expected ones, for a model or a preset of your own\n"
+      "  throng compare A B      how far two pictures are apart");
 }
 
 }  // namespace

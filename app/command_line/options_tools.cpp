@@ -66,7 +66,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   InspectOptions options;
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
   reader.option_defaults()->group("What is inspected");
-  reader.model(options.model, "A glTF file (.glb or .gltf), or a pack")->required();
+  reader.model(options.model, "A glTF file (.glb or .gltf), a pack, or trajectories")->required();
   clips_from(reader, options.clips_from);
   reading(reader, options.reading);
   reader.flag("--json", options.json, "As one JSON object");

@@ -14,6 +14,7 @@
 #include "app/files/exit_status.h"
 #include "app/output/output.h"
 #include "app/overlay/overlay.h"
+#include "app/regression/origin.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
 #include "app/view/fly_camera.h"
@@ -54,7 +55,7 @@ anim::Status write_screenshot(Show& show, const std::string& file) {
   render::Renderer& renderer = show.painter().renderer();
   const render::Image& image = renderer.read_image();
   if (anim::Status read = renderer.finish(); !read) return read;
-  return render::write_png(image, file);
+  return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
 }
 
 /// Tells why something failed, if it did. Returns whether it did not.

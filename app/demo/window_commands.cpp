@@ -8,6 +8,7 @@
 #include "app/demo/viewer_commands.h"
 #include "app/recording/cast_options.h"
 #include "app/recording/crowd_file.h"
+#include "app/regression/origin.h"
 #include "app/show/kept_choices.h"
 #include "engine/files/output_file.h"
 
@@ -219,7 +220,9 @@ void WindowCommands::say_where(const anim::Result<std::filesystem::path>& writte
 
 void WindowCommands::take_screenshot() {
   const std::string file = unused_file(".png", screenshots_);
-  messages().tell(render::write_png(session_.show.painter().renderer().read_image(), file), "Wrote " + file);
+  Painter& painter = session_.show.painter();
+  messages().tell(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
+                  "Wrote " + file);
 }
 
 }  // namespace throng::app

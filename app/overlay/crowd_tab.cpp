@@ -231,25 +231,38 @@ constexpr RoleRow role_rows[] = {
      "The clip of those who walk on and a little to their right, by a file of trajectories."},
 };
 
+void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) {
+  const FrameReport& report = context.report;
+  const std::size_t role = index_of(row.role);
+  const int before = clips[role];
+  context.widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
+                       {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
+  if (clips[role] == before || clips[role] == no_clip) return;
+  context.commands.viewer.view = {.character = report.character, .preview = RolePreview{row.role, clips[role]}};
+  clips[role] = before;
+}
+
 void show_roles(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Roles");
   RoleClips clips = report.role_clips;
-  for (const RoleRow& row : role_rows) {
-    const std::size_t role = index_of(row.role);
-    const int before = clips[role];
-    widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
-                 {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
-    if (clips[role] == before || clips[role] == no_clip) continue;
-    commands.viewer.view = {.character = report.character, .preview = RolePreview{row.role, clips[role]}};
-    clips[role] = before;
-  }
-  ButtonRow buttons(widgets, 2);
+  const auto show_all = [&](bool of_scenes) {
+    for (const RoleRow& row : role_rows) {
+      if ((row.role < Role::walk_back) == of_scenes) show_role(context, row, clips);
+    }
+  };
+  show_all(true);
+  ButtonRow buttons(widgets, 3);
   commands.save_roles |=
       buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."});
-  if (buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."})) {
-    clips = report.suggested_role_clips;
+  const bool resets = buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."});
+  bool& open = memory.shows_gaits;
+  if (buttons.button(open ? "Hide gaits" : "Show gaits",
+                     {.what = "The roles of people who are led by a file of trajectories: aside, back, in a jam."})) {
+    open = !open;
   }
+  if (open || widgets.is_searching()) show_all(false);
+  if (resets) clips = report.suggested_role_clips;
   if (clips != report.role_clips) commands.roles = clips;
 }
 

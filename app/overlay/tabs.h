@@ -36,6 +36,7 @@ struct TabMemory {
   BoneListMemory bones;
   std::optional<NewPlacement> placement;     ///< a size or a place that is being dragged
   bool shows_body = false;                   ///< the list of the parts of the body is open
+  bool shows_gaits = false;                  ///< the list of roles that only trajectories ask for is open
   SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
   float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last

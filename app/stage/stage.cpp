@@ -175,7 +175,7 @@ void Stage::forget_what_is_shown() {
 }
 
 void set_track_clock(Stage& stage, const TrackClock& clock) {
-  stage.animated_->set_track_clock(clock);
+  set_track_clock(*stage.animated_, clock);
   stage.forget_what_is_shown();
 }
 

@@ -11,6 +11,9 @@ namespace throng::app {
 /// Returns how many threads help to read: as many as there are cores, at most four.
 inline std::size_t reading_threads() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4); }
 
+/// Work on fewer rows is over before a thread has begun.
+inline constexpr std::size_t rows_worth_a_thread = 20'000;
+
 /// Calls work(0) in this thread and work(1), ... in others, and returns when all have returned. Where no thread can be
 /// started, this one does their work.
 template <typename Work>

@@ -1,11 +1,15 @@
 #include "app/trajectory/database.h"
 
-#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include <sqlite3.h>
 
 #include "engine/files/input_file.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -55,6 +59,31 @@ void bind_hands(sqlite3* handle) {
   sqlite3_set_authorizer(handle, allow_reading, nullptr);
 }
 
+/// Returns how many bytes the header says that a database has; 0 where it does not say it.
+std::uint64_t size_by_header(InputFile& file) {
+  std::array<unsigned char, 100> header{};
+  const auto read = file.read(std::as_writable_bytes(std::span(header)));
+  if (!read || *read < header.size()) return 0;
+  const auto number = [&](std::size_t at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + count; ++i) value = value << 8U | header[i];
+    return value;
+  };
+  const std::uint64_t page_bytes = number(16, 2) == 1 ? 65536 : number(16, 2);
+  const bool is_valid = number(24, 4) == number(92, 4);  // an old program may have left a wrong count of pages
+  return is_valid ? page_bytes * number(28, 4) : 0;
+}
+
+/// Returns whether the columns of a table lie in its records one after the other, going by the words that made it.
+bool is_plain_table(std::string_view made) {
+  std::string lower(made);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* const word : {"without", "primary", "generated", " as", ")as"}) {
+    if (lower.find(word) != std::string::npos) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 DatabaseRow::Kind DatabaseRow::kind(int column) const {
@@ -88,7 +117,12 @@ bool DatabaseRow::number(int column, double& value) const {
 }
 
 Result<Database> Database::open(const std::string& file) {
-  if (const auto regular = InputFile::open(file, "a database"); !regular) return regular.error();
+  auto input = InputFile::open(file, "a database");
+  if (!input) return input.error();
+  if (const std::uint64_t size = size_by_header(*input); size > input->size()) {
+    return Error{"it cannot be read as a database (it is cut off after " + size_text(input->size()) + " of " +
+                 size_text(size) + "); export it anew"};
+  }
   sqlite3* handle = nullptr;
   const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
   const int status = sqlite3_open_v2(address_of(file).c_str(), &handle, flags, nullptr);
@@ -120,9 +154,15 @@ Status Database::for_rows(const std::string& query, const std::function<bool(con
 Result<std::vector<Database::Table>> Database::tables() {
   std::vector<Table> tables;
   const Status listed = for_rows(
-      "SELECT name FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name NOT LIKE 'sqlite%' LIMIT 100",
+      "SELECT name, rootpage, sql FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name NOT LIKE 'sqlite%' "
+      "LIMIT 100",
       [&](const DatabaseRow& row) {
-        tables.push_back({std::string(row.text(0)), {}});
+        const std::int64_t root = row.whole(1);
+        const bool is_page = root > 1 && root <= 0xFFFFFFFE;
+        tables.push_back({std::string(row.text(0)),
+                          {},
+                          is_page ? static_cast<std::uint32_t>(root) : 0,
+                          is_page && is_plain_table(row.text(2))});
         return true;
       });
   if (!listed) return listed.error();

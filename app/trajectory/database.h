@@ -45,6 +45,8 @@ class Database {
   struct Table {
     std::string name;
     std::vector<std::string> columns;
+    std::uint32_t root_page = 0;
+    bool is_plain = false;  ///< records have all columns in this order
   };
   /// Returns the tables of the file, without views and those that another program makes up.
   Result<std::vector<Table>> tables();

@@ -15,6 +15,7 @@
 #include "app/trajectory/progress_clock.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -61,7 +62,7 @@ struct FcdParser::State {
     const char* const text = value_of(attributes, name);
     if (text != nullptr && is_number_text(text, number) && std::isfinite(number)) return true;
     const std::string seen =
-        text == nullptr ? std::string("no ") + name : "\"" + std::string(text).substr(0, 40) + "\"";
+        text == nullptr ? std::string("no ") + name : anim::in_quotes(std::string(text).substr(0, 40));
     refuse(text == nullptr ? "it has " + seen + "; add it" : seen + " is not a number; put " + name + " there");
     return false;
   }
@@ -97,19 +98,25 @@ struct FcdParser::State {
       has_time = take(attributes, "time", time);
     } else if (is_person && !has_people) {
       has_people = true;
-      sink->rows.clear();  // vehicles
-      sink->ids = {};
-      forget_vehicles();
+      if (forget_vehicles) {
+        sink->rows.clear();
+        forget_vehicles();
+      }
       take_row(attributes);
     } else if (is_person || (!has_people && std::strcmp(name, "vehicle") == 0)) {
       take_row(attributes);
     }
   }
 
-  std::function<void()> forget_vehicles = [] {};
+  std::function<void()> forget_vehicles;
 
   static void at_start(void* context, const XML_Char* name, const XML_Char** attributes) {
     static_cast<State*>(context)->open(name, attributes);
+  }
+  /// A document of SUMO has none, and entities could grow without end.
+  static void at_doctype(void* context, const XML_Char* /*name*/, const XML_Char* /*system*/, const XML_Char* /*place*/,
+                         int /*has_subset*/) {
+    static_cast<State*>(context)->stop("it has a DOCTYPE, which is not read; take it out");
   }
   static void at_end(void* context, const XML_Char* /*name*/) { --static_cast<State*>(context)->depth; }
 };
@@ -120,6 +127,7 @@ FcdParser::FcdParser(RowSink& sink, bool is_lenient) : state_(std::make_unique<S
   state_->parser = XML_ParserCreate(nullptr);
   if (state_->parser == nullptr) throw std::bad_alloc();
   XML_SetUserData(state_->parser, state_.get());
+  XML_SetStartDoctypeDeclHandler(state_->parser, State::at_doctype);
   XML_SetElementHandler(state_->parser, State::at_start, State::at_end);
 }
 
@@ -179,8 +187,7 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
       if (sink.ids.size() > most_people) return too_many_people(file);
       return parser.is_row_at_fault() ? row_error(file, parser.fault(), "") : Error{file + ": " + parser.fault()};
     }
-    if (!sink.rows.empty()) tracks.blocks.push_back({{sink.rows.begin(), sink.rows.end()}, 0});
-    sink.rows.clear();
+    if (!sink.rows.empty()) tracks.blocks.push_back({take_rows_of(sink), 0});
     clock.tell(static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(input->size(), 1)));
   }
   tracks.facts = fcd_facts();

@@ -20,7 +20,7 @@ class FcdParser {
   FcdParser(const FcdParser&) = delete;
   FcdParser& operator=(const FcdParser&) = delete;
 
-  /// Calls this when the first person comes after vehicles, whose rows count no more.
+  /// Forgets the rows of vehicles, and calls this, when the first person comes. Without it, they stay.
   void when_people_come(std::function<void()> forget_vehicles);
   /// Reads on. Returns false after the first error. `is_last` ends the document.
   bool read(std::string_view text, bool is_last);

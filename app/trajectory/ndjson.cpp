@@ -8,6 +8,7 @@
 
 #include "app/trajectory/number_text.h"
 #include "app/trajectory/table_layout.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -149,7 +150,7 @@ class NdjsonParser final : public LineParser {
       if (is_number_text(text, value) && std::isfinite(value)) return true;
       const std::string name = field == TrackField::x ? "x" : field == TrackField::y ? "y" : "time or frame";
       sink.fault = text.empty() ? "it has no " + name + "; add it"
-                                : "\"" + std::string(text.substr(0, 40)) + "\" is not a number; put " + name + " there";
+                                : anim::in_quotes(text.substr(0, 40)) + " is not a number; put " + name + " there";
       return false;
     };
     RawRow row;
@@ -197,7 +198,7 @@ Result<TextFormat> ndjson_format(std::string_view first) {
   TextFormat format;
   static_cast<void>(parser->read(first, sink));  // which keys are there
   if (parser->has(TrackField::time)) parser->time_ = TrackField::time;
-  if (!parser->read(first, sink)) return Error{"the first row: " + sink.fault};
+  if (!parser->read(first, sink)) return Error{sink.fault};
   const bool is_trajnet =
       first.find("\"track\"") != std::string_view::npos || first.find("\"scene\"") != std::string_view::npos;
   format.facts.format = is_trajnet ? "trajnet ndjson" : "JSON lines";

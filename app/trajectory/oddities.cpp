@@ -1,7 +1,6 @@
 #include "app/trajectory/oddities.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "app/files/joined.h"
 #include "app/trajectory/both_cores.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -17,22 +17,26 @@ constexpr double fastest = 12.0;        // metres a second
 constexpr double longest_gap = 3.5;     // rows: three, and half of one for clocks that tremble
 constexpr double least_jump = 0.1;      // metres: less is noise of a short step
 constexpr float nearest_people = 0.1F;  // metres
-constexpr std::size_t most_rows_looked_at = 300'000;
+constexpr std::size_t most_rows_looked_at = 150'000;
 constexpr std::size_t most_pairs_looked_at = 5'000'000;
 
 /// A place of somebody in a frame, with the cell of a grid that it lies in.
 struct Stander {
-  std::int64_t frame;
-  std::int64_t cell_z;
-  std::int64_t cell_x;
-  const TrackRow* row;
-  std::uint32_t person;
-
-  auto key() const { return std::array{frame, cell_z, cell_x}; }
+  std::uint64_t key;  ///< frame, cell along z, cell along x
+  std::uint32_t person, row;
 };
 
+/// Bits of a key for the cells along an axis: 13 km of them, more than a crowd may be wide.
+constexpr unsigned cell_bits = 17;
+constexpr std::uint64_t next_line = std::uint64_t{1} << cell_bits;
+
+std::uint64_t cell_of(float place) {
+  constexpr float half = 65536.0F;
+  return static_cast<std::uint64_t>(std::clamp(std::floor(place / nearest_people) + half, 1.0F, 2.0F * half - 2.0F));
+}
+
 std::string person_at(const PersonTrack& person, double seconds) {
-  return "person " + person.id + " at " + fixed(seconds, 2) + " s: ";
+  return "person " + anim::plain_text(person.id) + " at " + fixed(seconds, 2) + " s: ";
 }
 
 struct MoveTally {
@@ -59,63 +63,77 @@ void look_at_moves(const PersonTrack& person, double rows_a_second, MoveTally& t
 }
 
 /// Takes the rows of some frames: of all, or of every so many that the work stays small.
-std::vector<Stander> standers_of(const std::vector<PersonTrack>& persons, double rows_a_second) {
-  std::size_t rows = 0;
-  for (const PersonTrack& person : persons) rows += person.rows.size();
+std::vector<Stander> standers_of(const std::vector<PersonTrack>& persons, double rows_a_second, std::size_t rows) {
   const auto every = static_cast<std::int64_t>(rows / most_rows_looked_at + 1);
   const double rate = rows_a_second > 0.0 ? rows_a_second : 1.0;
   std::vector<Stander> standers;
-  for (std::uint32_t number = 0; number < persons.size(); ++number) {
-    for (const TrackRow& row : persons[number].rows) {
-      const auto frame = static_cast<std::int64_t>(std::floor(row.seconds * rate + 0.5));
+  standers.reserve(std::min(rows, 2 * most_rows_looked_at));
+  for (std::uint32_t person = 0; person < persons.size(); ++person) {
+    const std::vector<TrackRow>& track = persons[person].rows;
+    for (std::uint32_t row = 0; row < track.size(); ++row) {
+      const auto frame =
+          static_cast<std::int64_t>(std::clamp(std::floor(track[row].seconds * rate + 0.5), -1e15, 1e15));
       if (frame % every != 0) continue;
-      standers.push_back({frame, static_cast<std::int64_t>(std::floor(row.z / nearest_people)),
-                          static_cast<std::int64_t>(std::floor(row.x / nearest_people)), &row, number});
+      const std::uint64_t line = static_cast<std::uint64_t>(frame / every) << cell_bits | cell_of(track[row].z);
+      standers.push_back({line << cell_bits | cell_of(track[row].x), person, row});
     }
   }
   std::ranges::sort(standers, {}, &Stander::key);
   return standers;
 }
 
-bool overlap(const Stander& one, const Stander& other) {
-  const float x = one.row->x - other.row->x, z = one.row->z - other.row->z, y = one.row->y - other.row->y;
-  return one.person != other.person && std::abs(one.row->seconds - other.row->seconds) < 1e-3 &&
-         x * x + z * z < nearest_people * nearest_people && std::abs(y) < 1.0F;
+bool overlap(const TrackRow& one, const TrackRow& other) {
+  const float x = one.x - other.x, z = one.z - other.z, y = one.y - other.y;
+  return std::abs(one.seconds - other.seconds) < 1e-3 && x * x + z * z < nearest_people * nearest_people &&
+         std::abs(y) < 1.0F;
 }
 
 /// Finds pairs of people in cells that touch. Counts each pair once, however long they stand so.
-OddityTally find_overlaps(const std::vector<PersonTrack>& persons, double rows_a_second) {
-  const std::vector<Stander> standers = standers_of(persons, rows_a_second);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  OddityTally tally;
-  std::size_t below = 0, looked_at = 0;  // `below`: the first stander of the next row of cells that may touch
-  for (std::size_t i = 0; i < standers.size() && looked_at < most_pairs_looked_at; ++i) {
-    const Stander& one = standers[i];
-    const auto look_at = [&](const Stander& other) {
-      ++looked_at;
-      if (!overlap(one, other)) return;
-      pairs.emplace_back(std::minmax(one.person, other.person));
-      tally.add(one.row->seconds, [&] {
-        return "persons " + persons[one.person].id + " and " + persons[other.person].id + " at " +
-               fixed(one.row->seconds, 2) + " s";
+class OverlapSearch {
+ public:
+  OverlapSearch(const std::vector<PersonTrack>& persons, std::vector<Stander> standers)
+      : persons_(persons), standers_(std::move(standers)) {}
+
+  OddityTally find() {
+    std::size_t below = 0;  // the first stander of the next line of cells that may touch
+    for (std::size_t i = 0; i < standers_.size() && looked_at_ < most_pairs_looked_at; ++i) {
+      const std::uint64_t key = standers_[i].key;
+      look_at(i, i + 1, key + 1);
+      while (below < standers_.size() && standers_[below].key < key + next_line - 1) ++below;
+      look_at(i, below, key + next_line + 1);
+    }
+    std::ranges::sort(pairs_);
+    tally_.count = static_cast<std::size_t>(std::unique(pairs_.begin(), pairs_.end()) - pairs_.begin());
+    return tally_;
+  }
+
+ private:
+  const TrackRow& row_of(const Stander& stander) const { return persons_[stander.person].rows[stander.row]; }
+
+  /// Compares one with those from `first` on whose keys are not above `last_key`.
+  void look_at(std::size_t one, std::size_t first, std::uint64_t last_key) {
+    const Stander& stander = standers_[one];
+    for (std::size_t i = first; i < standers_.size() && standers_[i].key <= last_key; ++i) {
+      if (++looked_at_ > most_pairs_looked_at) return;
+      const Stander& other = standers_[i];
+      if (stander.person == other.person || !overlap(row_of(stander), row_of(other))) continue;
+      const std::uint32_t earlier = std::min(stander.person, other.person);
+      const std::uint32_t later = std::max(stander.person, other.person);
+      pairs_.emplace_back(earlier, later);
+      const double seconds = row_of(stander).seconds;
+      tally_.add(seconds, [&] {
+        return "persons " + anim::plain_text(persons_[earlier].id) + " and " + anim::plain_text(persons_[later].id) +
+               " at " + fixed(seconds, 2) + " s";
       });
-    };
-    for (std::size_t j = i + 1; j < standers.size() && looked_at < most_pairs_looked_at; ++j) {
-      if (standers[j].key() > std::array{one.frame, one.cell_z, one.cell_x + 1}) break;
-      look_at(standers[j]);
-    }
-    while (below < standers.size() && standers[below].key() < std::array{one.frame, one.cell_z + 1, one.cell_x - 1}) {
-      ++below;
-    }
-    for (std::size_t j = below; j < standers.size() && looked_at < most_pairs_looked_at; ++j) {
-      if (standers[j].key() > std::array{one.frame, one.cell_z + 1, one.cell_x + 1}) break;
-      look_at(standers[j]);
     }
   }
-  std::ranges::sort(pairs);
-  tally.count = static_cast<std::size_t>(std::ranges::unique(pairs).begin() - pairs.begin());
-  return tally;
-}
+
+  const std::vector<PersonTrack>& persons_;
+  std::vector<Stander> standers_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::size_t looked_at_ = 0;
+  OddityTally tally_;
+};
 
 }  // namespace
 
@@ -133,15 +151,23 @@ void report_oddity(TrackOddity oddity, const OddityTally& tally, TrackReport& re
 }
 
 void find_oddities(const std::vector<PersonTrack>& persons, double rows_a_second, TrackReport& report) {
+  std::size_t rows = 0;
+  for (const PersonTrack& person : persons) rows += person.rows.size();
   MoveTally moves;
   OddityTally overlaps;
-  run_side_by_side(2, [&](std::size_t part) {
+  const auto look = [&](std::size_t part) {
     if (part == 1) {
-      overlaps = find_overlaps(persons, rows_a_second);
-      return;
+      overlaps = OverlapSearch(persons, standers_of(persons, rows_a_second, rows)).find();
+    } else {
+      for (const PersonTrack& person : persons) look_at_moves(person, rows_a_second, moves);
     }
-    for (const PersonTrack& person : persons) look_at_moves(person, rows_a_second, moves);
-  });
+  };
+  if (rows < rows_worth_a_thread) {
+    look(0);
+    look(1);
+  } else {
+    run_side_by_side(2, look);
+  }
   report_oddity(TrackOddity::gap, moves.gaps, report);
   report_oddity(TrackOddity::teleport, moves.teleports, report);
   report_oddity(TrackOddity::overlap, overlaps, report);

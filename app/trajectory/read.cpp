@@ -117,18 +117,6 @@ double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
   return best;
 }
 
-void swap_up(const TrackReading& options, RawTracks& tracks) {
-  if (options.up == TrackUp::z) return;
-  for (RowBlock& block : tracks.blocks) {
-    for (RawRow& row : block.rows) {
-      const double height = row.y;
-      row.y = -static_cast<double>(row.z);
-      row.z = static_cast<float>(height);
-    }
-  }
-  tracks.facts.has_z = true;
-}
-
 }  // namespace
 
 Result<Trajectories> read_trajectories(const std::string& file, const TrackReading& options,
@@ -138,7 +126,10 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (!walls) return walls.error();
   RawTracks raw;
   if (const Status read = read_raw(file, options, progress, raw); !read) return read.error();
-  swap_up(options, raw);
+  if (options.up == TrackUp::y) {
+    for (RowBlock& block : raw.blocks) std::ranges::for_each(block.rows, swap_up);
+    raw.facts.has_z = true;
+  }
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
   if (!options.walls.empty()) {
@@ -152,7 +143,11 @@ bool looks_like_trajectories(const std::string& file) {
   const auto head = read_head(file);
   if (!head) return false;
   if (is_sqlite(*head) || is_xml(*head)) return true;
-  return text_format_of(*head, {}).has_value();
+  if (text_format_of(*head, {})) return true;
+  // A table that is refused is no model all the same.
+  const std::string extension = std::filesystem::path(file).extension().string();
+  static constexpr std::array names{".csv", ".tsv", ".txt", ".traj", ".ndjson", ".jsonl", ".dat", ".sqlite", ".fzp"};
+  return std::ranges::count(names, extension) > 0;
 }
 
 }  // namespace throng::app

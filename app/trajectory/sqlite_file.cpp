@@ -12,8 +12,10 @@
 #include "app/trajectory/both_cores.h"
 #include "app/trajectory/database.h"
 #include "app/trajectory/number_text.h"
+#include "app/trajectory/page_rows.h"
 #include "app/trajectory/progress_clock.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -33,7 +35,7 @@ bool has_columns(const Database::Table* table, std::initializer_list<const char*
 Error wrong_tables(const Tables& tables) {
   std::vector<std::string> shown;
   for (const Database::Table& table : tables) {
-    if (shown.size() < 8) shown.push_back(table.name + "(" + joined(table.columns) + ")");
+    if (shown.size() < 8) shown.push_back(anim::plain_text(table.name + "(" + joined(table.columns) + ")"));
   }
   return {"it has " + (shown.empty() ? "no table" : "the tables " + joined(shown, ", ", " and ")) +
           ", but not trajectory_data(frame, id, pos_x, pos_y), which JuPedSim writes; export rows as CSV"};
@@ -48,7 +50,7 @@ Status read_metadata(Database& database, const Tables& tables, RowFacts& facts) 
     double number = 0.0;
     const bool is_number = is_number_text(row.text(1), number);
     if (key == "fps" && is_number && number > 0.0 && number <= 10'000.0) facts.rate = number;
-    if (key == "version") facts.format += ", version " + std::string(row.text(1).substr(0, 8));
+    if (key == "version") facts.format += ", version " + anim::plain_text(row.text(1).substr(0, 8));
     return true;
   });
 }
@@ -136,8 +138,9 @@ bool refuse(RowSink& sink, int column, const DatabaseRow& row) {
   const std::string name = column_names[static_cast<std::size_t>(column)];
   const std::string what = kind == DatabaseRow::Kind::nothing ? "NULL"
                            : kind == DatabaseRow::Kind::bytes ? "a blob"
-                           : kind == DatabaseRow::Kind::text ? "\"" + std::string(row.text(column).substr(0, 40)) + "\""
-                                                             : "not finite";
+                           : kind == DatabaseRow::Kind::text  ? anim::in_quotes(row.text(column).substr(0, 40))
+                           : column == 1                      ? "no whole number"
+                                                              : "not finite";
   sink.fault = name + " is " + what + "; put " + (column == 1 ? "an id" : "a number") + " there";
   return false;
 }
@@ -155,7 +158,9 @@ bool read_row(const DatabaseRow& row, bool has_direction, RowSink& sink) {
     raw.angle = heading_of_direction(x, y);
   }
   const auto kind = row.kind(1);
-  if (kind == DatabaseRow::Kind::whole) {
+  const bool is_whole_real =
+      kind == DatabaseRow::Kind::real && std::abs(row.real(1)) < 9e15 && row.real(1) == std::floor(row.real(1));
+  if (kind == DatabaseRow::Kind::whole || is_whole_real) {
     char digits[32];
     const char* const end = std::to_chars(digits, std::end(digits), row.whole(1)).ptr;
     raw.person = sink.ids.number_of({digits, static_cast<std::size_t>(end - digits)});
@@ -169,8 +174,7 @@ bool read_row(const DatabaseRow& row, bool has_direction, RowSink& sink) {
 
 void end_block(std::size_t table, ReadRange& read) {
   if (read.sink.rows.empty()) return;
-  read.blocks.push_back({{read.sink.rows.begin(), read.sink.rows.end()}, table});
-  read.sink.rows.clear();
+  read.blocks.push_back({take_rows_of(read.sink), table});
 }
 
 /// Reads a range on a connection of its own. `tell` is called with the count of rows now and then.
@@ -182,7 +186,6 @@ void read_range(Database& database, const RowRange& range, bool has_direction, b
   const std::string columns = std::string("frame, id, pos_x, pos_y") + (has_direction ? ", ori_x, ori_y" : "") +
                               (range.is_all ? "" : ", rowid");
   const int rowid = has_direction ? 6 : 4;
-  read.sink.rows.reserve(block_rows);
   read.status =
       database.for_rows("SELECT " + columns + " FROM trajectory_data" + where_of(range), [&](const DatabaseRow& row) {
         ++count;
@@ -200,6 +203,36 @@ void read_range(Database& database, const RowRange& range, bool has_direction, b
         return true;
       });
   end_block(table, read);
+}
+
+/// Reads the rows on as many connections as threads help.
+Status read_with_sqlite(const std::string& file, Database& database, bool has_direction, const TrackReading& options,
+                        const ReadProgress& progress, RawTracks& tracks) {
+  const std::vector<RowRange> ranges = ranges_of(database);
+  std::vector<ReadRange> read(ranges.size());
+  ProgressClock clock(progress);
+  run_side_by_side(ranges.size(), [&](std::size_t i) {
+    if (ranges.empty()) return;
+    auto own = Database::open(file);
+    if (!own) {
+      read[i].status = own.error();
+      return;
+    }
+    read[i].sink.most = most_metres / options.metres_a_unit.value_or(1.0);
+    const double span = static_cast<double>(ranges[i].last) - static_cast<double>(ranges[i].first) + 1.0;
+    read_range(*own, ranges[i], has_direction, options.lenient, i, read[i], [&](std::size_t count) {
+      if (i == 0) clock.tell(std::min(1.0, static_cast<double>(count) / span));
+    });
+  });
+  for (ReadRange& range : read) {
+    if (range.is_refused) return row_error(file, range.first_bad, "");
+    if (!range.status) return Error{file + ": " + range.status.error().message};
+    if (tracks.bad_rows == 0) tracks.first_bad_row = range.first_bad;
+    tracks.bad_rows += range.bad;
+    std::ranges::move(range.blocks, std::back_inserter(tracks.blocks));
+    tracks.tables.push_back(std::move(range.sink.ids));
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -221,32 +254,8 @@ Status read_sqlite(const std::string& file, const TrackReading& options, const R
     const Status read = read_place(*database, *tables, tracks.plan, tracks.facts.said);
     if (!read) return named(read.error());
   }
-  const std::vector<RowRange> ranges = ranges_of(*database);
-  std::vector<ReadRange> read(ranges.size());
-  ProgressClock clock(progress);
-  run_side_by_side(ranges.size(), [&](std::size_t i) {
-    if (ranges.empty()) return;
-    auto own = Database::open(file);
-    if (!own) {
-      read[i].status = own.error();
-      return;
-    }
-    read[i].sink.most = most_metres / options.metres_a_unit.value_or(1.0);
-    const double span = static_cast<double>(ranges[i].last) - static_cast<double>(ranges[i].first) + 1.0;
-    read_range(*own, ranges[i], has_direction, options.lenient, i, read[i], [&](std::size_t count) {
-      if (i == 0) clock.tell(std::min(1.0, static_cast<double>(count) / span));
-    });
-  });
-  for (ReadRange& range : read) {
-    if (range.is_refused) return row_error(file, range.first_bad, "");
-    if (!range.status) return named(range.status.error());
-    if (range.sink.ids.size() > most_people) return too_many_people(file);
-    if (tracks.bad_rows == 0) tracks.first_bad_row = range.first_bad;
-    tracks.bad_rows += range.bad;
-    std::ranges::move(range.blocks, std::back_inserter(tracks.blocks));
-    tracks.tables.push_back(std::move(range.sink.ids));
-  }
-  return Done{};
+  if (read_page_rows(file, *rows, options, progress, tracks)) return Done{};
+  return read_with_sqlite(file, *database, has_direction, options, progress, tracks);
 }
 
 bool is_sqlite(std::string_view head) { return head.starts_with("SQLite format 3"); }

@@ -171,7 +171,7 @@ TableColumn column_named(std::string_view name) {
 }
 
 TableLayout layout_of_header(std::string_view line, std::string_view prefix) {
-  TableLayout layout{.separator = separator_of(line), .columns = {}};
+  TableLayout layout{.separator = separator_of(line), .columns = {}, .is_whole = true};
   for (const std::string& name : fields_of(line, layout.separator)) {
     const bool has_prefix = !prefix.empty() && lower(name).starts_with(prefix);
     TableColumn column = column_named(has_prefix ? std::string_view(name).substr(prefix.size()) : name);

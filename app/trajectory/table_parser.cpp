@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/trajectory/number_text.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -71,9 +72,7 @@ std::string_view cell_text(const char* at, const char* end) {
 
 /// Returns what an error shows of a cell: its first letters.
 std::string shown(std::string_view text) {
-  std::string result;
-  for (const char c : text.substr(0, 40)) result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
-  return "\"" + result + (text.size() > 40 ? "...\"" : "\"");
+  return "\"" + anim::plain_text(text.substr(0, 40)) + (text.size() > 40 ? "...\"" : "\"");
 }
 
 }  // namespace
@@ -88,9 +87,15 @@ struct TableParser::Cells {
 TableParser::TableParser(TableLayout layout) : layout_(std::move(layout)) {
   time_ = layout_.has(TrackField::time) ? TrackField::time : TrackField::frame;
   has_direction_ = layout_.has(TrackField::direction_x) && layout_.has(TrackField::direction_y);
+  const bool has_ends =
+      layout_.has(TrackField::end_time) && layout_.has(TrackField::end_x) && layout_.has(TrackField::end_y);
   for (TableColumn& column : layout_.columns) {
     if (time_ == TrackField::time && column.field == TrackField::frame) column.field = TrackField::none;
+    const bool is_end =
+        column.field == TrackField::end_time || column.field == TrackField::end_x || column.field == TrackField::end_y;
+    if (is_end && !has_ends) column.field = TrackField::none;
   }
+  reads_all_columns_ = layout_.is_whole && !layout_.columns.empty() && layout_.columns.back().field != TrackField::none;
   while (!layout_.columns.empty() && layout_.columns.back().field == TrackField::none) layout_.columns.pop_back();
 }
 
@@ -136,7 +141,16 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
     }
     at = stop < end && *stop == separator ? stop + 1 : stop;
   }
-  return true;
+  return !reads_all_columns_ || is_at_end(at, end, sink);
+}
+
+/// Cells beyond the last column are those of a decimal comma, or of another table.
+bool TableParser::is_at_end(const char* at, const char* end, RowSink& sink) const {
+  while (at < end && (is_blank(*at) || *at == layout_.separator)) ++at;
+  if (at == end || *at == '#') return true;
+  sink.fault = "it goes on after its " + std::to_string(layout_.columns.size()) +
+               " columns; write numbers with a point, and names with a comma in quotes";
+  return false;
 }
 
 bool TableParser::refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const {

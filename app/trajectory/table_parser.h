@@ -19,12 +19,14 @@ class TableParser final : public LineParser {
  private:
   struct Cells;
   bool read_cells(const char* at, const char* end, Cells& cells, RowSink& sink) const;
+  bool is_at_end(const char* at, const char* end, RowSink& sink) const;
   bool add(const Cells& cells, RowSink& sink) const;
   bool refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const;
 
   TableLayout layout_;
   TrackField time_ = TrackField::time;
   bool has_direction_ = false;
+  bool reads_all_columns_ = false;
 };
 
 }  // namespace throng::app

@@ -11,6 +11,7 @@
 #include "app/trajectory/ndjson.h"
 #include "app/trajectory/number_text.h"
 #include "app/trajectory/table_parser.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -186,38 +187,39 @@ Result<TextFormat> table_without_header(const HeadLines& lines) {
   const bool is_named = layout_in_comments(lines).has_value();
   if (is_named || (has_blanks && (columns == 4 || columns == 5))) return archive_text(lines, columns);
   if (has_blanks && (columns == 7 || columns == 8)) return street_matrix(columns);
-  return Error{"line " + std::to_string(lines.first_line) + ": rows of " + counted(columns, "number") +
+  return Error{"rows of " + counted(columns, "number") +
                " without a header; put a line before them that names the columns, such as id,frame,x,y"};
 }
 
 Error unnamed(const HeadLines& lines, const std::string& missing) {
   std::vector<std::string> names;
   for (const std::string& field : fields_of(lines.first, separator_of(lines.first))) {
-    if (names.size() < 20) names.push_back("\"" + field.substr(0, 30) + "\"");
+    if (names.size() < 20) names.push_back("\"" + anim::plain_text(field.substr(0, 30)) + "\"");
   }
-  return {"line " + std::to_string(lines.first_line) + ": its columns are " + joined(names, ", ", " and ") +
-          ", of which none is " + missing + "; name them so"};
+  return {"its columns are " + joined(names, ", ", " and ") + ", of which none is " + missing + "; name them so"};
 }
 
 /// Reads tables of SUMO: people, and vehicles where there are no people.
-TextFormat sumo_table(std::string_view header) {
-  const bool has_people = has_columns_of(header, "person"), has_vehicles = has_columns_of(header, "vehicle");
-  const auto parser = [&](const char* prefix, RowFacts* facts) {
-    TableLayout layout = layout_of_header(header, prefix);
-    layout.may_be_empty = true;
-    if (facts != nullptr) take_columns(layout, *facts);
-    return std::make_unique<TableParser>(std::move(layout));
-  };
+Result<TextFormat> sumo_table(const HeadLines& lines) {
+  const bool has_people = has_columns_of(lines.first, "person"), has_vehicles = has_columns_of(lines.first, "vehicle");
+  TableLayout layout = layout_of_header(lines.first, has_people ? "person_" : "vehicle_");
+  if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
+  layout.may_be_empty = true;
   TextFormat format;
-  format.parser = parser(has_people ? "person_" : "vehicle_", &format.facts);
-  if (has_people && has_vehicles) format.otherwise = parser("vehicle_", nullptr);
   format.facts.format = "SUMO FCD table";
+  take_columns(layout, format.facts);
   if (format.facts.angle != AngleMeaning::none) format.facts.angle = AngleMeaning::compass;
+  format.parser = std::make_unique<TableParser>(std::move(layout));
+  TableLayout vehicles = layout_of_header(lines.first, "vehicle_");
+  vehicles.may_be_empty = true;
+  if (has_people && has_vehicles && missing_fields(vehicles).empty()) {
+    format.otherwise = std::make_unique<TableParser>(std::move(vehicles));
+  }
   return format;
 }
 
 Result<TextFormat> table_with_header(const HeadLines& lines) {
-  if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines.first);
+  if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines);
   TableLayout layout = layout_of_header(lines.first);
   if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
   TextFormat format;
@@ -235,7 +237,7 @@ Result<TextFormat> table_with_header(const HeadLines& lines) {
 }
 
 Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::size_t line) {
-  if (!format) return format;
+  if (!format) return Error{"line " + std::to_string(line) + ": " + format.error().message};
   format->body = body;
   format->body_line = line;
   return format;
@@ -245,14 +247,25 @@ Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::s
 
 std::size_t byte_order_mark(std::string_view head) { return head.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
 
+bool has_first_row(std::string_view head) {
+  const HeadLines lines = lines_of(head);
+  if (lines.first.empty()) return false;
+  return !lines.second.empty() || lines.first.find('{') == 0 || is_row_of_numbers(lines.first);
+}
+
 std::string why_no_text(std::string_view head) {
+  static const std::string no_text =
+      "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";
+  const auto is_odd = [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && std::string_view("\t\n\r\f\v\0", 6).find(c) == std::string_view::npos;
+  };
+  if (std::ranges::any_of(head.substr(0, 1024), is_odd)) return no_text;
   if (const std::size_t zero = head.find('\0'); zero != std::string_view::npos) {
     const bool is_wide = head.size() > 3 && (head[1] == '\0') != (head[0] == '\0');
-    return is_wide ? "it is UTF-16; save it as UTF-8"
-                   : "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
+    return is_wide ? "it is UTF-16; save it as UTF-8" : no_text;
   }
   return {};
 }
@@ -268,8 +281,13 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*o
   if (is_row_of_numbers(lines.first)) {
     return with_body(table_without_header(lines), lines.first_byte, lines.first_line);
   }
-  const std::size_t body = lines.second.empty() ? head.size() : lines.second_byte;
-  return with_body(table_with_header(lines), body, lines.second.empty() ? lines.first_line + 1 : lines.second_line);
+  auto table = with_body(table_with_header(lines), head.size(), lines.first_line);
+  if (table) table->body_line = 1 + static_cast<std::size_t>(std::ranges::count(head, '\n'));
+  if (table && !lines.second.empty()) {
+    table->body = lines.second_byte;
+    table->body_line = lines.second_line;
+  }
+  return table;
 }
 
 }  // namespace throng::app

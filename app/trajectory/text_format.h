@@ -23,6 +23,9 @@ struct TextFormat {
 /// The error is the end of a sentence that begins with the file's name.
 Result<TextFormat> text_format_of(std::string_view head, const TrackReading& options);
 
+/// Returns whether whole lines hold the first row, so that text_format_of() can tell them apart.
+bool has_first_row(std::string_view head);
+
 /// Returns why bytes are no text that can be read, and what to do; empty if they may be.
 std::string why_no_text(std::string_view head);
 

@@ -105,7 +105,7 @@ void read_lines(const TextBlock& block, bool is_lenient, LineParser& parser, Row
     }
     at = stop + 1;
   }
-  read.rows.rows.assign(sink.rows.begin(), sink.rows.end());
+  read.rows.rows = take_rows_of(sink);
 }
 
 }  // namespace
@@ -160,7 +160,6 @@ Status read_rows(const std::string& file, const TextFormat& format, const TrackR
   std::vector<ReadBlock> blocks;
   for (std::size_t thread = 0; thread < thread_count; ++thread) {
     std::ranges::move(read[thread], std::back_inserter(blocks));
-    if (sinks[thread].ids.size() > most_people) return too_many_people(file);
     tracks.scene_rate = std::max(tracks.scene_rate, sinks[thread].scene_rate);
     tracks.tables.push_back(std::move(sinks[thread].ids));
   }

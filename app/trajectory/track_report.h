@@ -13,7 +13,8 @@ enum class TrackOddity : std::uint8_t {
   duplicate,  ///< somebody has two rows at one time; the last one counts
   gap,        ///< somebody has no row for longer than three rows of others
   teleport,   ///< somebody goes faster than 12 metres a second
-  overlap,    ///< two people stand on each other: closer than 0.1 metres
+  overlap,    ///< two people stand on each other: closer than 0.1 metres; each pair counts once, and a crowd of more
+              ///< than 150,000 rows is looked at in some of its frames
 };
 
 /// How often one of them was found, and where first.

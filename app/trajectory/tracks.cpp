@@ -11,7 +11,7 @@
 #include "app/trajectory/both_cores.h"
 #include "app/trajectory/oddities.h"
 #include "app/trajectory/text_rows.h"
-#include "app/trajectory/told_apart.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -23,6 +23,7 @@ constexpr double stature_share = 0.95;     // of a person's heights of the head,
 struct RowBounds {
   double least_x = std::numeric_limits<double>::infinity(), most_x = -least_x;
   double least_y = least_x, most_y = -least_x;
+  std::size_t count = 0;
 
   void add(const RawRow& row) {
     least_x = std::min(least_x, row.x);
@@ -54,6 +55,7 @@ RowBounds number_people(RawTracks& tracks, std::vector<std::uint32_t>& counts) {
       ++counts[number];
       bounds.add(row);
     }
+    bounds.count += block.rows.size();
     block.table = 0;
   }
   tracks.tables.clear();
@@ -61,25 +63,23 @@ RowBounds number_people(RawTracks& tracks, std::vector<std::uint32_t>& counts) {
   return bounds;
 }
 
-/// Moves rows to their people, and frees the blocks as it goes.
+/// Moves rows to their people, and frees the blocks after that.
 std::vector<PersonTrack> take_rows(RawTracks& tracks, const std::vector<std::uint32_t>& counts, const RowScale& scale,
-                                   const glm::dvec2& origin) {
+                                   const glm::dvec2& origin, std::size_t parts) {
   std::vector<PersonTrack> persons(counts.size());
   for (std::size_t i = 0; i < persons.size(); ++i) {
     persons[i].id = tracks.tables.front().id(static_cast<std::uint32_t>(i));
     persons[i].rows.reserve(counts[i]);
   }
-  for (RowBlock& block : tracks.blocks) {
-    for (const RawRow& raw : block.rows) {
-      TrackRow& row = persons[raw.person].rows.emplace_back();
-      row.seconds = raw.time / scale.times_a_second;
-      row.x = static_cast<float>(raw.x * scale.metres_a_unit - origin.x);
-      row.z = -static_cast<float>(raw.y * scale.metres_a_unit - origin.y);
-      row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
-      row.heading = raw.angle;
+  run_side_by_side(parts, [&](std::size_t part) {
+    const auto first = static_cast<std::uint32_t>(persons.size() * part / parts);
+    const auto count = static_cast<std::uint32_t>(persons.size() * (part + 1) / parts) - first;
+    for (const RowBlock& block : tracks.blocks) {
+      for (const RawRow& raw : block.rows) {
+        if (raw.person - first < count) persons[raw.person].rows.push_back(track_row(raw, scale, origin));
+      }
     }
-    block.rows = {};
-  }
+  });
   tracks.blocks.clear();
   return persons;
 }
@@ -105,7 +105,8 @@ void drop_duplicates(PersonTrack& person, bool repeats, OddityTally& tally) {
     }
     const bool is_same = std::hypot(row.x - last.x, row.z - last.z) < 1e-3F;
     if (!repeats || !is_same) {
-      tally.add(row.seconds, [&] { return "person " + person.id + " at " + fixed(row.seconds, 2) + " s"; });
+      tally.add(row.seconds,
+                [&] { return "person " + anim::plain_text(person.id) + " at " + fixed(row.seconds, 2) + " s"; });
     }
     last = row;
   }
@@ -118,8 +119,8 @@ void sort_rows(PersonTrack& person) {
 }
 
 /// Does all that belongs to each person alone, on both cores.
-OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts) {
-  const std::size_t parts = reading_threads();
+OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts,
+                          std::size_t parts) {
   std::vector<OddityTally> tallies(parts);
   run_side_by_side(parts, [&](std::size_t part) {
     std::vector<float> heights;
@@ -158,7 +159,7 @@ double common_rate(const std::vector<PersonTrack>& persons) {
   if (steps.empty()) return 0.0;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::ranges::nth_element(steps, middle);
-  return 1.0 / *middle;
+  return std::round(1e6 / std::max(*middle, 1e-6)) / 1e6;  // 25, and not nearly 25
 }
 
 void sum_up(Trajectories& trajectories) {
@@ -173,6 +174,22 @@ void sum_up(Trajectories& trajectories) {
 }
 
 }  // namespace
+
+TrackRow track_row(const RawRow& raw, const RowScale& scale, const glm::dvec2& origin) {
+  TrackRow row;
+  row.seconds = raw.time / scale.times_a_second;
+  row.x = static_cast<float>(raw.x * scale.metres_a_unit - origin.x);
+  row.z = static_cast<float>(origin.y - raw.y * scale.metres_a_unit);
+  row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
+  row.heading = raw.angle;
+  return row;
+}
+
+void swap_up(RawRow& row) {
+  const double height = row.y;
+  row.y = -static_cast<double>(row.z);
+  row.z = static_cast<float>(height);
+}
 
 float heading_of_angle(float angle, AngleMeaning meaning) {
   constexpr float pi = std::numbers::pi_v<float>;
@@ -210,8 +227,9 @@ Result<Trajectories> tracks_of_rows(RawTracks& tracks, const std::string& file, 
   Trajectories result;
   const glm::dvec2 middle = bounds.middle() * scale->metres_a_unit;
   result.origin = {std::round(middle.x) + 0.0, std::round(middle.y) + 0.0};  // -0 becomes 0
-  result.persons = take_rows(tracks, counts, *scale, result.origin);
-  const OddityTally duplicates = finish_people(result.persons, *scale, tracks.facts);
+  const std::size_t parts = bounds.count < rows_worth_a_thread ? 1 : reading_threads();
+  result.persons = take_rows(tracks, counts, *scale, result.origin, parts);
+  const OddityTally duplicates = finish_people(result.persons, *scale, tracks.facts, parts);
   if (options.start_seconds) drop_rows_before(*options.start_seconds, result.persons);
   if (result.persons.empty()) {
     return Error{file + ": it has no row after " + fixed(*options.start_seconds, 2) + " s; choose an earlier --start"};

@@ -6,6 +6,7 @@
 
 #include "app/trajectory/file_plan.h"
 #include "app/trajectory/number_text.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -66,11 +67,7 @@ class WktReader {
     if (at_ == text_.size()) return refuse(std::string("it ends where a ") + wanted + " should be");
     return refuse(std::string("a ") + wanted + " should be where \"" + shown_rest() + "\" is");
   }
-  std::string shown_rest() const {
-    std::string rest(text_.substr(at_, 12));
-    for (char& c : rest) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    return rest;
-  }
+  std::string shown_rest() const { return anim::plain_text(text_.substr(at_, 12)); }
 
   /// A bracket, things with commas between them, a bracket; or the word EMPTY.
   template <typename Thing>

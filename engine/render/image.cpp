@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <png.h>
 
@@ -134,10 +135,11 @@ struct PngWriter {
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   }
 
-  bool write(const Image& image) {
+  bool write(const Image& image, std::span<png_text> texts) {
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
     begin(image.width, image.height, 8, PNG_COLOR_TYPE_RGB_ALPHA);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png, info);
     for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
     png_write_end(png, info);
@@ -158,11 +160,24 @@ struct PngWriter {
   }
 };
 
-Status write_whole_png(const auto& image, const std::filesystem::path& file) {
+/// Returns the texts as libpng takes them, which copies all but the letters.
+std::vector<png_text> lent_to_libpng(std::span<const PngText> texts) {
+  std::vector<png_text> lent;
+  for (const PngText& each : texts) {
+    png_text& text = lent.emplace_back();
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<png_charp>(each.keyword.c_str());
+    text.text = const_cast<png_charp>(each.text.c_str());
+    text.text_length = each.text.size();
+  }
+  return lent;
+}
+
+Status write_whole_png(const auto& image, const std::filesystem::path& file, auto... more) {
   auto output = OutputFile::create(file);
   if (!output) return output.error();
   PngWriter writer(*output);
-  if (!writer.write(image)) {
+  if (!writer.write(image, more...)) {
     return writer.outcome ? Error{file.string() + ": cannot be written: there is no memory left"} : writer.outcome;
   }
   return output->commit();
@@ -201,7 +216,9 @@ bool is_whole_png(const std::filesystem::path& file, int width, int height) {
          std::memcmp(tail.data(), end.data(), tail.size()) == 0;
 }
 
-Status write_png(const Image& image, const std::filesystem::path& file) { return write_whole_png(image, file); }
+Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts) {
+  return write_whole_png(image, file, lent_to_libpng(texts));
+}
 Status write_png(const NumberImage& image, const std::filesystem::path& file) { return write_whole_png(image, file); }
 
 }  // namespace throng::render

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
+#include "engine/render/png_text.h"
 #include "engine/result.h"
 
 namespace throng::render {
@@ -43,8 +45,8 @@ Result<NumberImage> read_number_png(const std::filesystem::path& file);
 /// Returns whether a file is a PNG of that size from its first byte to its last; what lies between is not looked at.
 bool is_whole_png(const std::filesystem::path& file, int width, int height);
 
-/// Writes the picture as a PNG. `file` is whole or as it was.
-Status write_png(const Image& image, const std::filesystem::path& file);
+/// Writes the picture as a PNG that says `texts` of itself. `file` is whole or as it was.
+Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts = {});
 /// Writes numbers as a grey PNG of 16 bits.
 Status write_png(const NumberImage& image, const std::filesystem::path& file);
 

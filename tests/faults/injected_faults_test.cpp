@@ -145,6 +145,7 @@ TEST_P(InjectedFaults, EndInOneLineWithOldFilesWhole) {
 // A suite each, so that ctest runs them side by side.
 INSTANTIATE_TEST_SUITE_P(Run, InjectedFaults, testing::Values("run"));
 INSTANTIATE_TEST_SUITE_P(Picture, InjectedFaults, testing::Values("picture"));
+INSTANTIATE_TEST_SUITE_P(Compare, InjectedFaults, testing::Values("compare"));
 INSTANTIATE_TEST_SUITE_P(Bake, InjectedFaults, testing::Values("bake"));
 INSTANTIATE_TEST_SUITE_P(Inspect, InjectedFaults, testing::Values("inspect"));
 INSTANTIATE_TEST_SUITE_P(Pose, InjectedFaults, testing::Values("pose"));

@@ -32,7 +32,7 @@ class CrowdPicture : public SoftwareGlTest {
 
   DollCrowd& crowd() { return *crowd_; }
   const Image& meant() const { return meant_; }
-  ImageDifference difference_now() { return *compare(meant_, crowd().picture()); }
+  PictureDifference difference_now() { return *measure_difference(meant_, crowd().picture()); }
 
  private:
   std::unique_ptr<DollCrowd> crowd_;
@@ -40,7 +40,7 @@ class CrowdPicture : public SoftwareGlTest {
 };
 
 TEST_F(CrowdPicture, IsTheSameWhenDrawnAgain) {
-  const ImageDifference difference = difference_now();
+  const PictureDifference difference = difference_now();
   EXPECT_EQ(difference.mean, 0.0);
   EXPECT_EQ(difference.worst_block, 0.0);
 }
@@ -170,7 +170,7 @@ TEST_F(CrowdPicture, SmoothsEdgesWithSamplesAndKeepsEverythingElse) {
   DollCrowd smooth(context(), 4);
   smooth.stand(crowd_size);
   smooth.write_palettes();
-  const ImageDifference difference = *compare(meant(), smooth.picture());
+  const PictureDifference difference = *measure_difference(meant(), smooth.picture());
   EXPECT_GT(difference.mean, 0.0);
   EXPECT_LT(difference.mean, 6.0);
 }
@@ -188,7 +188,7 @@ TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
   batches.back().character = 1;
   frame.batches = batches;
   const DrawCounts two = crowd().renderer().draw(frame);
-  const ImageDifference difference = *compare(meant(), crowd().renderer().read_image());
+  const PictureDifference difference = *measure_difference(meant(), crowd().renderer().read_image());
   EXPECT_EQ(difference.worst_block, 0.0);
   const DrawCounts one = crowd().renderer().draw(crowd().frame());
   EXPECT_GT(two.draw_calls, one.draw_calls);

@@ -88,18 +88,18 @@ MaterialData blended(float alpha) {
 TEST_F(Material, WithoutAnyAlphaIsNotSeenAndCastsNoShadow) {
   for (const int samples : {0, 4}) {
     use_samples(samples);
-    EXPECT_EQ(compare(ground(), picture(blended(0.0F)))->mean, 0.0) << samples;
+    EXPECT_EQ(measure_difference(ground(), picture(blended(0.0F)))->mean, 0.0) << samples;
     MaterialData cut_out;
     cut_out.base_color[3] = 0.25F;
     cut_out.alpha_cutoff = 0.5F;
-    EXPECT_EQ(compare(ground(), picture(cut_out))->mean, 0.0) << samples;
+    EXPECT_EQ(measure_difference(ground(), picture(cut_out))->mean, 0.0) << samples;
   }
 }
 
 TEST_F(Material, OfWhichAllAlphaIsOneIsDrawnAsOpaque) {
   const Image opaque = picture({});
   const DrawCounts counts = crowd().renderer().draw(crowd().frame());
-  EXPECT_EQ(compare(opaque, picture(blended(1.0F)))->mean, 0.0);
+  EXPECT_EQ(measure_difference(opaque, picture(blended(1.0F)))->mean, 0.0);
   EXPECT_EQ(crowd().renderer().draw(crowd().frame()).draw_calls, counts.draw_calls);
 }
 
@@ -121,7 +121,7 @@ TEST_F(Material, IsSeenThroughAsFarAsItsAlphaSays) {
 TEST_F(Material, LooksTheSameInAnyOrderOfWhoIsSeenThrough) {
   const Image before = picture(blended(0.4F));
   std::reverse(crowd().instances.begin(), crowd().instances.end());
-  EXPECT_TRUE(looks_the_same(*compare(before, crowd().picture())));
+  EXPECT_TRUE(looks_the_same(*measure_difference(before, crowd().picture())));
 }
 
 TEST_F(Material, ThatIsUnlitShowsItsOwnColor) {

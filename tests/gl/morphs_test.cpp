@@ -124,8 +124,8 @@ TEST_F(Morphs, AreDrawnInEveryKindOfMaterial) {
     for (InstanceRecord& record : crowd().instances) let_morph(record);
     const Image morphed = picture();
     for (InstanceRecord& record : crowd().instances) record.hair = 0;
-    EXPECT_TRUE(looks_the_same(*compare(expected, morphed)));
-    EXPECT_FALSE(looks_the_same(*compare(rest, morphed)));
+    EXPECT_TRUE(looks_the_same(*measure_difference(expected, morphed)));
+    EXPECT_FALSE(looks_the_same(*measure_difference(rest, morphed)));
   }
 }
 

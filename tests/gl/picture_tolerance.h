@@ -1,8 +1,11 @@
 #pragma once
 
-#include "tests/render/image_difference.h"
+#include "app/regression/compare.h"
 
 namespace throng::render::test {
+
+using app::measure_difference;
+using app::PictureDifference;
 
 // Software rasterisers round edges differently on processors with and without wide vectors. These two numbers, in steps
 // of 255, forgive the single pixels along outlines that differ.
@@ -13,7 +16,7 @@ inline constexpr double largest_mean_difference = 0.6;
 /// up to 5.
 inline constexpr double largest_block_difference = 8.0;
 
-inline bool looks_the_same(const ImageDifference& difference) {
+inline bool looks_the_same(const PictureDifference& difference) {
   return difference.mean <= largest_mean_difference && difference.worst_block <= largest_block_difference;
 }
 

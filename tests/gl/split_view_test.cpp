@@ -13,8 +13,8 @@ namespace throng::app::split_view_test {
 namespace {
 
 using render::Image;
-using render::test::compare;
 using render::test::looks_the_same;
+using render::test::measure_difference;
 
 constexpr int width = 320, height = 180, line = 128;
 constexpr int beside_the_line = 2;  // pixels
@@ -73,23 +73,23 @@ class SplitView : public testing::Test {
 
 TEST_F(SplitView, ShowsTheExactCrowdOnTheLeftAndTheUsualOneOnTheRight) {
   const Image usual = picture(Split::off), split = picture(Split::shown), exact = exact_picture();
-  EXPECT_FALSE(looks_the_same(*compare(left(exact), left(usual)))) << "nothing would be shown";
-  EXPECT_TRUE(looks_the_same(*compare(left(exact), left(split))));
-  EXPECT_EQ(compare(right(usual), right(split))->mean, 0.0);
+  EXPECT_FALSE(looks_the_same(*measure_difference(left(exact), left(usual)))) << "nothing would be shown";
+  EXPECT_TRUE(looks_the_same(*measure_difference(left(exact), left(split))));
+  EXPECT_EQ(measure_difference(right(usual), right(split))->mean, 0.0);
 }
 
 TEST_F(SplitView, ShowsTheDifferenceEightTimesAsBright) {
   const Image usual = picture(Split::off), split = picture(Split::difference), exact = exact_picture();
-  EXPECT_TRUE(looks_the_same(*compare(left(exact), left(split))));
-  const Image expected = compare(exact, usual)->picture;
-  EXPECT_FALSE(looks_the_same(*compare(Image::blank(right(usual).width, height), right(expected))));
-  EXPECT_TRUE(looks_the_same(*compare(right(expected), right(split))));
+  EXPECT_TRUE(looks_the_same(*measure_difference(left(exact), left(split))));
+  const Image expected = app::paint_difference(exact, usual);
+  EXPECT_FALSE(looks_the_same(*measure_difference(Image::blank(right(usual).width, height), right(expected))));
+  EXPECT_TRUE(looks_the_same(*measure_difference(right(expected), right(split))));
 }
 
 TEST_F(SplitView, LeavesTheUsualPictureAsItWas) {
   const Image before = picture(Split::off);
   picture(Split::shown);
-  EXPECT_EQ(compare(before, picture(Split::off))->mean, 0.0);
+  EXPECT_EQ(measure_difference(before, picture(Split::off))->mean, 0.0);
   const auto slots = show().stage().shown().pose(0).to.first_line;
   picture(Split::difference);
   EXPECT_EQ(show().stage().shown().pose(0).to.first_line, slots);

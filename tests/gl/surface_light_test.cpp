@@ -160,9 +160,9 @@ TEST_F(SurfaceLight, ReadsNumbersOfAnImageAsTheyAreAndItsColorsAsSrgb) {
   material().metallic_roughness_texture = material().base_color_texture = {};
   material().metallic = material().roughness = 128.0F / 255.0F;
   paint(0.2159F, 0.2159F, 0.2159F);
-  EXPECT_LT(compare(by_texture, sheet().picture())->mean, 0.6);
+  EXPECT_LT(measure_difference(by_texture, sheet().picture())->mean, 0.6);
   material().roughness = 0.2159F;
-  EXPECT_GT(compare(by_texture, sheet().picture())->mean, 2.0) << "as if decoded from sRGB";
+  EXPECT_GT(measure_difference(by_texture, sheet().picture())->mean, 2.0) << "as if decoded from sRGB";
 }
 
 TEST_F(SurfaceLight, TurnsNoOrangeIntoYellow) {
@@ -196,7 +196,7 @@ TEST_F(SurfaceLight, TakesTheColorsOfVertices) {
   const Image multiplied = sheet().picture();
   sheet().colors = {};
   paint(0.5F, 0.5F, 0.0F);
-  EXPECT_LT(compare(multiplied, sheet().picture())->mean, 0.6);
+  EXPECT_LT(measure_difference(multiplied, sheet().picture())->mean, 0.6);
 }
 
 TEST_F(SurfaceLight, ReadsEachTextureAtCoordinatesOfItsOwn) {

@@ -21,7 +21,7 @@ TEST_P(MaterialsPicture, OfTwelveSpheres) {
   expect_golden_picture("materials", options);
 }
 
-INSTANTIATE_TEST_SUITE_P(Headless, MaterialsPicture, testing::Values(ContextKind::egl, ContextKind::osmesa),
+INSTANTIATE_TEST_SUITE_P(Headless, MaterialsPicture, testing::ValuesIn(golden_contexts()),
                          [](const auto& run) { return run.param == ContextKind::egl ? "Egl" : "OSMesa"; });
 
 }  // namespace

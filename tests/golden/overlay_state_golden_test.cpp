@@ -38,7 +38,9 @@ class OverlayState : public render::test::SoftwareGlTest {
     frame.light.clouds = 0.0F;
     renderer_->draw(frame);
     renderer_->draw_overlay(*person.overlay.draw_data());
-    expect_golden_image(picture, picture, renderer_->read_image());
+    const PictureOrigin origin =
+        origin_of({.context = "egl", .gl_version = context().version(), .gl_renderer = context().renderer()});
+    expect_golden_image(picture, picture, renderer_->read_image(), origin);
   }
 
   OverlayDriver person;

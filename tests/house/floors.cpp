@@ -71,11 +71,12 @@ const std::vector<House>& houses() {
         {"stage"},
         {"viewer"},
         {"figures"},
+        {"regression"},
         {"recording"},
         {"show"},
         {"output"},
         {"demo"},
-        {"commands/bench", "commands/pose", "commands/inspect"},
+        {"commands/bench", "commands/pose", "commands/inspect", "commands/check", "commands/compare"},
         {"commands/bake", "commands/lod"},
         {"command_line"}}},
   };

@@ -102,6 +102,8 @@ const std::vector<Part>& parts() {
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
       {"draco/", {"engine/anim/import/"}},
+      {"sqlite3.h", {"app/trajectory/database.cpp"}},
+      {"expat.h", {"app/trajectory/fcd_xml.cpp"}},
   };
   return all;
 }

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/render/image_difference.h"
-
 namespace throng::render::test::image_test {
 namespace {
 
@@ -35,12 +33,6 @@ Image gradient(int width, int height) {
     }
   }
   return image;
-}
-
-void paint_block(Image& image, int left, int top, std::uint8_t value) {
-  for (int y = top; y < top + 16; ++y) {
-    for (int x = left; x < left + 16; ++x) std::fill_n(image.pixel(x, y), 3, value);
-  }
 }
 
 TEST_F(ImageFile, ComesBackAsItWasWritten) {
@@ -79,38 +71,35 @@ TEST_F(ImageFile, IsRefusedWhenAbsentOrNoise) {
   EXPECT_NE(noise.error().message.find("noise.png"), std::string::npos);
 }
 
-TEST(ImageDifference, OfEqualPicturesIsNothing) {
-  const Result<ImageDifference> difference = compare(gradient(100, 50), gradient(100, 50));
-  ASSERT_TRUE(difference);
-  EXPECT_EQ(difference->mean, 0.0);
-  EXPECT_EQ(difference->worst_block, 0.0);
+TEST_F(ImageFile, SaysWhatItWasToldToSay) {
+  const std::vector<PngText> texts{{"Software", "Throng 1.0.0"}, {"Throng context", "egl"}};
+  ASSERT_TRUE(write_png(gradient(40, 23), folder_ / "picture.png", texts));
+  const auto read = read_png_texts(folder_ / "picture.png");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, texts);
+  EXPECT_EQ(read_png(folder_ / "picture.png")->rgba, gradient(40, 23).rgba);
 }
 
-TEST(ImageDifference, FindsTheOneBlockThatDiffers) {
-  Image changed = Image::blank(640, 360);
-  paint_block(changed, 320, 160, 55);
-  const Result<ImageDifference> difference = compare(Image::blank(640, 360), changed);
-  ASSERT_TRUE(difference);
-  EXPECT_DOUBLE_EQ(difference->worst_block, 200.0);
-  EXPECT_EQ(difference->worst_block_x, 320);
-  EXPECT_EQ(difference->worst_block_y, 160);
-  EXPECT_NEAR(difference->mean, 200.0 * 256 / (640 * 360), 1e-9);
+TEST_F(ImageFile, WithoutTextsSaysNothing) {
+  ASSERT_TRUE(write_png(gradient(8, 8), folder_ / "picture.png"));
+  const auto read = read_png_texts(folder_ / "picture.png");
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->empty());
 }
 
-TEST(ImageDifference, CountsBlocksThatTheEdgeCutsByTheirOwnSize) {
-  Image changed = Image::blank(20, 20);
-  for (int y = 16; y < 20; ++y) {
-    for (int x = 16; x < 20; ++x) std::fill_n(changed.pixel(x, y), 3, std::uint8_t{155});
+// Wherever a file is cut, its texts are those before the cut, and it is no picture any more.
+TEST_F(ImageFile, ThatIsCutSaysNoMoreThanIsThere) {
+  const std::vector<PngText> texts{{"Software", "Throng"}};
+  ASSERT_TRUE(write_png(gradient(8, 8), folder_ / "picture.png", texts));
+  constexpr std::uintmax_t end_bytes = 12;  // without the last chunk, all pixels are there
+  const std::uintmax_t whole = std::filesystem::file_size(folder_ / "picture.png");
+  for (std::uintmax_t left = whole; left-- > 0;) {
+    std::filesystem::resize_file(folder_ / "picture.png", left);
+    const auto read = read_png_texts(folder_ / "picture.png");
+    EXPECT_EQ(static_cast<bool>(read), left >= 8) << left;
+    EXPECT_TRUE(!read || read->empty() || *read == texts) << left;
+    EXPECT_TRUE(left >= whole - end_bytes || !read_png(folder_ / "picture.png")) << left;
   }
-  const Result<ImageDifference> difference = compare(Image::blank(20, 20), changed);
-  ASSERT_TRUE(difference);
-  EXPECT_DOUBLE_EQ(difference->worst_block, 100.0);
-}
-
-TEST(ImageDifference, IsRefusedForDifferentSizes) {
-  const Result<ImageDifference> difference = compare(Image::blank(20, 20), Image::blank(20, 21));
-  ASSERT_FALSE(difference);
-  EXPECT_NE(difference.error().message.find("20x21"), std::string::npos);
 }
 
 NumberImage slope(int width, int height) {

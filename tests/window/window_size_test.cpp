@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/render/image_difference.h"
+#include "app/regression/compare.h"
 #include "tests/window/screen.h"
 #include "tests/window/window_driver.h"
 
@@ -53,7 +53,7 @@ class WindowSize : public WindowDriver {
     const auto drawn = render::read_png(folder() / file);
     const auto shown = picture_of_screen(display(), size);
     ASSERT_TRUE(drawn && shown) << file;
-    const auto difference = render::test::compare(*drawn, *shown);
+    const auto difference = measure_difference(*drawn, *shown);
     ASSERT_TRUE(difference) << file << ": " << difference.error().message;
     EXPECT_LT(difference->mean, largest_mean_difference) << size.x << "x" << size.y;
   }

@@ -10,8 +10,10 @@
 #include "app/character/clip_files.h"
 #include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
+#include "app/commands/inspect/tracks_report.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "app/trajectory/read.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/json/json.h"
@@ -192,9 +194,17 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
   return models;
 }
 
+int inspect_tracks(const InspectOptions& options) {
+  const auto tracks = read_trajectories(options.model, options.tracks);
+  if (!tracks) return end_with(exit_job_failed, tracks.error().message);
+  const anim::Status printed = print(options.json ? tracks_json(*tracks) : tracks_text(*tracks));
+  return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
+}
+
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
+  if (looks_like_trajectories(options.model)) return inspect_tracks(options);
   auto file = read_model_file(options.model, options.reading);
   if (!file) return end_with(exit_job_failed, file.error().message);
   anim::face_forward(*file);

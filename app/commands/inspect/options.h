@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/trajectory/reading.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
 
@@ -14,7 +15,8 @@ struct InspectOptions {
   std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
   import::ImportOptions reading{};
-  bool json = false;  ///< one JSON object on standard output instead of tables for a person
+  TrackReading tracks{};  ///< of a file of trajectories
+  bool json = false;      ///< one JSON object on standard output instead of tables for a person
 };
 
 }  // namespace throng::app

@@ -1,5 +1,6 @@
 #include "engine/anim/kernel/kernels.h"
 
+#include <string>
 #include <vector>
 
 #include "engine/anim/kernel/targets.h"
@@ -39,6 +40,12 @@ std::vector<Kernels> find_runnable_kernels() {
 std::span<const Kernels> runnable_kernels() {
   static const std::vector<Kernels> sets = find_runnable_kernels();
   return sets;
+}
+
+std::vector<std::string> compiled_targets() {
+  std::vector<std::string> names;
+  for (std::int64_t left = HWY_TARGETS; left != 0; left &= left - 1) names.emplace_back(hwy::TargetName(left & -left));
+  return names;
 }
 
 const Kernels& scalar_kernels() { return runnable_kernels().back(); }

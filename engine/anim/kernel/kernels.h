@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "engine/anim/kernel/lanes/copy_blocks.h"
 #include "engine/anim/kernel/palette/model_joints.h"
@@ -52,6 +54,8 @@ struct Kernels {
 const Kernels& best_kernels();
 /// Returns the kernels of all targets that this machine runs, the best first.
 std::span<const Kernels> runnable_kernels();
+/// Returns Highway's names of all targets that this build has, the best first.
+std::vector<std::string> compiled_targets();
 /// Returns the kernels of the scalar target, which has the same algorithm.
 const Kernels& scalar_kernels();
 

@@ -1,3 +1,7 @@
+#include "engine/render/gl/context.h"
+
+#if defined(THRONG_HAS_OSMESA)
+
 #include <array>
 #include <utility>
 
@@ -5,7 +9,6 @@
 // OSMesa's header needs OpenGL's types, which glad declares.
 #include <GL/osmesa.h>
 
-#include "engine/render/gl/context.h"
 #include "engine/render/gl/shared_library.h"
 
 namespace throng::render::gl {
@@ -67,6 +70,18 @@ class OsMesaContext final : public Context {
 
 }  // namespace
 
+bool osmesa_is_built_in() { return true; }
 Result<std::unique_ptr<Context>> make_osmesa_context() { return open_context<OsMesaContext>(); }
 
 }  // namespace throng::render::gl
+
+#else
+
+namespace throng::render::gl {
+
+bool osmesa_is_built_in() { return false; }
+Result<std::unique_ptr<Context>> make_osmesa_context() { return Error{"this build has no OSMesa"}; }
+
+}  // namespace throng::render::gl
+
+#endif

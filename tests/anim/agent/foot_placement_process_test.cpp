@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/anim/agent/person_crowd.h"
+#include "tests/anim/kernel/limb/foot_placement_reference.h"
 
 namespace throng::anim::foot_placement_process_test {
 namespace {
@@ -40,9 +41,10 @@ class PersonOnASlope : public testing::TestWithParam<float> {
   /// Of heel and ball, whichever is lower; metres over the slope.
   float sole_over(const Footing& plane, const char* foot, std::size_t leg) const {
     const JointMotion ankle = crowd_.joint(foot);
-    const auto& sole = person_rigs().foot_placement()->legs[leg].sole;
-    return std::min(height_over(plane, in_world(ankle.position + ankle.rotation * sole[0])),
-                    height_over(plane, in_world(ankle.position + ankle.rotation * sole[1])));
+    const PlacedLeg& about = person_rigs().foot_placement()->legs[leg];
+    const glm::vec3 normal = glm::conjugate(placement_.rotation) * plane.normal;
+    return std::min(height_over(plane, in_world(ankle.position + ankle.rotation * about.sole[0])),
+                    height_over(plane, in_world(ankle.position + under_toes(about, ankle.rotation, normal))));
   }
 
   PersonCrowd crowd_{{.schedule = Schedule::levels}};

@@ -13,6 +13,10 @@
 
 namespace throng::anim {
 
+glm::vec3 under_toes(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
+  return foot * leg.sole[1] - leg.ball_height * normal;
+}
+
 namespace {
 
 constexpr glm::vec3 upwards{0.0F, 1.0F, 0.0F};
@@ -33,11 +37,6 @@ struct LegReach {
   float length = 0.0F;
   float farthest = 0.0F;  // from the hip to the ankle
 };
-
-/// From the ankle to the ground below the joint of the toes, which stay flat.
-glm::vec3 under_toes(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
-  return foot * leg.sole[1] - leg.ball_height * normal;
-}
 
 /// How far the lowest point of the sole is below the ankle, along `normal`.
 float clearance(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/asset/bone_mask.h"
+#include "tests/anim/kernel/limb/foot_placement_reference.h"
 #include "tests/anim/kernel/limb/one_character.h"
 #include "tests/anim/kernel/pose/held_pose.h"
 #include "tests/anim/kernel/validity.h"
@@ -60,7 +61,7 @@ class PersonOnGround : public testing::Test {
     const JointMotion ankle = joint_by_definition(
         skeleton_, pose_.view(), rig_.legs[leg].limb.chain.bones[static_cast<std::size_t>(rig_.legs[leg].limb.end())]);
     return {slope.above(ankle.position + ankle.rotation * rig_.legs[leg].sole[0]),
-            slope.above(ankle.position + ankle.rotation * rig_.legs[leg].sole[1])};
+            slope.above(ankle.position + under_toes(rig_.legs[leg], ankle.rotation, slope.normal))};
   }
 
   Skeleton skeleton_ = named_skeleton(person_joints());
@@ -216,7 +217,7 @@ TEST_F(PersonOnGround, KeepsPlantedFeetInTheWorldWhileTheBodyMovesOn) {
 }
 
 TEST_F(PersonOnGround, GivesAFootUpToABodyThatWalksAwayAndKeepsTheHips) {
-  const float most_drop = lock_reserve * 0.9F;  // of a leg of 0.9 m
+  const float most_drop = told_lock_reserve * 0.9F;  // of a leg of 0.9 m
   bool stepped = false;
   glm::vec3 last(0.0F);
   for (int i = 0; i < 90; ++i) {

@@ -1,0 +1,138 @@
+#include "app/commands/check/command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/commands/check/drawn_case.h"
+#include "app/commands/check/git.h"
+#include "app/files/child_process.h"
+#include "app/files/exit_status.h"
+#include "app/files/joined.h"
+#include "app/files/nearest_names.h"
+#include "app/regression/cases.h"
+#include "app/regression/junit.h"
+#include "app/regression/outcome.h"
+#include "app/regression/page.h"
+#include "engine/files/output_file.h"
+#include "engine/render/gl/context.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the cases that are asked for. Errors: there is none of that name.
+anim::Result<std::vector<RegressionCase>> chosen(const RegressionCases& all, const CheckOptions& options) {
+  if (options.names.empty()) return all.cases;
+  std::vector<std::string> known;
+  for (const RegressionCase& each : all.cases) known.push_back(each.name);
+  std::vector<RegressionCase> cases;
+  for (const std::string& name : options.names) {
+    const auto found = std::ranges::find(all.cases, name, &RegressionCase::name);
+    if (found == all.cases.end()) {
+      return anim::Error{"--case " + name + ": " + options.cases + " has no such case; near to it are " +
+                         nearest_names(name, known)};
+    }
+    cases.push_back(*found);
+  }
+  return cases;
+}
+
+CaseOutcome left_out(const RegressionCase& wanted) {
+  CaseOutcome outcome;
+  outcome.name = wanted.name;
+  outcome.context = "osmesa";
+  outcome.verdict = Verdict::left_out;
+  outcome.message = "this build has no OSMesa";
+  return outcome;
+}
+
+std::string line_of(const CaseOutcome& outcome) {
+  constexpr std::size_t width = 9;
+  std::string word = word_of(outcome.verdict);
+  word.resize(std::max(word.size(), width), ' ');
+  std::string line = word + " " + outcome.name + " (" + outcome.context + ")";
+  if (!outcome.message.empty()) {
+    line += ": " + outcome.message;
+  } else if (!outcome.brief.empty()) {
+    line += ": " + outcome.brief;
+  } else if (!outcome.expected.empty()) {
+    line += ": " + outcome.expected.string();
+  }
+  return line + "\n";
+}
+
+/// Says whether what --update replaces can be brought back; an empty text if it can.
+std::string danger_of_update(const std::vector<RegressionCase>& cases, const CheckOptions& options) {
+  if (!options.update || options.force) return {};
+  std::vector<fs::path> files;
+  for (const RegressionCase& each : cases) {
+    if (std::ranges::find(files, each.expected) == files.end()) files.push_back(each.expected);
+  }
+  const auto unkept = unkept_by_git(files);
+  return unkept ? "--update: " + *unkept + "; --force replaces them all the same" : std::string();
+}
+
+anim::Status write_reports(const RegressionRun& run, const CheckOptions& options, const fs::path& report) {
+  if (anim::Status written = write_page(run, report); !written) return written;
+  return options.junit.empty() ? anim::Done{} : write_whole_file(options.junit, junit_xml(run));
+}
+
+/// Draws all, a line each, and reports.
+int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
+  const fs::path report = options.report.empty() ? plan.out / "report.html" : fs::path(options.report);
+  RegressionRun run{.title = fs::path(options.cases).stem().string(), .outcomes = {}};
+  CaseDrawer drawer(std::move(plan));
+  for (const RegressionCase& each : cases) {
+    for (const ContextKind context : options.contexts.empty() ? each.contexts : options.contexts) {
+      const bool can = context != ContextKind::osmesa || render::gl::osmesa_is_built_in();
+      run.outcomes.push_back(can ? drawer.run(each, context) : left_out(each));
+      if (anim::Status told = print(line_of(run.outcomes.back())); !told) {
+        return end_with(exit_job_failed, told.error().message);
+      }
+    }
+  }
+  if (anim::Status written = write_reports(run, options, report); !written) {
+    return end_with(exit_job_failed, written.error().message);
+  }
+  const std::string summary = summary_of(run) + "; see " + report.string();
+  const RunCounts counts = counts_of(run);
+  if (counts.failed + counts.not_drawn > 0) return end_with(exit_job_failed, summary);
+  const anim::Status told = print(summary + "\n");
+  return told ? static_cast<int>(exit_done) : end_with(exit_job_failed, told.error().message);
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+  const bool asks_for_osmesa = std::ranges::find(options.contexts, ContextKind::osmesa) != options.contexts.end();
+  if (asks_for_osmesa && !render::gl::osmesa_is_built_in()) {
+    return end_with(exit_usage, "--context: this build has no OSMesa; use --context egl");
+  }
+  const auto all = read_cases(options.cases);
+  if (!all) return end_with(exit_usage, all.error().message);
+  const auto cases = chosen(*all, options);
+  if (!cases) return end_with(exit_usage, cases.error().message);
+  const auto program = own_program();
+  if (!program) return end_with(exit_job_failed, program.error().message);
+  std::error_code error;
+  const fs::path out = fs::absolute(options.out, error);
+  fs::create_directories(out, error);
+  if (error) return end_with(exit_job_failed, "--out " + options.out + ": cannot be made: " + error.message());
+  if (const std::string danger = danger_of_update(*cases, options); !danger.empty()) {
+    return end_with(exit_job_failed, danger);
+  }
+  return check_all(*cases, options,
+                   {.all = *all,
+                    .program = *program,
+                    .typed = as_typed({"throng", "check", options.cases}),
+                    .out = out,
+                    .data = options.data.empty() ? "" : fs::absolute(options.data, error).string(),
+                    .update = options.update});
+}
+
+}  // namespace throng::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace throng::app {
+
+/// Returns a text as it stands in XML and HTML, also inside quotation marks. What XML has no letter for becomes U+FFFD.
+std::string escaped(std::string_view text);
+
+/// Returns bytes in base64, as a data URI has them.
+std::string in_base64(std::span<const std::byte> bytes);
+
+}  // namespace throng::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/regression/compare.h"
+
+namespace throng::app {
+
+/// The most that a figure may be, and why it may be so much.
+struct DifferenceLimit {
+  double most = 0.0;
+  std::string because;
+};
+
+/// How far a picture may be from the expected one. Without any limit, no pixel may differ; else those that are there
+/// count.
+struct Tolerance {
+  std::optional<DifferenceLimit> mean = {}, worst_block = {};  ///< steps of 255
+  std::optional<DifferenceLimit> share = {};                   ///< 0 to 1
+};
+
+/// A figure of a difference beside its limit, as text.
+struct JudgedFigure {
+  std::string name;     ///< "worst block"
+  std::string value;    ///< "12.400 at 320,160", "0.13%"
+  std::string limit;    ///< "9"; empty: there is none
+  std::string because;  ///< why the limit is as it is
+  bool is_within = true;
+};
+
+/// Returns mean, worst block and share, in this order.
+std::vector<JudgedFigure> judge(const PictureDifference& difference, const Tolerance& tolerance);
+
+/// Returns whether all are within their limits.
+bool all_within(const std::vector<JudgedFigure>& figures);
+
+/// Returns "mean 0.030, worst block 1.200 at 320,160, 0.01% of pixels differ by more than 16 steps", or that nothing
+/// does.
+std::string figures_text(const PictureDifference& difference);
+
+/// Returns what is beyond its limit: "mean 3 of at most 0.8 (outlines move)".
+std::string excess_text(const std::vector<JudgedFigure>& figures);
+
+}  // namespace throng::app

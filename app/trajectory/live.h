@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/trajectory/reading.h"
+#include "app/trajectory/trajectories.h"
+#include "engine/result.h"
+
+namespace throng::app {
+
+/// A row as it came.
+struct LiveRow {
+  std::uint32_t person = 0;  ///< counts people in the order in which they come: LiveTracks::id()
+  float stature = 0.0F;      ///< metres, where rows have heights of heads; 0: they say nothing
+  TrackRow row;              ///< about LiveHead::origin
+};
+
+/// What is known once the first row is there.
+struct LiveHead {
+  glm::dvec2 origin{0.0};  ///< metres: the place of the first row, in whole metres
+  std::string format;
+  std::vector<std::string> said;
+};
+
+/// Reads rows as they come, from a pipe, a socket or a file: tables with a header, the text of the Jülich archive, JSON
+/// lines and the XML of SUMO. A thread of its own waits for them and reads them, so that the caller never does.
+class LiveTracks {
+ public:
+  /// Starts to read. The descriptor stays the caller's, and is open for as long as this lives.
+  LiveTracks(int descriptor, const TrackReading& options, std::string name = "-");
+  ~LiveTracks();
+  LiveTracks(const LiveTracks&) = delete;
+  LiveTracks& operator=(const LiveTracks&) = delete;
+
+  /// Adds to `rows` those that came since the last call. Those of a person ascend in time. Does not wait.
+  /// Returns false once the last row was taken, because the text has ended or is wrong.
+  bool take(std::vector<LiveRow>& rows);
+  std::optional<LiveHead> head() const;  ///< nothing before the first row
+  std::string id(std::uint32_t person) const;
+  std::size_t people() const;
+  /// Returns what is wrong with the text, which ends it; the sentence begins with its name.
+  Status status() const;
+  std::size_t bad_rows() const;   ///< skipped, because options.lenient is set
+  std::size_t late_rows() const;  ///< left out, because somebody had a row at that time or later
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,118 @@
+// Where people of a recorded crowd look, and how many steps they make.
+
+#include "app/crowd/track_steps.h"
+
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace throng::app::track_steps_test {
+namespace {
+
+StridePlane plane() {
+  return {{{.clip = 0},
+           {.clip = 1, .velocity = {0.0F, 1.3F}, .seconds = 1.0},
+           {.clip = 2, .velocity = {0.0F, 3.0F}, .seconds = 0.7},
+           {.clip = 3, .velocity = {0.6F, 0.0F}, .seconds = 1.0},
+           {.clip = 4, .velocity = {-0.6F, 0.0F}, .seconds = 1.0},
+           {.clip = 5, .velocity = {0.0F, -0.8F}, .seconds = 1.0}},
+          StridePlane::Middle::stands};
+}
+
+/// Rows that go from the origin at a velocity, 25 a second.
+std::vector<TrackRow> straight(const glm::vec2& velocity, double seconds) {
+  std::vector<TrackRow> rows;
+  for (double t = 0.0; t < seconds; t += 0.04) {
+    rows.push_back({.seconds = t, .x = velocity.x * static_cast<float>(t), .z = velocity.y * static_cast<float>(t)});
+  }
+  return rows;
+}
+
+TEST(StridePlane, SlowPeopleTakeShorterStepsAndFewerOfThem) {
+  const auto walk = plane().stride({0.0F, 1.3F}), slow = plane().stride({0.0F, 0.325F});
+  EXPECT_NEAR(walk.cycles_per_second, 1.0, 1e-5);
+  EXPECT_NEAR(slow.cycles_per_second, 0.5, 1e-5) << "the root of a quarter";
+  EXPECT_NEAR(0.325 / slow.cycles_per_second, 0.65, 1e-5) << "half of the walk's stride";
+}
+
+TEST(StridePlane, WhoStandsMakesNoStep) {
+  EXPECT_EQ(plane().stride({0.0F, 0.0F}).cycles_per_second, 0.0);
+  EXPECT_EQ(plane().stride({0.0F, 0.0F}).stands, 1.0F);
+  EXPECT_EQ(plane().stride({0.0F, 1.0F}).stands, 0.0F);
+}
+
+TEST(TrackSteps, PeopleLookWhereTheyWalk) {
+  for (const float angle : {0.0F, 1.0F, 2.5F, -2.0F}) {
+    const auto rows = straight(1.2F * glm::vec2(std::sin(angle), std::cos(angle)), 4.0);
+    const SmoothTrack track(rows);
+    const TrackSteps steps(track, plane(), 1.0F, 0.0F);
+    const TrackStep at = steps.at(track, 1.0F, 2.0);
+    EXPECT_NEAR(at.heading, angle, 1e-3F);
+    EXPECT_NEAR(at.velocity.x, 0.0F, 1e-3F);
+    EXPECT_NEAR(at.velocity.y, 1.2F, 1e-2F);
+  }
+}
+
+TEST(TrackSteps, StridesAddUpToTheWay) {
+  const auto rows = straight({0.0F, 1.3F}, 10.0);
+  const SmoothTrack track(rows);
+  const TrackSteps steps(track, plane(), 1.0F, 0.0F);
+  EXPECT_NEAR(steps.at(track, 1.0F, 8.0).cycles - steps.at(track, 1.0F, 2.0).cycles, 6.0, 0.02);
+}
+
+TEST(TrackSteps, TallPeopleTakeLongerSteps) {
+  const auto rows = straight({0.0F, 1.3F}, 10.0);
+  const SmoothTrack track(rows);
+  const auto strides = [&](float scale) {
+    const TrackSteps steps(track, plane(), scale, 0.0F);
+    return steps.at(track, scale, 8.0).cycles - steps.at(track, scale, 2.0).cycles;
+  };
+  EXPECT_LT(strides(1.15F), strides(1.0F));
+  EXPECT_GT(strides(0.85F), strides(1.0F));
+}
+
+TEST(TrackSteps, WhoStandsKeepsTheHeadingAndSways) {
+  std::vector<TrackRow> rows = straight({1.2F, 0.0F}, 2.0);
+  const TrackRow last = rows.back();
+  for (int i = 1; i < 150; ++i) {  // a head that is never quite still
+    rows.push_back({.seconds = last.seconds + 0.04 * i,
+                    .x = last.x + 0.02F * std::sin(0.1F * static_cast<float>(i)),
+                    .z = last.z + 0.02F * std::cos(0.07F * static_cast<float>(i)) - 0.02F});
+  }
+  const SmoothTrack track(rows);
+  const TrackSteps steps(track, plane(), 1.0F, 0.0F);
+  EXPECT_NEAR(steps.at(track, 1.0F, 7.0).heading, 1.5708F, 0.1F);
+  EXPECT_NEAR(steps.at(track, 1.0F, 7.0).cycles, steps.at(track, 1.0F, 4.5).cycles, 0.2);
+}
+
+TEST(TrackSteps, AHeadingOfTheFileMakesSideStepsAndStepsBack) {
+  std::vector<TrackRow> rows = straight({0.0F, -0.5F}, 4.0);
+  for (TrackRow& row : rows) row.heading = 0.0F;
+  const SmoothTrack back(rows);
+  EXPECT_NEAR(TrackSteps(back, plane(), 1.0F, 0.0F).at(back, 1.0F, 2.0).velocity.y, -0.5F, 0.02F);
+  for (TrackRow& row : rows) row.heading = 1.5708F;  // looks along +X and goes along -Z, which is to its left
+  const SmoothTrack aside(rows);
+  EXPECT_NEAR(TrackSteps(aside, plane(), 1.0F, 0.0F).at(aside, 1.0F, 2.0).velocity.x, 0.5F, 0.02F);
+}
+
+TEST(TrackSteps, SomebodyWhoIsPushedBackForAMomentDoesNotTurnRound) {
+  std::vector<TrackRow> rows = straight({0.0F, 1.0F}, 3.0);
+  const TrackRow turned = rows.back();
+  for (int i = 1; i <= 20; ++i) {
+    rows.push_back({.seconds = turned.seconds + 0.04 * i, .x = 0.0F, .z = turned.z - 0.01F * static_cast<float>(i)});
+  }
+  for (int i = 1; i <= 50; ++i) {
+    rows.push_back(
+        {.seconds = turned.seconds + 0.8 + 0.04 * i, .x = 0.0F, .z = turned.z - 0.2F + 0.04F * static_cast<float>(i)});
+  }
+  const SmoothTrack track(rows);
+  const TrackSteps steps(track, plane(), 1.0F, 0.0F);
+  for (double seconds = 0.0; seconds < 5.5; seconds += 0.1) {
+    EXPECT_NEAR(wrapped_angle(steps.at(track, 1.0F, seconds).heading), 0.0F, 0.5F) << seconds;
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::track_steps_test

@@ -1,0 +1,195 @@
+// People who follow the rows of a recorded crowd, on a stage.
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "app/stage/stage.h"
+#include "app/view/fly_camera.h"
+#include "tests/app/stage/foot_slips.h"
+
+namespace throng::app::track_players_test {
+namespace {
+
+constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+
+/// Six people who come one after the other, walk round in circles of their own, stop for two seconds, and go on faster.
+std::shared_ptr<const Trajectories> some_people() {
+  Trajectories all;
+  for (int person = 0; person < 6; ++person) {
+    PersonTrack track{
+        .id = std::to_string(100 + person), .stature = 1.6F + 0.05F * static_cast<float>(person), .rows = {}};
+    double way = 0.0;
+    for (int row = 0; row < 250; ++row) {
+      const double seconds = 0.5 * person + 0.04 * row;
+      const bool stands = row > 120 && row < 170;
+      way += stands ? 0.0 : 0.04 * (row < 120 ? 0.9 : 1.5);
+      const double angle = way / (3.0 + person);
+      track.rows.push_back({.seconds = seconds,
+                            .x = static_cast<float>((3.0 + person) * std::sin(angle)),
+                            .z = static_cast<float>((3.0 + person) * std::cos(angle))});
+    }
+    all.last_seconds = track.rows.back().seconds;
+    all.row_count += track.rows.size();
+    all.persons.push_back(std::move(track));
+  }
+  all.rows_a_second = 25.0;
+  all.file = "people";
+  return std::make_shared<const Trajectories>(std::move(all));
+}
+
+class TrackPlayers : public testing::Test {
+ protected:
+  TrackPlayers() { open(tuning(anim::LodRule::off)); }
+
+  static Tuning tuning(anim::LodRule rule) {
+    return {.scene = Scene::trajectories,
+            .lod = {.rule = rule, .bone_lod = false, .smooth = rule != anim::LodRule::off},
+            .system = {.pus = 2}};
+  }
+  void open(const Tuning& tuning) {
+    std::vector<CharacterSource> characters;
+    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+    auto made = Stage::create(std::move(characters), tuning, pages_, 0, people_);
+    ASSERT_TRUE(made) << made.error().message;
+    stage_ = std::move(*made);
+  }
+  void pass(int frames, anim::Ticks step = frame) {
+    for (int i = 0; i < frames; ++i) {
+      stage_->move(step);
+      stage_->pose(camera_, 1280, 720, step, stage_->frame());
+    }
+  }
+  double seconds() const { return track_clock_of(stage_->crowd()).seconds; }
+  void go_to(double seconds) {
+    TrackClock clock = track_clock_of(stage_->crowd());
+    clock.seconds = seconds;
+    set_track_clock(*stage_, clock);
+  }
+  /// Returns the bits of everybody's palette, agent by agent.
+  std::vector<std::byte> drawn() const {
+    std::vector<std::byte> bytes;
+    for (std::uint32_t agent = 0; agent < stage_->crowd().size(); ++agent) {
+      const ShownPose& pose = stage_->shown().pose(agent);
+      if (!pose.shown()) continue;
+      const auto* const palette = reinterpret_cast<const std::byte*>(pages_.palette(pose.to));
+      bytes.insert(bytes.end(), palette, palette + 62 * sizeof(anim::PaletteMatrix));
+    }
+    return bytes;
+  }
+
+  std::shared_ptr<const Trajectories> people_ = some_people();
+  KeptPages pages_;
+  std::unique_ptr<Stage> stage_;
+  render::Camera camera_ = camera_at({.x = 0, .y = 20, .z = 25, .yaw = 0, .pitch = -40});
+};
+
+TEST_F(TrackPlayers, EverybodyIsWhereTheRowsAre) {
+  EXPECT_EQ(stage_->crowd().size(), 6U);
+  for (const PersonTrack& person : people_->persons) {
+    for (std::size_t row = 0; row < person.rows.size(); row += 17) {
+      const TrackRow& wanted = person.rows[row];
+      go_to(wanted.seconds);
+      const auto agent = static_cast<std::size_t>(&person - people_->persons.data());
+      EXPECT_LT(glm::distance(stage_->crowd().positions()[agent], glm::vec3(wanted.x, wanted.y, wanted.z)), 1e-3F);
+    }
+  }
+}
+
+TEST_F(TrackPlayers, PeopleAreThereFromTheirFirstRowToTheirLast) {
+  const auto there = [&](double seconds) {
+    go_to(seconds);
+    pass(1, anim::Ticks{});
+    return stage_->selection().visible.size();
+  };
+  EXPECT_EQ(there(0.2), 1U);
+  EXPECT_EQ(there(1.2), 3U);
+  EXPECT_EQ(there(9.0), 6U);
+  EXPECT_EQ(there(12.4), 1U);
+}
+
+TEST_F(TrackPlayers, WhoIsTallInTheFileIsTall) {
+  EXPECT_NEAR(stage_->crowd().scales()[0] * 1.8F, 1.6F, 0.01F);
+  EXPECT_NEAR(stage_->crowd().scales()[5] * 1.8F, 1.85F, 0.01F);
+}
+
+TEST_F(TrackPlayers, AMomentIsTheSameHoweverOneCameThere) {
+  Tuning without_feet = tuning(anim::LodRule::off);
+  without_feet.placed_feet = false;  // feet that stand remember where they came down
+  open(without_feet);
+  pass(400);
+  const double moment = seconds();
+  const std::vector<std::byte> played = drawn();
+  go_to(1.0);
+  pass(3);
+  go_to(moment);
+  pass(1, anim::Ticks{});
+  ASSERT_EQ(drawn().size(), played.size());
+  EXPECT_EQ(drawn(), played);
+}
+
+TEST_F(TrackPlayers, TheCrowdGoesBackwards) {
+  go_to(6.0);
+  TrackClock clock = track_clock_of(stage_->crowd());
+  clock.rate = -1.0;
+  set_track_clock(*stage_, clock);
+  pass(60);
+  EXPECT_NEAR(seconds(), 5.0, 1e-3);
+}
+
+TEST_F(TrackPlayers, FeetDoNotSlip) {
+  FootSlips slips(stage_->characters()[0].character->skeleton);
+  for (int i = 0; i < 600; ++i) {
+    pass(1);
+    slips.add_frame(*stage_, pages_, anim::to_seconds(frame));
+  }
+  const std::vector<double> all = slips.slips();
+  EXPECT_GT(all.size(), 60U);
+  EXPECT_LT(slip_at(all, 0.5), 1.0) << "millimetres a step";
+  EXPECT_LT(slip_at(all, 0.95), 10.0);
+}
+
+TEST_F(TrackPlayers, WithLevelOfDetailThePoseOfALongIntervalIsThatOfItsEnd) {
+  open(tuning(anim::LodRule::distance));
+  camera_ = camera_at({.x = 0, .y = 90, .z = 120, .yaw = 0, .pitch = -37});
+  pass(300);
+  EXPECT_GT(stage_->selection().visible[0].interval, 1);
+  EXPECT_LT(stage_->system().figures().report().agents_updated, stage_->selection().visible.size());
+}
+
+TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
+  const anim::Status pushed = stage_->animated().push_over(0, {1.0F, 0.0F, 0.0F});
+  ASSERT_FALSE(pushed);
+  EXPECT_EQ(pushed.error().message, "nobody who acts in the cut scene or follows a file can be pushed over");
+}
+
+TEST_F(TrackPlayers, TheSceneNeedsAFile) {
+  std::vector<CharacterSource> characters;
+  characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+  const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), pages_);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "scene trajectories: no file of them is open; start with --trajectories FILE");
+}
+
+TEST_F(TrackPlayers, AnotherSceneAndBackBeginsTheCrowdAnew) {
+  pass(100);
+  Tuning plaza = stage_->tuning();
+  plaza.scene = Scene::plaza;
+  plaza.agents = 20;
+  ASSERT_TRUE(stage_->apply(plaza));
+  pass(5);
+  EXPECT_EQ(stage_->crowd().size(), 20U);
+  Tuning back = stage_->tuning();
+  back.scene = Scene::trajectories;
+  ASSERT_TRUE(stage_->apply(back));
+  pass(5);
+  EXPECT_EQ(stage_->crowd().size(), 6U);
+}
+
+}  // namespace
+}  // namespace throng::app::track_players_test

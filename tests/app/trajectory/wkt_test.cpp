@@ -1,0 +1,93 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/trajectory/file_plan.h"
+#include "tests/app/trajectory/track_file.h"
+
+namespace throng::app::wkt_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string fault(std::string_view text) {
+  const auto plan = parse_wkt(text);
+  return plan ? std::string() : plan.error().message;
+}
+
+TEST(Wkt, ReadsEveryKindOfGeometry) {
+  const auto plan = parse_wkt(
+      "# a place\nSRID=4326;POINT (1 2)\nLINESTRING (0 0, 1 0, 1 1)\n"
+      "polygon z ((0 0 0, 4 0 0, 4 4 0, 0 4 0, 0 0 0), (1 1 0, 2 1 0, 2 2 0, 1 1 0)); MULTIPOINT ((1 2), (3 4), 5 6)\n"
+      "MULTILINESTRING ((0 0, 1 1), (2 2, 3 3, 4 4))\nMULTIPOLYGON (((9 9, 8 9, 8 8)), ((6 6, 7 6, 7 7), EMPTY))\n"
+      "GEOMETRYCOLLECTION (POINT EMPTY, GEOMETRYCOLLECTION (LINESTRING (5 5, 6 6)), POLYGON EMPTY)\n");
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->walls.size(), 4U);
+  ASSERT_EQ(plan->floors.size(), 3U);
+  EXPECT_EQ(plan->floors[0].outline.size(), 4U);
+  ASSERT_EQ(plan->floors[0].holes.size(), 1U);
+  EXPECT_EQ(plan->floors[0].holes[0].size(), 3U);
+}
+
+TEST(Wkt, TakesAPolygonWithinAnotherAsAnObstacle) {
+  const auto plan =
+      parse_wkt("POLYGON ((0 0, 9 0, 9 9, 0 9)) POLYGON ((1 1, 2 1, 2 2, 1 2)) POLYGON ((20 0, 29 0, 29 9))");
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->floors.size(), 2U);
+  EXPECT_EQ(plan->obstacles.size(), 1U);
+}
+
+TEST(Wkt, SaysLineAndRemedyOfWhatIsBroken) {
+  EXPECT_THAT(fault("LINESTRING (0 0, 1 1)\nPOLYGON ((0 0, 1 x, 2 2))"),
+              StartsWith("line 2: a number should be where \"x, 2 2))\" is; write WKT, such as POLYGON (("));
+  EXPECT_THAT(fault("POLYGON ((0 0, 1 1, 2 0)"), HasSubstr("it ends where a ) should be"));
+  EXPECT_THAT(fault("CIRCLE (0 0, 1)"), HasSubstr("\"CIRCLE\" is no geometry"));
+  EXPECT_THAT(fault("POLYGON ((0 0, 1 1))"), HasSubstr("fewer than three corners"));
+  EXPECT_THAT(fault("LINESTRING (0 0)"), HasSubstr("a single point"));
+  EXPECT_THAT(fault("LINESTRING (0 0, 1 nan)"), HasSubstr("a number should be where \"nan)\""));
+  EXPECT_THAT(fault("12 POLYGON"), HasSubstr("a geometry should be where"));
+  std::string deep;
+  for (int i = 0; i < 1000; ++i) deep += "GEOMETRYCOLLECTION (";
+  EXPECT_THAT(fault(deep), HasSubstr("more than 16 deep"));
+}
+
+TEST(Walls, StandAboutTheOriginOfTheCrowd) {
+  const TrackFolder folder;
+  const std::string walls = folder.file("walls.wkt", "LINESTRING (1000000.25 2000000, 1000010.25 2000000)\n");
+  const auto tracks = read_trajectories(
+      folder.file("a.csv", "id,time,x,y\n1,0,1000000,2000000\n1,1,1000010.5,2000010\n"), {.walls = walls});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->origin, glm::dvec2(1000005.0, 2000005.0));
+  ASSERT_EQ(tracks->plan.walls.size(), 1U);
+  EXPECT_EQ(tracks->plan.walls[0].points[0], glm::vec2(-4.75F, 5.0F));
+  const auto alone = read_ground_plan(walls, tracks->origin);
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_EQ(alone->walls[0].points[0], glm::vec2(-4.75F, 5.0F));
+}
+
+TEST(Walls, MayBeInCentimetres) {
+  const TrackFolder folder;
+  const auto tracks =
+      read_trajectories(folder.file("a.csv", "id,time,x,y\n1,0,0,0\n1,9,10,5\n"),
+                        {.walls = folder.file("walls.wkt", "POLYGON ((0 0, 1000 0, 1000 500, 0 500, 0 0))")});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->plan.floors[0].outline[1].x - tracks->plan.floors[0].outline[0].x, 10.0F);
+  EXPECT_THAT(all_said(*tracks), HasSubstr("Walls are taken as centimetres"));
+}
+
+TEST(Walls, AreRefusedByTheirOwnName) {
+  const TrackFolder folder;
+  const std::string rows = folder.file("a.csv", "id,time,x,y\n1,0,0,0\n");
+  for (const char* const text : {"", "BOX (1 2)", "{\"a\": 1}", "{", "\xFF\xFE P"}) {
+    const auto tracks = read_trajectories(rows, {.walls = folder.file("walls.wkt", text)});
+    ASSERT_FALSE(tracks) << text;
+    EXPECT_THAT(tracks.error().message, StartsWith(folder.path("walls.wkt") + ": ")) << text;
+    EXPECT_THAT(tracks.error().message, HasSubstr("; ")) << text;
+  }
+  EXPECT_FALSE(read_trajectories(rows, {.walls = folder.path("none.wkt")}));
+}
+
+}  // namespace
+}  // namespace throng::app::wkt_test

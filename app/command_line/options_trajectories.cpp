@@ -34,7 +34,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
                real_number(reading.fps, 0.001, most_rows_a_second));
   reader.value("--unit", "m|cm|mm", "The unit of its places (told apart)",
                choice<double>(reading.metres_a_unit, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}));
-  reader.value("--z", "head|ground", "What its third coordinate is the height of (by format)",
+  reader.value("--height", "head|ground", "What its third coordinate is the height of (by format)",
                choice<TrackHeight>(reading.height, {{"head", TrackHeight::head}, {"ground", TrackHeight::ground}}));
   reader.value("--angles", "degrees|radians", "The unit of its angles (told apart)",
                choice<TrackAngle>(reading.angle, {{"degrees", TrackAngle::degrees}, {"radians", TrackAngle::radians}}));
@@ -46,7 +46,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
 std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options) {
   TrajectoryOptions& asked = options.trajectories;
   if (asked.file.empty()) {
-    for (const char* const option : {"--walls", "--fps", "--unit", "--z", "--angles", "--start", "--lenient"}) {
+    for (const char* const option : {"--walls", "--fps", "--unit", "--height", "--angles", "--start", "--lenient"}) {
       if (reader.given(option)) return std::string(option) + ": goes with --trajectories";
     }
     return {};

@@ -99,6 +99,17 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
   return shortened(lines, "sizes and places of other models");
 }
 
+std::string tracks_notice(const Trajectories& trajectories) {
+  std::string notice = trajectories.file + ": " + trajectories.format + ", " +
+                       std::to_string(trajectories.persons.size()) + " people, " +
+                       std::to_string(trajectories.row_count) + " rows.";
+  for (const std::string& sentence : trajectories.said) notice += " " + sentence;
+  std::size_t odd = 0;
+  for (const OddityCount& found : trajectories.report.found) odd += found.count;
+  if (odd > 0) notice += " " + std::to_string(odd) + " odd things in it are listed by throng inspect.";
+  return notice;
+}
+
 std::string local_store_notice(const anim::AnimationSystem& system) {
   const std::size_t bytes = system.figures().schedule().local_store_bytes;
   if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};

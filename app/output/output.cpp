@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/files/joined.h"
+#include "app/regression/origin.h"
 #include "engine/anim/base/cores.h"
 #include "engine/files/size_text.h"
 
@@ -107,7 +108,10 @@ anim::Status Output::keep_image(Show& show, int frame) {
   const auto image = std::make_shared<const render::Image>(renderer.read_image());
   if (anim::Status read = renderer.finish(); !read) return read;
   if (pictures_) {
-    const auto write = [image, file = pictures_->file("frame", frame)] { return render::write_png(*image, file); };
+    const auto write = [image, file = pictures_->file("frame", frame),
+                        texts = origin_texts(show.painter().drawn_by())] {
+      return render::write_png(*image, file, texts);
+    };
     if (anim::Status added = picture_writers_->add(write); !added) return added;
   }
   return video_ ? add_to_video(image) : anim::Done{};

@@ -91,16 +91,17 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
 bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
   const Trajectories* const all = trajectories_of(*stage_).get();
   if (all == nullptr) return true;
+  TrackClock clock = track_clock_of(stage_->crowd());
+  clock.repeats = options.context == ContextKind::window;
   if (options.trajectories.start) {
-    TrackClock clock = track_clock_of(stage_->crowd());
     clock.seconds = *options.trajectories.start;
     if (clock.seconds < clock.first || clock.seconds > clock.last) {
       return fail(error, exit_usage,
                   "--start: " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
                       std::to_string(clock.last) + " s of its clock");
     }
-    set_track_clock(*stage_, clock);
   }
+  set_track_clock(*stage_, clock);
   return true;
 }
 
@@ -316,6 +317,7 @@ void Show::update_notice() {
   add_line(notice, painter_->notice());
   add_line(notice, pu_notice(on_this_machine(stage_->tuning().system).pus, stage_->system().options().pus));
   for (const std::string& sentence : left_out_) add_line(notice, sentence);
+  if (trajectories_of(*stage_) != nullptr) add_line(notice, tracks_notice(*trajectories_of(*stage_)));
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
   add_line(notice, local_store_notice(stage_->system()));

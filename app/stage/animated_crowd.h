@@ -60,8 +60,6 @@ class AnimatedCrowd {
   void follow_tracks(std::span<const anim::AgentUpdate> updates) {
     if (track_players_) track_players_->set(updates);
   }
-  /// Takes a recorded crowd to another time, at a frame boundary.
-  void set_track_clock(const TrackClock& clock) { app::set_track_clock(*crowd_, clock); }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
@@ -117,6 +115,7 @@ class AnimatedCrowd {
   UprightBody body_of(std::uint32_t agent) const;
 
  private:
+  friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
@@ -147,6 +146,11 @@ class AnimatedCrowd {
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };
+
+/// Takes a recorded crowd to another time, at a frame boundary.
+inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {
+  set_track_clock(*animated.crowd_, clock);
+}
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);
 

@@ -8,7 +8,7 @@
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/track_steps.h"
 #include "app/stage/stances.h"
-#include "engine/anim/agent/clip_mix_channel.h"
+#include "engine/anim/agent/channel/clip_mix_channel.h"
 #include "engine/anim/bake/character.h"
 
 namespace throng::app {

@@ -69,7 +69,10 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 void Stage::move(anim::Ticks delta) {
   StopWatch watch;
   moving_ = delta > anim::Ticks{};
+  const double seconds = track_clock_of(crowd()).seconds;
   animated_->move(delta);
+  const TrackClock& clock = track_clock_of(crowd());
+  if ((clock.seconds - seconds) * clock.rate < 0.0) forget_what_is_shown();  // it begins anew, and nobody flies there
   times_.crowd_ms = watch.lap();
 }
 

@@ -81,7 +81,7 @@ std::span<const CharacterSource> Stage::people() const {
 anim::Status Stage::can_show(Tuning& tuning) const {
   if (tuning.scene != Scene::trajectories) return anim::Done{};
   if (trajectories_ == nullptr) {
-    return anim::Error{"scene trajectories: no file of them is open; start with --trajectories FILE"};
+    return anim::Error{"scene tracks: no file of trajectories is open; start with --trajectories FILE"};
   }
   tuning.agents = static_cast<int>(trajectories_->persons.size());
   return anim::Done{};
@@ -175,7 +175,7 @@ void Stage::forget_what_is_shown() {
 }
 
 void set_track_clock(Stage& stage, const TrackClock& clock) {
-  stage.animated_->set_track_clock(clock);
+  set_track_clock(*stage.animated_, clock);
   stage.forget_what_is_shown();
 }
 

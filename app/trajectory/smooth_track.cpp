@@ -21,6 +21,12 @@ bool is_jump(const TrackRow& a, const TrackRow& b) {
   return glm::distance(place_of(a), place_of(b)) > fastest_person * seconds_between(a, b);
 }
 
+/// Keeps a velocity from being much faster than the slower of two.
+glm::vec2 at_most(const glm::vec2& velocity, const glm::vec2& in, const glm::vec2& out) {
+  const float most = most_over_slower * std::min(glm::length(in), glm::length(out)), length = glm::length(velocity);
+  return length > most ? velocity * (most / length) : velocity;
+}
+
 }  // namespace
 
 float wrapped_angle(float angle) {
@@ -48,15 +54,16 @@ glm::vec2 SmoothTrack::slope(std::size_t row) const {
     return way / seconds_between(rows_[from], rows_[from + 1]);
   };
   const std::size_t end = rows_.size() - 1;
-  if (row == 0) return is_jump(rows_[0], rows_[1]) ? glm::vec2(0.0F) : secant(0);
-  if (row == end) return is_jump(rows_[end - 1], rows_[end]) ? glm::vec2(0.0F) : secant(end - 1);
+  if (row == 0 || row == end) {
+    const std::size_t only = row == 0 ? 0 : end - 1, inner = row == 0 ? 1 : end - 1;
+    if (is_jump(rows_[only], rows_[only + 1])) return glm::vec2(0.0F);
+    return end == 1 ? secant(only) : at_most(1.5F * secant(only) - 0.5F * slope(inner), secant(only), secant(only));
+  }
   const bool jumped = is_jump(rows_[row - 1], rows_[row]), jumps = is_jump(rows_[row], rows_[row + 1]);
   if (jumped || jumps) return jumped && jumps ? glm::vec2(0.0F) : secant(jumped ? row : row - 1);
   const float before = seconds_between(rows_[row - 1], rows_[row]), after = seconds_between(rows_[row], rows_[row + 1]);
   const glm::vec2 in = secant(row - 1), out = secant(row);
-  const glm::vec2 mean = (in * after + out * before) / (before + after);
-  const float most = most_over_slower * std::min(glm::length(in), glm::length(out)), length = glm::length(mean);
-  return length > most ? mean * (most / length) : mean;
+  return at_most((in * after + out * before) / (before + after), in, out);
 }
 
 glm::vec3 SmoothTrack::position(double seconds) const {

@@ -14,8 +14,9 @@ namespace throng::app {
 /// distance. The rows, at least one, outlive it. Before the first row and after the last one it stands still.
 ///
 /// Between two rows it is a cubic in Hermite's form. The velocity at a row is that of the parabola through it and its
-/// neighbours (E. Catmull and R. Rom, "A class of local interpolating splines", 1974, for rows at any distance), but no
-/// more than a few times that of the slower side, so that somebody who stops does not go beyond and come back.
+/// neighbours (E. Catmull and R. Rom, "A class of local interpolating splines", 1974, for rows at any distance), at an
+/// end that of the parabola which ends there; but no more than a few times that of the slower side, so that somebody
+/// who stops does not go beyond and come back.
 class SmoothTrack {
  public:
   explicit SmoothTrack(std::span<const TrackRow> rows) : rows_(rows) {}

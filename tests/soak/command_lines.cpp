@@ -1,6 +1,7 @@
 #include "tests/soak/command_lines.h"
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <sstream>
@@ -75,6 +76,22 @@ std::string any_crowd_file(const Maker& maker) {
   return file.string();
 }
 
+// Some of its people have one row, and some stand where another one does.
+std::string any_tracks(const Maker& maker) {
+  std::ostringstream text;
+  text << "id,frame,x,y\n";
+  for (std::uint32_t person = maker.random.below(20); person < 20; ++person) {
+    const double speed = any_number(maker.random, 0.01, 3.0);
+    for (std::uint32_t frame = maker.random.below(50); frame < 60; ++frame) {
+      text << person << ',' << frame << ',' << speed * frame / 25.0 << ',' << maker.random.below(2) + person % 9
+           << '\n';
+    }
+  }
+  const fs::path file = maker.folder / "tracks.csv";
+  std::ofstream(file) << text.str();
+  return file.string();
+}
+
 std::string any_camera(const Maker& maker) {
   std::ostringstream text;
   for (const double most : {60.0, 20.0, 60.0, 180.0}) {
@@ -123,6 +140,14 @@ const std::vector<Option>& other_options() {
       {"--preset", 0.15F, any_preset},
       {"--set", 0.3F, any_settings},
       {"--cast", 0.2F, any_cast},
+      {"--trajectories", 0.1F, any_tracks},
+      {"--fps", 0.02F, word_of({"10", "25"})},
+      {"--unit", 0.02F, word_of({"m", "cm", "mm"})},
+      {"--height", 0.02F, word_of({"head", "ground"})},
+      {"--angles", 0.02F, word_of({"degrees", "radians"})},
+      {"--start", 0.02F, word_of({"0", "0.5", "9"})},
+      {"--lenient", 0.05F, text("")},
+      {"--walls", 0.0F, text("")},
       {"--clips", 0.1F, word_of({"walk=none", "stand=none", "run=none,jog=none", "sit=none,clap=none"})},
       {"--clips-from", 0.1F, [](const Maker& maker) { return any_model(maker.models, maker.random); }},
       {"--skin", 0.1F, word_of({"all", "1"})},

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     UnknownWord, Refusal,
     testing::Values(
-        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium, grid or film"},
+        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium, grid, film or tracks"},
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},

@@ -119,7 +119,8 @@ TEST_F(Presets, AreRefusedWithFileKeyAndWhatToDo) {
             (folder_ / "given.json: \"agents\" must be a whole number, 1 to 100000").string());
   EXPECT_THAT(refusal_of(R"({"agnts": 5})"), HasSubstr("unknown key \"agnts\"; it knows camera, scene, agents"));
   EXPECT_THAT(refusal_of(R"({"--agents": 5})"), HasSubstr("unknown key"));
-  EXPECT_THAT(refusal_of(R"({"scene": "moon"})"), HasSubstr("\"scene\" must be plaza, parade, stadium, grid or film"));
+  EXPECT_THAT(refusal_of(R"({"scene": "moon"})"),
+              HasSubstr("\"scene\" must be plaza, parade, stadium, grid, film or tracks"));
   EXPECT_THAT(refusal_of(R"({"time_scale": 4.5})"), HasSubstr("\"time_scale\" must be a number, 0 to 4"));
   EXPECT_THAT(refusal_of(R"({"smooth": null})"), HasSubstr("\"smooth\" must be a number, a word, true or false"));
   EXPECT_THAT(refusal_of(R"({"camera": "front"})"), HasSubstr("\"camera\" must be x,y,z,yaw,pitch[,fov]"));

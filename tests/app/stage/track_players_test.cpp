@@ -1,5 +1,7 @@
 // People who follow the rows of a recorded crowd, on a stage.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -18,7 +20,8 @@ namespace {
 
 constexpr anim::Ticks frame = anim::ticks_per_second / 60;
 
-/// Six people who come one after the other, walk round in circles of their own, stop for two seconds, and go on faster.
+/// Six people who come one after the other, walk round in circles of their own, slow down, stop for two seconds, and go
+/// on faster.
 std::shared_ptr<const Trajectories> some_people() {
   Trajectories all;
   for (int person = 0; person < 6; ++person) {
@@ -27,8 +30,9 @@ std::shared_ptr<const Trajectories> some_people() {
     double way = 0.0;
     for (int row = 0; row < 250; ++row) {
       const double seconds = 0.5 * person + 0.04 * row;
-      const bool stands = row > 120 && row < 170;
-      way += stands ? 0.0 : 0.04 * (row < 120 ? 0.9 : 1.5);
+      const double slows = std::clamp((120 - row) / 25.0, 0.0, 1.0),
+                   sets_out = std::clamp((row - 170) / 25.0, 0.0, 1.0);
+      way += 0.04 * (0.9 * slows + 1.5 * sets_out);
       const double angle = way / (3.0 + person);
       track.rows.push_back({.seconds = seconds,
                             .x = static_cast<float>((3.0 + person) * std::sin(angle)),
@@ -173,7 +177,7 @@ TEST_F(TrackPlayers, TheSceneNeedsAFile) {
   characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
   const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), pages_);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message, "scene trajectories: no file of them is open; start with --trajectories FILE");
+  EXPECT_EQ(made.error().message, "scene tracks: no file of trajectories is open; start with --trajectories FILE");
 }
 
 TEST_F(TrackPlayers, AnotherSceneAndBackBeginsTheCrowdAnew) {

@@ -36,9 +36,9 @@ TEST(SmoothTrack, GoesThroughEveryRow) {
 TEST(SmoothTrack, IsNearTheWayThatWasWalkedBetweenRowsFarApart) {
   const std::vector<TrackRow> rows = circle(0.4);
   const SmoothTrack track(rows);
-  for (double seconds = 2.5; seconds < 45.0; seconds += 0.1) {
+  for (double seconds = 0.0; seconds < 17.5; seconds += 0.1) {
     const glm::vec3 place = track.position(seconds);
-    EXPECT_NEAR(std::hypot(place.x, place.z), 5.0F, 0.03F) << seconds;
+    EXPECT_NEAR(std::hypot(place.x, place.z), 5.0F, 0.06F) << seconds;
   }
 }
 

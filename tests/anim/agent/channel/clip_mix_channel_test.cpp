@@ -1,6 +1,6 @@
 // Clips that a host mixes, each at the weight and position that it says.
 
-#include "engine/anim/agent/clip_mix_channel.h"
+#include "engine/anim/agent/channel/clip_mix_channel.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "engine/anim/agent/clip_mix_channel.h"
+#include "engine/anim/agent/channel/clip_mix_channel.h"
 
 #include <algorithm>
 #include <cmath>

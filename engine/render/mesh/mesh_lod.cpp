@@ -26,7 +26,7 @@ constexpr double farthest_merge = 0.08;  // in shares of the surface's extent
 // A LOD that misses its target by more than this is worth trying with clustering.
 constexpr double missed_by = 1.5;
 // A LOD that saves less than this over the one before is not worth its draw call.
-constexpr double worth_keeping = 0.6;
+constexpr double worth_keeping = 0.8;
 constexpr double worth_measuring = 0.97;  // over the candidate before
 
 constexpr std::size_t position_bytes = 3 * sizeof(float);

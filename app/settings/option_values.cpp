@@ -166,12 +166,6 @@ ValueReader image_size(int& width, int& height) {
 
 ValueReader camera(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
-    constexpr std::string_view follow = "follow:";
-    options.followed.clear();
-    if (text.starts_with(follow) && text.size() > follow.size()) {
-      options.followed = text.substr(follow.size());
-      return {};
-    }
     if (text.find(',') == std::string::npos) {
       options.camera.reset();
       return any_text(options.camera_name)(text);

@@ -174,13 +174,12 @@ struct DemoOptions {
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
-  std::string camera_name;     ///< named camera of the scene, empty: the scene's first
-  std::string followed;        ///< `--camera follow:ID`: who the camera goes with; empty: nobody
-  bool events = false;         ///< the statistics sum up the events of all agents
-  std::string record, replay;  ///< files; empty: not asked for
-  std::string preset;          ///< the file of the preset that was read; empty: none
-  OutputOptions output;        ///< video, pictures and labels of all frames
-  bool remove_parts = false;   ///< what killed runs left beside the files to write is removed
+  std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  bool events = false;                                 ///< the statistics sum up the events of all agents
+  std::string record, replay;                          ///< files; empty: not asked for
+  std::string preset;                                  ///< the file of the preset that was read; empty: none
+  OutputOptions output;                                ///< video, pictures and labels of all frames
+  bool remove_parts = false;                           ///< what killed runs left beside the files to write is removed
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

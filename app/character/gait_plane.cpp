@@ -8,19 +8,13 @@ namespace throng::app {
 namespace {
 
 // A clip that goes nearly where its name says is placed exactly there, so that who walks straight ahead plays two clips
-// and not three. Who veers does so as far as the clip does.
+// and not three. Somebody who veers does so as far as the clip does.
 glm::vec2 place_of(const CharacterRoles& roles, Role gait) {
   constexpr double nearly = 0.966;  // the cosine of 15 degrees
   const glm::dvec2 velocity = roles.velocity(gait), way = way_of(gait);
   const double speed = glm::length(velocity);
   const bool along_an_axis = way.x == 0.0 || way.y == 0.0;
   return glm::vec2(along_an_axis && glm::dot(velocity, way) > nearly * speed ? way * speed : velocity);
-}
-
-int standing_clip(const CharacterRoles& roles) {
-  const int stand = roles.clip(Role::stand);
-  if (stand != no_clip) return stand;
-  return roles.others.empty() ? 0 : roles.others.front();
 }
 
 // Steps ahead in the place of steps that there are not. It lies twice as far out as it is fast, so that at its speed
@@ -41,9 +35,17 @@ bool has_place(const std::vector<GaitPoint>& points, const glm::vec2& velocity) 
 
 }  // namespace
 
-std::vector<GaitPoint> gait_points(const CharacterRoles& roles) {
-  std::vector<GaitPoint> points{{.clip = standing_clip(roles)}};
+int standing_clip(const CharacterRoles& roles) {
+  const int stand = roles.clip(Role::stand);
+  if (stand != no_clip) return stand;
+  return roles.others.empty() ? 0 : roles.others.front();
+}
+
+std::vector<GaitPoint> gait_points(const CharacterRoles& roles, Middle middle) {
+  std::vector<GaitPoint> points{{.clip = standing_clip(roles), .is_gait = false}};
   if (!roles.can_walk()) return points;
+  const int steps = roles.clip(Role::step_in_place);
+  if (middle == Middle::steps && steps != no_clip) points.front() = {.clip = steps};
   const auto add = [&](const GaitPoint& point) {
     if (has_place(points, point.velocity)) points.push_back(point);
   };
@@ -59,10 +61,9 @@ std::vector<GaitPoint> gait_points(const CharacterRoles& roles) {
 anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
                                                                    Middle middle) {
   std::vector<anim::BlendPoint2d> points;
-  for (const GaitPoint& point : gait_points(roles)) points.push_back({.clip = point.clip, .place = point.velocity});
-  const int steps = roles.clip(Role::step_in_place);
-  if (middle == Middle::steps && steps != no_clip && roles.can_walk()) {
-    points.front() = {.clip = steps, .pace = anim::Pace::gait};
+  for (const GaitPoint& point : gait_points(roles, middle)) {
+    points.push_back(
+        {.clip = point.clip, .place = point.velocity, .pace = point.is_gait ? anim::Pace::gait : anim::Pace::own});
   }
   return anim::BlendSpace2d::create(std::move(points), anim::PlaneMeaning::velocity, clip_count);
 }

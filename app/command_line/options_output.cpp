@@ -12,7 +12,6 @@ namespace throng::app {
 namespace {
 
 constexpr double least_rate = 0.1, most_rate = 1000;
-constexpr double usual_frame_seconds = 1.0 / 60.0;
 
 ValueReader video_file(std::string& target) {
   return [&target](const std::string& text) -> Complaint {
@@ -28,10 +27,6 @@ ValueReader folder_name(std::string& target) {
     target = text;
     return {};
   };
-}
-
-ValueReader number_for(std::optional<double>& target, double least, double most) {
-  return [&target, least, most](const std::string& text) { return read_number(text, least, most, target.emplace()); };
 }
 
 /// Returns the option that asks for something of each frame; empty where none does.
@@ -112,13 +107,13 @@ void declare_output(OptionReader& reader, DemoOptions& options) {
   reader.value("--video", "FILE.mp4|.webm", "Write a video, with the ffmpeg that is installed",
                video_file(output.video));
   reader.value("--fps-out", "N", "Frames a second of the video; without --dt, of the run too (those of the run)",
-               number_for(output.frames_per_second, least_rate, most_rate));
+               real_number(output.frames_per_second, least_rate, most_rate));
   reader.value("--pictures", "DIR", "Write numbered PNGs; those of the same run that are there are kept",
                folder_name(output.pictures));
   reader.value("--labels", "DIR", "Write who is where: mask and depth as PNGs, boxes and joints as JSON",
                folder_name(output.labels));
   reader.value("--seconds", "X", "Length of the run, in place of --frames",
-               number_for(output.seconds, least_frame_seconds, 1e6));
+               real_number(output.seconds, least_frame_seconds, 1e6));
 }
 
 std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options) {

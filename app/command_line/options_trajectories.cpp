@@ -23,11 +23,9 @@ Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
 void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   TrackReading& reading = options.trajectories.reading;
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
-  reader.value(
-      "--trajectories", "FILE|-",
-      "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
-      "from standard input",
-      any_text(options.trajectories.file));
+  reader.value("--trajectories", "FILE",
+               "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV",
+               file_name(options.trajectories.file));
   reader.value("--walls", "FILE", "Walls and floors there, as WKT or a Vadere scenario (what the file has)",
                file_name(reading.walls));
   reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
@@ -36,7 +34,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
                choice<double>(reading.metres_a_unit, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}));
   reader.value("--height", "head|ground", "What its third coordinate is the height of (by format)",
                choice<TrackHeight>(reading.height, {{"head", TrackHeight::head}, {"ground", TrackHeight::ground}}));
-  reader.value("--angles", "degrees|radians", "The unit of its angles (told apart)",
+  reader.value("--angle", "degrees|radians", "The unit of its angles (told apart)",
                choice<TrackAngle>(reading.angle, {{"degrees", TrackAngle::degrees}, {"radians", TrackAngle::radians}}));
   reader.value("--start", "T", "Seconds of its clock at which the crowd begins (its first row)",
                real_number(options.trajectories.start, -farthest_time, farthest_time));
@@ -46,7 +44,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
 std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options) {
   TrajectoryOptions& asked = options.trajectories;
   if (asked.file.empty()) {
-    for (const char* const option : {"--walls", "--fps", "--unit", "--height", "--angles", "--start", "--lenient"}) {
+    for (const char* const option : {"--walls", "--fps", "--unit", "--height", "--angle", "--start", "--lenient"}) {
       if (reader.given(option)) return std::string(option) + ": goes with --trajectories";
     }
     return {};

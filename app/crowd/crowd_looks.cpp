@@ -92,7 +92,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
     const float scale = random.between(shortest, tallest), phase = random.unit();
     const float pace = walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest);
     const BodyLook body = bodies.next(character, cast.numbers()[agent], scale, random_tints(random));
-    // Those who march have steps of one length, and a script counts on that of those who act.
+    // Marchers have steps of one length, and a script counts on the length of an actor's.
     looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale);
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(pace);

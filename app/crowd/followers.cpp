@@ -18,14 +18,15 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
                      std::uint32_t seed)
     : source_(std::move(source)),
       characters_(characters.begin(), characters.end()),
-      scales_(scales.begin(), scales.end()) {
+      bounds_(bounds_of(*source_.trajectories)) {
   const Trajectories& all = *source_.trajectories;
   assert(all.persons.size() == characters.size() && characters.size() == scales.size());
   row_seconds_ = all.rows_a_second > 0.0 ? 1.0 / all.rows_a_second : shortest_row;
   Random random(seed, headings_stream);
   constexpr float half_turn = std::numbers::pi_v<float>;
   for (std::size_t agent = 0; agent < characters.size(); ++agent) {
-    steps_.emplace_back(track(agent), plane(agent), scales_[agent], random.between(-half_turn, half_turn));
+    tracks_.emplace_back(all.persons[agent].rows);
+    steps_.emplace_back(tracks_.back(), plane(agent), scales[agent], random.between(-half_turn, half_turn));
   }
 }
 

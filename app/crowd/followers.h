@@ -10,6 +10,7 @@
 
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/track_steps.h"
+#include "app/trajectory/ground_bounds.h"
 #include "app/trajectory/trajectories.h"
 
 namespace throng::app {
@@ -30,27 +31,27 @@ class Followers {
 
   std::size_t count() const { return steps_.size(); }
   const Trajectories& trajectories() const { return *source_.trajectories; }
-  const StridePlane& plane(std::size_t agent) const { return source_.planes[characters_[agent]]; }
+  /// Returns what holds everybody at every time.
+  const GroundBounds& bounds() const { return bounds_; }
+  const StridePlane& plane(std::size_t agent) const { return plane_of_character(characters_[agent]); }
+  const StridePlane& plane_of_character(std::size_t character) const { return source_.planes[character]; }
 
   /// Returns whether somebody is there at a time: from the first row to the last one. Who has a single row is there as
   /// long as a row lasts.
   bool is_there(std::size_t agent, double seconds) const {
-    const SmoothTrack way = track(agent);
+    const SmoothTrack& way = tracks_[agent];
     const double last = way.row_count() > 1 ? way.last() : way.first() + row_seconds_;
     return seconds >= way.first() && seconds <= last;
   }
-  glm::vec3 position(std::size_t agent, double seconds) const { return track(agent).position(seconds); }
-  TrackStep step(std::size_t agent, double seconds) const {
-    return steps_[agent].at(track(agent), scales_[agent], seconds);
-  }
+  glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
+  TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
 
  private:
-  SmoothTrack track(std::size_t agent) const { return SmoothTrack(source_.trajectories->persons[agent].rows); }
-
   TrackSource source_;
   std::vector<std::uint8_t> characters_;
-  std::vector<float> scales_;
-  std::vector<TrackSteps> steps_;
+  std::vector<SmoothTrack> tracks_;  // [agent]
+  std::vector<TrackSteps> steps_;    // [agent]
+  GroundBounds bounds_;
   double row_seconds_ = 0.0;
 };
 

@@ -18,7 +18,7 @@ constexpr float least_stride = 1e-3F;           // metres
 
 anim::BlendPlane plane_of(std::span<const StridePoint> points) {
   std::vector<glm::vec2> places;
-  for (const StridePoint& point : points) places.push_back(point.velocity);
+  for (const StridePoint& point : points) places.push_back(point.gait.velocity);
   auto plane = anim::BlendPlane::create(places);
   assert(plane && "no two gaits of a character have one velocity");
   return std::move(*plane);
@@ -29,10 +29,9 @@ void keep_slower(float& slowest, float speed) { slowest = slowest > 0.0F ? std::
 
 }  // namespace
 
-StridePlane::StridePlane(std::vector<StridePoint> points, Middle middle)
-    : points_(std::move(points)), middle_(middle), plane_(plane_of(points_)) {
+StridePlane::StridePlane(std::vector<StridePoint> points) : points_(std::move(points)), plane_(plane_of(points_)) {
   for (const StridePoint& point : std::span(points_).subspan(1)) {
-    const glm::vec2 velocity = point.velocity;
+    const glm::vec2 velocity = point.gait.velocity;
     if (std::abs(velocity.x) > std::abs(velocity.y)) {
       keep_slower(slowest_aside_, std::abs(velocity.x));
     } else {
@@ -57,7 +56,7 @@ StridePlane::Stride StridePlane::stride(const glm::vec2& velocity) const {
   Stride stride{.shares = plane_.shares(direction * shown)};
   glm::vec2 metres(0.0F);
   for (const auto& share : stride.shares.all()) {
-    metres += share.weight * points_[share.point].velocity * static_cast<float>(points_[share.point].seconds);
+    metres += share.weight * points_[share.point].gait.velocity * static_cast<float>(points_[share.point].seconds);
   }
   const float length = std::max(glm::length(metres), least_stride);
   stride.stands = 1.0F - glm::smoothstep(0.0F, steps_from, speed);

@@ -5,15 +5,15 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/character/gait_plane.h"
 #include "engine/anim/agent/blend_plane.h"
 
 namespace throng::app {
 
-/// A gait of a character, or the way that it stands or steps on the spot.
+/// A gait of a character, or how it stands, with the length of its clip.
 struct StridePoint {
-  int clip = 0;
-  glm::vec2 velocity{0.0F};  ///< metres a second at scale 1, aside (to the left) and ahead; 0: it stands
-  double seconds = 1.0;      ///< of the clip, which is one stride: a left and a right step
+  GaitPoint gait = {};
+  double seconds = 1.0;  ///< of the clip, which is one stride: a left and a right step
 };
 
 /// All gaits of a character, in the plane of its velocity. It tells by which of them somebody moves, and how fast the
@@ -24,11 +24,8 @@ struct StridePoint {
 /// So somebody slower than the slowest gait moves by more of it than the share of the speed would be.
 class StridePlane {
  public:
-  /// How somebody is in the middle of the plane: stands, or steps on the spot, so that slow people lift their feet.
-  enum class Middle : unsigned char { stands, steps };
-
-  /// `points` has at least one, the middle first, whose velocity is 0. None has the velocity of another.
-  StridePlane(std::vector<StridePoint> points, Middle middle);
+  /// `points` has at least one, the middle first, whose velocity is 0 (gait_points). None has the velocity of another.
+  explicit StridePlane(std::vector<StridePoint> points);
 
   struct Stride {
     anim::BlendPlane::Shares shares;
@@ -39,8 +36,6 @@ class StridePlane {
   Stride stride(const glm::vec2& velocity) const;
 
   std::span<const StridePoint> points() const { return points_; }
-  /// Returns whether a point has feet that come down.
-  bool is_gait(std::size_t point) const { return point > 0 || middle_ == Middle::steps; }
   /// Returns the gait by whose stride cycles are counted: the first that moves; 0 where nobody does.
   std::size_t reference() const { return points_.size() > 1 ? 1 : 0; }
 
@@ -48,7 +43,6 @@ class StridePlane {
   float slowest(const glm::vec2& direction) const;
 
   std::vector<StridePoint> points_;
-  Middle middle_;
   anim::BlendPlane plane_;
   float slowest_ahead_ = 0.0F, slowest_back_ = 0.0F, slowest_aside_ = 0.0F;
 };

@@ -27,7 +27,7 @@ float share_of_turn(float speed, double seconds) {
   return 1.0F - std::exp(-turned_a_second * eager * std::sqrt(eager) * static_cast<float>(seconds));
 }
 
-// Who stands sways too, and makes no steps by it.
+// Somebody who stands sways too, and makes no steps by that.
 glm::vec2 velocity_of_steps(const SmoothTrack& track, double seconds) {
   const glm::vec2 velocity = track.velocity(seconds, stride_window);
   const float got_on = glm::length(track.velocity(seconds, stand_window));
@@ -48,7 +48,7 @@ TrackSteps::TrackSteps(const SmoothTrack& track, const StridePlane& plane, float
   spacing_ = between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds;
   knots_.resize(static_cast<std::size_t>(std::ceil(length / spacing_)) + 1);
   turn(track, first_heading);
-  count(track, plane, scale);
+  walk(track, plane, scale);
 }
 
 void TrackSteps::turn(const SmoothTrack& track, float first_heading) {
@@ -74,21 +74,19 @@ void TrackSteps::turn(const SmoothTrack& track, float first_heading) {
   }
 }
 
-void TrackSteps::count(const SmoothTrack& track, const StridePlane& plane, float scale) {
-  const auto pace = [&](std::size_t knot) {
-    const glm::vec2 velocity = velocity_of_steps(track, time_of(knot));
-    return plane.stride(seen_by(knots_[knot].heading, velocity) / scale).cycles_per_second;
-  };
-  double cycles = 0.0, before = pace(0);
+void TrackSteps::walk(const SmoothTrack& track, const StridePlane& plane, float scale) {
+  double cycles = 0.0, pace_before = 0.0;
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const double now = i == 0 ? before : pace(i);
-    if (i > 0) cycles += 0.5 * (before + now) * spacing_;
-    before = now;
-    knots_[i].cycles = static_cast<float>(std::fmod(cycles, static_cast<double>(cycles_in_all)));
+    Knot& knot = knots_[i];
+    knot.velocity = seen_by(knot.heading, velocity_of_steps(track, time_of(i))) / scale;
+    const double pace = plane.stride(knot.velocity).cycles_per_second;
+    if (i > 0) cycles += 0.5 * (pace_before + pace) * spacing_;
+    pace_before = pace;
+    knot.cycles = static_cast<float>(std::fmod(cycles, static_cast<double>(cycles_in_all)));
   }
 }
 
-TrackStep TrackSteps::at(const SmoothTrack& track, float scale, double seconds) const {
+TrackStep TrackSteps::at(double seconds) const {
   const double place = std::clamp((seconds - first_) / spacing_, 0.0, static_cast<double>(knots_.size() - 1));
   const auto knot = std::min(static_cast<std::size_t>(place), std::max<std::size_t>(knots_.size(), 2) - 2);
   const auto t = static_cast<float>(place - static_cast<double>(knot));
@@ -96,9 +94,8 @@ TrackStep TrackSteps::at(const SmoothTrack& track, float scale, double seconds) 
   const Knot& to = knots_[std::min(knot + 1, knots_.size() - 1)];
   float way = to.cycles - from.cycles;
   if (way < 0.0F) way += cycles_in_all;
-  const float heading = from.heading + t * (to.heading - from.heading);
-  return {.heading = heading,
-          .velocity = seen_by(heading, velocity_of_steps(track, seconds)) / scale,
+  return {.heading = from.heading + t * (to.heading - from.heading),
+          .velocity = glm::mix(from.velocity, to.velocity, t),
           .cycles = static_cast<double>(from.cycles) + static_cast<double>(t * way)};
 }
 

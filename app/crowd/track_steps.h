@@ -9,16 +9,16 @@
 
 namespace throng::app {
 
-/// What somebody's legs do at a time.
+/// A moment of somebody's steps.
 struct TrackStep {
   float heading = 0.0F;      ///< radians from +Z towards +X
   glm::vec2 velocity{0.0F};  ///< metres a second at scale 1, aside (to the left) and ahead, without sway
   double cycles = 0.0;       ///< strides so far, but for whole multiples of TrackSteps::cycles_in_all
 };
 
-/// Where somebody looks and how many steps they have made, all along a track: a function of time alone, so that one can
-/// look at any moment without those before it. It keeps a value of each every tenth of a second, or fifth where rows
-/// are as far apart.
+/// Tells where somebody looks and how many steps they have made, all along a track. It is a function of time alone, so
+/// that one can look at any moment without those before it. It keeps the values of every tenth of a second, or fifth
+/// where rows are as far apart, so that a frame reads one place in memory.
 ///
 /// Without headings in the file, people turn to where they walk, the sooner the faster they are. Who hardly moves turns
 /// hardly, and so steps back or aside where the file goes there. Who stands keeps the heading.
@@ -30,15 +30,16 @@ class TrackSteps {
   /// `scale`: of the body. `first_heading`: of somebody who never moves.
   TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading);
 
-  TrackStep at(const SmoothTrack& track, float scale, double seconds) const;
+  TrackStep at(double seconds) const;
 
  private:
   struct Knot {
     float heading = 0.0F;  // not wrapped, so that it can be interpolated
     float cycles = 0.0F;   // 0 to below cycles_in_all
+    glm::vec2 velocity{0.0F};
   };
   void turn(const SmoothTrack& track, float first_heading);
-  void count(const SmoothTrack& track, const StridePlane& plane, float scale);
+  void walk(const SmoothTrack& track, const StridePlane& plane, float scale);
   double time_of(std::size_t knot) const { return first_ + spacing_ * static_cast<double>(knot); }
 
   std::vector<Knot> knots_;

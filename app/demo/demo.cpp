@@ -41,7 +41,7 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
   for (int frame = 0; frame < frames_until_laid_out; ++frame) {
     const auto start = std::chrono::steady_clock::now();
-    overlay.begin_frame(show.width, show.height, 1.0 / 60.0, {});
+    overlay.begin_frame(show.width, show.height, usual_frame_seconds, {});
     overlay.build(reporter.report(), tuning);
     show.figures().add_overlay(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
@@ -102,7 +102,7 @@ anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, 
 }
 
 anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) {
-  const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
+  const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
   bool last = frames < 1, told = false;

@@ -43,13 +43,6 @@ class Capture {
   int descriptor_;
 };
 
-int status_of(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 /// Runs in the child. What the program says goes into `output` and `errors`; `reason` is where the number of an error
 /// goes if it cannot be started.
 [[noreturn]] void become_program(char* const* words, const char* folder, unsigned seconds, int output, int errors,
@@ -72,14 +65,37 @@ bool is_plain(char letter) {
 
 }  // namespace
 
+int status_of(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::vector<char*> as_arguments(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::string last_line(const std::string& text) {
+  std::string_view left = text;
+  while (!left.empty()) {
+    const std::size_t end = left.find_last_of("\r\n");
+    const std::string_view line = end == std::string_view::npos ? left : left.substr(end + 1);
+    if (line.find_first_not_of(" \t") != std::string_view::npos) return std::string(line);
+    left = end == std::string_view::npos ? std::string_view() : left.substr(0, end);
+  }
+  return {};
+}
+
 anim::Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment) {
   const auto failed = [&](int number) {
     return anim::Error{words.front() + " cannot be run: " + std::generic_category().message(number)};
   };
   std::vector<std::string> copies = words;
-  std::vector<char*> pointers;
-  for (std::string& word : copies) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  const std::vector<char*> pointers = as_arguments(copies);
   const Capture output, errors, reason;
   if (output.descriptor() < 0 || errors.descriptor() < 0 || reason.descriptor() < 0) return failed(errno);
   const pid_t child = fork();

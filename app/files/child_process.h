@@ -5,18 +5,20 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 #include "engine/anim/base/result.h"
 
 namespace throng::app {
 
-/// What a program said until it ended, and how it did.
+/// Holds what a program said until it ended, and how it ended.
 struct EndedChild {
   int status = -1;     ///< its exit status; 128 and more: the signal that ended it
   std::string output;  ///< what it wrote to standard output
   std::string errors;  ///< what it wrote to standard error
 };
 
-/// How a program is run.
+/// Says how a program is run.
 struct ChildTreatment {
   std::filesystem::path folder = {};  ///< where it works; empty: where we do
   unsigned seconds = 600;             ///< SIGALRM ends it after these
@@ -29,6 +31,13 @@ anim::Result<EndedChild> run_child(const std::vector<std::string>& words, const 
 /// Calls `ask` in a copy of this process, which may crash or wait forever, and returns its text; an empty one if that
 /// happened. Call it while there is one thread.
 std::string ask_in_child(const std::function<std::string()>& ask, unsigned seconds);
+
+/// Returns the words as a new program takes them: their letters, and a null at the end.
+std::vector<char*> as_arguments(std::vector<std::string>& words);
+/// Waits for the end of a child. Returns its exit status; 128 and more: the signal that ended it.
+int status_of(pid_t child);
+/// Returns the last line of a text that says something; empty if none does.
+std::string last_line(const std::string& text);
 
 /// Returns the path of the program that runs now. Errors: the system does not say it.
 anim::Result<std::string> own_program();

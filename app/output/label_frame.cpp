@@ -14,7 +14,7 @@ namespace {
 using render::PixelBox;
 
 constexpr float largest_variant = 1.15F;  // builds, frames and hair over the character's own surface
-/// How far inside of a body a joint may lie, as a share of a person's height: a hip, seen from behind.
+/// A joint lies no farther inside of a body, as a share of its height: a hip, seen from behind.
 constexpr float deepest_joint = 0.14F;
 
 glm::vec3 to_world(const render::InstanceRecord& record, const glm::vec3& place) {

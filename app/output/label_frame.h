@@ -16,7 +16,7 @@
 
 namespace throng::app {
 
-/// Whether a point of a body is seen: COCO's numbers.
+/// Says whether a point of a body is seen, by COCO's numbers.
 enum class Seen : std::uint8_t { not_in_picture, hidden, visible };
 
 /// A joint or another point of a body.
@@ -41,7 +41,7 @@ struct LabelledPerson {
   std::array<LabelPoint, coco_names.size()> coco;  ///< those that the character has
 };
 
-/// How the camera takes a picture: x to the right, y down, z ahead.
+/// Says how the camera takes a picture: x to the right, y down, z ahead.
 struct LabelCamera {
   glm::mat4 to_camera{1.0F};            ///< from the world
   glm::vec2 focal{1.0F}, middle{0.0F};  ///< pixels

@@ -15,7 +15,6 @@
 namespace throng::app {
 namespace {
 
-constexpr double usual_rate = 60;
 constexpr int most_picture_writers = 4;
 
 /// Returns how many frames may wait for a thread, so that large ones do not fill the memory.
@@ -26,7 +25,7 @@ std::size_t most_waiting_frames(const VideoFormat& format) {
 }
 
 VideoFormat format_of(const DemoOptions& options) {
-  const double of_run = options.dt ? 1.0 / *options.dt : usual_rate;
+  const double of_run = 1.0 / options.dt.value_or(usual_frame_seconds);
   return {options.width, options.height, options.output.frames_per_second.value_or(of_run)};
 }
 
@@ -41,10 +40,10 @@ anim::Status check_output(const OutputOptions& options) {
 int frames_of_run(const DemoOptions& options, const Show& show) {
   const Crowd& crowd = show.stage().crowd();
   const Followers* const recorded = followers_of(crowd);
-  const bool goes_on_to_its_end = recorded != nullptr && options.output.any() && options.trajectories.file != "-";
+  const bool goes_on_to_its_end = recorded != nullptr && options.output.any();
   if (options.frames_given || !goes_on_to_its_end) return options.frames;
   const TrackClock& clock = track_clock_of(crowd);
-  const double frames = std::ceil((clock.last - clock.seconds) / options.dt.value_or(1.0 / usual_rate));
+  const double frames = std::ceil((clock.last - clock.seconds) / options.dt.value_or(usual_frame_seconds));
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));
 }
 

@@ -5,7 +5,9 @@
 #include <system_error>
 #include <utility>
 
+#include "app/files/child_process.h"
 #include "app/files/json_file.h"
+#include "app/files/program_version.h"
 #include "engine/files/output_file.h"
 
 namespace throng::app {
@@ -24,11 +26,9 @@ bool has_files(const fs::path& folder) {
   return fs::directory_iterator(folder, error) != fs::directory_iterator();
 }
 
-/// Returns the words as a shell would take them, more or less, for people.
-std::string as_line(const std::vector<std::string>& words) {
-  std::string line = "throng";
-  for (const std::string& word : words) line += " " + word;
-  return line;
+std::string as_line(std::vector<std::string> words) {
+  words.insert(words.begin(), "throng");
+  return as_typed(words);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ anim::Result<OutputFolder> OutputFolder::open(std::string_view option, const fs:
     if (!json) return json.error();
     const auto version = json->value("throng", std::string());
     const auto before = json->value("run", std::vector<std::string>());
-    if (before == run && version == THRONG_VERSION) return OutputFolder(folder);
+    if (before == run && version == program_version()) return OutputFolder(folder);
     return refused_folder(option, folder,
                           "is of another run, `" + as_line(before) + "` of throng " + version +
                               "; name another folder, or remove this one");
@@ -52,7 +52,7 @@ anim::Result<OutputFolder> OutputFolder::open(std::string_view option, const fs:
   if (has_files(folder)) {
     return refused_folder(option, folder, "has files, and no run.json says of which run; name another folder");
   }
-  const Json json = {{"throng", THRONG_VERSION}, {"run", run}};
+  const Json json = {{"throng", program_version()}, {"run", run}};
   if (anim::Status written = write_whole_file(file, json.dump() + "\n"); !written) return written.error();
   return OutputFolder(folder);
 }

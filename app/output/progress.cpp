@@ -1,11 +1,9 @@
 #include "app/output/progress.h"
 
 #include <cmath>
-#include <cstdio>
-
-#include <unistd.h>
 
 #include "app/files/joined.h"
+#include "app/files/progress_line.h"
 
 namespace throng::app {
 
@@ -28,21 +26,21 @@ std::string progress_text(int frame, int frames, double seconds) {
   return text;
 }
 
-Progress::Progress(int frames) : frames_(frames), is_seen_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(int frames) : frames_(frames) {}
 
 Progress::~Progress() { end(); }
 
 void Progress::tell(int frame) {
   constexpr std::chrono::milliseconds least_pause(250);
   const Clock::time_point now = Clock::now();
-  if (!is_seen_ || now - told_ < least_pause) return;
+  if (now - told_ < least_pause) return;
   told_ = now;
   has_line_ = true;
-  std::fprintf(stderr, "\r\033[K%s", progress_text(frame, frames_, seconds()).c_str());
+  show_progress(progress_text(frame, frames_, seconds()));
 }
 
 void Progress::end() {
-  if (has_line_) std::fprintf(stderr, "\r\033[K");
+  if (has_line_) show_progress("");
   has_line_ = false;
 }
 

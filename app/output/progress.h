@@ -23,7 +23,6 @@ class Progress {
 
  private:
   int frames_;
-  bool is_seen_;  // standard error is a terminal
   bool has_line_ = false;
   Clock::time_point start_ = Clock::now(), told_ = start_;
 };

@@ -62,7 +62,7 @@ std::vector<std::string> words_for(const std::filesystem::path& file, const std:
 }  // namespace
 
 anim::Status check_encoder(const std::filesystem::path& file) {
-  auto asked = ChildProcess::start({program, "-hide_banner", "-loglevel", "error", "-encoders"});
+  auto asked = PipedProgram::start({program, "-hide_banner", "-loglevel", "error", "-encoders"});
   if (!asked) return not_started(asked.error().message);
   const int status = asked->finish();
   const std::string encoder = encoder_of(file);
@@ -79,12 +79,12 @@ anim::Result<std::unique_ptr<VideoFile>> VideoFile::create(const std::filesystem
   }
   auto output = OutputFile::create(file);
   if (!output) return output.error();
-  auto encoder = ChildProcess::start(words_for(file, output->part(), format));
+  auto encoder = PipedProgram::start(words_for(file, output->part(), format));
   if (!encoder) return not_started(encoder.error().message);
   return std::unique_ptr<VideoFile>(new VideoFile(std::move(*output), std::move(*encoder), format));
 }
 
-VideoFile::VideoFile(OutputFile file, ChildProcess encoder, const VideoFormat& format)
+VideoFile::VideoFile(OutputFile file, PipedProgram encoder, const VideoFormat& format)
     : file_(std::move(file)), encoder_(std::move(encoder)) {
   rgb_.resize(static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height) * 3);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/output/child_process.h"
+#include "app/output/piped_program.h"
 #include "engine/anim/base/result.h"
 #include "engine/files/output_file.h"
 #include "engine/render/image.h"
@@ -35,11 +35,11 @@ class VideoFile {
   anim::Status finish();
 
  private:
-  VideoFile(OutputFile file, ChildProcess encoder, const VideoFormat& format);
+  VideoFile(OutputFile file, PipedProgram encoder, const VideoFormat& format);
   anim::Error ended(const std::string& how, int status) const;
 
   OutputFile file_;
-  ChildProcess encoder_;
+  PipedProgram encoder_;
   std::vector<std::byte> rgb_;  // of a frame
 };
 

@@ -17,7 +17,7 @@ constexpr double turn_cosine = 0.8253356149096783, turn_sine = 0.564642473395035
 constexpr double same_place = 1e-7;                                                 // metres
 constexpr double same_height = 1e-9;
 constexpr std::uint32_t no_polygon = 0xFFFFFFFF;  // a column's line
-// What takes a second on a slow core. Beyond it lines cross so often that they are no plan.
+// So many take a second on a slow core. Lines that cross more often are no plan.
 constexpr std::size_t most_comparisons = 100'000'000, most_crossings = 30'000'000;
 
 glm::dvec2 turned(const glm::dvec2& at) {

@@ -11,11 +11,11 @@
 
 namespace throng::app {
 
-/// What lies on the ground of a plan. `border` becomes a wall where nobody walks, `solid` everywhere.
+/// Says what lies on the ground of a plan. `border` becomes a wall where nobody walks, `solid` everywhere.
 enum class CoverLayer : std::uint8_t { floor, border, solid, exit };
 inline constexpr std::size_t cover_layer_count = 4;
 
-/// What is drawn of it.
+/// Holds what is drawn of it.
 enum class CoverPart : std::uint8_t { wall, floor, exit };
 inline constexpr std::size_t cover_part_count = 3;
 

@@ -81,7 +81,7 @@ double area_of(const DoubleRing& ring) {
   return 0.5 * std::abs(twice);
 }
 
-/// How much there is to draw.
+/// Counts what there is to draw.
 struct PlanSize {
   std::size_t lines = 0;
   double length = 0.0, area = 0.0;  // metres, square metres
@@ -119,7 +119,7 @@ std::vector<DoubleRing> rings_of(const GroundArea& area) {
   return rings;
 }
 
-// What can be walked on has walls around it and blocks in its holes; they end where somebody walks.
+// A floor has walls around it and blocks in its holes; they end where somebody walks.
 void add_floor(const GroundArea& area, PlanCover& cover) {
   constexpr double least_area = 1e-4;  // square metres
   const std::vector<DoubleRing> rings = rings_of(area);

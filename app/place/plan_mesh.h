@@ -5,9 +5,9 @@
 
 namespace throng::app {
 
-/// How high the walls of a plan are, in metres: people are seen over them.
+/// The walls of a plan are so high, in metres, that people are seen over them.
 inline constexpr float plan_wall_height = 1.2F;
-/// How thick they are.
+/// They are so thick.
 inline constexpr double plan_wall_thickness = 0.15;
 
 /// Returns the mesh of a plan: upright walls, solid obstacles, floors, exits and lines.

@@ -88,7 +88,7 @@ Complaint read_tolerance(const Json& json, Tolerance& tolerance) {
   return complaint ? complaint : read_limit(json, "share", 1, tolerance.share);
 }
 
-/// Returns where a letter stands that the name of a file should not have.
+/// Returns whether a name can be that of a file on every system.
 bool is_a_good_name(const std::string& name) {
   constexpr std::size_t most_letters = 100;
   const auto is_good = [](char letter) {
@@ -169,7 +169,7 @@ class CaseReader {
     return {};
   }
 
-  /// What the command gives by itself must not come twice.
+  /// Refuses options that the command gives by itself.
   static Complaint own_option_in(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
       const std::string option = word.substr(0, word.find('='));

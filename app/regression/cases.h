@@ -20,7 +20,7 @@ struct RegressionCase {
   std::filesystem::path expected;
 };
 
-/// What a file of cases says. app/commands/check/README.md has its keys.
+/// Holds what a file of cases says. app/commands/check/README.md has its keys.
 struct RegressionCases {
   std::filesystem::path folder;    ///< of the file; paths in it are relative to this one
   std::filesystem::path pictures;  ///< where expected pictures lie that no case names

@@ -16,7 +16,7 @@ constexpr int block_edge = 16;
 
 std::string size_text(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
 
-/// How far one pixel is off: all channels together, and the worst of them.
+/// Says how far one pixel is off: all channels together, and the worst of them.
 struct PixelDifference {
   int sum = 0, worst = 0;
 };

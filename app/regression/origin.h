@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What made a picture, as it says itself. All is empty in a picture that does not say it.
+/// Names what made a picture, as the picture says. All is empty in a picture that does not say it.
 struct PictureOrigin {
   std::string program;     ///< "Throng 1.0.0, commit 0123456789ab"
   std::string context;     ///< "egl"

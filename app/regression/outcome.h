@@ -10,7 +10,8 @@
 
 namespace throng::app {
 
-/// How a case went: drawn as expected, another picture or none to compare with, not drawn, left out, or written anew.
+/// Says how a case went: drawn as expected, another picture or none to compare with, not drawn, left out, or written
+/// anew.
 enum class Verdict : std::uint8_t { passed, failed, not_drawn, left_out, same, changed, added };
 
 /// One case in one context.
@@ -37,7 +38,7 @@ struct RegressionRun {
   std::vector<CaseOutcome> outcomes;
 };
 
-/// How often each kind of end came about.
+/// Counts how often each kind of end came about.
 struct RunCounts {
   std::size_t all = 0, as_expected = 0, changed = 0, added = 0, failed = 0, not_drawn = 0, left_out = 0;
 };

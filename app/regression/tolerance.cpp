@@ -12,7 +12,7 @@ std::string percent(double share) { return fixed(100 * share, 2) + "%"; }
 
 bool has_no_limit(const Tolerance& tolerance) { return !tolerance.mean && !tolerance.worst_block && !tolerance.share; }
 
-/// What two pictures are held to where nobody says what else: they are the same.
+/// Without any limit, two pictures must be the same.
 DifferenceLimit no_difference() { return {.most = 0, .because = "no tolerance is given"}; }
 
 JudgedFigure judged(std::string name, double value, const std::optional<DifferenceLimit>& limit, auto text) {

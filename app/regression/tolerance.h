@@ -14,8 +14,8 @@ struct DifferenceLimit {
   std::string because;
 };
 
-/// How far a picture may be from the expected one. Without any limit, no pixel may differ; else those that are there
-/// count.
+/// Says how far a picture may be from the expected one. Without any limit, no pixel may differ; else those that are
+/// there count.
 struct Tolerance {
   std::optional<DifferenceLimit> mean = {}, worst_block = {};  ///< steps of 255
   std::optional<DifferenceLimit> share = {};                   ///< 0 to 1

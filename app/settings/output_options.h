@@ -8,7 +8,7 @@ namespace throng::app {
 
 inline constexpr int most_labelled_agents = 65534;  ///< an id mask has 16 bits; 0 is nobody
 
-/// What a headless run writes of each of its frames (app/output/README.md).
+/// Says what a headless run writes of each of its frames (app/output/README.md).
 struct OutputOptions {
   std::string video;                        ///< FILE.mp4 or FILE.webm; empty: none
   std::string pictures, labels;             ///< folders; empty: none

@@ -124,6 +124,8 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 }
 
 /// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
+/// The seconds of a headless frame without --dt.
+inline constexpr double usual_frame_seconds = 1.0 / 60.0;
 /// The range of --dt in seconds, and the largest factor that a window's clock multiplies it by.
 inline constexpr double least_frame_seconds = 1e-6, most_frame_seconds = 3600;
 inline constexpr float most_time_scale = 4;

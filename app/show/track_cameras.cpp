@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/trajectory/ground_bounds.h"
 #include "app/view/fly_camera.h"
 
 namespace throng::app {
@@ -25,7 +24,7 @@ CameraPlace close_to(const FramedBox& box, float height) {
 }  // namespace
 
 FramedBox box_of(const Followers& followers, float height) {
-  const GroundBounds bounds = bounds_of(followers.trajectories());
+  const GroundBounds& bounds = followers.bounds();
   const float beside = 0.3F * height;
   return {.low = {bounds.low.x - beside, 0.0F, bounds.low.y - beside},
           .high = {bounds.high.x + beside, height, bounds.high.y + beside}};
@@ -33,7 +32,7 @@ FramedBox box_of(const Followers& followers, float height) {
 
 std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect) {
   const FramedBox box = box_of(followers, height);
-  // From a long side, so that the crowd fills the width of the picture.
+  // Cameras look from a long side, so that the crowd fills the width of the picture.
   const bool is_deep = box.high.z - box.low.z > box.high.x - box.low.x;
   const float turn = is_deep ? 90.0F : 0.0F;
   const std::array looks{Look{"front", turn + 20.0F, -28.0F, 42.0F},

@@ -56,9 +56,9 @@ class AnimatedCrowd {
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
   /// Takes foot placement from agents that no longer need it, or that are not visible. Call it before an update.
   void take_back_feet(std::span<const anim::VisibleAgent> visible) { feet_->take_back(visible); }
-  /// Sets what the people of a recorded crowd play where they are posed. Call it before an update.
-  void follow_tracks(std::span<const anim::AgentUpdate> updates) {
-    if (track_players_) track_players_->set(updates);
+  /// Sets what somebody of a recorded crowd plays in an update. Call it before place_feet().
+  void follow_track(const anim::AgentUpdate& update) {
+    if (track_players_) track_players_->set(update.agent.number, update.look_ahead);
   }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();

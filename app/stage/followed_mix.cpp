@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "app/character/gait_plane.h"
+#include "app/crowd/random.h"
 #include "engine/anim/asset/marker_map.h"
 
 namespace throng::app {
@@ -19,21 +21,13 @@ anim::MarkedClip marked(const anim::BakedClip& clip) {
 
 anim::FineTicks fine(double seconds) { return anim::to_ticks(seconds) * anim::fine_ticks_per_tick; }
 
-/// Returns a number that looks like chance, the same for the same two.
-std::uint32_t scrambled(std::uint32_t person, std::int64_t turn) {
-  std::uint64_t x = (std::uint64_t{person} << 32U) ^ static_cast<std::uint64_t>(turn);
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<std::uint32_t>((x ^ (x >> 31U)) >> 32U);
-}
-
 /// Writes clips into a mix so that the moment is reached when its time has come.
 class MixWriter {
  public:
   MixWriter(const FollowedMoment& moment, const anim::Character& character) : moment_(moment), character_(character) {}
 
   /// Returns the phase of the gait's clip.
-  double add_gait(const StridePoint& gait, const StridePoint& reference, float weight, double cycles_per_second) {
+  double add_gait(const GaitPoint& gait, const GaitPoint& reference, float weight, double cycles_per_second) {
     const anim::MarkedClip counted = marked(clip(reference.clip)), played = marked(clip(gait.clip));
     const double cycle = moment_.step.cycles - std::floor(moment_.step.cycles);
     const anim::FineTicks length = counted.duration * anim::fine_ticks_per_tick;
@@ -87,13 +81,8 @@ class MixWriter {
 int rest_of(const CharacterRoles& roles, int stand, std::uint32_t person, std::int64_t turn) {
   constexpr std::uint32_t in_all = 10, looks_around = 3;
   const int look = roles.clip(Role::look_around);
-  return look != no_clip && scrambled(person, turn) % in_all < looks_around ? look : stand;
-}
-
-int standing_clip(const CharacterRoles& roles) {
-  const int stand = roles.clip(Role::stand);
-  if (stand != no_clip) return stand;
-  return roles.others.empty() ? 0 : roles.others.front();
+  return look != no_clip && Random(static_cast<std::uint64_t>(turn), person).below(in_all) < looks_around ? look
+                                                                                                          : stand;
 }
 
 /// Adds ways to stand, one of which fades to the next every few seconds.
@@ -118,13 +107,13 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
   float walks = 0.0F, stands = stride.stands;
   for (const auto& share : stride.shares.all()) {
     const float weight = share.weight * (1.0F - stride.stands);
-    if (!plane.is_gait(share.point)) {
+    if (!points[share.point].gait.is_gait) {
       stands += weight;
       continue;
     }
     if (weight < least_seen_weight) continue;
     const double phase =
-        writer.add_gait(points[share.point], points[plane.reference()], weight, stride.cycles_per_second);
+        writer.add_gait(points[share.point].gait, points[plane.reference()].gait, weight, stride.cycles_per_second);
     walks += weight;
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       margins[leg] += weight * stances.margin(share.point, leg, phase);

@@ -121,15 +121,17 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > anim::Ticks{};
+    animated_->follow_track(update);
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);
     const bool on_a_new_page = shown_.pose(agent).to_time == now();
-    if (ahead && on_a_new_page) lod_.show_at_once(update);
+    if (!ahead || !on_a_new_page) continue;
+    lod_.show_at_once(update);
+    animated_->follow_track(update);  // for the pose of now
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
   pose_fallen(last_frame);
-  animated_->follow_tracks(lod_.updates());
   animated_->system().update(lod_.updates());
   measure(camera, size);
   const anim::ErrorFigures error = meter_.pose_figures();

@@ -44,8 +44,8 @@ Stances::Stances(const anim::Character& character, const StridePlane& plane) : o
   const anim::Limbs limbs = anim::find_limbs(character.skeleton);
   const std::array legs{limbs.left_leg, limbs.right_leg};
   for (std::size_t point = 0; point < of_.size(); ++point) {
-    if (!plane.is_gait(point)) continue;
-    const StridePoint& gait = plane.points()[point];
+    const GaitPoint& gait = plane.points()[point].gait;
+    if (!gait.is_gait) continue;
     const anim::BakedClip& clip = character.clips[static_cast<std::size_t>(gait.clip)];
     const anim::Stride stride = anim::sample_stride(character.skeleton, clip.keyframe(), character.height);
     for (std::size_t leg = 0; leg < person_legs; ++leg) {

@@ -26,17 +26,12 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
 }  // namespace
 
 StridePlane stride_plane_of(const CharacterSource& source) {
-  const auto seconds_of = [&](int clip) {
-    return anim::to_seconds(source.character->clips[static_cast<std::size_t>(clip)].duration);
-  };
   std::vector<StridePoint> points;
-  for (const GaitPoint& gait : gait_points(source.roles)) {
-    points.push_back({.clip = gait.clip, .velocity = gait.velocity, .seconds = seconds_of(gait.clip)});
+  for (const GaitPoint& gait : gait_points(source.roles, Middle::steps)) {
+    const anim::BakedClip& clip = source.character->clips[static_cast<std::size_t>(gait.clip)];
+    points.push_back({.gait = gait, .seconds = anim::to_seconds(clip.duration)});
   }
-  const int steps = source.roles.clip(Role::step_in_place);
-  if (steps == no_clip || points.size() < 2) return {std::move(points), StridePlane::Middle::stands};
-  points.front() = {.clip = steps, .velocity = glm::vec2(0.0F), .seconds = seconds_of(steps)};
-  return {std::move(points), StridePlane::Middle::steps};
+  return StridePlane(std::move(points));
 }
 
 TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
@@ -49,12 +44,14 @@ TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
 
 TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
                            std::span<const CharacterSource> characters)
-    : system_(&system), crowd_(&crowd), characters_(characters) {
-  for (const CharacterSource& each : characters) stances_.emplace_back(*each.character, stride_plane_of(each));
+    : system_(&system), crowd_(&crowd), characters_(characters), planted_(crowd.size()) {
+  const Followers& followers = *followers_of(crowd);
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    stances_.emplace_back(*characters[i].character, followers.plane_of_character(i));
+  }
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    const FollowedMix mix = mix_of(agent, {});
     [[maybe_unused]] const auto added =
-        system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix.clips()));
+        system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix_of(agent, {}).clips()));
     assert(added && "clips of roles are those of the character");
   }
 }
@@ -64,18 +61,13 @@ FollowedMix TrackPlayers::mix_of(std::uint32_t agent, anim::Ticks ahead) const {
   return mix_at(*crowd_, characters_[character], stances_[character], agent, ahead);
 }
 
-std::array<float, person_legs> TrackPlayers::planted(std::uint32_t agent) const { return mix_of(agent, {}).planted; }
-
-void TrackPlayers::set(std::span<const anim::AgentUpdate> updates) {
-  for (const anim::AgentUpdate& update : updates) set(update.agent.number, update.look_ahead);
-}
-
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
   const FollowedMix mix = mix_of(agent, ahead);
+  planted_[agent] = mix.planted;
   const anim::AgentView posed = std::as_const(*system_).agent(agent);
   [[maybe_unused]] const anim::Status changed = system_->agent(agent).change<anim::ClipMixChannel>(
       posed.channel_id(0), [&](anim::ClipMixChannel& channel) { channel.set(mix.clips()); });
-  assert(changed && "a mix of four clips has room in every local store that plays them");
+  assert(changed && "a mix of five clips has room in every local store that plays them");
 }
 
 }  // namespace throng::app

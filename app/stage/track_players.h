@@ -26,21 +26,19 @@ class TrackPlayers {
   /// Gives every agent its channel. All of them outlive this; `characters` has one element a character of the system.
   TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd, std::span<const CharacterSource> characters);
 
-  /// Sets what the agents of these updates play, at the time for which each is posed. Call it before the update.
-  /// Allocates nothing.
-  void set(std::span<const anim::AgentUpdate> updates);
-
-  /// Returns how firmly the feet of an agent stand now, 0 to 1 each.
-  std::array<float, person_legs> planted(std::uint32_t agent) const;
+  /// Sets what an agent plays when it is posed `ahead` of the clock. Call it before its update. Allocates nothing.
+  void set(std::uint32_t agent, anim::Ticks ahead);
+  /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
+  std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
 
  private:
-  void set(std::uint32_t agent, anim::Ticks ahead);
   FollowedMix mix_of(std::uint32_t agent, anim::Ticks ahead) const;
 
   anim::AnimationSystem* system_;
   const Crowd* crowd_;
   std::span<const CharacterSource> characters_;
-  std::vector<Stances> stances_;  // [character]
+  std::vector<Stances> stances_;                         // [character]
+  std::vector<std::array<float, person_legs>> planted_;  // [agent]
 };
 
 }  // namespace throng::app

@@ -44,7 +44,7 @@ bool is_xml(std::string_view head);
 Status read_fcd_xml(const std::string& file, const TrackReading& options, const ReadProgress& progress,
                     RawTracks& tracks);
 
-/// What the rows of an FcdParser mean.
+/// Returns what the rows of an FcdParser mean.
 RowFacts fcd_facts();
 
 }  // namespace throng::app

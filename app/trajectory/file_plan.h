@@ -11,26 +11,11 @@
 
 namespace throng::app {
 
-using FileRing = std::vector<glm::dvec2>;
-
-struct FileArea {
-  FileRing outline;
-  std::vector<FileRing> holes;
-};
-
-struct FileLine {
-  FileRing points;
-  std::string name = {};
-};
-
-/// A GroundPlan in the units and axes of its file: x to the east, y to the north.
-struct FilePlan {
-  std::vector<FileArea> floors;
-  std::vector<FileRing> obstacles;
-  std::vector<FileLine> walls;
-  std::vector<FileArea> exits;
-  std::vector<FileLine> measurement_lines;
-};
+/// A plan in the units and axes of its file: x to the east, y to the north.
+using FilePlan = Plan<glm::dvec2>;
+using FileRing = FilePlan::Ring;
+using FileArea = FilePlan::Area;
+using FileLine = FilePlan::Line;
 
 /// Reads Well-Known Text: points are left out, lines become walls, and polygons floors, those within another one
 /// obstacles. Several geometries may follow each other. The error is the end of a sentence, "line 3: ...; ...".

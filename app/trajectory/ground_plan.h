@@ -7,32 +7,38 @@
 
 namespace throng::app {
 
-/// A polygon on the ground: x and z in metres. The last corner joins the first, which is not repeated.
-using GroundRing = std::vector<glm::vec2>;
+/// The place of a recorded or simulated crowd, as far as its files say it. Points are of the type `Point`.
+template <typename Point>
+struct Plan {
+  /// A polygon on the ground. The last corner joins the first, which is not repeated.
+  using Ring = std::vector<Point>;
 
-/// An area with holes, which are obstacles where the area can be walked on.
-struct GroundArea {
-  GroundRing outline;
-  std::vector<GroundRing> holes;
-};
+  /// A polygon with holes, which are obstacles where the polygon can be walked on.
+  struct Area {
+    Ring outline;
+    std::vector<Ring> holes;
+  };
+  /// An open line, at least two points.
+  struct Line {
+    Ring points;
+    std::string name = {};  ///< may be empty
+  };
 
-/// An open line on the ground, at least two points.
-struct GroundLine {
-  std::vector<glm::vec2> points;
-  std::string name;  ///< may be empty
-};
-
-/// The place of a recorded or simulated crowd, as far as its files say it.
-struct GroundPlan {
-  std::vector<GroundArea> floors;     ///< where people can walk: their outlines and holes are walls
-  std::vector<GroundRing> obstacles;  ///< solid
-  std::vector<GroundLine> walls;      ///< upright, without thickness
-  std::vector<GroundArea> exits;
-  std::vector<GroundLine> measurement_lines;
+  std::vector<Area> floors;     ///< where people can walk: their outlines and holes are walls
+  std::vector<Ring> obstacles;  ///< solid
+  std::vector<Line> walls;      ///< upright, without thickness
+  std::vector<Area> exits;
+  std::vector<Line> measurement_lines;
 
   bool is_empty() const {
     return floors.empty() && obstacles.empty() && walls.empty() && exits.empty() && measurement_lines.empty();
   }
 };
+
+/// A plan in the program's axes: x and z in metres.
+using GroundPlan = Plan<glm::vec2>;
+using GroundRing = GroundPlan::Ring;
+using GroundArea = GroundPlan::Area;
+using GroundLine = GroundPlan::Line;
 
 }  // namespace throng::app

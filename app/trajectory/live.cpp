@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t most_waiting = std::size_t{4} << 20U;  // bytes of a line, or before the first row
 
-/// What rows mean where nothing can be told by how people move, for they have not moved yet.
+/// Returns what rows mean where people have not moved yet, so that nothing can be told by how they move.
 RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRow& first) {
   RowScale scale;
   const bool is_tall = facts.tells_unit && facts.z_is_head && first.z > 50.0F && first.z < 300.0F;
@@ -74,7 +74,7 @@ struct LiveTracks::State {
   std::size_t told_people = 0;
   std::thread thread;
 
-  // What both see.
+  // Both threads see these.
   mutable std::mutex mutex;
   std::vector<LiveRow> rows;
   std::vector<std::string> ids;

@@ -22,7 +22,7 @@ struct LiveRow {
   TrackRow row;              ///< about LiveHead::origin
 };
 
-/// What is known once the first row is there.
+/// Holds what is known once the first row is there.
 struct LiveHead {
   glm::dvec2 origin{0.0};  ///< metres: the place of the first row, in whole metres
   std::string format;

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "app/files/joined.h"
-#include "app/trajectory/both_cores.h"
+#include "app/trajectory/reading_threads.h"
+#include "engine/anim/bake/parallel.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -166,7 +167,7 @@ void find_oddities(const std::vector<PersonTrack>& persons, double rows_a_second
     look(0);
     look(1);
   } else {
-    run_side_by_side(2, look);
+    anim::in_parallel(2, look);
   }
   report_oddity(TrackOddity::gap, moves.gaps, report);
   report_oddity(TrackOddity::teleport, moves.teleports, report);

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/trajectory/both_cores.h"
 #include "app/trajectory/progress_clock.h"
+#include "app/trajectory/reading_threads.h"
 #include "app/trajectory/table_pages.h"
+#include "engine/anim/bake/parallel.h"
 
 namespace throng::app {
 namespace {
@@ -72,7 +73,7 @@ class WholeIds {
   std::vector<std::uint32_t> known_;  // by id: a number and 1, or 0
 };
 
-/// What one thread read.
+/// Holds what one thread read.
 struct PagePart {
   RowSink sink;
   std::vector<std::pair<std::size_t, RowBlock>> blocks;  ///< with the first leaf of each
@@ -103,7 +104,7 @@ bool read_page_rows(const std::string& file, const Database::Table& table, const
   std::atomic<bool> is_usual = true;
   const std::size_t threads = leaf_count < leaves_a_block ? 1 : reading_threads();
   std::vector<PagePart> parts(threads);
-  run_side_by_side(threads, [&](std::size_t thread) {
+  anim::in_parallel(threads, [&](std::size_t thread) {
     PagePart& part = parts[thread];
     WholeIds ids(part.sink.ids);
     part.sink.most = most_metres / options.metres_a_unit.value_or(1.0);

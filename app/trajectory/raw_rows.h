@@ -64,13 +64,13 @@ enum class AngleMeaning : std::uint8_t {
   heading,  ///< TrackRow::heading itself
 };
 
-/// How many frames a second has where the file does not say it.
+/// A second has so many frames where the file does not say it.
 enum class RateRule : std::uint8_t {
   by_speed,   ///< 25, or 16 where people were too fast then
   annotated,  ///< as many as let people have 2.5 rows a second
 };
 
-/// What a format, or the head of a file, says of all rows.
+/// Holds what a format, or the head of a file, says of all rows.
 struct RowFacts {
   std::string format;
   bool has_frames = false;          ///< RawRow::time counts frames

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What the height z of a file's rows is.
+/// Says what the height z of a file's rows is.
 enum class TrackHeight : std::uint8_t {
   by_format,  ///< of the head in the text of the Jülich archive, of the ground elsewhere
   head,
@@ -20,7 +20,7 @@ enum class TrackAngle : std::uint8_t { told_apart, degrees, radians };
 /// The axis of a file that points up. The ground is the file's (x, y) where that is z; it is (x, -z) where it is y.
 enum class TrackUp : std::uint8_t { z, y };
 
-/// How trajectories are read. What is left out is told apart, and said in Trajectories::said.
+/// Says how trajectories are read. Whatever is not set is told apart, and said in Trajectories::said.
 struct TrackReading {
   std::optional<double> fps = {};            ///< frames a second of rows that have frames
   std::optional<double> metres_a_unit = {};  ///< metres that a unit of x, y and z is

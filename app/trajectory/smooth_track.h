@@ -19,11 +19,12 @@ namespace throng::app {
 /// who stops does not go beyond and come back.
 class SmoothTrack {
  public:
-  explicit SmoothTrack(std::span<const TrackRow> rows) : rows_(rows) {}
+  explicit SmoothTrack(std::span<const TrackRow> rows)
+      : rows_(rows), first_(rows.front().seconds), last_(rows.back().seconds) {}
 
   std::size_t row_count() const { return rows_.size(); }
-  double first() const { return rows_.front().seconds; }
-  double last() const { return rows_.back().seconds; }
+  double first() const { return first_; }
+  double last() const { return last_; }
 
   /// Returns metres at a time of the file's clock.
   glm::vec3 position(double seconds) const;
@@ -40,6 +41,7 @@ class SmoothTrack {
   glm::vec2 slope(std::size_t row) const;
 
   std::span<const TrackRow> rows_;
+  double first_, last_;  // of the rows, which lie far apart in memory
 };
 
 /// Returns an angle, in radians, from -pi to pi.

@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "app/files/joined.h"
-#include "app/trajectory/both_cores.h"
 #include "app/trajectory/database.h"
 #include "app/trajectory/number_text.h"
 #include "app/trajectory/page_rows.h"
 #include "app/trajectory/progress_clock.h"
+#include "app/trajectory/reading_threads.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/bake/parallel.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -121,7 +122,7 @@ std::vector<RowRange> ranges_of(Database& database) {
   return ranges;
 }
 
-/// What came of a range.
+/// Holds what came of a range.
 struct ReadRange {
   RowSink sink;
   std::vector<RowBlock> blocks;
@@ -211,7 +212,7 @@ Status read_with_sqlite(const std::string& file, Database& database, bool has_di
   const std::vector<RowRange> ranges = ranges_of(database);
   std::vector<ReadRange> read(ranges.size());
   ProgressClock clock(progress);
-  run_side_by_side(ranges.size(), [&](std::size_t i) {
+  anim::in_parallel(ranges.size(), [&](std::size_t i) {
     if (ranges.empty()) return;
     auto own = Database::open(file);
     if (!own) {

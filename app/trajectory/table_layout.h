@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// What a column of a table holds.
+/// Says what a column of a table holds.
 enum class TrackField : std::uint8_t {
   none,
   id,
@@ -32,7 +32,7 @@ struct TableColumn {
   std::string unit;  ///< "cm", "deg"; empty where the name says none
 };
 
-/// How the lines of a table become rows.
+/// Says how the lines of a table become rows.
 struct TableLayout {
   char separator = ' ';  ///< ' ' means any run of blanks and tabs
   std::vector<TableColumn> columns;

@@ -6,8 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "app/trajectory/both_cores.h"
 #include "app/trajectory/progress_clock.h"
+#include "app/trajectory/reading_threads.h"
+#include "engine/anim/bake/parallel.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -77,7 +78,7 @@ class BlockSource {
   Status status_ = Done{};
 };
 
-/// What came of a block.
+/// Holds what came of a block.
 struct ReadBlock {
   std::size_t number = 0;
   RowBlock rows;
@@ -155,7 +156,7 @@ Status read_rows(const std::string& file, const TextFormat& format, const TrackR
       if (thread == 0) clock.tell(block.share);
     }
   };
-  run_side_by_side(thread_count, work);
+  anim::in_parallel(thread_count, work);
 
   std::vector<ReadBlock> blocks;
   for (std::size_t thread = 0; thread < thread_count; ++thread) {

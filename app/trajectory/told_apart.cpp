@@ -129,7 +129,8 @@ double frames_a_second(RawTracks& tracks, const TrackReading& options, const std
   return rate_told(tracks, steps, metres_a_unit);
 }
 
-/// How well angles agree with the ways that people go: 1 if they look ahead, -1 if they look back. NaN if nobody goes.
+/// Returns how well angles agree with the ways that people go: 1 if they look ahead, -1 if they look back. NaN if
+/// nobody goes.
 double agreement(const std::vector<SampledStep>& steps, AngleMeaning meaning, double least_pace) {
   double sum = 0.0;
   std::size_t count = 0;

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What the file's numbers mean, once it is known.
+/// Holds what the file's numbers mean, once it is known.
 struct RowScale {
   double times_a_second = 1.0;  ///< seconds, milliseconds or frames
   double metres_a_unit = 1.0;

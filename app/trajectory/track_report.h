@@ -17,7 +17,7 @@ enum class TrackOddity : std::uint8_t {
               ///< than 150,000 rows is looked at in some of its frames
 };
 
-/// How often one of them was found, and where first.
+/// Counts how often one of them was found, and says where first.
 struct OddityCount {
   TrackOddity oddity{};
   std::size_t count = 0;

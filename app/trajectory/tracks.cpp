@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "app/files/joined.h"
-#include "app/trajectory/both_cores.h"
 #include "app/trajectory/oddities.h"
+#include "app/trajectory/reading_threads.h"
 #include "app/trajectory/text_rows.h"
+#include "engine/anim/bake/parallel.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -71,7 +72,7 @@ std::vector<PersonTrack> take_rows(RawTracks& tracks, const std::vector<std::uin
     persons[i].id = tracks.tables.front().id(static_cast<std::uint32_t>(i));
     persons[i].rows.reserve(counts[i]);
   }
-  run_side_by_side(parts, [&](std::size_t part) {
+  anim::in_parallel(parts, [&](std::size_t part) {
     const auto first = static_cast<std::uint32_t>(persons.size() * part / parts);
     const auto count = static_cast<std::uint32_t>(persons.size() * (part + 1) / parts) - first;
     for (const RowBlock& block : tracks.blocks) {
@@ -122,7 +123,7 @@ void sort_rows(PersonTrack& person) {
 OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts,
                           std::size_t parts) {
   std::vector<OddityTally> tallies(parts);
-  run_side_by_side(parts, [&](std::size_t part) {
+  anim::in_parallel(parts, [&](std::size_t part) {
     std::vector<float> heights;
     const std::size_t end = persons.size() * (part + 1) / parts;
     for (std::size_t i = persons.size() * part / parts; i < end; ++i) {

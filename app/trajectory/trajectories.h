@@ -13,8 +13,8 @@
 
 namespace throng::app {
 
-/// Where somebody was at a time. Places are in the program's axes, metres from Trajectories::origin: x to the right, y
-/// up, z towards the reader of a map, so that a file's (x, y) on the ground is (x, -y) here.
+/// Says where somebody was at a time. Places are in the program's axes, metres from Trajectories::origin: x to the
+/// right, y up, z towards the reader of a map, so that a file's (x, y) on the ground is (x, -y) here.
 ///
 ///      0         8     12    16    20        24
 ///     ┌─────────┬─────┬─────┬─────┬─────────┐

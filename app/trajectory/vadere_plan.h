@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// What a scenario of Vadere says.
+/// Holds what a scenario of Vadere says.
 struct VadereScenario {
   FilePlan plan;
   double seconds_a_step = 0.4;  ///< of simulation

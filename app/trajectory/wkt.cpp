@@ -176,7 +176,7 @@ bool is_inside(const glm::dvec2& point, const FileRing& ring) {
   return is_in;
 }
 
-/// Whether all corners of a ring lie within an area, which has other corners.
+/// Returns whether all corners of a ring lie within an area, which has other corners.
 bool is_within(const FileRing& ring, const FileArea& area) {
   return std::ranges::all_of(ring, [&](const glm::dvec2& corner) {
     return is_inside(corner, area.outline) &&

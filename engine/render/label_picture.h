@@ -29,7 +29,7 @@ struct LabelPicture {
   }
 };
 
-/// What an instance covers of a picture that has nothing else in it.
+/// Holds what an instance covers of a picture that has nothing else in it.
 struct BodyAlone {
   PixelBox box;
   std::uint64_t pixels = 0;

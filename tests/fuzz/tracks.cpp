@@ -12,7 +12,7 @@
 namespace throng::fuzz {
 namespace {
 
-/// What a pipe holds before its writer waits.
+/// A pipe holds so much before its writer waits.
 constexpr std::size_t pipe_bytes = 65536;
 
 void read_as_it_comes(const std::uint8_t* data, std::size_t size) {
@@ -29,7 +29,7 @@ void read_as_it_comes(const std::uint8_t* data, std::size_t size) {
   close(ends[0]);
 }
 
-/// What every reader promises of people, or the fuzzing ends.
+/// Ends the fuzzing where people are not as every reader promises.
 void check(const app::Trajectories& tracks) {
   if (tracks.persons.empty()) std::abort();
   for (const app::PersonTrack& person : tracks.persons) {

@@ -250,8 +250,8 @@ TEST_F(LabelsOfFifty, HaveSharesThatAgreeWithDrawingEachAlone) {
   EXPECT_GT(hidden, 5);
 }
 
-// What is seen at a visible joint is its own body, a little before it. What hides one that somebody else is before is
-// nearer. A hand beside its outline may have anything behind it.
+// At a visible joint its own body is seen, a little before it. At a hidden one, whoever hides it is nearer. A hand
+// beside its outline may have anything behind it.
 TEST_F(LabelsOfFifty, HaveDepthsInTheOrderOfJoints) {
   LabelledCrowd& crowd = crowd_of_fifty();
   const LabelPicture& picture = crowd.picture();

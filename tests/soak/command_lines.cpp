@@ -144,7 +144,7 @@ const std::vector<Option>& other_options() {
       {"--fps", 0.02F, word_of({"10", "25"})},
       {"--unit", 0.02F, word_of({"m", "cm", "mm"})},
       {"--height", 0.02F, word_of({"head", "ground"})},
-      {"--angles", 0.02F, word_of({"degrees", "radians"})},
+      {"--angle", 0.02F, word_of({"degrees", "radians"})},
       {"--start", 0.02F, word_of({"0", "0.5", "9"})},
       {"--lenient", 0.05F, text("")},
       {"--walls", 0.0F, text("")},

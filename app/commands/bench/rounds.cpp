@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
-#include <unistd.h>
+#include "app/files/progress_line.h"
 
 namespace throng::app {
 namespace {
@@ -29,12 +28,6 @@ double time(const BenchSubject& subject) {
 }
 
 }  // namespace
-
-void show_progress(const std::string& text) {
-  constexpr int width = 78;
-  if (isatty(STDERR_FILENO) == 0) return;
-  std::fprintf(stderr, text.empty() ? "\r%-*.*s\r" : "\r%-*.*s", width, width, text.c_str());
-}
 
 void BenchRounds::run(int rounds, const std::string& label) {
   for (int round = -warm_up_rounds; round < rounds; ++round) {

@@ -16,9 +16,6 @@ struct BenchSubject {
   std::function<void()> prepare = [] {};  ///< runs before it, untimed
 };
 
-/// Rewrites its own line on standard error, and only where that is a terminal; an empty text clears it.
-void show_progress(const std::string& text);
-
 /// Times subjects in turns, so that a drift of the machine's speed meets all of them alike. What ran before leaves its
 /// mark on caches and clock rates for some milliseconds, so each subject first runs untimed for as long.
 class BenchRounds {

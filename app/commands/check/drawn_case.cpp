@@ -20,18 +20,16 @@ void fail(CaseOutcome& outcome, Verdict verdict, const std::string& message) {
 }
 
 /// Returns what a run that failed said last, without the program's name.
-std::string last_line(const std::string& errors) {
-  std::string text = errors.substr(0, errors.find_last_not_of('\n') + 1);
-  if (const std::size_t at = text.rfind('\n'); at != std::string::npos) text = text.substr(at + 1);
-  const std::string name = "throng: ";
-  return anim::plain_text(text.starts_with(name) ? text.substr(name.size()) : text);
+std::string last_words(const std::string& errors) {
+  const std::string line = last_line(errors), name = "throng: ";
+  return anim::plain_text(line.starts_with(name) ? line.substr(name.size()) : line);
 }
 
 std::string why_it_failed(const EndedChild& ended) {
   constexpr int signal_from = 128, alarm = signal_from + 14;
   if (ended.status == alarm) return "it had not ended after ten minutes";
   if (ended.status >= signal_from) return "signal " + std::to_string(ended.status - signal_from) + " ended it";
-  const std::string line = last_line(ended.errors);
+  const std::string line = last_words(ended.errors);
   return line.empty() ? "it ended with " + std::to_string(ended.status) + " and said nothing" : line;
 }
 

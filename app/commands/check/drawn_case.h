@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What all cases of a run share.
+/// Holds what all cases of a run share.
 struct CheckPlan {
   const RegressionCases& all;
   std::string program;        ///< that draws: this one

@@ -24,7 +24,7 @@ struct Extent {
   bool is_empty() const { return most < least; }
 };
 
-/// What all rows have together.
+/// Sums up all rows.
 struct TrackSums {
   Extent x, y;  ///< of the file, in metres
   Extent stature, stay;

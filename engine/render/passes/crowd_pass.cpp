@@ -10,14 +10,8 @@
 namespace throng::render {
 namespace {
 
-/// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
-enum Location : GLint {
-  base_color_location = 1,
-  alpha_cutoff_location = 2,
-  emission_location = 3,
-  unlit_location = 4,
-  factors_location = 6
-};
+/// Locations of uniforms of materials, after those that every program of the crowd has.
+enum Location : GLint { emission_location = 3, unlit_location = 4, factors_location = 6 };
 
 enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 

@@ -10,6 +10,9 @@
 
 namespace throng::render {
 
+/// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
+enum SurfaceLocation : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
+
 /// Makes a group of each material of the crowd that `is_wanted`.
 void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws,
                       const auto& is_wanted) {

@@ -12,10 +12,8 @@
 namespace throng::render {
 namespace {
 
-/// Locations of uniforms, as in every program of the crowd, and those of cells.
+/// Locations of uniforms of cells.
 enum LabelLocation : GLint {
-  label_color_location = 1,
-  label_cutoff_location = 2,
   first_instance_location = 21,
   target_per_picture_location = 22,
   target_pixels_location = 23
@@ -44,8 +42,8 @@ void clear_numbers(const gl::Framebuffer& target) {
 
 void set_label_material(const CrowdMaterial& material) {
   const bool blended = is_blended(material);
-  glUniform1f(label_cutoff_location, blended ? least_label_alpha : material.alpha_cutoff);
-  glUniform4fv(label_color_location, 1, material.base_color);
+  glUniform1f(alpha_cutoff_location, blended ? least_label_alpha : material.alpha_cutoff);
+  glUniform4fv(base_color_location, 1, material.base_color);
   glBindTextureUnit(0, material.base_color_texture.image);
   glBindSampler(0, material.base_color_texture.sampler);
 }

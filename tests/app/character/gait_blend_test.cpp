@@ -1,5 +1,5 @@
-// What the gaits of the built-in character look like between one another, by their velocity: feet above the ground that
-// step by turns and hardly slide, and knees that bend the way that knees do.
+// Between the gaits of the built-in character feet step in turns above the ground and hardly slide, and knees bend the
+// way that knees do.
 
 #include <algorithm>
 #include <array>

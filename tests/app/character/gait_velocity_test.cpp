@@ -1,4 +1,4 @@
-// How fast and where the gaits of a character go.
+// Gaits of a character go at the speed and in the direction that is measured on them.
 
 #include <string>
 

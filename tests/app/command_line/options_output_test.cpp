@@ -1,7 +1,6 @@
 // Options that say what a run writes of each of its frames.
 #include <gtest/gtest.h>
 
-#include "app/command_line/options.h"
 #include "tests/app/command_line/command_words.h"
 
 namespace throng::app::options_output_test {
@@ -12,12 +11,6 @@ DemoOptions options_of(const std::string& line) {
   const auto* const error = std::get_if<UsageError>(&command);
   EXPECT_EQ(error, nullptr) << error->message;
   return error == nullptr ? std::get<DemoOptions>(command) : DemoOptions();
-}
-
-std::string refusal(const std::string& line) {
-  const ParsedCommand command = parse_command_line(words(line));
-  const auto* const error = std::get_if<UsageError>(&command);
-  return error == nullptr ? "(accepted)" : error->message;
 }
 
 TEST(OutputOptionsOfALine, DrawEveryFrame) {
@@ -58,45 +51,40 @@ TEST(OutputOptionsOfALine, NameTheRunByWhatIsDrawnAlone) {
   EXPECT_NE(plain, run("--agents 20 --video a.mp4 --fps-out 30"));
 }
 
-struct RefusedOutput {
-  std::string name;
-  std::string line;
-  std::string message;
-};
-class OutputRefusal : public testing::TestWithParam<RefusedOutput> {};
+class OutputRefusal : public testing::TestWithParam<Refused> {};
 
 TEST_P(OutputRefusal, NamesTheOptionAndARemedy) { EXPECT_EQ(refusal(GetParam().line), GetParam().message); }
 
 INSTANTIATE_TEST_SUITE_P(
     OfOptions, OutputRefusal,
     testing::Values(
-        RefusedOutput{"AWindow", "--video a.mp4", "--video: a window runs as fast as it is drawn; add --headless"},
-        RefusedOutput{"NoContext", "--headless=none --pictures p",
-                      "--pictures: --headless=none draws nothing; use --headless"},
-        RefusedOutput{"AnotherEnding", "--headless --video a.avi",
-                      "--video a.avi: must be a file name that ends in .mp4 or .webm"},
-        RefusedOutput{"AnOddWidth", "--headless --video a.mp4 --size 641x480",
-                      "--video: the sides of a video are even; ask for --size 642x480"},
-        RefusedOutput{"AnOddHeight", "--headless --video a.webm --size 64x47",
-                      "--video: the sides of a video are even; ask for --size 64x48"},
-        RefusedOutput{"TheLastFrameAlone", "--headless --labels l --draw last",
-                      "--labels: takes each frame; leave out --draw"},
-        RefusedOutput{"TheOverlay", "--headless --pictures p --ui",
-                      "--pictures: the overlay is drawn in stills; leave out --ui"},
-        RefusedOutput{"ARateOfNothing", "--headless --fps-out 30", "--fps-out: goes with --video"},
-        RefusedOutput{"NoRate", "--headless --video a.mp4 --fps-out 0", "--fps-out 0: must be a number, 0.1 to 1000"},
-        RefusedOutput{"TwoLengths", "--headless --seconds 1 --frames 60",
-                      "--seconds: --frames says it too; give one of them"},
-        RefusedOutput{"SecondsOfAWindow", "--seconds 1", "--seconds: a window goes by the clock; add --headless"},
-        RefusedOutput{"LabelsOfOne", "--headless --labels l --view", "--labels: are of a crowd; leave out --view"},
-        RefusedOutput{"LabelsOfTooMany", "--headless --labels l --agents 65535",
-                      "--labels: the mask names 65534 agents at most; ask for fewer"},
-        RefusedOutput{"LabelsOfARecording", "--headless --labels l --replay r.rec",
-                      "--labels: the recording says it; leave it out with --replay"},
-        RefusedOutput{"ALens", "--headless --focus 4 --screenshot s.png --pictures p",
-                      "--focus: is for stills; use --headless and --screenshot"},
-        RefusedOutput{"NoFolder", "--headless --pictures -", "--pictures -: must be the name of a folder"}),
-    [](const testing::TestParamInfo<RefusedOutput>& info) { return info.param.name; });
+        Refused{"AWindow", "--video a.mp4", "--video: a window runs as fast as it is drawn; add --headless"},
+        Refused{"NoContext", "--headless=none --pictures p",
+                "--pictures: --headless=none draws nothing; use --headless"},
+        Refused{"AnotherEnding", "--headless --video a.avi",
+                "--video a.avi: must be a file name that ends in .mp4 or .webm"},
+        Refused{"AnOddWidth", "--headless --video a.mp4 --size 641x480",
+                "--video: the sides of a video are even; ask for --size 642x480"},
+        Refused{"AnOddHeight", "--headless --video a.webm --size 64x47",
+                "--video: the sides of a video are even; ask for --size 64x48"},
+        Refused{"TheLastFrameAlone", "--headless --labels l --draw last",
+                "--labels: takes each frame; leave out --draw"},
+        Refused{"TheOverlay", "--headless --pictures p --ui",
+                "--pictures: the overlay is drawn in stills; leave out --ui"},
+        Refused{"ARateOfNothing", "--headless --fps-out 30", "--fps-out: goes with --video"},
+        Refused{"NoRate", "--headless --video a.mp4 --fps-out 0", "--fps-out 0: must be a number, 0.1 to 1000"},
+        Refused{"TwoLengths", "--headless --seconds 1 --frames 60",
+                "--seconds: --frames says it too; give one of them"},
+        Refused{"SecondsOfAWindow", "--seconds 1", "--seconds: a window goes by the clock; add --headless"},
+        Refused{"LabelsOfOne", "--headless --labels l --view", "--labels: are of a crowd; leave out --view"},
+        Refused{"LabelsOfTooMany", "--headless --labels l --agents 65535",
+                "--labels: the mask names 65534 agents at most; ask for fewer"},
+        Refused{"LabelsOfARecording", "--headless --labels l --replay r.rec",
+                "--labels: the recording says it; leave it out with --replay"},
+        Refused{"ALens", "--headless --focus 4 --screenshot s.png --pictures p",
+                "--focus: is for stills; use --headless and --screenshot"},
+        Refused{"NoFolder", "--headless --pictures -", "--pictures -: must be the name of a folder"}),
+    name_of);
 
 }  // namespace
 }  // namespace throng::app::options_output_test

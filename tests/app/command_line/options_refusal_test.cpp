@@ -1,30 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "app/command_line/options.h"
 #include "tests/app/command_line/command_words.h"
 
 namespace throng::app::options_refusal_test {
 namespace {
 
-std::string refusal_of(const std::vector<std::string>& arguments) {
-  const ParsedCommand command = parse_command_line(arguments);
-  const auto* const error = std::get_if<UsageError>(&command);
-  return error == nullptr ? "(accepted)" : error->message;
-}
-
-std::string refusal(const std::string& line) { return refusal_of(words(line)); }
-
-struct Refused {
-  std::string name;
-  std::string line;
-  std::string message;
-};
-
 class Refusal : public testing::TestWithParam<Refused> {};
 
 TEST_P(Refusal, NamesTheOptionAndWhatIsAllowed) { EXPECT_EQ(refusal(GetParam().line), GetParam().message); }
-
-std::string name_of(const testing::TestParamInfo<Refused>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(
     OutOfRange, Refusal,

@@ -1,4 +1,4 @@
-// Where people of a recorded crowd look, and how many steps they make.
+// People of a recorded crowd look where they walk, and make as many steps as that takes.
 
 #include "app/crowd/track_steps.h"
 
@@ -12,13 +12,15 @@ namespace throng::app::track_steps_test {
 namespace {
 
 StridePlane plane() {
-  return {{{.clip = 0},
-           {.clip = 1, .velocity = {0.0F, 1.3F}, .seconds = 1.0},
-           {.clip = 2, .velocity = {0.0F, 3.0F}, .seconds = 0.7},
-           {.clip = 3, .velocity = {0.6F, 0.0F}, .seconds = 1.0},
-           {.clip = 4, .velocity = {-0.6F, 0.0F}, .seconds = 1.0},
-           {.clip = 5, .velocity = {0.0F, -0.8F}, .seconds = 1.0}},
-          StridePlane::Middle::stands};
+  const auto gait = [](int clip, const glm::vec2& velocity, double seconds) {
+    return StridePoint{.gait = {.clip = clip, .velocity = velocity}, .seconds = seconds};
+  };
+  return StridePlane({{.gait = {.is_gait = false}},
+                      gait(1, {0.0F, 1.3F}, 1.0),
+                      gait(2, {0.0F, 3.0F}, 0.7),
+                      gait(3, {0.6F, 0.0F}, 1.0),
+                      gait(4, {-0.6F, 0.0F}, 1.0),
+                      gait(5, {0.0F, -0.8F}, 1.0)});
 }
 
 /// Rows that go from the origin at a velocity, 25 a second.
@@ -48,7 +50,7 @@ TEST(TrackSteps, PeopleLookWhereTheyWalk) {
     const auto rows = straight(1.2F * glm::vec2(std::sin(angle), std::cos(angle)), 4.0);
     const SmoothTrack track(rows);
     const TrackSteps steps(track, plane(), 1.0F, 0.0F);
-    const TrackStep at = steps.at(track, 1.0F, 2.0);
+    const TrackStep at = steps.at(2.0);
     EXPECT_NEAR(at.heading, angle, 1e-3F);
     EXPECT_NEAR(at.velocity.x, 0.0F, 1e-3F);
     EXPECT_NEAR(at.velocity.y, 1.2F, 1e-2F);
@@ -59,7 +61,7 @@ TEST(TrackSteps, StridesAddUpToTheWay) {
   const auto rows = straight({0.0F, 1.3F}, 10.0);
   const SmoothTrack track(rows);
   const TrackSteps steps(track, plane(), 1.0F, 0.0F);
-  EXPECT_NEAR(steps.at(track, 1.0F, 8.0).cycles - steps.at(track, 1.0F, 2.0).cycles, 6.0, 0.02);
+  EXPECT_NEAR(steps.at(8.0).cycles - steps.at(2.0).cycles, 6.0, 0.02);
 }
 
 TEST(TrackSteps, TallPeopleTakeLongerSteps) {
@@ -67,7 +69,7 @@ TEST(TrackSteps, TallPeopleTakeLongerSteps) {
   const SmoothTrack track(rows);
   const auto strides = [&](float scale) {
     const TrackSteps steps(track, plane(), scale, 0.0F);
-    return steps.at(track, scale, 8.0).cycles - steps.at(track, scale, 2.0).cycles;
+    return steps.at(8.0).cycles - steps.at(2.0).cycles;
   };
   EXPECT_LT(strides(1.15F), strides(1.0F));
   EXPECT_GT(strides(0.85F), strides(1.0F));
@@ -83,18 +85,18 @@ TEST(TrackSteps, WhoStandsKeepsTheHeadingAndSways) {
   }
   const SmoothTrack track(rows);
   const TrackSteps steps(track, plane(), 1.0F, 0.0F);
-  EXPECT_NEAR(steps.at(track, 1.0F, 7.0).heading, 1.5708F, 0.1F);
-  EXPECT_NEAR(steps.at(track, 1.0F, 7.0).cycles, steps.at(track, 1.0F, 4.5).cycles, 0.2);
+  EXPECT_NEAR(steps.at(7.0).heading, 1.5708F, 0.1F);
+  EXPECT_NEAR(steps.at(7.0).cycles, steps.at(4.5).cycles, 0.2);
 }
 
 TEST(TrackSteps, AHeadingOfTheFileMakesSideStepsAndStepsBack) {
   std::vector<TrackRow> rows = straight({0.0F, -0.5F}, 4.0);
   for (TrackRow& row : rows) row.heading = 0.0F;
   const SmoothTrack back(rows);
-  EXPECT_NEAR(TrackSteps(back, plane(), 1.0F, 0.0F).at(back, 1.0F, 2.0).velocity.y, -0.5F, 0.02F);
+  EXPECT_NEAR(TrackSteps(back, plane(), 1.0F, 0.0F).at(2.0).velocity.y, -0.5F, 0.02F);
   for (TrackRow& row : rows) row.heading = 1.5708F;  // looks along +X and goes along -Z, which is to its left
   const SmoothTrack aside(rows);
-  EXPECT_NEAR(TrackSteps(aside, plane(), 1.0F, 0.0F).at(aside, 1.0F, 2.0).velocity.x, 0.5F, 0.02F);
+  EXPECT_NEAR(TrackSteps(aside, plane(), 1.0F, 0.0F).at(2.0).velocity.x, 0.5F, 0.02F);
 }
 
 TEST(TrackSteps, SomebodyWhoIsPushedBackForAMomentDoesNotTurnRound) {
@@ -110,7 +112,7 @@ TEST(TrackSteps, SomebodyWhoIsPushedBackForAMomentDoesNotTurnRound) {
   const SmoothTrack track(rows);
   const TrackSteps steps(track, plane(), 1.0F, 0.0F);
   for (double seconds = 0.0; seconds < 5.5; seconds += 0.1) {
-    EXPECT_NEAR(wrapped_angle(steps.at(track, 1.0F, seconds).heading), 0.0F, 0.5F) << seconds;
+    EXPECT_NEAR(wrapped_angle(steps.at(seconds).heading), 0.0F, 0.5F) << seconds;
   }
 }
 

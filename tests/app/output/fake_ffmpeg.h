@@ -8,7 +8,7 @@
 
 namespace throng::app::test {
 
-/// What is in a file.
+/// Returns what is in a file.
 inline std::string contents_of(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

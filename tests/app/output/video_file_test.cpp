@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/files/child_process.h"
 #include "app/files/exit_status.h"
 #include "tests/app/output/fake_ffmpeg.h"
 #include "tests/app/temporary_folder.h"

@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// How far feet slip while they stand, step by step. A step is a time in which the ball of a foot is within a
+/// Measures how far feet slip while they stand, step by step. A step is a time in which the ball of a foot is within a
 /// centimetre and a half of where it stands; its slip is the farthest that the ball gets from where the step began, in
 /// millimetres. Steps of less than a tenth of a second are none.
 class FootSlips {

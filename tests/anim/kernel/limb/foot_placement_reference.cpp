@@ -43,7 +43,7 @@ float clearance(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& no
   return -std::min(glm::dot(foot * leg.sole[0], normal), glm::dot(under_toes(leg, foot, normal), normal));
 }
 
-/// How high a foot in the air is at least, where the host says that it is there.
+/// Returns how high a foot in the air is at least, where the host says that it is there.
 float least_air(const PlacedFoot& foot, const LegReach& reach) {
   return foot.planted >= 0.0F ? foot_clearance * reach.length : -1e9F;
 }

@@ -1,4 +1,4 @@
-// What throng check refuses before it draws anything, and what git has to do with it.
+// throng check refuses cases before it draws anything, and pictures that git could not bring back.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

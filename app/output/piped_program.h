@@ -14,13 +14,13 @@ namespace throng::app {
 /// A program that reads what we write, found in PATH and started without a shell. What it says is kept. Signals of the
 /// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program
 /// ignores SIGPIPE (end_in_words).
-class ChildProcess {
+class PipedProgram {
  public:
   /// Errors: there is no such program, or the system does not start it; the error says why: "there is none in PATH".
-  static anim::Result<ChildProcess> start(const std::vector<std::string>& words);
-  ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess& operator=(ChildProcess&&) = delete;
-  ~ChildProcess();
+  static anim::Result<PipedProgram> start(const std::vector<std::string>& words);
+  PipedProgram(PipedProgram&& other) noexcept;
+  PipedProgram& operator=(PipedProgram&&) = delete;
+  ~PipedProgram();
 
   /// Writes all of it, and waits while the program reads more slowly. Returns whether it has read all.
   bool write(std::span<const std::byte> bytes);
@@ -30,7 +30,7 @@ class ChildProcess {
   const std::string& said() const { return said_; }
 
  private:
-  ChildProcess() = default;
+  PipedProgram() = default;
   void listen();
 
   pid_t process_ = -1;  // -1: none that is to be waited for
@@ -38,8 +38,5 @@ class ChildProcess {
   int output_ = -1;     // what it says
   std::string said_;
 };
-
-/// Returns the last line of a text that says something; empty if none does.
-std::string last_line(const std::string& text);
 
 }  // namespace throng::app

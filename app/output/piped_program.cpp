@@ -1,9 +1,8 @@
-#include "app/output/child_process.h"
+#include "app/output/piped_program.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +11,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "app/files/child_process.h"
 
 extern char** environ;
 
@@ -63,9 +64,7 @@ class SpawnRules {
   }
 
   int start(pid_t& process, std::vector<std::string> words) const {
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
+    std::vector<char*> pointers = as_arguments(words);
     return posix_spawnp(&process, pointers.front(), &actions_, &attributes_, pointers.data(), environ);
   }
 
@@ -76,13 +75,13 @@ class SpawnRules {
 
 }  // namespace
 
-anim::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words) {
+anim::Result<PipedProgram> PipedProgram::start(const std::vector<std::string>& words) {
   Pipe input, output;
   const auto refused = [](int error) {
     return anim::Error{error == ENOENT ? "there is none in PATH" : std::generic_category().message(error)};
   };
   if (!input.make() || !output.make()) return refused(errno);
-  ChildProcess child;
+  PipedProgram child;
   const int error = SpawnRules(input.ends[0], output.ends[1]).start(child.process_, words);
   if (error != 0) return child.process_ = -1, refused(error);
   child.input_ = input.take(1);
@@ -91,13 +90,13 @@ anim::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& w
   return child;
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+PipedProgram::PipedProgram(PipedProgram&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       input_(std::exchange(other.input_, -1)),
       output_(std::exchange(other.output_, -1)),
       said_(std::move(other.said_)) {}
 
-ChildProcess::~ChildProcess() {
+PipedProgram::~PipedProgram() {
   close_end(input_);
   close_end(output_);
   if (process_ < 0) return;
@@ -106,7 +105,7 @@ ChildProcess::~ChildProcess() {
 }
 
 // It must be listened to meanwhile: a program whose words nobody takes stops.
-bool ChildProcess::write(std::span<const std::byte> bytes) {
+bool PipedProgram::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     std::array<pollfd, 2> ends{
         {{.fd = input_, .events = POLLOUT, .revents = 0}, {.fd = output_, .events = POLLIN, .revents = 0}}};
@@ -120,7 +119,7 @@ bool ChildProcess::write(std::span<const std::byte> bytes) {
   return true;
 }
 
-void ChildProcess::listen() {
+void PipedProgram::listen() {
   std::array<char, 4096> buffer;
   while (output_ >= 0) {
     const ssize_t count = read(output_, buffer.data(), buffer.size());
@@ -131,30 +130,14 @@ void ChildProcess::listen() {
   }
 }
 
-int ChildProcess::finish() {
+int PipedProgram::finish() {
   close_end(input_);
   while (output_ >= 0) {
     pollfd end{.fd = output_, .events = POLLIN, .revents = 0};
     if (poll(&end, 1, -1) < 0 && errno != EINTR) break;
     listen();
   }
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
-  constexpr int by_signal = 128;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : by_signal + WTERMSIG(status);
-}
-
-std::string last_line(const std::string& text) {
-  std::string_view left = text;
-  while (!left.empty()) {
-    const std::size_t end = left.find_last_of("\r\n");
-    const std::string_view line = end == std::string_view::npos ? left : left.substr(end + 1);
-    if (line.find_first_not_of(" \t") != std::string_view::npos) return std::string(line);
-    left = end == std::string_view::npos ? std::string_view() : left.substr(0, end);
-  }
-  return {};
+  return status_of(std::exchange(process_, -1));
 }
 
 }  // namespace throng::app

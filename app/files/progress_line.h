@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace throng::app {
+
+/// Shows a line on standard error in place of the one before, if that is a terminal; an empty one takes it away.
+void show_progress(const std::string& text);
+
+}  // namespace throng::app

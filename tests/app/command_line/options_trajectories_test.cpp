@@ -1,0 +1,50 @@
+// Options of a recorded crowd.
+#include "tests/app/command_line/command_words.h"
+
+namespace throng::app::options_trajectories_test {
+namespace {
+
+DemoOptions options_of(const std::string& line) {
+  const ParsedCommand command = parse_command_line(words(line));
+  EXPECT_TRUE(std::holds_alternative<DemoOptions>(command)) << refusal(line);
+  return std::holds_alternative<DemoOptions>(command) ? std::get<DemoOptions>(command) : DemoOptions();
+}
+
+TEST(TrajectoryOptionsOfALine, MakeTheSceneThatOfTheFile) {
+  const DemoOptions options = options_of("--trajectories walk.csv --fps 16 --unit cm --start 2.5 --lenient");
+  EXPECT_EQ(options.tuning.scene, Scene::trajectories);
+  EXPECT_EQ(options.trajectories.file, "walk.csv");
+  EXPECT_EQ(options.trajectories.start, 2.5);
+  EXPECT_EQ(options.trajectories.reading.fps, 16.0);
+  EXPECT_EQ(options.trajectories.reading.metres_a_unit, 0.01);
+  EXPECT_TRUE(options.trajectories.reading.lenient);
+}
+
+TEST(TrajectoryOptionsOfALine, TakeTheAxisThatIsTheirs) {
+  EXPECT_EQ(options_of("--trajectories walk.csv --up y").trajectories.reading.up, TrackUp::y);
+  const DemoOptions both = options_of("man.glb --trajectories walk.csv --up walk=y,man=z");
+  EXPECT_EQ(both.trajectories.reading.up, TrackUp::y);
+  ASSERT_EQ(both.placements.size(), 1U);
+  EXPECT_EQ(both.placements.front().model, "man");
+  EXPECT_EQ(options_of("man.glb --trajectories walk.csv --up y").trajectories.reading.up, TrackUp::z);
+}
+
+class TrajectoryRefusal : public testing::TestWithParam<Refused> {};
+
+TEST_P(TrajectoryRefusal, NamesTheOptionAndWhatIsAllowed) { EXPECT_EQ(refusal(GetParam().line), GetParam().message); }
+
+INSTANTIATE_TEST_SUITE_P(
+    OfOptions, TrajectoryRefusal,
+    testing::Values(
+        Refused{"WallsAlone", "--walls w.wkt", "--walls: goes with --trajectories"},
+        Refused{"StartAlone", "--start 2", "--start: goes with --trajectories"},
+        Refused{"AnotherScene", "--trajectories a.csv --scene plaza", "--scene: does not go with --trajectories"},
+        Refused{"OtherAgents", "--trajectories a.csv --agents 9", "--agents: does not go with --trajectories"},
+        Refused{"ARecording", "--trajectories a.csv --record r", "--record: does not go with --trajectories"},
+        Refused{"AnAxisAside", "--trajectories a.csv --up x", "--up: of trajectories it is y or z"},
+        Refused{"StandardInput", "--trajectories -",
+                "--trajectories -: must be a file; it is not written to standard output"}),
+    name_of);
+
+}  // namespace
+}  // namespace throng::app::options_trajectories_test

@@ -52,7 +52,7 @@ std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoO
   for (const char* const option : {"--scene", "--agents", "--replay", "--record"}) {
     if (reader.given(option)) return std::string(option) + ": does not go with --trajectories";
   }
-  options.tuning.scene = Scene::trajectories;
+  options.tuning.scene = Scene::tracks;
   options.agents_given = true;
   const auto named = std::ranges::find(options.placements, name_of(asked.file), &ModelPlacement::model);
   std::optional<anim::UpAxis> axis;

@@ -39,7 +39,7 @@ CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const
       break;
     case Scene::film:
       return cut_scene_layout(agents, seed, roles);
-    case Scene::trajectories:
+    case Scene::tracks:
       return followers_layout(agents);
   }
   return grid_layout(agents, roles);
@@ -89,7 +89,7 @@ Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::sp
              .absent = {}} {
   place(layout);
   if (layout.wave_seconds > 0.0) expect_wave(layout);
-  if (scene == Scene::trajectories) follow(tracks, seed);
+  if (scene == Scene::tracks) follow(tracks, seed);
 }
 
 void Crowd::place(const CrowdLayout& layout) {

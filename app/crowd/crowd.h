@@ -49,7 +49,7 @@ using CrowdMoment = std::optional<CrowdState>;
 class Crowd {
  public:
   /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them. `variety` says how much agents of
-  /// one character differ; the first of a painted one is as its file has it. The scene of trajectories needs `tracks`,
+  /// one character differ; the first of a painted one is as its file has it. The scene `tracks` needs `tracks`,
   /// and an agent for each of its people; others do not read them.
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety = {}, const TrackSource& tracks = {});

@@ -58,7 +58,7 @@ CameraPlace tower_view(Scene scene, std::size_t agents, const CharacterRoles& ro
     case Scene::film:
       return cut_scene_tower(static_cast<float>(roles.spacing()));
     case Scene::grid:
-    case Scene::trajectories:
+    case Scene::tracks:
       break;
   }
   return grid_tower(agents, roles.spacing());

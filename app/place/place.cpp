@@ -32,7 +32,7 @@ Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const Charac
       put_film(crowd, placer);
       break;
     case Scene::grid:
-    case Scene::trajectories:
+    case Scene::tracks:
       break;
   }
   return place;

@@ -19,7 +19,7 @@
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, trajectories };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, tracks };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };

@@ -67,7 +67,7 @@ anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
   const Tuning& tuning = stage.tuning();
   const Crowd& crowd = stage.crowd();
   const CharacterRoles& roles = crowd.laid_out_for();
-  const Trajectories* const recorded = tuning.scene == Scene::trajectories ? planned_.get() : nullptr;
+  const Trajectories* const recorded = tuning.scene == Scene::tracks ? planned_.get() : nullptr;
   const Cause cause{tuning.scene,       crowd.size(),     tuning.seed,    roles.spacing(), roles.walk_speed,
                     roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
   if (placed_ == cause) return anim::Done{};

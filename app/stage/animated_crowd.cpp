@@ -83,7 +83,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   track_players_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
-  if (tuning.scene == Scene::trajectories) {
+  if (tuning.scene == Scene::tracks) {
     track_players_ = std::make_unique<TrackPlayers>(*system_, *crowd_, characters_);
     if (event_sums_) event_sums_->reset(agents);
     return;

@@ -42,7 +42,7 @@ class AnimatedCrowd {
   anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
-  /// Makes the crowd of the tuning's scene anew. The scene of trajectories needs them.
+  /// Makes the crowd of the tuning's scene anew. The scene `tracks` needs its people.
   void populate(const Tuning& tuning, Clocks clocks, const TrackSource& tracks = {});
 
   /// Lets everybody go on where they are, by the clips that the roles of the characters have now. Each character can

@@ -79,7 +79,7 @@ std::span<const CharacterSource> Stage::people() const {
 
 // A recorded crowd has as many people as it has.
 anim::Status Stage::can_show(Tuning& tuning) const {
-  if (tuning.scene != Scene::trajectories) return anim::Done{};
+  if (tuning.scene != Scene::tracks) return anim::Done{};
   if (trajectories_ == nullptr) {
     return anim::Error{"scene tracks: no file of trajectories is open; start with --trajectories FILE"};
   }
@@ -105,7 +105,7 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips, std::option
   assign_roles(characters_[character], clips);
   if (share) roles.share = *share;
   const bool keeps_places =
-      !share && roles.can_walk() == walked && tuning_.scene != Scene::film && tuning_.scene != Scene::trajectories;
+      !share && roles.can_walk() == walked && tuning_.scene != Scene::film && tuning_.scene != Scene::tracks;
   if (!keeps_places) return populate();
   animated_->take_roles();
   if (!moving_) lod_.make_all_due();

@@ -36,7 +36,7 @@ class Stage {
  public:
   /// Makes a stage for 1 to most_models people in `characters`, and adds the balloon to them. Every agent is one of
   /// these characters. Asks `pages` for no page before the first pose. Counts frames on from `first_frame`.
-  /// `trajectories` may be null; then there is no scene of trajectories.
+  /// `trajectories` may be null; then there is no scene `tracks`.
   static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                      render::PalettePageSource& pages, std::uint64_t first_frame = 0,
                                                      std::shared_ptr<const Trajectories> trajectories = {});
@@ -148,7 +148,7 @@ inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 /// Takes a recorded crowd to another time, at a frame boundary. Everybody is posed for it at once.
 void set_track_clock(Stage& stage, const TrackClock& clock);
 
-/// Returns the recorded crowd of the scene of trajectories; null where there is none.
+/// Returns the recorded crowd of the scene `tracks`; null where there is none.
 inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage) { return stage.trajectories_; }
 
 /// Returns the mesh LODs that everybody in view is drawn with, in the order of selection().visible.

@@ -125,7 +125,7 @@ std::span<const char* const> scene_camera_names(Scene scene) {
       return stadium;
     case Scene::grid:
     case Scene::film:
-    case Scene::trajectories:
+    case Scene::tracks:
       break;
   }
   return std::span(plaza).first<5>();
@@ -143,7 +143,7 @@ std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const Ch
     case Scene::film:
       return cut_scene_cameras(roles.spacing(), tower);
     case Scene::grid:
-    case Scene::trajectories:
+    case Scene::tracks:
       break;
   }
   return grid_cameras(agents, roles, tower);

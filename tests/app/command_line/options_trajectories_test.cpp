@@ -12,7 +12,7 @@ DemoOptions options_of(const std::string& line) {
 
 TEST(TrajectoryOptionsOfALine, MakeTheSceneThatOfTheFile) {
   const DemoOptions options = options_of("--trajectories walk.csv --fps 16 --unit cm --start 2.5 --lenient");
-  EXPECT_EQ(options.tuning.scene, Scene::trajectories);
+  EXPECT_EQ(options.tuning.scene, Scene::tracks);
   EXPECT_EQ(options.trajectories.file, "walk.csv");
   EXPECT_EQ(options.trajectories.start, 2.5);
   EXPECT_EQ(options.trajectories.reading.fps, 16.0);

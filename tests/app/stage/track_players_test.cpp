@@ -52,7 +52,7 @@ class TrackPlayers : public testing::Test {
   TrackPlayers() { open(tuning(anim::LodRule::off)); }
 
   static Tuning tuning(anim::LodRule rule) {
-    return {.scene = Scene::trajectories,
+    return {.scene = Scene::tracks,
             .lod = {.rule = rule, .bone_lod = false, .smooth = rule != anim::LodRule::off},
             .system = {.pus = 2}};
   }
@@ -189,7 +189,7 @@ TEST_F(TrackPlayers, AnotherSceneAndBackBeginsTheCrowdAnew) {
   pass(5);
   EXPECT_EQ(stage_->crowd().size(), 20U);
   Tuning back = stage_->tuning();
-  back.scene = Scene::trajectories;
+  back.scene = Scene::tracks;
   ASSERT_TRUE(stage_->apply(back));
   pass(5);
   EXPECT_EQ(stage_->crowd().size(), 6U);

@@ -39,7 +39,7 @@ struct Asked {
 bool print_slips(const char* name, CharacterSource source, bool placed_feet, const Asked& asked) {
   KeptPages pages;
   FootSlips slips(source.character->skeleton);
-  const Tuning tuning{.scene = Scene::trajectories,
+  const Tuning tuning{.scene = Scene::tracks,
                       .placed_feet = placed_feet,
                       .lod = {.rule = anim::LodRule::off, .bone_lod = false, .smooth = false},
                       .system = {.pus = 2}};

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/character/source.h"
@@ -59,6 +60,10 @@ class AnimatedCrowd {
   /// Sets what somebody of a recorded crowd plays in an update. Call it before place_feet().
   void follow_track(const anim::AgentUpdate& update) {
     if (track_players_) track_players_->set(update.agent.number, update.look_ahead);
+  }
+  /// Tells that follow_track() is about to be called for an agent, so that it need not wait for memory.
+  void expect_track(std::uint32_t agent) const {
+    if (track_players_) std::as_const(*system_).agent(agent).prefetch();
   }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();

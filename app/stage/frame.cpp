@@ -117,8 +117,11 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   shown_.hide_unseen(selection().visible, last_frame);
   joints_.make_room(crowd().size());
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
-  for (anim::AgentUpdate& update : lod_.updates()) {
+  const std::span<anim::AgentUpdate> updates = lod_.updates();
+  for (std::size_t i = 0; i < updates.size(); ++i) {
+    anim::AgentUpdate& update = updates[i];
     const std::uint32_t agent = update.agent.number;
+    if (i + 1 < updates.size()) animated_->expect_track(updates[i + 1].agent.number);
     const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > anim::Ticks{};
     animated_->follow_track(update);

@@ -28,6 +28,7 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
     tracks_.emplace_back(all.persons[agent].rows);
     steps_.emplace_back(tracks_.back(), plane(agent), scales[agent], random.between(-half_turn, half_turn));
   }
+  talks_ = Talks(tracks_, steps_);
 }
 
 }  // namespace throng::app

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/crowd/stride_plane.h"
+#include "app/crowd/talks.h"
 #include "app/crowd/track_steps.h"
 #include "app/trajectory/ground_bounds.h"
 #include "app/trajectory/trajectories.h"
@@ -45,12 +46,14 @@ class Followers {
   }
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
+  TalkMoment talk(std::size_t agent, double seconds) const { return talks_.at(agent, seconds); }
 
  private:
   TrackSource source_;
   std::vector<std::uint8_t> characters_;
   std::vector<SmoothTrack> tracks_;  // [agent]
   std::vector<TrackSteps> steps_;    // [agent]
+  Talks talks_;
   GroundBounds bounds_;
   double row_seconds_ = 0.0;
 };

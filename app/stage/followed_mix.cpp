@@ -65,6 +65,10 @@ class MixWriter {
       same->weight += weight;
       return;
     }
+    if (mix_.count == mix_.of.size()) {  // a sixth clip hardly weighs anything
+      mix_.of.back().weight += weight;
+      return;
+    }
     const auto way = static_cast<anim::FineTicks>(speed * 65536.0) * moment_.ahead.count();
     mix_.of.at(mix_.count++) = {index, std::max(weight, least_seen_weight), position - way, speed, voice};
   }
@@ -88,9 +92,14 @@ void add_rests(const FollowedMoment& moment, const CharacterRoles& roles, float 
   const auto turn = static_cast<std::int64_t>(std::floor(turns));
   const auto t = static_cast<float>(std::min((turns - std::floor(turns)) * rest_seconds / rest_fade, 1.0));
   const float arrived = t * t * (3.0F - 2.0F * t);
-  const int stand = standing_clip(roles);
-  writer.add_rest(rest_of(roles, stand, moment.person, turn), weight * arrived);
-  writer.add_rest(rest_of(roles, stand, moment.person, turn - 1), weight * (1.0F - arrived));
+  const int stand = standing_clip(roles), talk = roles.clip(Role::talk);
+  const float talks = talk != no_clip ? weight * moment.speaks : 0.0F;
+  if (talks > 0.0F) writer.add_rest(talk, talks);
+  const auto rest = [&](std::int64_t at, float share) {
+    if (share > 0.0F) writer.add_rest(rest_of(roles, stand, moment.person, at), share);
+  };
+  rest(turn, (weight - talks) * arrived);
+  rest(turn - 1, (weight - talks) * (1.0F - arrived));
 }
 
 }  // namespace
@@ -109,9 +118,8 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
       continue;
     }
     if (weight < least_seen_weight) continue;
-    const double phase =
-        writer.add_gait(points[share.point].gait, points[plane.reference()].gait, stances.in_step(share.point), weight,
-                        stride.cycles_per_second);
+    const double phase = writer.add_gait(points[share.point].gait, points[plane.reference()].gait,
+                                         stances.in_step(share.point), weight, stride.cycles_per_second);
     walks += weight;
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       margins[leg] += weight * stances.margin(share.point, leg, phase);

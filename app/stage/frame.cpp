@@ -121,17 +121,16 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   for (std::size_t i = 0; i < updates.size(); ++i) {
     anim::AgentUpdate& update = updates[i];
     const std::uint32_t agent = update.agent.number;
-    if (i + 1 < updates.size()) animated_->expect_track(updates[i + 1].agent.number);
     const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > anim::Ticks{};
-    animated_->follow_track(update);
+    animated_->follow_track(updates.subspan(i));
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);
     const bool on_a_new_page = shown_.pose(agent).to_time == now();
     if (!ahead || !on_a_new_page) continue;
     lod_.show_at_once(update);
-    animated_->follow_track(update);  // for the pose of now
+    animated_->follow_track(updates.subspan(i, 1));  // for the pose of now
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
   pose_fallen(last_frame);

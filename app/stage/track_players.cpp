@@ -19,7 +19,8 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
                               .seconds = clock.seconds,
                               .rate = clock.rate,
                               .ahead = ahead,
-                              .person = agent};
+                              .person = agent,
+                              .speaks = followers.talk(agent, clock.seconds).speaks};
   return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 
@@ -59,6 +60,21 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
 FollowedMix TrackPlayers::mix_of(std::uint32_t agent, anim::Ticks ahead) const {
   const std::size_t character = crowd_->characters()[agent];
   return mix_at(*crowd_, characters_[character], stances_[character], agent, ahead);
+}
+
+std::optional<TrackPlayers::Gaze> TrackPlayers::gaze(std::uint32_t agent) const {
+  const Followers& followers = *followers_of(*crowd_);
+  const double seconds = track_clock_of(*crowd_).seconds;
+  const TalkMoment talk = followers.talk(agent, seconds);
+  if (talk.looks <= 0.0F) return std::nullopt;
+  constexpr float eyes = 0.93F;  // of a person's height
+  const auto height = static_cast<float>(characters_[crowd_->characters()[talk.other]].roles.height);
+  const glm::vec3 way = followers.position(talk.other, seconds) - crowd_->positions()[agent];
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec3 target(way.x * heading.cosine - way.z * heading.sine,
+                         way.y + eyes * height * crowd_->scales()[talk.other],
+                         way.x * heading.sine + way.z * heading.cosine);
+  return Gaze{.target = target / crowd_->scales()[agent], .share = talk.looks};
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {

@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
@@ -30,6 +33,14 @@ class TrackPlayers {
   void set(std::uint32_t agent, anim::Ticks ahead);
   /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
+
+  /// The place that somebody looks at, in its model space, and the share of the way that its head turns there.
+  struct Gaze {
+    glm::vec3 target;
+    float share;
+  };
+  /// Returns where an agent looks now who talks to somebody; nothing for all others.
+  std::optional<Gaze> gaze(std::uint32_t agent) const;
 
  private:
   FollowedMix mix_of(std::uint32_t agent, anim::Ticks ahead) const;

@@ -59,8 +59,7 @@ double number_of_kind(std::uint64_t kind, std::string_view page, std::size_t at)
   const std::size_t count = bytes_of_kind(kind);
   const auto unused = static_cast<unsigned>(64 - 8 * count);
   // Most numbers are followed by others, so that eight bytes can be read at once.
-  const std::uint64_t bits =
-      at + 8 <= page.size() ? eight_bytes(page, at) : big_endian(page, at, count) << unused;
+  const std::uint64_t bits = at + 8 <= page.size() ? eight_bytes(page, at) : big_endian(page, at, count) << unused;
   if (kind == 7) return std::bit_cast<double>(bits);
   return static_cast<double>(static_cast<std::int64_t>(bits) >> unused);
 }

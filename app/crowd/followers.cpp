@@ -10,7 +10,6 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint64_t headings_stream = 17;
-constexpr double shortest_row = 1e-3;  // seconds that somebody with a single row is there
 
 }  // namespace
 
@@ -21,10 +20,11 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
       bounds_(bounds_of(*source_.trajectories)) {
   const Trajectories& all = *source_.trajectories;
   assert(all.persons.size() == characters.size() && characters.size() == scales.size());
-  row_seconds_ = all.rows_a_second > 0.0 ? 1.0 / all.rows_a_second : shortest_row;
+  const double row = row_seconds(all);
   Random random(seed, headings_stream);
   constexpr float half_turn = std::numbers::pi_v<float>;
   for (std::size_t agent = 0; agent < characters.size(); ++agent) {
+    presences_.push_back(presence_of(all.persons[agent], row));
     tracks_.emplace_back(all.persons[agent].rows);
     steps_.emplace_back(tracks_.back(), plane(agent), scales[agent], random.between(-half_turn, half_turn));
   }

@@ -62,6 +62,7 @@ class FrameReporter {
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
   void add_error(const Stage& stage);
+  void add_tracks(const Stage& stage);
   void add_heads(const Stage& stage);
   void add_head(const Stage& stage, const anim::VisibleAgent& agent);
   void add_units(const anim::AnimationSystem& system);
@@ -70,7 +71,9 @@ class FrameReporter {
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
-  int mesh_levels_ = 1;  // the most of a character
+  std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
+  std::size_t counted_rows_ = 0;                // of them
+  int mesh_levels_ = 1;                         // the most of a character
 };
 
 }  // namespace throng::app

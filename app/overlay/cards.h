@@ -37,6 +37,9 @@ std::string place_in_clip(const EntityRow& row);
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);
 
+/// Begins a bar of that height at the foot of the crowd; end it with ImGui::End(). Returns its place.
+Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height);
+
 /// Begins a window that lets the pointer through, for words over the crowd; end it with ImGui::End().
 void begin_clear_window(const char* name, const Area& place);
 

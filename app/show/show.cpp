@@ -19,6 +19,10 @@
 namespace throng::app {
 namespace {
 
+// A recording does not hold the rows of a file, nor the moves of its clock.
+constexpr const char* no_recording_of_tracks =
+    "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
+
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
@@ -87,24 +91,6 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
-// A recorded crowd begins where it was asked to.
-bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
-  const Trajectories* const all = trajectories_of(*stage_).get();
-  if (all == nullptr) return true;
-  TrackClock clock = track_clock_of(stage_->crowd());
-  clock.repeats = options.context == ContextKind::window;
-  if (options.trajectories.start) {
-    clock.seconds = *options.trajectories.start;
-    if (clock.seconds < clock.first || clock.seconds > clock.last) {
-      return fail(error, exit_usage,
-                  "--start: " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
-                      std::to_string(clock.last) + " s of its clock");
-    }
-  }
-  set_track_clock(*stage_, clock);
-  return true;
-}
-
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const auto cameras = cameras_of(*stage_, static_cast<float>(width) / static_cast<float>(height));
   const NamedCamera* named = find_camera(cameras, options.camera_name);
@@ -136,6 +122,7 @@ bool Show::begin_viewing(const std::string& clip, StartError& error) {
 }
 
 anim::Status Show::apply(const Tuning& tuning) {
+  if (tuning.scene == Scene::tracks && recorder_.is_recording()) return anim::Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
   if (!applied) return applied;
@@ -192,6 +179,7 @@ anim::Status Show::exchange(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame(),
                              trajectories_of(*stage_));
   if (!stage) return stage.error();
+  if (followers_of(stage_->crowd()) != nullptr) set_track_clock(**stage, track_clock_of(stage_->crowd()));
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   viewer_.reset();
@@ -261,6 +249,7 @@ anim::Status Show::rewind(std::size_t moment) {
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
+  if (stage_->tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
   const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
   if (stage_->frame() > 0) stage_->restart();
@@ -299,7 +288,9 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (recorder_.is_recording()) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
-  if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
+  // Any moment of a recorded crowd is there at once.
+  const bool has_clock_of_its_own = followers_of(stage_->crowd()) != nullptr;
+  if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
 }

@@ -114,6 +114,7 @@ class Stage {
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
+  void jump();
   void learn_level_of_detail();
   anim::Status can_show(Tuning& tuning) const;
   anim::LodLimits limits() const;
@@ -126,6 +127,7 @@ class Stage {
 
   std::vector<CharacterSource> characters_;
   std::shared_ptr<const Trajectories> trajectories_;  // null: none
+  std::optional<TrackClock> track_clock_;             // of the recorded crowd, also while another scene is shown
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;

@@ -95,6 +95,13 @@ Json replay_json(const std::optional<ReplayReport>& replay) {
           {"ended", replay->ended},   {"differs", replay->differs}, {"outcome", replay->outcome}};
 }
 
+Json tracks_json(const std::optional<TracksReport>& tracks) {
+  if (!tracks) return nullptr;
+  const TrackClock& clock = tracks->clock;
+  return {{"seconds", clock.seconds}, {"first", clock.first},     {"last", clock.last},
+          {"rate", clock.rate},       {"repeats", clock.repeats}, {"people", tracks->people->at(clock.seconds)}};
+}
+
 Json cameras_json(const CameraReport& cameras) {
   Json kept = Json::array();
   for (const bool each : cameras.kept) kept.push_back(each);
@@ -146,6 +153,7 @@ Json report_json(const FrameReport& report) {
           {"message", report.messages.all().empty() ? "" : report.messages.all().back().words},
           {"cameras", cameras_json(report.cameras)},
           {"replay", replay_json(report.replay)},
+          {"tracks", tracks_json(report.tracks)},
           {"selected", selected_json(report.selected)},
           {"viewer", viewer_json(report.viewer)}};
 }

@@ -40,6 +40,7 @@ class Followers {
   const Presence& presence(std::size_t agent) const { return presences_[agent]; }
   bool is_there(std::size_t agent, double seconds) const { return presence(agent).has(seconds); }
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
+  const SmoothTrack& way(std::size_t agent) const { return tracks_[agent]; }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
 
  private:

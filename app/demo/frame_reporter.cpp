@@ -186,7 +186,11 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   add_error(show.stage());
   add_tracks(show.stage());
   report_.selected = report_selection(show.stage());
-  if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
+  const std::shared_ptr<const TrackedPerson> tracked = tracked_person_.report(show.stage());
+  if (report_.selected) {
+    report_.selected->tracked = tracked;
+    selection_log_.update(show.stage(), *report_.selected);
+  }
   report_.snapshots.clear();
   for (std::size_t i = 0; i < show.moments().count(); ++i) {
     report_.snapshots.push_back(static_cast<float>(anim::to_seconds(show.moments().age(show.stage(), i))));

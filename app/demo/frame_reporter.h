@@ -9,6 +9,7 @@
 #include "app/demo/fixed_report.h"
 #include "app/demo/selection_log.h"
 #include "app/demo/slow_frames.h"
+#include "app/demo/tracked_person_reporter.h"
 #include "app/figures/limiter.h"
 #include "app/report/frame_report.h"
 #include "app/show/show.h"
@@ -71,6 +72,7 @@ class FrameReporter {
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
+  TrackedPersonReporter tracked_person_;
   std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
   std::size_t counted_rows_ = 0;                // of them
   int mesh_levels_ = 1;                         // the most of a character

@@ -179,7 +179,7 @@ void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_
   column.show_tabs(layout.column, context_of_tab, switches);
   if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
   if (report.tracks) show_track_bar(context_of_tab, layout.crowd);
-  if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
+  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.commands);
 }
 
 void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {

@@ -121,7 +121,7 @@ void show_end(Widgets& widgets, const Area& handles, const TimeAxis& axis, bool 
   if (ImGui::IsItemActive()) {
     move(axis.time_at(ImGui::GetIO().MousePos.x - out / 2));
   } else if (ImGui::IsItemHovered()) {
-    tell({(is_last ? "The part ends at " : "The part begins at ") + file_seconds(end()),
+    tell({(is_last ? "The part ends at " : "The part begins at ") + seconds_text(end()),
           std::string("Drag it. The key ") + (is_last ? "]" : "[") + " puts it at the present time."});
   }
   if (const int step = widgets.stop(name, place).take_step()) move(end() + step * clock.people().row());
@@ -142,7 +142,7 @@ void show_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis, Clock
   } else if (ImGui::IsItemHovered()) {
     const double seconds = axis.time_at(pointer);
     const bool is_in_part = seconds >= clock.now().first && seconds <= clock.now().last;
-    tell({file_seconds(seconds) + ", " + count_of(clock.people().at(seconds)),
+    tell({seconds_text(seconds) + ", " + count_of(clock.people().at(seconds)),
           is_in_part ? "" : "Outside of the part that is played."});
   }
   const bool lively = ImGui::IsItemActive() || ImGui::IsItemHovered();
@@ -220,7 +220,7 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
       if (controls.right("Tracks.rate", track::rate)) set_rate(1.0);
       if (ImGui::IsItemHovered()) {
         tell({"Seconds of the file in a second; a click makes it 1.",
-              "The value Clock speed in the tab Crowd multiplies it."});
+              "The value Speed in the tab Crowd multiplies it."});
       }
       controls.fill(false);
       controls.write(times_words(static_cast<float>(clock.now().rate)), false);
@@ -245,8 +245,6 @@ void write_state(const Theme& theme, const Area& place, const ClockInHand& clock
 }
 
 }  // namespace
-
-std::string file_seconds(double seconds) { return fixed(seconds, 2) + " s"; }
 
 void show_track_bar(const TabContext& context, const Area& crowd) {
   Widgets& widgets = context.widgets;

@@ -16,7 +16,4 @@ void show_track_bar(const TabContext& context, const Area& crowd);
 /// end begins anew. That Space pauses is for the caller to have done.
 void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, OverlayCommands& commands);
 
-/// Returns "12.40 s".
-std::string file_seconds(double seconds);
-
 }  // namespace throng::app

@@ -180,6 +180,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   lines_.clear();
+  path_.add(lines_, stage);
   if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
   thresholds_.update(stage, view.lod_camera(), view.height);
   if (!stage.tuning().inspection.thresholds) return;

@@ -12,6 +12,7 @@
 #include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
+#include "app/show/path_in_view.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
@@ -95,6 +96,7 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  PathInView path_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include "app/overlay/controls/widgets.h"
 
 namespace throng::app {
+
+/// Returns "12.40 s".
+inline std::string seconds_text(double seconds) { return fixed(seconds, 2) + " s"; }
 
 /// An axis of seconds across the screen. Where it has no length, every time lies at its left end.
 struct TimeAxis {

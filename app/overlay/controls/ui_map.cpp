@@ -36,6 +36,14 @@ Json layer_json(const LayerRow& layer) {
   return {{"name", layer.name}, {"weight", layer.weight}, {"entities", layer.entities}};
 }
 
+Json tracked_json(const std::shared_ptr<const TrackedPerson>& person) {
+  if (person == nullptr) return nullptr;
+  return {{"id", person->id},
+          {"first", person->presence.first},
+          {"last", person->presence.last},
+          {"footfalls", person->footfalls.size()}};
+}
+
 Json selected_json(const std::optional<SelectionReport>& selected) {
   if (!selected) return nullptr;
   Json entities = Json::array();
@@ -51,6 +59,7 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"entities", entities},
           {"layers", layers},
           {"held_at", selected->held_at},
+          {"tracked", tracked_json(selected->tracked)},
           {"history_frames", selected->history.size()},
           {"events", selected->events}};
 }

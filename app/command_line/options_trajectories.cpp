@@ -11,8 +11,9 @@ namespace {
 constexpr double most_rows_a_second = 10'000.0;
 constexpr double farthest_time = 1e12;  // seconds
 constexpr double fastest_rate = 100.0;
-constexpr std::array<const char*, 10> needs_file{"--walls", "--fps",        "--unit",       "--height",       "--angle",
-                                                 "--start", "--track-rate", "--track-part", "--track-repeat", "--lenient"};
+constexpr std::array<const char*, 10> needs_file{"--walls",        "--fps",    "--unit",       "--height",
+                                                 "--angle",        "--start",  "--track-rate", "--track-part",
+                                                 "--track-repeat", "--lenient"};
 
 std::string name_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 

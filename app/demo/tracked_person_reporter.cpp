@@ -25,7 +25,8 @@ void add_speeds(const SmoothTrack& way, TrackedPerson& person) {
   const double length = person.presence.last - person.presence.first;
   const auto count = std::clamp(static_cast<std::size_t>(length / between_speeds) + 1, std::size_t{2}, most_speeds);
   const double spacing = length / static_cast<double>(count - 1);
-  const double sums = std::clamp(std::ceil(spacing / longest_ways), 1.0, std::ceil(most_ways / static_cast<double>(count)));
+  const double sums =
+      std::clamp(std::ceil(spacing / longest_ways), 1.0, std::ceil(most_ways / static_cast<double>(count)));
   double walked = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double seconds = person.presence.first + spacing * static_cast<double>(i);
@@ -77,7 +78,9 @@ void TrackedPersonReporter::find_footfalls(const Stage& stage) {
       const auto share = static_cast<double>((is_down - before.at(leg)) / (planted.at(leg) - before.at(leg)));
       person_->footfalls.push_back({.seconds = std::lerp(searched_, next, share), .is_left = leg == 0});
     }
-    if (planted != before) std::ranges::sort(person_->footfalls.end() - std::min<std::ptrdiff_t>(2, std::ssize(person_->footfalls)), person_->footfalls.end(), {}, &Footfall::seconds);
+    if (planted != before)
+      std::ranges::sort(person_->footfalls.end() - std::min<std::ptrdiff_t>(2, std::ssize(person_->footfalls)),
+                        person_->footfalls.end(), {}, &Footfall::seconds);
     before = planted;
     searched_ = next;
   }

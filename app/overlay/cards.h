@@ -21,9 +21,9 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 /// Shows what the person was told so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
-/// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as far
-/// as there is room; of somebody of a recorded crowd, speed and steps over time. The card begins in the upper left of
-/// `place`, where there is mostly sky. Closing it deselects the agent.
+/// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
+/// far as there is room; of somebody of a recorded crowd, speed and steps over time. The card begins in the upper left
+/// of `place`, where there is mostly sky. Closing it deselects the agent.
 void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
 
 /// Shows the button *View*, which asks for the selected agent's character alone, in the clip that it plays. `name`

@@ -30,7 +30,8 @@ void show_buttons(BarControls& controls, const ReplayReport& replay, ReplayComma
 }
 
 void show_speeds(BarControls& controls, const ReplayReport& replay, ReplayCommands& commands) {
-  const float needed = static_cast<float>(replay_speeds.size()) * (bar::speed + BarControls::gap) + bar::loop + BarControls::gap;
+  const float needed =
+      static_cast<float>(replay_speeds.size()) * (bar::speed + BarControls::gap) + bar::loop + BarControls::gap;
   if (!controls.has_room_for(needed + bar::shortest_track)) return;
   for (std::size_t i = replay_speeds.size(); i > 0; --i) {
     const float speed = replay_speeds.at(i - 1);
@@ -88,8 +89,8 @@ void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& re
   const float top = place.from.y + theme.px(9);
   const std::string count = "frame " + std::to_string(replay.frame) + " of " + std::to_string(replay.frames);
   draw_text(theme.small, {right, top}, colour::dim, count, 1);
-  ImGui::PushClipRect({left, top}, {right - text_width(theme.small, count) - theme.px(BarControls::gap), top + theme.px(20)},
-                      true);
+  ImGui::PushClipRect({left, top},
+                      {right - text_width(theme.small, count) - theme.px(BarControls::gap), top + theme.px(20)}, true);
   draw_text(theme.regular, {left, top - theme.px(1)}, replay.differs ? colour::changed : colour::text,
             state_of_replay(replay));
   ImGui::PopClipRect();

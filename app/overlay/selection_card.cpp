@@ -80,8 +80,7 @@ std::string blocks(const SelectionReport& selected) {
 std::string pose_words(const SelectionReport& selected) {
   const std::string agent = "agent " + with_thousands(selected.agent);
   if (!selected.visible) return agent + ", not posed";
-  return agent + ", posed every " +
-         (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames");
+  return agent + ", posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames");
 }
 
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {

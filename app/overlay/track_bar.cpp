@@ -65,12 +65,11 @@ std::string count_of(std::size_t people) {
   return with_thousands(people) + (people == 1 ? " person" : " people");
 }
 
-std::string words_of(const ClockInHand& clock) {
+std::string state_words(const ClockInHand& clock, bool with_the_whole) {
   const PeopleOverTime& people = clock.people();
-  const std::string whole = people.first() == 0.0
-                                ? fixed(people.last(), 2)
-                                : fixed(people.first(), 2) + " to " + fixed(people.last(), 2);
-  return fixed(clock.now().seconds, 2) + " s of " + whole + " s, " + count_of(people.at(clock.now().seconds));
+  const std::string from = people.first() == 0.0 ? "" : fixed(people.first(), 2) + " to ";
+  const std::string of = with_the_whole ? " of " + from + seconds_text(people.last()) : "";
+  return seconds_text(clock.now().seconds) + of + ", " + count_of(people.at(clock.now().seconds));
 }
 
 bool is_whole(const ClockInHand& clock) {
@@ -97,8 +96,12 @@ void draw_people(const Theme& theme, const Area& graph, const TimeAxis& axis, co
     draw.AddRectFilled({x, y}, {x + 1, graph.to.y},
                        is_played ? colour::with_alpha(colour::frame, 0.55F) : colour::with_alpha(colour::dim, 0.3F));
   }
-  draw_text(theme.small, {graph.from.x + theme.px(4), graph.from.y + theme.px(1)}, colour::dim,
-            "at most " + with_thousands(clock.people().most()));
+  const std::string most = "at most " + with_thousands(clock.people().most());
+  const ImVec2 at(graph.from.x + theme.px(4), graph.from.y + theme.px(2));
+  draw.AddRectFilled({at.x - theme.px(2), at.y},
+                     {at.x + text_width(theme.small, most) + theme.px(3), at.y + theme.px(15)},
+                     colour::with_alpha(colour::panel, 0.6F), theme.px(3));
+  draw_text(theme.small, at, colour::text, most);
 }
 
 // The handle of an end lies beside it, outside of the part, so that both can be grasped however near they are.
@@ -233,7 +236,8 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
 
 void write_state(const Theme& theme, const Area& place, const ClockInHand& clock) {
   const float y = place.from.y + (place.height() - theme.regular->FontSize) / 2;
-  const std::string words = words_of(clock);
+  std::string words = state_words(clock, true);
+  if (text_width(theme.regular, words) > place.width() - theme.px(12)) words = state_words(clock, false);
   ImGui::PushClipRect(place.from, place.to, true);
   draw_text(theme.regular, {place.from.x + theme.px(6), y}, colour::text, words);
   const float used = text_width(theme.regular, words) + theme.px(24);
@@ -274,8 +278,7 @@ void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tunin
     const bool shift = input.down(Key::shift);
     if (key == Key::left || key == Key::right) {
       const int way = key == Key::left ? -1 : 1;
-      const double wanted =
-          shift ? clock.seconds + way : row_from(clock.seconds, people.first(), people.row(), way);
+      const double wanted = shift ? clock.seconds + way : row_from(clock.seconds, people.first(), people.row(), way);
       clock = gone_to(clock, wanted);
       tuning.paused = true;
     }

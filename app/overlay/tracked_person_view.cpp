@@ -10,8 +10,9 @@
 namespace throng::app {
 namespace {
 
-constexpr float line_height = 18, steps_height = 15, axis_height = 16, letter_width = 12;
-constexpr float least_top = 1.5F;  // metres a second at the top of the graph
+constexpr float line_height = 18, steps_height = 24, axis_height = 16, letter_width = 12;
+constexpr float slow_steps = 0.1F;       // metres a second, of somebody who does not quite stand
+constexpr float least_speed_top = 1.5F;  // metres a second at the top of the graph
 
 std::string where_words(const SelectionReport& selected, double now) {
   const TrackedPerson& person = *selected.tracked;
@@ -36,7 +37,7 @@ std::string way_words(const TrackedPerson& person, double now) {
 }
 
 void draw_speeds(const Theme& theme, const Area& graph, const TimeAxis& axis, const TrackedPerson& person) {
-  const float top = round_up(std::max(person.fastest(), least_top));
+  const float top = round_up(std::max(person.fastest(), least_speed_top));
   draw_well(theme, graph);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto points = static_cast<int>(std::clamp(graph.width(), 2.0F, 4096.0F));
@@ -46,7 +47,8 @@ void draw_speeds(const Theme& theme, const Area& graph, const TimeAxis& axis, co
     draw.PathLineTo({x, graph.to.y - share * graph.height()});
   }
   draw.PathStroke(colour::accent, ImDrawFlags_None, theme.px(1.5F));
-  draw_text(theme.small, {graph.from.x + theme.px(4), graph.from.y}, colour::dim, fixed(top, top < 10 ? 1 : 0) + " m/s");
+  draw_text(theme.small, {graph.from.x + theme.px(4), graph.from.y}, colour::dim,
+            fixed(top, top < 10 ? 1 : 0) + " m/s");
 }
 
 // Left feet above, right feet below.
@@ -56,8 +58,8 @@ void draw_footfalls(const Theme& theme, const Area& place, const TimeAxis& axis,
   }
   const float half = place.height() / 2;
   const float letters = place.from.x - theme.px(letter_width);
-  draw_text(theme.small, {letters, place.from.y - theme.px(4)}, colour::faint, "L");
-  draw_text(theme.small, {letters, place.from.y + half - theme.px(3)}, colour::faint, "R");
+  draw_text(theme.small, {letters, place.from.y - theme.px(1)}, colour::faint, "L");
+  draw_text(theme.small, {letters, place.from.y + half - theme.px(1)}, colour::faint, "R");
   for (const Footfall& foot : person.footfalls) {
     const float x = std::floor(axis.x_of(foot.seconds)) + 0.5F, y = place.from.y + (foot.is_left ? 0 : half);
     ImGui::GetWindowDrawList()->AddLine({x, y + 1}, {x, y + half - 1}, foot.is_left ? colour::frame : colour::changed,
@@ -95,7 +97,8 @@ std::string title_of_tracked(const SelectionReport& selected, double seconds) {
   const std::string name = "Person " + person.id + "   ";
   if (seconds < person.presence.first) return name + "comes at " + seconds_text(person.presence.first);
   if (seconds > person.presence.last) return name + "left at " + seconds_text(person.presence.last);
-  return name + role_names.at(index_of(selected.role));
+  const bool is_slow = selected.role == Role::stand && person.speed_at(seconds) > slow_steps;
+  return name + (is_slow ? "slow walk" : role_names.at(index_of(selected.role)));
 }
 
 void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
@@ -108,8 +111,7 @@ void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport&
   const Area graph{.from = {left, place.from.y + theme.px(2 * line_height + 2)},
                    .to = {place.to.x, axis_top - theme.px(steps_height + 2)}};
   const Area steps{.from = {left, graph.to.y + theme.px(2)}, .to = {place.to.x, axis_top}};
-  const TimeAxis axis{
-      .from = left, .to = place.to.x, .first = person.presence.first, .last = person.presence.last};
+  const TimeAxis axis{.from = left, .to = place.to.x, .first = person.presence.first, .last = person.presence.last};
   show_speed_graph(widgets, graph, axis, report, commands);
   draw_speeds(theme, graph, axis, person);
   draw_footfalls(theme, steps, axis, person);

@@ -8,7 +8,7 @@
 namespace throng::app {
 
 /// The height that show_tracked_person() has use for, and the least, in pixels of a plain screen.
-inline constexpr float tracked_person_height = 150, least_tracked_person_height = 112;
+inline constexpr float tracked_person_height = 160, least_tracked_person_height = 120;
 
 /// Returns "Person 17   walk", or that the person is not there at that time.
 std::string title_of_tracked(const SelectionReport& selected, double seconds);

@@ -36,8 +36,8 @@ PeopleOverTime::PeopleOverTime(const Trajectories& all)
       return first_ + (last_ - first_) * static_cast<double>(begin) / static_cast<double>(columns);
     };
     std::size_t most = at(time_at(column));
-    for (const bool is_last = column + 1 == columns;
-         next != firsts_.end() && (is_last || *next < time_at(column + 1)); ++next) {
+    for (const bool is_last = column + 1 == columns; next != firsts_.end() && (is_last || *next < time_at(column + 1));
+         ++next) {
       most = std::max(most, at(*next));
     }
     most_by_column_[column] = static_cast<std::uint32_t>(most);

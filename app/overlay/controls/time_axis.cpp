@@ -25,7 +25,7 @@ void TimeAxis::draw_labels(const Theme& theme, const Area& graph) const {
   const float labels = std::max((to - from) / theme.px(between_labels), 1.0F);
   const auto step = static_cast<double>(round_up(static_cast<float>(length) / labels));
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 0, 3);
-  for (double tick = std::ceil(first / step - 1e-6); tick * step <= last + 1e-6 * step; ++tick) {
+  for (double tick = std::ceil(first / step - 1e-6) + 0.0; tick * step <= last + 1e-6 * step; ++tick) {
     const float x = x_of(tick * step);
     ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::grid);
     const float align = x - from < theme.px(16) ? 0.0F : (to - x < theme.px(20) ? 1.0F : 0.5F);

@@ -11,7 +11,7 @@ inline std::string seconds_text(double seconds) { return fixed(seconds, 2) + " s
 
 /// An axis of seconds across the screen. Where it has no length, every time lies at its left end.
 struct TimeAxis {
-  float from = 0, to = 1;            ///< pixels
+  float from = 0, to = 1;          ///< pixels
   double first = 0.0, last = 0.0;  ///< seconds there
 
   [[nodiscard]] float x_of(double seconds) const;

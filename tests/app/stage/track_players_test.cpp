@@ -172,6 +172,48 @@ TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
   EXPECT_EQ(pushed.error().message, "nobody who acts in the cut scene or follows a file can be pushed over");
 }
 
+TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
+  pass(400);
+  go_to(2.0);
+  pass(1, anim::Ticks{});
+  const std::vector<std::byte> jumped = drawn();
+  open(tuning(anim::LodRule::off));
+  go_to(2.0);
+  pass(1, anim::Ticks{});
+  EXPECT_EQ(drawn(), jumped) << "as on a stage where nobody was anywhere before";
+}
+
+TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
+  TrackClock part = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  part.repeats = true;
+  part.seconds = 5.5;
+  set_track_clock(*stage_, part);
+  for (int i = 0; i < 120 && seconds() >= 5.5; ++i) pass(1);
+  ASSERT_LT(seconds(), 2.1);
+  const double moment = seconds();
+  const std::vector<std::byte> repeated = drawn();
+  open(tuning(anim::LodRule::off));
+  go_to(moment);
+  pass(1, anim::Ticks{});
+  EXPECT_EQ(drawn(), repeated);
+}
+
+TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
+  TrackClock asked = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  asked.rate = -0.5;
+  asked.repeats = true;
+  set_track_clock(*stage_, asked);
+  Tuning other = stage_->tuning();
+  other.scene = Scene::grid;
+  ASSERT_TRUE(stage_->apply(other));
+  pass(5);
+  other.scene = Scene::tracks;
+  ASSERT_TRUE(stage_->apply(other));
+  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
+  stage_->set_roles(0, stage_->characters()[0].roles.clips);
+  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
+}
+
 TEST_F(TrackPlayers, TheSceneNeedsAFile) {
   std::vector<CharacterSource> characters;
   characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));

@@ -3,9 +3,12 @@
 #include <span>
 #include <utility>
 
+#include "app/trajectory/floor_xml.h"
+#include "app/trajectory/head_lines.h"
 #include "app/trajectory/sqlite_file.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/vadere_plan.h"
+#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -63,7 +66,7 @@ Result<FilePlan> read_file_plan(const std::string& file) {
     if (!scenario) return Error{file + ": " + scenario.error().message};
     return std::move(scenario->plan);
   }
-  auto plan = parse_wkt(bare);
+  auto plan = is_xml(bare) ? parse_floor(bare) : parse_wkt(bare);
   if (!plan) return Error{file + ": " + plan.error().message};
   return plan;
 }

@@ -14,6 +14,7 @@
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/tracks.h"
 #include "app/trajectory/vadere_plan.h"
+#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -145,9 +146,11 @@ bool looks_like_trajectories(const std::string& file) {
   if (is_sqlite(*head) || is_xml(*head)) return true;
   if (text_format_of(*head, {})) return true;
   // A table that is refused is no model all the same.
-  const std::string extension = std::filesystem::path(file).extension().string();
-  static constexpr std::array names{".csv", ".tsv", ".txt", ".traj", ".ndjson", ".jsonl", ".dat", ".sqlite", ".fzp"};
-  return std::ranges::count(names, extension) > 0;
+  std::filesystem::path name = file;
+  if (name.extension() == ".gz") name.replace_extension();
+  static constexpr std::array extensions{".csv",   ".tsv", ".txt",    ".traj", ".ndjson",
+                                         ".jsonl", ".dat", ".sqlite", ".fzp",  ".pp"};
+  return std::ranges::count(extensions, name.extension().string()) > 0;
 }
 
 }  // namespace throng::app

@@ -29,7 +29,4 @@ bool has_first_row(std::string_view head);
 /// Returns why bytes are no text that can be read, and what to do; empty if they may be.
 std::string why_no_text(std::string_view head);
 
-/// Returns how many bytes a mark of UTF-8 at the front takes.
-std::size_t byte_order_mark(std::string_view head);
-
 }  // namespace throng::app

@@ -1,5 +1,6 @@
 #include "app/trajectory/file_plan.h"
 
+#include <filesystem>
 #include <span>
 #include <utility>
 
@@ -69,6 +70,15 @@ Result<FilePlan> read_file_plan(const std::string& file) {
   auto plan = is_xml(bare) ? parse_floor(bare) : parse_wkt(bare);
   if (!plan) return Error{file + ": " + plan.error().message};
   return plan;
+}
+
+std::optional<std::string> plan_beside(const std::string& file) {
+  std::error_code error;
+  for (const char* const extension : {".wkt", ".floor"}) {
+    const auto beside = std::filesystem::path(file).replace_extension(extension);
+    if (beside != file && std::filesystem::is_regular_file(beside, error)) return beside.string();
+  }
+  return {};
 }
 
 Result<GroundPlan> read_ground_plan(const std::string& file, const glm::dvec2& origin) {

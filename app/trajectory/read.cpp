@@ -127,15 +127,17 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (!walls) return walls.error();
   RawTracks raw;
   if (const Status read = read_raw(file, options, progress, raw); !read) return read.error();
+  const auto beside = options.walls.empty() && raw.plan.is_empty() ? plan_beside(file) : std::nullopt;
+  if (beside) walls = read_file_plan(*beside);
+  if (!walls) return walls.error();
   if (options.up == TrackUp::y) {
     for (RowBlock& block : raw.blocks) std::ranges::for_each(block.rows, swap_up);
     raw.facts.has_z = true;
   }
+  if (beside) raw.facts.said.push_back("The place is that of " + *beside + ".");
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
-  if (!options.walls.empty()) {
-    tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
-  }
+  if (!walls->is_empty()) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
   if (progress) progress(1.0);
   return tracks;
 }

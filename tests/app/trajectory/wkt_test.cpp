@@ -124,5 +124,20 @@ TEST(Floor, IsRefusedWithItsLineAndARemedy) {
   EXPECT_EQ(error("<floor/>"), "it has no wall with points; export it again");
 }
 
+TEST(PlanBeside, IsTheFileWithTheNameOfTheTrajectories) {
+  const TrackFolder folder;
+  const std::string rows = folder.file("walk.csv", "id,time,x,y\n1,0,1,1\n1,1,2,1\n");
+  EXPECT_TRUE(read_trajectories(rows, {})->plan.is_empty());
+  const std::string walls = folder.file("walk.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4))");
+  const auto tracks = read_trajectories(rows, {});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->plan.floors.size(), 1U);
+  EXPECT_THAT(all_said(*tracks), HasSubstr("The place is that of " + walls));
+  folder.file("walk.wkt", "POLYGON ((0 0, 4 0");
+  const auto broken = read_trajectories(rows, {});
+  ASSERT_FALSE(broken);
+  EXPECT_THAT(broken.error().message, StartsWith(walls + ": line 1"));
+}
+
 }  // namespace
 }  // namespace throng::app::wkt_test

@@ -36,7 +36,7 @@ Status read_scenario(const std::string& file, const TrackReading& options, RawTr
   const auto text = read_text(*scenario_file, "a scenario", most_json_bytes);
   if (!text) return Error{*scenario_file + ": " + text.error().message};
   const auto json = parse_json(*text);
-  if (!json) return Error{*scenario_file + ": " + json.error().message + "; give the walls with --walls"};
+  if (!json) return Error{*scenario_file + ": its text " + json.error().message + "; give the walls with --walls"};
   auto scenario = vadere_scenario(*json);
   if (!scenario) return Error{*scenario_file + ": " + scenario.error().message};
   if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / scenario->seconds_a_step;

@@ -231,9 +231,8 @@ bool has_first_row(std::string_view head) {
   return !lines.second.empty() || lines.first.find('{') == 0 || is_row_of_numbers(lines.first);
 }
 
-std::string why_no_text(std::string_view head) {
-  static const std::string no_text =
-      "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
+std::string why_no_text(std::string_view head, std::string_view remedy) {
+  const std::string no_text = "it is no text and no database; " + std::string(remedy);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";

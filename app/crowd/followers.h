@@ -8,10 +8,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/crowd/people_over_time.h"
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/track_steps.h"
 #include "app/trajectory/ground_bounds.h"
-#include "app/trajectory/people_over_time.h"
 #include "app/trajectory/trajectories.h"
 
 namespace throng::app {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/trajectory/people_over_time.h"
+#include "app/crowd/people_over_time.h"
 
 namespace throng::app {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "app/trajectory/people_over_time.h"
+#include "app/crowd/people_over_time.h"
 #include "app/trajectory/track_clock.h"
 
 namespace throng::app {

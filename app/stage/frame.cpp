@@ -73,7 +73,7 @@ void Stage::move(anim::Ticks delta) {
   animated_->move(delta);
   const TrackClock& clock = track_clock_of(crowd());
   if ((clock.seconds - seconds) * clock.rate < 0.0) jump();  // the part begins anew
-  if (track_clock_) track_clock_->seconds = clock.seconds;
+  if (followers_of(crowd()) != nullptr) track_clock_ = clock;
   times_.crowd_ms = watch.lap();
 }
 

@@ -11,7 +11,7 @@ namespace throng::app::tracked_person_reporter_test {
 namespace {
 
 /// Somebody walks 1.2 m/s for 20 s, and somebody else has one row.
-class ReportedPerson : public TemporaryFolder {
+class ReportedPerson : public test::TemporaryFolder {
  protected:
   ReportedPerson() {
     const std::filesystem::path walk = folder_ / "walk.csv";
@@ -20,7 +20,7 @@ class ReportedPerson : public TemporaryFolder {
     for (int row = 0; row <= 200; ++row) file << "71," << 0.1 * row << ',' << 100.0 + 0.12 * row << ",50\n";
     file << "72,4,103,55\n";
     file.close();
-    show_ = test::show_of(test::demo("--trajectories " + walk.string() + " --headless=none"));
+    show_ = test::show_of(test::demo("--trajectories " + walk.string()));
   }
   std::shared_ptr<const TrackedPerson> report_of(std::uint32_t agent) {
     show_->hands().select(agent);

@@ -10,7 +10,7 @@
 namespace throng::app::show_tracks_test {
 namespace {
 
-class ShowOfTracks : public TemporaryFolder {
+class ShowOfTracks : public test::TemporaryFolder {
  protected:
   ShowOfTracks() {
     std::ofstream file(walk_);
@@ -22,7 +22,7 @@ class ShowOfTracks : public TemporaryFolder {
     }
   }
   DemoOptions options(const std::string& more = "") const {
-    return test::demo("--trajectories " + walk_.string() + " --headless=none " + more);
+    return test::demo("--trajectories " + walk_.string() + " " + more);
   }
   std::string refusal(const std::string& more) const {
     StartError error;

@@ -87,6 +87,19 @@ class TrackPlayers : public testing::Test {
     return bytes;
   }
 
+  /// Returns by how much a number of two drawings differs at most.
+  static float farthest(const std::vector<std::byte>& one, const std::vector<std::byte>& other) {
+    EXPECT_EQ(one.size(), other.size());
+    float most = 0.0F;
+    for (std::size_t at = 0; at < std::min(one.size(), other.size()); at += sizeof(float)) {
+      float a = 0.0F, b = 0.0F;
+      std::memcpy(&a, &one[at], sizeof(a));
+      std::memcpy(&b, &other[at], sizeof(b));
+      most = std::max(most, std::abs(a - b));
+    }
+    return most;
+  }
+
   std::shared_ptr<const Trajectories> people_ = some_people();
   KeptPages pages_;
   std::unique_ptr<Stage> stage_;
@@ -180,7 +193,7 @@ TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
   open(tuning(anim::LodRule::off));
   go_to(2.0);
   pass(1, anim::Ticks{});
-  EXPECT_EQ(drawn(), jumped) << "as on a stage where nobody was anywhere before";
+  EXPECT_LT(farthest(drawn(), jumped), 1e-4F) << "as on a stage where nobody was anywhere before";
 }
 
 TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
@@ -195,7 +208,7 @@ TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
   open(tuning(anim::LodRule::off));
   go_to(moment);
   pass(1, anim::Ticks{});
-  EXPECT_EQ(drawn(), repeated);
+  EXPECT_LT(farthest(drawn(), repeated), 1e-4F);
 }
 
 TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {

@@ -1,5 +1,5 @@
 // How many people of a recorded crowd are there at each time.
-#include "app/trajectory/people_over_time.h"
+#include "app/crowd/people_over_time.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/trajectory/people_over_time.h"
+#include "app/crowd/people_over_time.h"
 
 #include <algorithm>
 

@@ -87,24 +87,6 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
-// A recorded crowd begins where it was asked to.
-bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
-  const Trajectories* const all = trajectories_of(*stage_).get();
-  if (all == nullptr) return true;
-  TrackClock clock = track_clock_of(stage_->crowd());
-  clock.repeats = options.context == ContextKind::window;
-  if (options.trajectories.start) {
-    clock.seconds = *options.trajectories.start;
-    if (clock.seconds < clock.first || clock.seconds > clock.last) {
-      return fail(error, exit_usage,
-                  "--start: " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
-                      std::to_string(clock.last) + " s of its clock");
-    }
-  }
-  set_track_clock(*stage_, clock);
-  return true;
-}
-
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const auto cameras = cameras_of(*stage_, static_cast<float>(width) / static_cast<float>(height));
   const NamedCamera* named = find_camera(cameras, options.camera_name);
@@ -169,7 +151,8 @@ anim::Status Show::take(LoadedCast cast) {
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   const bool viewed = viewer_ != nullptr;
-  if (anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged;
+  if (anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_)); !exchanged)
+    return exchanged;
   left_out_.clear();
   if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
@@ -182,16 +165,21 @@ anim::Result<double> Show::set_placement(std::size_t character, const anim::Plac
   if (!placed) return placed.error();
   std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
   characters[character] = std::move(*placed);
-  if (const anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged.error();
+  const anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_));
+  if (!exchanged) return exchanged.error();
   recorder_.add(RecordedPlacement{static_cast<std::uint32_t>(character), choice});
   update_notice();
   return milliseconds_since(start) / 1000.0;
 }
 
-anim::Status Show::exchange(std::vector<CharacterSource> characters) {
-  auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame(),
-                             trajectories_of(*stage_));
+// Somebody who looks at a recorded crowd goes on at the same moment with other characters.
+anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
+                            std::shared_ptr<const Trajectories> trajectories) {
+  const bool same_tracks = tuning.scene == Scene::tracks && trajectories == trajectories_of(*stage_);
+  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(),
+                             std::move(trajectories));
   if (!stage) return stage.error();
+  if (same_tracks) set_track_clock(**stage, track_clock_of(stage_->crowd()));
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   viewer_.reset();
@@ -261,6 +249,9 @@ anim::Status Show::rewind(std::size_t moment) {
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
+  if (stage_->tuning().scene == Scene::tracks) {
+    return anim::Error{"a recorded crowd is not recorded again: its file and the values say all that happens"};
+  }
   const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
   if (stage_->frame() > 0) stage_->restart();

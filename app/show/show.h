@@ -110,12 +110,14 @@ class Show {
 
  private:
   friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
+  friend anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   bool begin_tracks(const DemoOptions& options, StartError& error);
   bool place_camera(const DemoOptions& options, StartError& error);
   anim::Status take(LoadedCast cast);
-  anim::Status exchange(std::vector<CharacterSource> characters);
+  anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
+                        std::shared_ptr<const Trajectories> trajectories);
   bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();
   void freeze_lod_camera();
@@ -137,5 +139,10 @@ class Show {
 /// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
 /// render::Renderer::draw_labels.
 anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
+
+/// Shows a recorded crowd in place of everybody, with the same characters, at a frame boundary. It begins at its first
+/// row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory lacks; then
+/// nothing has changed.
+anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
 
 }  // namespace throng::app

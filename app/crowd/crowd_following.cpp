@@ -60,4 +60,12 @@ void set_track_clock(Crowd& crowd, const TrackClock& clock) {
   crowd.follow_tracks(here, 1);
 }
 
+void take_live_step(Crowd& crowd, const LiveStep& step) {
+  crowd.state_.track_clock = step.clock;
+  for (const std::uint32_t agent : step.changed) {
+    const auto height = static_cast<float>(crowd.cast_.of(agent).height);
+    crowd.looks_.scales[agent] = crowd.followers_->renew(agent, height, step.settled);
+  }
+}
+
 }  // namespace throng::app

@@ -100,9 +100,10 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
 }
 
 std::string tracks_notice(const Trajectories& trajectories) {
-  std::string notice = trajectories.file + ": " + trajectories.format + ", " +
-                       std::to_string(trajectories.persons.size()) + " people, " +
-                       std::to_string(trajectories.row_count) + " rows.";
+  const std::string counts = trajectories.is_live ? "rows as they come."
+                                                  : std::to_string(trajectories.persons.size()) + " people, " +
+                                                        std::to_string(trajectories.row_count) + " rows.";
+  std::string notice = trajectories.file + ": " + trajectories.format + ", " + counts;
   for (const std::string& sentence : trajectories.said) notice += " " + sentence;
   std::size_t odd = 0;
   for (const OddityCount& found : trajectories.report.found) odd += found.count;

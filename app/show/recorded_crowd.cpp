@@ -6,13 +6,37 @@
 #include "app/files/exit_status.h"
 #include "app/show/show.h"
 #include "app/stage/memory_needs.h"
+#include "app/trajectory/file_plan.h"
 
 namespace throng::app {
+
+bool Show::open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error) {
+  GroundPlan plan;
+  const std::string& walls = options.trajectories.reading.walls;
+  if (!walls.empty()) {
+    auto read = read_ground_plan(walls, live->head()->origin);
+    if (!read) return fail(error, exit_job_failed, read.error().message);
+    plan = std::move(*read);
+  }
+  const auto pace = options.context == ContextKind::window ? LiveCrowd::Pace::of_the_rows : LiveCrowd::Pace::of_the_run;
+  live_ = std::make_unique<LiveCrowd>(std::move(live), static_cast<std::size_t>(options.tuning.agents), std::move(plan),
+                                      pace);
+  return true;
+}
+
+void Show::take_live_rows(anim::Ticks step) {
+  take_live_step(*stage_, live_->advance(anim::to_seconds(step)));
+  if (std::exchange(live_news_, live_->news()) != live_news_) update_notice();
+}
+
+bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most) {
+  return show.live_ == nullptr || show.live_->can_go_on(anim::to_seconds(step), most);
+}
 
 // A recorded crowd begins where it was asked to.
 bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
   const Trajectories* const all = trajectories_of(*stage_).get();
-  if (all == nullptr) return true;
+  if (all == nullptr || all->is_live) return true;
   TrackClock clock = track_clock_of(stage_->crowd());
   clock.repeats = options.context == ContextKind::window;
   if (options.trajectories.start) {
@@ -39,6 +63,7 @@ anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories
   if (anim::Status exchanged = show.exchange(std::move(characters), tuning, std::move(trajectories)); !exchanged) {
     return exchanged;
   }
+  show.live_.reset();
   TrackClock clock = track_clock_of(show.stage_->crowd());
   clock.repeats = true;
   set_track_clock(*show.stage_, clock);

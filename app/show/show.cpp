@@ -35,7 +35,7 @@ Tuning with_savings(Tuning tuning, const Spared& spared) {
 
 }  // namespace
 
-std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
+std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error, std::unique_ptr<LiveTracks> live) {
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
@@ -48,6 +48,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   show->painter_ = std::move(*painter);
+  if (live != nullptr && !show->open_live(options, std::move(live), error)) return nullptr;
   if (!show->open_stage(std::move(cast->characters), options, error)) return nullptr;
   if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
@@ -60,12 +61,12 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
   Tuning tuning = with_savings(options.tuning, painter_->spared());
-  std::shared_ptr<const Trajectories> trajectories;
-  if (!options.trajectories.file.empty()) {
+  std::shared_ptr<const Trajectories> trajectories = live_ != nullptr ? live_->trajectories() : nullptr;
+  if (live_ == nullptr && !options.trajectories.file.empty()) {
     trajectories = open_trajectories(options.trajectories, error);
     if (trajectories == nullptr) return false;
-    tuning.agents = static_cast<int>(trajectories->persons.size());
   }
+  if (trajectories != nullptr) tuning.agents = static_cast<int>(trajectories->persons.size());
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
@@ -281,6 +282,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const std::uint64_t completed = painter_->completed_frame(*stage_);
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = RunFigures::Clock::now();
+  if (live_ != nullptr) take_live_rows(step);
   stage_->move(step);
   camera = guide.moved(*stage_, camera, films);
   freeze_lod_camera();
@@ -290,7 +292,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (recorder_.is_recording()) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
-  if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
+  if (keeps_moments_ && !stage_->tuning().paused && live_ == nullptr) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
 }
@@ -309,6 +311,9 @@ void Show::update_notice() {
   add_line(notice, pu_notice(on_this_machine(stage_->tuning().system).pus, stage_->system().options().pus));
   for (const std::string& sentence : left_out_) add_line(notice, sentence);
   if (trajectories_of(*stage_) != nullptr) add_line(notice, tracks_notice(*trajectories_of(*stage_)));
+  if (live_ != nullptr) {
+    for (const std::string& sentence : live_->said()) add_line(notice, sentence);
+  }
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
   add_line(notice, local_store_notice(stage_->system()));

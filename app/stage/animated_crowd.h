@@ -116,6 +116,7 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
+  friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
@@ -151,6 +152,9 @@ class AnimatedCrowd {
 inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {
   set_track_clock(*animated.crowd_, clock);
 }
+
+/// Takes the rows that came of a live crowd. Call it before move().
+inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) { take_live_step(*animated.crowd_, step); }
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);
 

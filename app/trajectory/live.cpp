@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -76,6 +77,8 @@ struct LiveTracks::State {
 
   // Both threads see these.
   mutable std::mutex mutex;
+  std::condition_variable came, was_taken;
+  bool is_to_stop = false;
   std::vector<LiveRow> rows;
   std::vector<std::string> ids;
   std::optional<LiveHead> live_head;
@@ -105,6 +108,7 @@ void LiveTracks::State::run() {
   }
   const std::lock_guard lock(mutex);
   has_ended = true;
+  came.notify_all();
 }
 
 /// Waits for text and reads it. Returns false at the end.
@@ -197,7 +201,8 @@ void LiveTracks::State::begin() {
 /// Gives the rows that were read to whoever takes them.
 void LiveTracks::State::hand_over() {
   if (sink.rows.empty()) return;
-  const std::lock_guard lock(mutex);
+  std::unique_lock lock(mutex);
+  was_taken.wait(lock, [this] { return rows.size() < most_waiting_rows || is_to_stop; });
   if (!live_head) begin();
   for (; told_people < sink.ids.size(); ++told_people)
     ids.push_back(sink.ids.id(static_cast<std::uint32_t>(told_people)));
@@ -218,6 +223,7 @@ void LiveTracks::State::hand_over() {
     last = live.row.seconds;
   }
   sink.rows.clear();
+  came.notify_all();
 }
 
 LiveTracks::LiveTracks(int descriptor, const TrackReading& options, std::string name)
@@ -240,6 +246,11 @@ LiveTracks::LiveTracks(int descriptor, const TrackReading& options, std::string 
 }
 
 LiveTracks::~LiveTracks() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->is_to_stop = true;
+    state_->was_taken.notify_all();
+  }
   if (state_->stop[1] >= 0) close(state_->stop[1]);
   if (state_->thread.joinable()) state_->thread.join();
   if (state_->stop[0] >= 0) close(state_->stop[0]);
@@ -249,7 +260,18 @@ bool LiveTracks::take(std::vector<LiveRow>& rows) {
   const std::lock_guard lock(state_->mutex);
   rows.insert(rows.end(), state_->rows.begin(), state_->rows.end());
   state_->rows.clear();
+  state_->was_taken.notify_all();
   return !state_->has_ended;
+}
+
+void LiveTracks::wait(std::chrono::milliseconds most) const {
+  std::unique_lock lock(state_->mutex);
+  state_->came.wait_for(lock, most, [this] { return !state_->rows.empty() || state_->has_ended; });
+}
+
+bool LiveTracks::has_ended() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->has_ended;
 }
 
 std::optional<LiveHead> LiveTracks::head() const {

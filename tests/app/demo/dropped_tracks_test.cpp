@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class DroppedFiles : public testing::Test {
+class DroppedTrackFiles : public testing::Test {
  protected:
   const TrackFolder folder_;
   const std::string table_ = folder_.file("walk.csv", "id,time,x,y\n1,0,0,0\n1,1,1,0\n");
@@ -27,14 +27,14 @@ class DroppedFiles : public testing::Test {
   }
 };
 
-TEST_F(DroppedFiles, ThatAreModelsAreLeftToOthers) {
+TEST_F(DroppedTrackFiles, ThatAreModelsAreLeftToOthers) {
   const std::vector<std::string> files{model_, std::string(THRONG_SOURCE_DIR) + "/README.md"};
   const auto asked = tracks_to_read(files, table_);
   ASSERT_TRUE(asked);
   EXPECT_FALSE(*asked);
 }
 
-TEST_F(DroppedFiles, AreATableAndTheWallsBesideIt) {
+TEST_F(DroppedTrackFiles, AreATableAndTheWallsBesideIt) {
   const std::vector<std::string> files{walls_, table_};
   const auto asked = tracks_to_read(files, {});
   ASSERT_TRUE(asked && *asked);
@@ -42,7 +42,7 @@ TEST_F(DroppedFiles, AreATableAndTheWallsBesideIt) {
   EXPECT_EQ((*asked)->walls, walls_);
 }
 
-TEST_F(DroppedFiles, AreWallsOfTheCrowdThatIsShown) {
+TEST_F(DroppedTrackFiles, AreWallsOfTheCrowdThatIsShown) {
   const std::vector<std::string> files{walls_};
   const auto asked = tracks_to_read(files, table_);
   ASSERT_TRUE(asked && *asked);
@@ -50,7 +50,7 @@ TEST_F(DroppedFiles, AreWallsOfTheCrowdThatIsShown) {
   EXPECT_THAT(refusal(files), HasSubstr("drop its file together with them"));
 }
 
-TEST_F(DroppedFiles, AreRefusedWhereTheyDoNotGoTogether) {
+TEST_F(DroppedTrackFiles, AreRefusedWhereTheyDoNotGoTogether) {
   EXPECT_THAT(refusal({table_, other_table_}), HasSubstr("run.txt: one recorded crowd is shown at a time"));
   EXPECT_THAT(refusal({table_, walls_, walls_}), HasSubstr("hall.wkt: one file of walls"));
   EXPECT_THAT(refusal({model_, table_}), HasSubstr("mannequin.glb: is no file of trajectories; drop it before"));

@@ -111,6 +111,12 @@ std::string tracks_notice(const Trajectories& trajectories) {
   return notice;
 }
 
+std::string plan_notice(std::size_t lines, std::size_t most) {
+  const std::string why = lines > most ? std::to_string(most) + " are the most" : "they cross each other too often";
+  return "Walls and floors are left out: the place has " + std::to_string(lines) + " lines, and " + why +
+         "; --walls names simpler ones.";
+}
+
 std::string local_store_notice(const anim::AnimationSystem& system) {
   const std::size_t bytes = system.figures().schedule().local_store_bytes;
   if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};

@@ -88,21 +88,6 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
-bool Show::place_camera(const DemoOptions& options, StartError& error) {
-  const auto cameras = cameras_of(*stage_, static_cast<float>(width) / static_cast<float>(height));
-  const NamedCamera* named = find_camera(cameras, options.camera_name);
-  if (named == nullptr) {
-    std::vector<std::string> names;
-    for (const NamedCamera& each : cameras) names.emplace_back(each.name);
-    return fail(error, exit_usage,
-                "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
-  }
-  camera = camera_at(options.camera.value_or(named->place));
-  guide.take_path(options.camera_path, camera);
-  films = options.camera_path != CameraPath::none || (!options.camera && options.camera_name.empty());
-  return true;
-}
-
 bool Show::begin_viewing(const std::string& clip, StartError& error) {
   ViewRequest request;
   const std::vector<std::string>& names = stage_->people().front().clip_names;
@@ -231,7 +216,12 @@ anim::Status Show::view(const ViewRequest& request) {
 
 anim::Status Show::draw() {
   const PaintedView view{camera, frozen_camera_, width, height};
-  if (viewer_ == nullptr) return painter_->draw(*stage_, view, figures_);
+  if (viewer_ == nullptr) {
+    const std::size_t left_out_before = painter_->lines_left_out();
+    anim::Status drawn = painter_->draw(*stage_, view, figures_);
+    if (painter_->lines_left_out() != left_out_before) update_notice();
+    return drawn;
+  }
   const render::Camera round = viewer_->turntable().camera(view.aspect(), covered);
   return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())), stage_->tuning());
 }

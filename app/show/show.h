@@ -124,6 +124,7 @@ class Show {
   bool begin_tracks(const DemoOptions& options, StartError& error);
   void take_live_rows(anim::Ticks step);
   bool place_camera(const DemoOptions& options, StartError& error);
+  bool follow_from_start(const std::string& name, const DemoOptions& options, StartError& error);
   anim::Status take(LoadedCast cast);
   anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                         std::shared_ptr<const Trajectories> trajectories);

@@ -10,6 +10,8 @@ namespace throng::app {
 /// A rectangle on the ground: x and z in metres.
 struct GroundBounds {
   glm::vec2 low{0.0F}, high{0.0F};
+
+  friend bool operator==(const GroundBounds&, const GroundBounds&) = default;
 };
 
 /// Makes bounds hold a place.

@@ -140,7 +140,7 @@ void LiveCrowd::take(const LiveRow& row) {
     ++late_rows_;
     return;
   } else if (free_.empty()) {
-    without_place_ += std::exchange(had_no_place_[row.person], 1) == 0 ? 1 : 0;
+    if (std::exchange(had_no_place_[row.person], 1) == 0) ++without_place_;
     return;
   } else {
     place = free_place(place);

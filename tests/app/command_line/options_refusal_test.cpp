@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
         Refused{"Lod", "--lod on", "--lod on: must be off, distance or budget"},
-        Refused{"CameraPath", "--camera-path fly", "--camera-path fly: must be none, orbit or pan"},
+        Refused{"CameraPath", "--camera-path fly", "--camera-path fly: must be none, orbit, pan, or a file that ends in .csv"},
         Refused{"Palette", "--palette half", "--palette half: must be float or packed"},
         Refused{"BoneLod", "--bone-lod 1", "--bone-lod 1: must be on or off"},
         Refused{"Smooth", "--smooth yes", "--smooth yes: must be on or off"},

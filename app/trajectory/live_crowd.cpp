@@ -193,13 +193,13 @@ std::vector<std::string> LiveCrowd::said() const {
   };
   if (const Status read = tracks_->status(); !read) {
     sentences.push_back(read.error().message + ". The crowd stays as it was until then.");
-  } else if (has_ended()) {
+  } else if (has_ended() && pace_ == Pace::of_the_rows) {
     sentences.emplace_back("-: The input has ended, and the crowd stays as it was at its last row.");
   }
   say(without_place_, "One person found no place", " people found no place",
       " among the " + std::to_string(person_at_.size()) + "; --agents makes more.");
   say(late_rows_, "One row", " rows",
-      " came after the time to show them; send rows in the order of time, or name the file instead of -.");
+      " came too late to be shown; send rows in the order of time, or name the file instead of -.");
   say(tracks_->late_rows(), "One row was", " rows were",
       " left out, for somebody had one of that time or later; send rows in the order of time.");
   say(tracks_->bad_rows(), "One wrong row was", " wrong rows were", " skipped.");

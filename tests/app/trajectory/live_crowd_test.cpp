@@ -84,16 +84,6 @@ TEST_F(LiveCrowds, WaitForTheRowsAheadInARunOfItsOwnPace) {
 }
 
 TEST_F(LiveCrowds, GivePlacesOnToWhoComesNextAndToWhoComesBack) {
-  feed_.send(header + rows("a", 0.0, 1.0) + rows("b", 0.0, 6.0));
-  feed_.send_all(rows("c", 3.0, 3.5) + rows("a", 5.0, 7.0) + rows("d", 6.5, 9.0));
-  LiveCrowd crowd = this->crowd(2, Pace::of_the_run);
-  go_on(crowd, 0.5);
-  EXPECT_THAT(people_of(crowd), ElementsAre("a", "b"));
-  go_on(crowd, 1.5);
-  EXPECT_THAT(people_of(crowd), ElementsAre("b"));
-}
-
-TEST_F(LiveCrowds, TakeTheRowsOfEveryTimeInTheirOrder) {
   std::string text = header;
   for (int i = 0; i < 90; ++i) {
     const double seconds = 0.1 * i;
@@ -116,6 +106,17 @@ TEST_F(LiveCrowds, TakeTheRowsOfEveryTimeInTheirOrder) {
   EXPECT_THAT(said_of(crowd), IsEmpty());
   while (!crowd.has_ended()) go_on(crowd, frame);
   EXPECT_THAT(people_of(crowd), ElementsAre("a", "b"));
+}
+
+TEST_F(LiveCrowds, StandAtAWindowWhenTheInputHasEnded) {
+  feed_.send_all(header + rows("a", 0.0, 1.0));
+  LiveCrowd crowd = this->crowd(2, Pace::of_the_rows);
+  for (int i = 0; i < 600 && !crowd.has_ended(); ++i) {
+    EXPECT_THAT(said_of(crowd), IsEmpty());
+    static_cast<void>(crowd.advance(frame));
+  }
+  EXPECT_NEAR(crowd.seconds(), 0.9, 1e-6);
+  EXPECT_THAT(people_of(crowd), ElementsAre("a"));
   EXPECT_THAT(said_of(crowd), HasSubstr("The input has ended"));
 }
 
@@ -126,7 +127,7 @@ TEST_F(LiveCrowds, SayWhoFoundNoPlaceAndWhichRowsCameLate) {
   LiveCrowd crowd = this->crowd(2, Pace::of_the_run);
   while (!crowd.has_ended()) go_on(crowd, frame);
   EXPECT_THAT(said_of(crowd), HasSubstr("-: One person found no place among the 2; --agents makes more."));
-  EXPECT_THAT(said_of(crowd), HasSubstr("-: One row came after the time to show it"));
+  EXPECT_THAT(said_of(crowd), HasSubstr("-: One row came too late to be shown"));
   EXPECT_THAT(said_of(crowd), HasSubstr("-: One row was left out, for somebody had one of that time or later"));
 }
 

@@ -14,7 +14,7 @@ constexpr int frames_to_say_it = 2;  // one in which it is asked for, one in whi
 
 bool are_walls(const std::string& file) {
   const std::filesystem::path ending = std::filesystem::path(file).extension();
-  return ending == ".wkt" || ending == ".scenario";
+  return ending == ".wkt" || ending == ".scenario" || ending == ".floor";
 }
 
 /// Files that came together, by what they are.

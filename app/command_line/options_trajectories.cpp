@@ -26,10 +26,11 @@ Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
 void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   TrackReading& reading = options.trajectories.reading;
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
-  reader.value("--trajectories", "FILE|-",
-               "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
-               "of standard input as they come, for at most --agents people at once (1000)",
-               any_text(options.trajectories.file));
+  reader.value(
+      "--trajectories", "FILE|-",
+      "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
+      "of standard input as they come, for at most --agents people at once (1000)",
+      any_text(options.trajectories.file));
   reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
                file_name(reading.walls));
   reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",

@@ -54,8 +54,8 @@ class Followers {
   TrackSource source_;
   std::vector<std::uint8_t> characters_;
   std::vector<float> scales_, first_headings_;  // [agent] as they are without what the file says
-  std::vector<SmoothTrack> tracks_;  // [agent]
-  std::vector<TrackSteps> steps_;    // [agent]
+  std::vector<SmoothTrack> tracks_;             // [agent]
+  std::vector<TrackSteps> steps_;               // [agent]
   GroundBounds bounds_;
   double row_seconds_ = 0.0;
 };

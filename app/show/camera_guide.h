@@ -73,8 +73,8 @@ class CameraGuide {
   std::optional<Followed> followed_;
   std::optional<FollowCamera> behind_;
   bool while_selected_ = false;
-  std::string live_name_;           // empty: no crowd was live
-  GroundBounds live_bounds_;        // that live_place_ is for
+  std::string live_name_;     // empty: no crowd was live
+  GroundBounds live_bounds_;  // that live_place_ is for
   render::Camera live_place_;
   anim::Ticks clock_{};
 };

@@ -86,8 +86,8 @@ render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& cam
   const glm::vec3 offset = camera.position - from.place;
   const float sine = std::sin(turn), cosine = std::cos(turn);
   render::Camera next = camera;
-  next.position = pose_->place + glm::vec3(offset.x * cosine + offset.z * sine, offset.y,
-                                           offset.z * cosine - offset.x * sine);
+  next.position =
+      pose_->place + glm::vec3(offset.x * cosine + offset.z * sine, offset.y, offset.z * cosine - offset.x * sine);
   next.yaw += turn;
   return next;
 }

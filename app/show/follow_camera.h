@@ -20,8 +20,8 @@ class FollowCamera {
   /// Follows whoever has this id in a live crowd, in whichever place.
   explicit FollowCamera(std::string id) : id_(std::move(id)) {}
 
-  /// Returns the camera of the moment on the stage. `camera` is that of the frame before; the first time, its lens alone
-  /// is taken. Call it once a frame.
+  /// Returns the camera of the moment on the stage. `camera` is that of the frame before; the first time, its lens
+  /// alone is taken. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera);
   /// Returns who is followed; nothing while nobody of a live crowd has the id.
   const std::optional<std::uint32_t>& agent() const { return agent_; }
@@ -42,8 +42,8 @@ class FollowCamera {
   anim::Ticks clock_{};
 };
 
-/// Returns a camera that follows whom a person names: the id that a recorded crowd has, or #N, the agent N of any crowd.
-/// Errors: nobody is called so.
+/// Returns a camera that follows whom a person names: the id that a recorded crowd has, or #N, the agent N of any
+/// crowd. Errors: nobody is called so.
 anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name);
 
 }  // namespace throng::app

@@ -162,8 +162,8 @@ anim::Result<double> Show::set_placement(std::size_t character, const anim::Plac
 anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                             std::shared_ptr<const Trajectories> trajectories) {
   const bool same_tracks = tuning.scene == Scene::tracks && trajectories == trajectories_of(*stage_);
-  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(),
-                             std::move(trajectories));
+  auto stage =
+      Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(), std::move(trajectories));
   if (!stage) return stage.error();
   if (same_tracks) set_track_clock(**stage, track_clock_of(stage_->crowd()));
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();

@@ -134,7 +134,7 @@ class Show {
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
   std::unique_ptr<Painter> painter_;
-  std::unique_ptr<Stage> stage_;    // goes before the painter, as it uses the painter's pages
+  std::unique_ptr<Stage> stage_;     // goes before the painter, as it uses the painter's pages
   std::unique_ptr<LiveCrowd> live_;  // null: no rows come
   std::size_t live_news_ = 0;
   std::unique_ptr<Viewer> viewer_;  // null: the crowd is shown; goes before the stage, as it uses the stage's slots

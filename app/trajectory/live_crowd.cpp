@@ -11,10 +11,10 @@ namespace {
 constexpr double least_delay = 0.5, most_delay = 10.0;  // seconds
 constexpr double rows_of_delay = 2.05;                  // a curve between two rows goes by the one after them
 constexpr double most_rate = 3.0;
-constexpr double input_rate_window = 2.0;               // seconds
-constexpr double steady_input = 1.5;                    // what comes faster is no camera, and is not hurried after
-constexpr double row_seconds_share = 1.0 / 16.0;        // of a new row in the mean
-constexpr std::size_t least_rows = 4;                   // of somebody, that are kept before the clock
+constexpr double input_rate_window = 2.0;         // seconds
+constexpr double steady_input = 1.5;              // what comes faster is no camera, and is not hurried after
+constexpr double row_seconds_share = 1.0 / 16.0;  // of a new row in the mean
+constexpr std::size_t least_rows = 4;             // of somebody, that are kept before the clock
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return count == 1 ? one : std::to_string(count) + many;

@@ -18,18 +18,18 @@ namespace throng::app {
 
 /// Says what a frame changes of a live crowd.
 struct LiveStep {
-  TrackClock clock;                           ///< before the frame, which moves it by the seconds that it takes
-  double settled = 0.0;                       ///< what was shown of times up to this stays
-  std::span<const std::uint32_t> changed{};   ///< places that have other rows than before, until the next step
+  TrackClock clock;                          ///< before the frame, which moves it by the seconds that it takes
+  double settled = 0.0;                      ///< what was shown of times up to this stays
+  std::span<const std::uint32_t> changed{};  ///< places that have other rows than before, until the next step
 };
 
-/// Returns seconds of the rows' clock that pass in a second, for a clock that lags `behind` seconds more than it has to,
-/// below 0 if less. Rows come every `row_seconds`, `delay` seconds before they are shown.
+/// Returns seconds of the rows' clock that pass in a second, for a clock that lags `behind` seconds more than it has
+/// to, below 0 if less. Rows come every `row_seconds`, `delay` seconds before they are shown.
 double live_rate(double behind, double row_seconds, double delay, bool catches_up);
 
-/// A crowd whose rows still come. It has a fixed number of places. Somebody new takes a free one, and leaves it once the
-/// clock is past the last row. The clock runs behind the newest row by two rows, at least half a second, so that ways
-/// and steps are those of a file: what comes next is known. Rows of the last seconds are kept.
+/// A crowd whose rows still come. It has a fixed number of places. Somebody new takes a free one, and leaves it once
+/// the clock is past the last row. The clock runs behind the newest row by two rows, at least half a second, so that
+/// ways and steps are those of a file: what comes next is known. Rows of the last seconds are kept.
 class LiveCrowd {
  public:
   /// Says what the clock goes by. A run without a window waits for its rows and goes on at its own rate. A window shows

@@ -44,7 +44,8 @@ class SmoothTrack {
   glm::vec2 slope(std::size_t row) const;
 
   std::span<const TrackRow> rows_;
-  double first_ = std::numeric_limits<double>::infinity(), last_ = -first_;  // of the rows, which lie far apart in memory
+  double first_ = std::numeric_limits<double>::infinity(),
+         last_ = -first_;  // of the rows, which lie far apart in memory
 };
 
 /// Returns an angle, in radians, from -pi to pi.

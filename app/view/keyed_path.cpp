@@ -53,7 +53,8 @@ Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
     const std::size_t comma = line.find(',');
     const auto seconds = finite_number_in(line.substr(0, comma));
     const auto place = comma == std::string::npos ? std::nullopt : camera_place_in(line.substr(comma + 1));
-    if (!seconds || !place) return fault(file, number, "it is no key; write seconds and then a place as --camera has it");
+    if (!seconds || !place)
+      return fault(file, number, "it is no key; write seconds and then a place as --camera has it");
     if (!keys.empty() && *seconds <= keys.back().seconds) {
       return fault(file, number, "its time is not after that of the key before; sort the keys by time");
     }

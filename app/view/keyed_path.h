@@ -15,8 +15,8 @@ struct CameraKey {
   CameraPlace place;
 };
 
-/// Reads a camera path: a table with the header `time,x,y,z,yaw,pitch` or `time,x,y,z,yaw,pitch,fov`, and a row a key, in
-/// ascending time. Numbers are seconds, and else those of --camera. From a key to the next the camera turns by the
+/// Reads a camera path: a table with the header `time,x,y,z,yaw,pitch` or `time,x,y,z,yaw,pitch,fov`, and a row a key,
+/// in ascending time. Numbers are seconds, and else those of --camera. From a key to the next the camera turns by the
 /// shorter way. Errors begin with the file's name, and name the line.
 Result<std::vector<CameraKey>> read_camera_keys(const std::string& file);
 

@@ -15,7 +15,9 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
   const Followers& followers = *followers_of(crowd);
   TrackClock clock = track_clock_of(crowd);
   advance(clock, anim::to_seconds(ahead));
-  const FollowedMoment moment{.step = followers.step(agent, clock.seconds),
+  TrackStep step = followers.step(agent, clock.seconds);
+  step.velocity *= 1.0F - clock.stands;
+  const FollowedMoment moment{.step = step,
                               .seconds = clock.seconds,
                               .rate = clock.rate,
                               .ahead = ahead,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double least_delay = 0.5, most_delay = 10.0;  // seconds
 constexpr double rows_of_delay = 2.05;                  // a curve between two rows goes by the one after them
-constexpr double most_rate = 3.0;
+constexpr double most_rate = 3.0, least_rate = 0.05;
 constexpr double input_rate_window = 2.0;         // seconds
 constexpr double steady_input = 1.5;              // what comes faster is no camera, and is not hurried after
 constexpr double row_seconds_share = 1.0 / 16.0;  // of a new row in the mean
@@ -102,15 +102,24 @@ LiveStep LiveCrowd::advance(double seconds) {
   all_->last_seconds = newest_;
   all_->first_seconds = std::max(all_->first_seconds, before - kept_seconds);
   if (row_seconds_ > 0.0) all_->rows_a_second = 1.0 / row_seconds_;
+  let_stand(seconds, next > before + least_rate * seconds);
   seconds_ = next;
   const double settled = has_begun_ ? before : -std::numeric_limits<double>::infinity();
   has_begun_ = has_begun_ || next > before;
   return {.clock = {.seconds = before,
                     .first = all_->first_seconds,
                     .last = newest_,
-                    .rate = seconds > 0.0 ? (next - before) / seconds : 1.0},
+                    .rate = seconds > 0.0 ? (next - before) / seconds : 1.0,
+                    .stands = stands_},
           .settled = settled,
           .changed = changed_};
+}
+
+void LiveCrowd::let_stand(double seconds, bool goes_on) {
+  constexpr double to_stand = 0.7, to_go_on = 0.3;  // seconds
+  if (pace_ == Pace::of_the_run) return;
+  const double share = goes_on ? -seconds / to_go_on : seconds / to_stand;
+  stands_ = std::clamp(stands_ + static_cast<float>(share), 0.0F, 1.0F);
 }
 
 void LiveCrowd::free_places() {

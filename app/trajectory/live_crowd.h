@@ -47,6 +47,8 @@ class LiveCrowd {
 
   /// Returns whether the rows are there that a frame of so many seconds shows. Waits for more at most `most`.
   bool can_go_on(double seconds, std::chrono::milliseconds most);
+  /// Waits for more rows, at most so long.
+  void wait(std::chrono::milliseconds most) const { tracks_->wait(most); }
   /// Takes the rows that came, and moves the clock on by a frame. Allocates only what new rows need.
   LiveStep advance(double seconds);
 
@@ -66,6 +68,7 @@ class LiveCrowd {
   void fetch();
   double delay() const;
   double rate(double seconds);
+  void let_stand(double seconds, bool goes_on);
   void free_places();
   void hand_out(double until);
   void take(const LiveRow& row);
@@ -83,6 +86,7 @@ class LiveCrowd {
   bool has_read_all_ = false, has_begun_ = false;
   double seconds_ = 0.0, newest_ = 0.0, newest_before_ = 0.0;
   double row_seconds_ = 0.0;                // between two rows of somebody; 0: not known yet
+  float stands_ = 0.0F;
   double input_rate_ = 1.0;                 // seconds of rows that came in a second, lately
   std::vector<double> last_seconds_;        // [person] of the newest row that came, until row_seconds_ is known
   std::vector<std::uint32_t> place_of_;     // [person] also of those who are gone

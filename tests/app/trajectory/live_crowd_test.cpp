@@ -166,6 +166,21 @@ TEST_F(LiveCrowds, RunHalfASecondBehindRowsThatComeInTime) {
   EXPECT_LT(most, 1.2);
 }
 
+TEST_F(LiveCrowds, StandWhereRowsFailToComeAndGoOnWithThem) {
+  feed_.send(header + rows("a", 0.0, 2.0));
+  LiveCrowd crowd = this->crowd(1, Pace::of_the_rows);
+  TrackClock clock;
+  for (int i = 0; i < 60; ++i) clock = crowd.advance(frame).clock;
+  EXPECT_EQ(clock.stands, 0.0F);
+  for (int i = 0; i < 240; ++i) clock = crowd.advance(frame).clock;
+  EXPECT_EQ(clock.stands, 1.0F);
+  EXPECT_LT(crowd.seconds(), 1.9);
+  feed_.send(rows("a", 2.0, 3.0));
+  crowd.wait(soon);
+  for (int i = 0; i < 30; ++i) clock = crowd.advance(frame).clock;
+  EXPECT_EQ(clock.stands, 0.0F);
+}
+
 TEST(LiveRate, IsOneWhereRowsComeInTimeAndElseChangesSmoothly) {
   EXPECT_EQ(live_rate(0.0, 0.04, 0.5, true), 1.0);
   EXPECT_EQ(live_rate(0.03, 0.04, 0.5, true), 1.0);

@@ -16,7 +16,7 @@ constexpr double steady_input = 1.5;              // what comes faster is no cam
 constexpr double row_seconds_share = 1.0 / 16.0;  // of a new row in the mean
 constexpr std::size_t least_rows = 4;             // of somebody, that are kept before the clock
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+std::string one_or_many(std::size_t count, const std::string& one, const std::string& many) {
   return count == 1 ? one : std::to_string(count) + many;
 }
 
@@ -198,7 +198,7 @@ void LiveCrowd::mark(std::uint32_t place) {
 std::vector<std::string> LiveCrowd::said() const {
   std::vector<std::string> sentences;
   const auto say = [&](std::size_t count, const std::string& one, const std::string& many, const std::string& rest) {
-    if (count > 0) sentences.push_back("-: " + counted(count, one, many) + rest);
+    if (count > 0) sentences.push_back("-: " + one_or_many(count, one, many) + rest);
   };
   if (const Status read = tracks_->status(); !read) {
     sentences.push_back(read.error().message + ". The crowd stays as it was until then.");

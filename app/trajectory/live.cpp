@@ -57,6 +57,12 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   return scale;
 }
 
+/// Steps of Vadere end where the next one begins, so that every moment is there twice.
+bool is_same_moment(const TrackRow& a, const TrackRow& b) {
+  constexpr float same_place = 1e-3F;  // metres
+  return a.seconds == b.seconds && std::hypot(a.x - b.x, a.z - b.z) < same_place;
+}
+
 }  // namespace
 
 struct LiveTracks::State {
@@ -72,7 +78,7 @@ struct LiveTracks::State {
   RowScale scale;
   std::unique_ptr<LineParser> lines;
   std::unique_ptr<FcdParser> xml;
-  std::vector<double> last_times;  // of people
+  std::vector<TrackRow> last_rows;  // of people
   std::size_t told_people = 0;
   std::thread thread;
 
@@ -207,7 +213,7 @@ void LiveTracks::State::hand_over() {
   if (!live_head) begin();
   for (; told_people < sink.ids.size(); ++told_people)
     ids.push_back(sink.ids.id(static_cast<std::uint32_t>(told_people)));
-  last_times.resize(ids.size(), -std::numeric_limits<double>::infinity());
+  last_rows.resize(ids.size(), TrackRow{.seconds = -std::numeric_limits<double>::infinity()});
   for (RawRow& raw : sink.rows) {
     if (options.up == TrackUp::y) swap_up(raw);
     LiveRow& live = rows.emplace_back();
@@ -215,13 +221,13 @@ void LiveTracks::State::hand_over() {
     live.row = track_row(raw, scale, live_head->origin);
     if (scale.angle != AngleMeaning::heading) live.row.heading = heading_of_angle(raw.angle, scale.angle);
     if (scale.z_is_head) live.stature = std::exchange(live.row.y, 0.0F);
-    double& last = last_times[raw.person];
-    if (live.row.seconds <= last || (options.start_seconds && live.row.seconds < *options.start_seconds)) {
-      ++late;
+    TrackRow& last = last_rows[raw.person];
+    if (live.row.seconds > last.seconds) {
+      last = live.row;
+    } else {
+      late += is_same_moment(live.row, last) ? 0U : 1U;
       rows.pop_back();
-      continue;
     }
-    last = live.row.seconds;
   }
   sink.rows.clear();
   came.notify_all();

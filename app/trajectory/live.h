@@ -56,7 +56,7 @@ class LiveTracks {
   /// Returns what is wrong with the text, which ends it; the sentence begins with its name.
   Status status() const;
   std::size_t bad_rows() const;   ///< skipped, because options.lenient is set
-  std::size_t late_rows() const;  ///< left out, because somebody had a row at that time or later
+  std::size_t late_rows() const;  ///< left out, because somebody had another row at that time or later
 
  private:
   struct State;

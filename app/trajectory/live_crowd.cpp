@@ -195,19 +195,27 @@ void LiveCrowd::mark(std::uint32_t place) {
   if (std::exchange(is_changed_[place], 1) == 0) changed_.push_back(place);
 }
 
+Status LiveCrowd::status() const {
+  if (Status read = tracks_->status(); !read) return read;
+  if (!has_ended() || late_rows_ <= all_->row_count) return Done{};
+  return Error{"-: " + std::to_string(late_rows_) + " of " + std::to_string(late_rows_ + all_->row_count) +
+               " rows came too late to be shown; send rows in the order of time, or name the file instead of -"};
+}
+
 std::vector<std::string> LiveCrowd::said() const {
   std::vector<std::string> sentences;
   const auto say = [&](std::size_t count, const std::string& one, const std::string& many, const std::string& rest) {
     if (count > 0) sentences.push_back("-: " + one_or_many(count, one, many) + rest);
   };
-  if (const Status read = tracks_->status(); !read) {
+  const Status read = status();
+  if (!read) {
     sentences.push_back(read.error().message + ". The crowd stays as it was until then.");
   } else if (has_ended() && pace_ == Pace::of_the_rows) {
     sentences.emplace_back("-: The input has ended, and the crowd stays as it was at its last row.");
   }
   say(without_place_, "One person found no place", " people found no place",
       " among the " + std::to_string(person_at_.size()) + "; --agents makes more.");
-  say(late_rows_, "One row", " rows",
+  say(read ? late_rows_ : 0, "One row", " rows",
       " came too late to be shown; send rows in the order of time, or name the file instead of -.");
   say(tracks_->late_rows(), "One row was", " rows were",
       " left out, for somebody had one of that time or later; send rows in the order of time.");

@@ -55,8 +55,8 @@ class LiveCrowd {
   double seconds() const { return seconds_; }  ///< of the rows' clock
   /// Returns whether the input has ended and its last row is shown.
   bool has_ended() const { return has_read_all_ && next_ == waiting_.size() && seconds_ >= newest_; }
-  /// Returns what is wrong with the input, which ended it.
-  Status status() const { return tracks_->status(); }
+  /// Returns what is wrong with the input: what ended it, or that most of its rows came too late to be shown.
+  Status status() const;
   /// Returns what people would not expect, in sentences.
   std::vector<std::string> said() const;
   /// Returns a number that is another one whenever said() is.

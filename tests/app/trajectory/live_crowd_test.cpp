@@ -131,6 +131,14 @@ TEST_F(LiveCrowds, SayWhoFoundNoPlaceAndWhichRowsCameLate) {
   EXPECT_THAT(said_of(crowd), HasSubstr("-: One row was left out, for somebody had one of that time or later"));
 }
 
+TEST_F(LiveCrowds, RefuseRowsThatComePersonByPerson) {
+  feed_.send_all(header + rows("a", 0.0, 5.0) + rows("b", 0.0, 5.0) + rows("c", 0.0, 5.0));
+  LiveCrowd crowd = this->crowd(3, Pace::of_the_run);
+  while (!crowd.has_ended()) go_on(crowd, frame);
+  ASSERT_FALSE(crowd.status());
+  EXPECT_THAT(crowd.status().error().message, HasSubstr("rows came too late to be shown; send rows in the order"));
+}
+
 TEST_F(LiveCrowds, StayAsTheyAreWhereTheTextIsWrong) {
   feed_.send(header + rows("a", 0.0, 2.0) + "a,2,far,0\n");
   LiveCrowd crowd = this->crowd(2, Pace::of_the_run);

@@ -51,10 +51,10 @@ std::optional<FollowCamera::Pose> FollowCamera::pose_of(const Stage& stage, std:
   return Pose{followers->position(agent, seconds), followers->step(agent, seconds).heading};
 }
 
-render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose, const render::Camera& lens) const {
+render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose) const {
   const float tall = stage.animated().body_of(*agent_).height;
   const glm::vec3 ahead(std::sin(pose.heading), 0.0F, std::cos(pose.heading));
-  render::Camera camera = lens;
+  render::Camera camera;
   camera.position = pose.place - distance * tall * ahead + glm::vec3(0.0F, height * tall, 0.0F);
   camera.yaw = pose.heading + std::numbers::pi_v<float>;
   camera.pitch = -std::atan2(height - looked_at, distance);
@@ -75,7 +75,7 @@ render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& cam
   if (!wanted) return camera;
   if (!pose_) {
     pose_ = wanted;
-    return behind(stage, *pose_, camera);
+    return behind(stage, *pose_);
   }
   const Pose from = *pose_;
   const double seconds = std::max(anim::to_seconds(now - before), least_step);

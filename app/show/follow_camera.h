@@ -20,8 +20,8 @@ class FollowCamera {
   /// Follows whoever has this id in a live crowd, in whichever place.
   explicit FollowCamera(std::string id) : id_(std::move(id)) {}
 
-  /// Returns the camera of the moment on the stage. `camera` is that of the frame before; the first time, its lens
-  /// alone is taken. Call it once a frame.
+  /// Returns the camera of the moment on the stage. `camera` is that of the frame before, or one that waits for
+  /// somebody to come. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera);
   /// Returns who is followed; nothing while nobody of a live crowd has the id.
   const std::optional<std::uint32_t>& agent() const { return agent_; }
@@ -33,7 +33,7 @@ class FollowCamera {
     float heading = 0.0F;
   };
   static std::optional<Pose> pose_of(const Stage& stage, std::uint32_t agent);
-  render::Camera behind(const Stage& stage, const Pose& pose, const render::Camera& lens) const;
+  render::Camera behind(const Stage& stage, const Pose& pose) const;
   void find_by_id(const Stage& stage);
 
   std::optional<std::uint32_t> agent_;

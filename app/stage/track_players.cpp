@@ -17,11 +17,8 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
   advance(clock, anim::to_seconds(ahead));
   TrackStep step = followers.step(agent, clock.seconds);
   step.velocity *= 1.0F - clock.stands;
-  const FollowedMoment moment{.step = step,
-                              .seconds = clock.seconds,
-                              .rate = clock.rate,
-                              .ahead = ahead,
-                              .person = agent};
+  const FollowedMoment moment{
+      .step = step, .seconds = clock.seconds, .rate = clock.rate, .ahead = ahead, .person = agent};
   return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 

@@ -85,7 +85,7 @@ class LiveCrowd {
   std::size_t next_ = 0;
   bool has_read_all_ = false, has_begun_ = false;
   double seconds_ = 0.0, newest_ = 0.0, newest_before_ = 0.0;
-  double row_seconds_ = 0.0;                // between two rows of somebody; 0: not known yet
+  double row_seconds_ = 0.0;  // between two rows of somebody; 0: not known yet
   float stands_ = 0.0F;
   double input_rate_ = 1.0;                 // seconds of rows that came in a second, lately
   std::vector<double> last_seconds_;        // [person] of the newest row that came, until row_seconds_ is known

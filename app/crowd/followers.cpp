@@ -37,13 +37,16 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
   }
 }
 
+void Followers::begin_renewing(std::span<const std::uint32_t> agents) {
+  row_seconds_ = row_seconds_of(*source_.trajectories);
+  for (const std::uint32_t agent : agents) add_to(bounds_, source_.trajectories->persons[agent].rows.back());
+}
+
 float Followers::renew(std::size_t agent, float height, double settled) {
   const PersonTrack& person = source_.trajectories->persons[agent];
-  row_seconds_ = row_seconds_of(*source_.trajectories);
   const float scale = person.stature > 0.0F ? person.stature / height : scales_[agent];
   tracks_[agent] = SmoothTrack(person.rows);
   steps_[agent].extend(tracks_[agent], plane(agent), scale, first_headings_[agent], settled);
-  add_to(bounds_, person.rows.back());
   return scale;
 }
 

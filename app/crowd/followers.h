@@ -46,8 +46,11 @@ class Followers {
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
 
+  /// Takes what is common to people whose rows come. Call it before renew() for each of them.
+  void begin_renewing(std::span<const std::uint32_t> agents);
   /// Takes the rows of a person as they are now: more than before, or those of somebody else. What was told of times up
-  /// to `settled` stays. `height` is that of the character. Returns the person's scale.
+  /// to `settled` stays. `height` is that of the character. Returns the person's scale. Several
+  /// threads may do it for different people.
   float renew(std::size_t agent, float height, double settled);
 
  private:

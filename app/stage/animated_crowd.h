@@ -154,7 +154,9 @@ inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {
 }
 
 /// Takes the rows that came of a live crowd. Call it before move().
-inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) { take_live_step(*animated.crowd_, step); }
+inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) {
+  take_live_step(*animated.crowd_, step, animated.system_->executor(), animated.system_->options().pus);
+}
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);
 

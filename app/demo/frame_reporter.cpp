@@ -229,8 +229,9 @@ void FrameReporter::add_error(const Stage& stage) {
 }
 
 void FrameReporter::add_tracks(const Stage& stage) {
-  if (followers_of(stage.crowd()) == nullptr) return report_.tracks.reset();
   const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
+  // Nobody can go to another time of rows that still come.
+  if (followers_of(stage.crowd()) == nullptr || all->is_live) return report_.tracks.reset();
   const bool is_counted = report_.tracks && tracks_ == all && counted_rows_ == all->row_count;
   report_.tracks = {.clock = track_clock_of(stage.crowd()),
                     .people = is_counted ? report_.tracks->people : std::make_shared<const PeopleOverTime>(*all)};

@@ -47,6 +47,8 @@ class Painter {
   const Spared& spared() const { return spared_; }
   /// Says what is left out; empty where that is nothing.
   std::string notice() const;
+  /// Does what Scenery::lines_left_out does; known once a frame was drawn.
+  std::size_t lines_left_out() const { return scenery_.lines_left_out(); }
   render::Renderer& renderer() { return *renderer_; }
   render::gl::Context& context() { return *context_; }
 

@@ -107,6 +107,7 @@ class Stage {
  private:
   friend const StageTimes& times_of(const Stage& stage);
   friend void set_track_clock(Stage& stage, const TrackClock& clock);
+  friend void take_live_step(Stage& stage, const LiveStep& step);
   friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
   friend anim::Status keep_joints(Stage& stage);
@@ -149,6 +150,9 @@ inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
 /// Takes a recorded crowd to another time, at a frame boundary. Everybody is posed for it at once.
 void set_track_clock(Stage& stage, const TrackClock& clock);
+
+/// Takes the rows that came of a live crowd, which are those of its trajectories. Call it before move().
+void take_live_step(Stage& stage, const LiveStep& step);
 
 /// Returns the recorded crowd of the scene `tracks`; null where there is none.
 inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage) { return stage.trajectories_; }

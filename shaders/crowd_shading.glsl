@@ -11,7 +11,6 @@ vec3 facing_normal() { return normalize(gl_FrontFacing ? world_normal : -world_n
 vec3 seen(vec3 light) {
   vec3 from_eye = world_position - camera_position.xyz;
   float metres = length(from_eye);
-  float facing = sun_share(facing_normal());
-  vec3 color = mix(light, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a);
+  vec3 color = below(debug_color, sun_share(facing_normal()), light);
   return exposed(through_haze(color, from_eye / metres, metres / distance_scale));
 }

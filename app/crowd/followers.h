@@ -31,6 +31,7 @@ class Followers {
 
   std::size_t count() const { return steps_.size(); }
   const Trajectories& trajectories() const { return *source_.trajectories; }
+  const std::shared_ptr<const Trajectories>& file() const { return source_.trajectories; }
   /// Returns what holds everybody at every time.
   const GroundBounds& bounds() const { return bounds_; }
   const StridePlane& plane(std::size_t agent) const { return plane_of_character(characters_[agent]); }
@@ -44,6 +45,7 @@ class Followers {
     return seconds >= way.first() && seconds <= last;
   }
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
+  const SmoothTrack& way(std::size_t agent) const { return tracks_[agent]; }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -13,10 +14,11 @@ namespace throng::app {
 class ConvexPolygon {
  public:
   explicit ConvexPolygon(std::span<const glm::vec2> corners) {
-    for (const glm::vec2& corner : corners.first(corners.size() < most_corners ? corners.size() : most_corners)) {
-      corners_[count_++] = corner;
-    }
+    count_ = corners.size() < most_corners ? corners.size() : most_corners;
+    std::copy_n(corners.begin(), count_, corners_.begin());
   }
+  ConvexPolygon(const ConvexPolygon& other) : ConvexPolygon(other.corners()) {}
+  ConvexPolygon& operator=(const ConvexPolygon&) = delete;
 
   std::span<const glm::vec2> corners() const { return std::span(corners_).first(count_); }
   bool is_empty() const { return count_ < 3; }
@@ -30,8 +32,9 @@ class ConvexPolygon {
       is_cut |= beyond[i] > 0.0F;
     }
     if (!is_cut || count_ == most_corners) return;
-    const std::array<glm::vec2, most_corners> before = corners_;
+    std::array<glm::vec2, most_corners> before;
     const std::size_t count = count_;
+    std::copy_n(corners_.begin(), count, before.begin());
     count_ = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = i + 1 < count ? i + 1 : 0;

@@ -45,19 +45,25 @@ DoubleRing floor_around(const GroundPlan& plan) {
 
 double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Returns how far a place lies outside of a piece; 0: it lies within.
+bool holds(std::span<const glm::dvec2> corners, const glm::dvec2& place) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec2 &from = corners[i], &to = corners[i + 1 < corners.size() ? i + 1 : 0];
+    if (turn(to - from, place - from) < 0.0) return false;
+  }
+  return true;
+}
+
+/// Returns how far a place lies from the edge of a piece.
 double distance_to(std::span<const glm::dvec2> corners, const glm::dvec2& place) {
   double least = std::numeric_limits<double>::max();
-  bool is_within = true;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec2 &from = corners[i], way = corners[(i + 1) % corners.size()] - from;
     const double length_squared = glm::dot(way, way);
-    is_within &= turn(way, place - from) >= 0.0;
     const double share =
         length_squared > 0.0 ? std::clamp(glm::dot(place - from, way) / length_squared, 0.0, 1.0) : 0.0;
     least = std::min(least, glm::distance(place, from + share * way));
   }
-  return is_within ? 0.0 : least;
+  return least;
 }
 
 /// Returns the length of a line within a cell.
@@ -181,6 +187,11 @@ void WalkableArea::sort_into_squares() {
   visit([&](std::size_t place, std::uint32_t piece) { in_squares_[--first_in_square_[place]] = piece; });
 }
 
+std::span<const std::uint32_t> WalkableArea::pieces_in(std::size_t square_number) const {
+  const std::uint32_t first = first_in_square_[square_number];
+  return std::span(in_squares_).subspan(first, first_in_square_[square_number + 1] - first);
+}
+
 std::size_t WalkableArea::column(double x) const {
   return static_cast<std::size_t>(
       std::clamp((x - lowest_.x) * squares_a_metre_, 0.0, static_cast<double>(columns_ - 1)));
@@ -238,22 +249,21 @@ class WalkableArea::Walk {
 };
 
 std::uint32_t WalkableArea::piece_of(glm::dvec2 person, const ConvexPolygon& cell) const {
+  for (const std::uint32_t piece : pieces_in(row(person.y) * columns_ + column(person.x))) {
+    if (holds(pieces_[piece].corners, person)) return piece;
+  }
   const double reach = std::sqrt(static_cast<double>(cell.reach_squared()));
   std::uint32_t nearest = no_piece;
   double least = reach;
-  const auto look_into = [&](std::size_t place) {
-    for (std::uint32_t i = first_in_square_[place]; i < first_in_square_[place + 1]; ++i) {
-      const double distance = distance_to(pieces_[in_squares_[i]].corners, person);
-      if (distance >= least) continue;
-      if (distance > 0.0 && Walk(*this, person, cell).part_in(pieces_[in_squares_[i]]) <= 0.0F) continue;
-      nearest = in_squares_[i];
-      least = distance;
-    }
-  };
-  look_into(row(person.y) * columns_ + column(person.x));
-  if (nearest != no_piece && least <= 0.0) return nearest;
   for (std::size_t z = row(person.y - reach); z <= row(person.y + reach); ++z) {
-    for (std::size_t x = column(person.x - reach); x <= column(person.x + reach); ++x) look_into(z * columns_ + x);
+    for (std::size_t x = column(person.x - reach); x <= column(person.x + reach); ++x) {
+      for (const std::uint32_t piece : pieces_in(z * columns_ + x)) {
+        const double distance = distance_to(pieces_[piece].corners, person);
+        if (distance >= least || Walk(*this, person, cell).part_in(pieces_[piece]) <= 0.0F) continue;
+        nearest = piece;
+        least = distance;
+      }
+    }
   }
   return nearest;
 }

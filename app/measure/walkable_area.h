@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -42,6 +43,7 @@ class WalkableArea {
   void take_pieces(const GroundPlan& plan);
   void join_pieces();
   void sort_into_squares();
+  std::span<const std::uint32_t> pieces_in(std::size_t square) const;
   std::size_t column(double x) const;
   std::size_t row(double z) const;
   std::uint32_t piece_of(glm::dvec2 person, const ConvexPolygon& cell) const;

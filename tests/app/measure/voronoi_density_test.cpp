@@ -135,7 +135,7 @@ TEST(VoronoiDensity, OfWhoLeansOverTheEdgeIsThatOfTheFloorBesideThem) {
 /// and to be reached from the person through such squares.
 double sampled_area(const Places& places, std::size_t person, const std::vector<GroundRing>& solid,
                     const GroundRing& floor) {
-  constexpr int half = 100;
+  constexpr int half = 200;
   constexpr float side = 1.0F / half;
   const auto is_in = [](const GroundRing& ring, const glm::vec2& at) {
     bool within = false;

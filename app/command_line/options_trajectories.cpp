@@ -26,7 +26,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   reader.value("--trajectories", "FILE",
                "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV",
                file_name(options.trajectories.file));
-  reader.value("--walls", "FILE", "Walls and floors there, as WKT or a Vadere scenario (what the file has)",
+  reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
                file_name(reading.walls));
   reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
                real_number(reading.fps, 0.001, most_rows_a_second));

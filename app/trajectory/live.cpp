@@ -21,6 +21,7 @@
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/told_apart.h"
 #include "app/trajectory/tracks.h"
+#include "app/trajectory/xml_text.h"
 
 namespace throng::app {
 namespace {

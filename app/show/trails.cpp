@@ -17,8 +17,9 @@ constexpr double step_seconds = 0.2;      // between places that are kept
 constexpr float above_ground = 0.02F;     // metres
 constexpr float fastest_person = 12.0F;   // metres a second; who is faster was lost and found again
 constexpr float most_off_px = 0.5F;       // of a line from the way that it stands for
-constexpr float pieces_of_fading = 8.0F;  // of a trail, at least
-constexpr float nearest_camera = 2.0F;    // metres
+constexpr float pieces_of_fading = 8.0F;  // of a trail, at least, where each is a few pixels long
+constexpr float least_piece_px = 8.0F;
+constexpr float nearest_camera = 2.0F;  // metres
 constexpr std::uint32_t plain_color = 0x00E8F0F2, no_alpha = 0x00FFFFFF;
 
 std::uint32_t faded(std::uint32_t color, float age, float seconds) {
@@ -26,14 +27,36 @@ std::uint32_t faded(std::uint32_t color, float age, float seconds) {
   return (color & no_alpha) | static_cast<std::uint32_t>(255.0F * std::sqrt(left)) << 24U;
 }
 
-/// Returns the square of the distance of a place from a line.
-float squared_distance(const glm::vec3& place, const glm::vec3& from, const glm::vec3& to) {
-  const glm::vec3 way = to - from, there = place - from;
-  const float length_squared = glm::dot(way, way);
-  const float share = length_squared > 0.0F ? std::clamp(glm::dot(there, way) / length_squared, 0.0F, 1.0F) : 0.0F;
-  const glm::vec3 off = there - share * way;
-  return glm::dot(off, off);
-}
+float turn(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
+
+glm::vec2 on_map(const glm::vec3& place) { return {place.x, place.z}; }
+
+/// Says how far one can go straight on without leaving what was passed farther aside than a width: the directions that
+/// are left after each point (as J. Sklansky and V. Gonzalez, "Fast polygonal approximation of digitized curves",
+/// 1980).
+class Straight {
+ public:
+  explicit Straight(const glm::vec2& from, float width) : from_(from), width_(width) {}
+
+  bool passes(const glm::vec2& place) {
+    const glm::vec2 way = place - from_;
+    const float length = glm::length(way);
+    const bool turns_back = length < farthest_ - width_;
+    if (turns_back || (is_bound_ && (turn(right_, way) < 0.0F || turn(way, left_) < 0.0F))) return false;
+    farthest_ = std::max(farthest_, length);
+    if (length <= width_) return true;
+    const glm::vec2 aside = (width_ / length) * glm::vec2(-way.y, way.x), left = way + aside, right = way - aside;
+    if (!is_bound_ || turn(left, left_) > 0.0F) left_ = left;
+    if (!is_bound_ || turn(right_, right) > 0.0F) right_ = right;
+    is_bound_ = true;
+    return true;
+  }
+
+ private:
+  glm::vec2 from_, left_{0.0F}, right_{0.0F};
+  float width_, farthest_ = 0.0F;
+  bool is_bound_ = false;
+};
 
 }  // namespace
 
@@ -98,17 +121,15 @@ void Trails::draw(SceneLines& lines, const View& view, std::uint32_t color) cons
   };
   if (std::ranges::any_of(view.planes, is_outside)) return;
   const float distance = std::max(glm::distance(view.camera, middle) - radius, nearest_camera);
-  const float most_off = most_off_px * view.metres_a_pixel * distance, longest = seconds_ / pieces_of_fading;
+  const float metres_a_pixel = view.metres_a_pixel * distance, most_off = most_off_px * metres_a_pixel;
+  const float pieces = std::clamp(2.0F * radius / (least_piece_px * metres_a_pixel), 1.0F, pieces_of_fading);
+  const float longest = seconds_ / pieces;
   for (std::size_t from = 0; from + 1 < points_.size();) {
+    Straight straight(on_map(points_[from].place), most_off);
     std::size_t to = from + 1;
-    while (to + 1 < points_.size() && points_[to + 1].age - points_[from].age <= longest) {
-      const auto is_off = [&](const Point& point) {
-        return squared_distance(point.place, points_[from].place, points_[to + 1].place) > most_off * most_off;
-      };
-      if (std::any_of(points_.begin() + static_cast<std::ptrdiff_t>(from) + 1,
-                      points_.begin() + static_cast<std::ptrdiff_t>(to) + 1, is_off)) {
-        break;
-      }
+    straight.passes(on_map(points_[to].place));
+    while (to + 1 < points_.size() && points_[to + 1].age - points_[from].age <= longest &&
+           straight.passes(on_map(points_[to + 1].place))) {
       ++to;
     }
     const Point &a = points_[from], &b = points_[to];

@@ -32,6 +32,7 @@ class Followers {
 
   std::size_t count() const { return steps_.size(); }
   const Trajectories& trajectories() const { return *source_.trajectories; }
+  const std::shared_ptr<const Trajectories>& file() const { return source_.trajectories; }
   /// Returns what holds everybody at every time.
   const GroundBounds& bounds() const { return bounds_; }
   const StridePlane& plane(std::size_t agent) const { return plane_of_character(characters_[agent]); }

@@ -101,7 +101,9 @@ anim::Status Output::draw(Show& show, int frame) {
   if (labels_) {
     if (anim::Status taken = labels_->take(show, frame, drew_last_); !taken) return taken;
   }
-  return drew_last_ ? keep_image(show, frame) : anim::Done{};
+  if (!drew_last_) return anim::Done{};
+  if (anim::Status drawn = draw_over_ ? draw_over_(show) : anim::Done{}; !drawn) return drawn;
+  return keep_image(show, frame);
 }
 
 anim::Status Output::keep_image(Show& show, int frame) {

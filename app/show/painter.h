@@ -17,6 +17,7 @@
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
+#include "app/show/trails.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/device_timer.h"
 #include "engine/render/renderer.h"
@@ -99,6 +100,7 @@ class Painter {
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
   PathInView path_;
+  Trails trails_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--track-part 4: must be two numbers of seconds, 12.5,40"},
         Refused{"AnAxisAside", "--trajectories a.csv --up x", "--up: of trajectories it is y or z"},
         Refused{"StartOfLiveRows", "--trajectories - --start 2",
-                "--start: rows of standard input begin when they come; leave it out"}),
+                "--start: rows of standard input are shown as they come; leave it out"}),
     name_of);
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
 #include <utility>
+
+#include "app/trajectory/live_crowd.h"
 
 namespace throng::app {
 namespace {
@@ -51,9 +54,11 @@ Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
 void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   TrackReading& reading = options.trajectories.reading;
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
-  reader.value("--trajectories", "FILE",
-               "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV",
-               file_name(options.trajectories.file));
+  reader.value(
+      "--trajectories", "FILE|-",
+      "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
+      "of standard input as they come, for at most --agents people at once (1000)",
+      any_text(options.trajectories.file));
   reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
                file_name(reading.walls));
   reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
@@ -83,9 +88,16 @@ std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoO
     }
     return {};
   }
+  const bool is_live = asked.file == "-";
   for (const char* const option : {"--scene", "--agents", "--replay", "--record"}) {
+    if (is_live && option == std::string_view("--agents")) continue;
     if (reader.given(option)) return std::string(option) + ": does not go with --trajectories";
   }
+  for (const char* const option : {"--start", "--track-rate", "--track-part", "--track-repeat"}) {
+    if (!is_live || !reader.given(option)) continue;
+    return std::string(option) + ": rows of standard input are shown as they come; leave it out";
+  }
+  if (is_live && !reader.given("--agents")) options.tuning.agents = LiveCrowd::usual_places;
   options.tuning.scene = Scene::tracks;
   options.agents_given = true;
   const auto named = std::ranges::find(options.placements, name_of(asked.file), &ModelPlacement::model);

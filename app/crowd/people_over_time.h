@@ -19,7 +19,8 @@ struct Presence {
 /// Returns how long a row lasts, in seconds; a moment where nobody has two rows.
 double row_seconds(const Trajectories& all);
 
-/// Returns when somebody is there: from the first row to the last one. Who has a single row is there for `row_seconds`.
+/// Returns when somebody is there: from the first row to the last one. Who has a single row is there for `row_seconds`,
+/// and who has none never.
 Presence presence_of(const PersonTrack& person, double row_seconds);
 
 /// Tells how many people of a recorded crowd are there at each time of its clock.

@@ -169,6 +169,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.figures().times().animation_ms);
   report_.agents = static_cast<int>(show.stage().crowd().size());
+  add_moment(show.stage());
   add_cast(show.stage());
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
@@ -195,6 +196,12 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   for (std::size_t i = 0; i < show.moments().count(); ++i) {
     report_.snapshots.push_back(static_cast<float>(anim::to_seconds(show.moments().age(show.stage(), i))));
   }
+}
+
+void FrameReporter::add_moment(const Stage& stage) {
+  const bool is_recorded = followers_of(stage.crowd()) != nullptr;
+  report_.seconds = is_recorded ? track_clock_of(stage.crowd()).seconds : anim::to_seconds(stage.system().clock());
+  report_.people = report_.agents - static_cast<int>(std::ranges::count(absent_of(stage.crowd()), 1));
 }
 
 void FrameReporter::add_cast(const Stage& stage) {
@@ -229,8 +236,9 @@ void FrameReporter::add_error(const Stage& stage) {
 }
 
 void FrameReporter::add_tracks(const Stage& stage) {
-  if (followers_of(stage.crowd()) == nullptr) return report_.tracks.reset();
   const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
+  // Nobody can go to another time of rows that still come.
+  if (followers_of(stage.crowd()) == nullptr || all->is_live) return report_.tracks.reset();
   const bool is_counted = report_.tracks && tracks_ == all && counted_rows_ == all->row_count;
   report_.tracks = {.clock = track_clock_of(stage.crowd()),
                     .people = is_counted ? report_.tracks->people : std::make_shared<const PeopleOverTime>(*all)};

@@ -60,6 +60,7 @@ class FrameReporter {
  private:
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
+  void add_moment(const Stage& stage);
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
   void add_error(const Stage& stage);

@@ -64,6 +64,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
 }
 
 void WindowCommands::obey_after_drawing(const OverlayCommands& commands) {
+  tracks_.read_when_said(session_);
   if (commands.screenshot) take_screenshot();
 }
 
@@ -197,6 +198,7 @@ void WindowCommands::replace_models(const std::vector<std::string>& files) {
   if (crowd != files.end()) {
     return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
   }
+  if (tracks_.takes(files, session_)) return;
   if (messages().tell(session_.show.replace_models(files))) session_.reporter.describe_characters(session_.show);
 }
 

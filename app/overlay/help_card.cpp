@@ -29,7 +29,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"Click", "Select a character; P pushes it over."},
     {"F", "Frame the crowd beside the panel."},
     {"Home", "Back to the scene's camera; a film has the camera again."},
-    {"G", "Follow the selected character; again: no longer."},
+    {"G", "Follow the selected character; again: no longer. With Shift: from behind, turning with it."},
     {"1 to 9", "Go to a place of the camera; Ctrl with it keeps the place."},
     {"X", "While held: the exact crowd, nothing skipped."},
     {"B", "Bring the other of two tunings into use."},

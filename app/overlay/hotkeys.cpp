@@ -33,7 +33,8 @@ constexpr std::size_t place_of_digit(Key key) {
 
 void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, CameraCommands& commands) {
   commands.home |= key == Key::home;
-  commands.change_follow |= key == Key::g && open.selection;
+  const bool follows = key == Key::g && open.selection;
+  (input.down(Key::shift) ? commands.follow_behind : commands.change_follow) |= follows;
   if (place_of_digit(key) >= bookmark_count) return;
   (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
 }

@@ -143,6 +143,10 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     }
     show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
+  if (state.aids.is_legend_alone) {
+    const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
+    show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
+  }
   state.watch_values(report, tuning);
   state.widgets.focus().end_frame(state.theme);
   ImGui::Render();
@@ -208,6 +212,8 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
 
 std::uint32_t Overlay::panel_color() { return colour::panel | IM_COL32_A_MASK; }
+
+void Overlay::show_legend_only() { state_->switches.hidden = state_->aids.is_legend_alone = true; }
 
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 

@@ -75,6 +75,8 @@ struct FrameReport {
   std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240
   // Crowd
   int agents = 0, visible = 0, drawn = 0;
+  double seconds = 0;  ///< of the crowd's clock, or of a recorded crowd's file
+  int people = 0;      ///< who are there; of a recorded crowd some have not come yet, or have gone
   anim::UpdateReport work;
   std::uint64_t pose_hash = 0;
   render::DrawCounts draw_counts;

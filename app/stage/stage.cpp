@@ -190,6 +190,10 @@ void set_track_clock(Stage& stage, const TrackClock& clock) {
   stage.jump();
 }
 
+void take_live_step(Stage& stage, const LiveStep& step) {
+  if (followers_of(stage.crowd()) != nullptr) take_live_step(*stage.animated_, step);
+}
+
 void Stage::select(std::optional<std::uint32_t> agent) {
   const auto& held = animated_->held_clip();
   if (held && held->agent != agent) animated_->let_go_of_clip();

@@ -13,11 +13,10 @@ namespace {
 FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
                    double seconds, anim::Ticks ahead) {
   const Followers& followers = *followers_of(crowd);
-  const FollowedMoment moment{.step = followers.step(agent, seconds),
-                              .seconds = seconds,
-                              .rate = track_clock_of(crowd).rate,
-                              .ahead = ahead,
-                              .person = agent};
+  const TrackClock& clock = track_clock_of(crowd);
+  TrackStep step = followers.step(agent, seconds);
+  step.velocity *= 1.0F - clock.stands;
+  const FollowedMoment moment{.step = step, .seconds = seconds, .rate = clock.rate, .ahead = ahead, .person = agent};
   return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 

@@ -11,6 +11,7 @@ struct TrackClock {
   double first = 0.0, last = 0.0;  ///< the part that is played; last is not before first
   double rate = 1.0;               ///< seconds of the file a second of the crowd; below 0: backwards
   bool repeats = false;            ///< at its end the part begins anew; else it stays there
+  float stands = 0.0F;             ///< 1: people stand in the middle of their way, for no more rows come
 
   friend bool operator==(const TrackClock&, const TrackClock&) = default;
 };

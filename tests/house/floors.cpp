@@ -63,6 +63,7 @@ const std::vector<House>& houses() {
         {"settings"},
         {"crowd"},
         {"place"},
+        {"measure"},
         {"view"},
         {"lod"},
         {"report"},

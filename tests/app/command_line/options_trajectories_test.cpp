@@ -38,6 +38,11 @@ TEST(TrajectoryOptionsOfALine, TakeTheAxisThatIsTheirs) {
   EXPECT_EQ(options_of("man.glb --trajectories walk.csv --up y").trajectories.reading.up, TrackUp::z);
 }
 
+TEST(TrajectoryOptionsOfALine, HavePlacesForRowsThatCome) {
+  EXPECT_EQ(options_of("--trajectories -").tuning.agents, 1000);
+  EXPECT_EQ(options_of("--trajectories - --agents 70").tuning.agents, 70);
+}
+
 class TrajectoryRefusal : public testing::TestWithParam<Refused> {};
 
 TEST_P(TrajectoryRefusal, NamesTheOptionAndWhatIsAllowed) { EXPECT_EQ(refusal(GetParam().line), GetParam().message); }
@@ -56,8 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"HalfAPart", "--trajectories a.csv --track-part 4",
                 "--track-part 4: must be two numbers of seconds, 12.5,40"},
         Refused{"AnAxisAside", "--trajectories a.csv --up x", "--up: of trajectories it is y or z"},
-        Refused{"StandardInput", "--trajectories -",
-                "--trajectories -: must be a file; it is not written to standard output"}),
+        Refused{"StartOfLiveRows", "--trajectories - --start 2",
+                "--start: rows of standard input are shown as they come; leave it out"}),
     name_of);
 
 }  // namespace

@@ -1,0 +1,55 @@
+#include "app/measure/crowd_measures.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/tiles.h"
+
+namespace throng::app {
+
+float speed_of(const Followers& followers, std::size_t agent, double seconds) {
+  return glm::length(followers.way(agent).velocity(seconds, TrackSteps::stride_window));
+}
+
+void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {
+  const Followers* const recorded = followers_of(crowd);
+  const double seconds = track_clock_of(crowd).seconds;
+  const auto measure_each = [&](const auto& measure) {
+    visit_in_tiles(crowd.size(), executor, jobs, [&](std::size_t agent) { values_[agent] = measure(agent); });
+  };
+  values_.resize(crowd.size());
+  switch (tuning.debug_view) {
+    case DebugView::speed:
+      if (recorded == nullptr) {
+        values_.assign(crowd.speeds().begin(), crowd.speeds().end());
+      } else {
+        measure_each([&](std::size_t agent) { return speed_of(*recorded, agent, seconds); });
+      }
+      break;
+    case DebugView::density:
+      take_densities(crowd, tuning.density_cut_off, executor, jobs);
+      break;
+    case DebugView::presence:
+      if (recorded == nullptr) {
+        std::ranges::fill(values_, -1.0F);
+      } else {
+        measure_each([&](std::size_t agent) { return static_cast<float>(seconds - recorded->way(agent).first()); });
+      }
+      break;
+    default:
+      values_.clear();
+  }
+}
+
+void CrowdMeasures::take_densities(const Crowd& crowd, float cut_off, anim::Executor& executor, int jobs) {
+  const Followers* const recorded = followers_of(crowd);
+  const std::shared_ptr<const Trajectories> file = recorded != nullptr ? recorded->file() : nullptr;
+  if (file != area_of_) {
+    area_ = file != nullptr ? WalkableArea(file->plan) : WalkableArea();
+    area_of_ = file;
+  }
+  density_.measure({crowd.positions(), absent_of(crowd)}, cut_off, area_, executor, jobs, values_);
+}
+
+}  // namespace throng::app

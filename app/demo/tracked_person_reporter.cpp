@@ -41,7 +41,8 @@ void add_speeds(const SmoothTrack& way, TrackedPerson& person) {
 }  // namespace
 
 std::shared_ptr<const TrackedPerson> TrackedPersonReporter::report(const Stage& stage) {
-  if (!stage.selected() || followers_of(stage.crowd()) == nullptr) return person_ = nullptr;
+  const bool is_recorded = followers_of(stage.crowd()) != nullptr && !trajectories_of(stage)->is_live;
+  if (!stage.selected() || !is_recorded) return person_ = nullptr;
   const bool is_same = person_ != nullptr && agent_ == *stage.selected() && crowd_ == stage.animated().number() &&
                        rows_ == followers_of(stage.crowd())->trajectories().row_count;
   if (!is_same) begin(stage, *stage.selected());

@@ -14,6 +14,9 @@ constexpr float line_height = 18, steps_height = 24, axis_height = 16, letter_wi
 constexpr float slow_steps = 0.1F;       // metres a second, of somebody who does not quite stand
 constexpr float least_speed_top = 1.5F;  // metres a second at the top of the graph
 
+// Without "-0.00".
+std::string place_text(double metres) { return fixed(std::round(metres * 100.0) / 100.0 + 0.0, 2); }
+
 std::string where_words(const SelectionReport& selected, double now) {
   const TrackedPerson& person = *selected.tracked;
   const Presence& presence = person.presence;
@@ -21,8 +24,8 @@ std::string where_words(const SelectionReport& selected, double now) {
                             with_thousands(person.rows) + (person.rows == 1 ? " row" : " rows");
   const std::string tall = fixed(person.stature, 2) + " m tall";
   if (!presence.has(now)) return there + "   " + tall;
-  return "x " + fixed(person.origin.x + static_cast<double>(selected.x), 2) + ", y " +
-         fixed(person.origin.y - static_cast<double>(selected.z), 2) + " m   " + there + "   " + tall;
+  return "x " + place_text(person.origin.x + static_cast<double>(selected.x)) + ", y " +
+         place_text(person.origin.y - static_cast<double>(selected.z)) + " m   " + there + "   " + tall;
 }
 
 std::string way_words(const TrackedPerson& person, double now) {
@@ -82,8 +85,7 @@ void show_speed_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis,
   } else if (ImGui::IsItemHovered()) {
     tell({seconds_text(pointed) + ": " + fixed(person.speed_at(pointed), 2) + " m/s, " +
               fixed(person.way_at(pointed), 1) + " m walked",
-          "The speed is the mean of 0.8 s in the file. The steps are those that are shown; the file has none.",
-          "A press goes to that time."});
+          "A mean of 0.8 s in the file. The steps are those", "that are shown: the file has none."});
   }
   if (const int step = widgets.stop("Selected.speed", graph).take_step()) {
     go_to(clock.seconds + step * report.tracks->people->row());

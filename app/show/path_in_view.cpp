@@ -19,7 +19,8 @@ void PathInView::add(SceneLines& lines, const Stage& stage) {
   const Followers* const followers = followers_of(stage.crowd());
   if (followers == nullptr || !stage.selected()) return;
   const Trajectories& all = followers->trajectories();
-  if (points_.empty() || of_ != &all || rows_ != all.row_count || agent_ != *stage.selected()) {
+  const bool is_known = !points_.empty() && of_ == &all && rows_ == all.row_count && agent_ == *stage.selected();
+  if (!is_known || all.is_live) {
     of_ = &all;
     rows_ = all.row_count;
     agent_ = *stage.selected();
@@ -41,6 +42,7 @@ void PathInView::add(SceneLines& lines, const Stage& stage) {
 void PathInView::find(const Followers& followers, std::uint32_t agent) {
   points_.clear();
   const Presence& presence = followers.presence(agent);
+  if (!std::isfinite(presence.first)) return;  // nobody yet
   const double length = presence.last - presence.first;
   const double looks = std::clamp(std::ceil(length / between_looks), 1.0, most_looks);
   for (double look = 0.0; look <= looks; ++look) {

@@ -65,15 +65,29 @@ void declare_light(OptionReader& reader, DemoOptions& options) {
   reader.tuning("Light", options.tuning);
 }
 
+ValueReader camera_path(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    options.camera_path_file = text.ends_with(".csv") ? text : std::string();
+    if (!options.camera_path_file.empty()) return {};
+    const auto named =
+        choice<CameraPath>(options.camera_path,
+                           {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}})(text);
+    return named ? Complaint("must be none, orbit, pan, or a file that ends in .csv") : Complaint();
+  };
+}
+
 void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Picture");
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
-  reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
-               camera(options));
   reader.value(
-      "--camera-path", "NAME", "orbit around the crowd, or pan to both sides, from where --camera stands (none)",
-      choice<CameraPath>(options.camera_path,
-                         {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}}));
+      "--camera", "PLACE",
+      "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees, or follow:ID, behind somebody of "
+      "--trajectories, or behind agent N as follow:#N",
+      camera(options));
+  reader.value(
+      "--camera-path", "NAME|FILE.csv",
+      "orbit around the crowd, or pan to both sides, from where --camera stands, or along the keys of a file (none)",
+      camera_path(options));
   reader.value(
       "--focus", "METRES", "Of a screenshot: what lies so far ahead is sharp, and the rest is not (all is sharp)",
       [&options](const std::string& text) { return number_between(options.focus.emplace(), 0.1F, 10'000.0F)(text); });

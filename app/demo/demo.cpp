@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/demo/drawn_overlay.h"
+#include "app/demo/live_input.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_loop.h"
 #include "app/files/exit_status.h"
@@ -74,10 +75,13 @@ anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) 
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
-  bool last = frames < 1, told = false;
+  bool last = false, told = false;
   for (int frame = 1; !last; ++frame) {
+    while (asked_to_stop() == 0 && !has_rows_for(show, step, std::chrono::milliseconds(100))) {
+    }
     show.animate(step);
-    last = frame == frames || asked_to_stop() != 0;
+    const LiveCrowd* const live = live_crowd_of(show);
+    last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
     tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
     if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
@@ -107,6 +111,8 @@ anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay
       replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
   if (!run) return run;
   if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
+  const LiveCrowd* const live = live_crowd_of(show);
+  if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
   if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
   const bool is_over_last = output != nullptr && output->drew_last();
   if (anim::Status drawn = is_over_last ? anim::Done{} : overlay.draw(show); !drawn) return drawn;
@@ -150,7 +156,9 @@ void say_on_stderr(const std::string& notice) {
 int run_show(const DemoOptions& options, Replay* replay) {
   const StopSignals signals;
   StartError error;
-  const std::unique_ptr<Show> show = Show::create(options, error);
+  auto live = open_live_input(options);
+  if (!live) return tell(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
+  const std::unique_ptr<Show> show = Show::create(options, error, std::move(*live));
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
   const bool ran = tell(run_in_words(*show, options, replay));
   const bool recorded = tell(show->stop_recording());

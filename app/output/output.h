@@ -22,7 +22,7 @@ namespace throng::app {
 anim::Status check_output(const OutputOptions& options);
 
 /// Returns how many frames a run has: those asked for; without a wish, as many as a recorded crowd that is written goes
-/// on for.
+/// on for. Returns 0 where nobody knows, for the rows of a live crowd still come.
 int frames_of_run(const DemoOptions& options, const Show& show);
 
 /// Writes a video, pictures and labels of each frame of a run. Drawing goes on while frames are encoded. A frame whose

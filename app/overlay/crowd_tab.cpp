@@ -120,13 +120,18 @@ std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
   return static_cast<std::size_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
 }
 
+const char* why_no_snapshot(const FrameReport& report) {
+  return report.tracks ? "the timeline at the foot of the crowd goes to any moment" : "there is no snapshot yet";
+}
+
 // The crowd goes back where the slider is let go, since on the way there each snapshot would take its place.
 void show_snapshots(const TabContext& context) {
   const std::vector<float>& ages = context.report.snapshots;
   std::optional<double>& seconds_back = context.memory.seconds_back;
   const bool none = ages.empty();
+  const char* const why = why_no_snapshot(context.report);
   double seconds = seconds_back.value_or(0);
-  context.widgets.begin_idle(none ? std::optional<std::string>("there is no snapshot yet") : std::nullopt);
+  context.widgets.begin_idle(none ? std::optional<std::string>(why) : std::nullopt);
   if (context.widgets.number(
           "Back by", seconds, 0,
           {.highest = none ? 1 : static_cast<double>(ages.back()), .decimals = 1, .zero_word = "now", .suffix = " s"},
@@ -154,9 +159,10 @@ void show_time(const TabContext& context) {
   commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
                                   tuning.paused ? nullptr : "the crowd is not paused");
   if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
-                     ages.empty() ? "there is no snapshot yet" : nullptr)) {
+                     ages.empty() ? why_no_snapshot(report) : nullptr)) {
     commands.rewind = 0;
   }
+  if (report.tracks) return;
   widgets.caption(ages.empty()
                       ? "No snapshot yet."
                       : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");

@@ -17,6 +17,7 @@
 #include "app/overlay/picture_aids.h"
 #include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
+#include "app/overlay/track_bar.h"
 #include "app/overlay/viewer_panel.h"
 
 namespace throng::app {
@@ -121,6 +122,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
                   state.switches, tuning, commands);
     if (report.replay) apply_replay_keys(state.input, commands.replay);
+    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, commands);
     if (!viewer && !report.replay) {
       apply_pair_key(state.input, state.memory.pair, tuning, commands);
       apply_history_keys(state.input, state.memory.history, tuning);
@@ -180,7 +182,8 @@ void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_
   if (context_of_tab.commands.look_at_frame) column.go_to("Scheduling");
   column.show_tabs(layout.column, context_of_tab, switches);
   if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
-  if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
+  if (report.tracks) show_track_bar(context_of_tab, layout.crowd);
+  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.commands);
 }
 
 void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {

@@ -26,19 +26,23 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
+// Does the same in smaller steps. Those beyond the last share its colour.
+std::uint32_t fine_step_color(int step) {
+  constexpr std::array<std::uint32_t, 8> row = {
+      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
+      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
+  static_assert(row.size() >= static_cast<std::size_t>(mesh_lod_steps));
+  return row[static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(row.size()) - 1))];
+}
+
 std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
 }  // namespace
 
-std::uint32_t interval_color(int frames) {
-  constexpr std::array<std::uint32_t, 8> row = {
-      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
-      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
-  return row[static_cast<std::size_t>(std::clamp(frames, 1, static_cast<int>(row.size())) - 1)];
-}
+std::uint32_t interval_color(int frames) { return fine_step_color(frames - 1); }
 
 std::uint32_t bone_level_color(int level) { return step_color(level, anim::max_bone_levels); }
-std::uint32_t mesh_lod_color(int lod) { return step_color(lod, mesh_lod_steps); }
+std::uint32_t mesh_lod_color(int lod) { return fine_step_color(lod); }
 
 float error_limit(int step) { return std::ldexp(first_error_limit, step); }
 

@@ -182,6 +182,7 @@ struct DemoOptions {
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
+  std::string camera_path_file;                        ///< a path of keys in its place; empty: there is none
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
   bool events = false;                                 ///< the statistics sum up the events of all agents
   std::string record, replay;                          ///< files; empty: not asked for

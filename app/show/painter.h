@@ -12,6 +12,7 @@
 #include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
+#include "app/show/path_in_view.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
@@ -47,6 +48,8 @@ class Painter {
   const Spared& spared() const { return spared_; }
   /// Says what is left out; empty where that is nothing.
   std::string notice() const;
+  /// Does what Scenery::lines_left_out does; known once a frame was drawn.
+  std::size_t lines_left_out() const { return scenery_.lines_left_out(); }
   render::Renderer& renderer() { return *renderer_; }
   render::gl::Context& context() { return *context_; }
 
@@ -96,6 +99,7 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  PathInView path_;
   Trails trails_;
   Scenery scenery_;
   ThresholdsInView thresholds_;

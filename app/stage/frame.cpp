@@ -72,7 +72,8 @@ void Stage::move(anim::Ticks delta) {
   const double seconds = track_clock_of(crowd()).seconds;
   animated_->move(delta);
   const TrackClock& clock = track_clock_of(crowd());
-  if ((clock.seconds - seconds) * clock.rate < 0.0) forget_what_is_shown();  // it begins anew, and nobody flies there
+  if ((clock.seconds - seconds) * clock.rate < 0.0) jump();  // the part begins anew
+  if (followers_of(crowd()) != nullptr) track_clock_ = clock;
   times_.crowd_ms = watch.lap();
 }
 

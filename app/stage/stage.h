@@ -108,6 +108,7 @@ class Stage {
  private:
   friend const StageTimes& times_of(const Stage& stage);
   friend void set_track_clock(Stage& stage, const TrackClock& clock);
+  friend void take_live_step(Stage& stage, const LiveStep& step);
   friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
   friend const CrowdMeasures& measures_of(const Stage& stage) { return stage.measures_; }
@@ -116,6 +117,7 @@ class Stage {
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
+  void jump();
   void learn_level_of_detail();
   anim::Status can_show(Tuning& tuning) const;
   anim::LodLimits limits() const;
@@ -128,6 +130,7 @@ class Stage {
 
   std::vector<CharacterSource> characters_;
   std::shared_ptr<const Trajectories> trajectories_;  // null: none
+  std::optional<TrackClock> track_clock_;             // of the recorded crowd, also while another scene is shown
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
@@ -150,6 +153,9 @@ inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
 /// Takes a recorded crowd to another time, at a frame boundary. Everybody is posed for it at once.
 void set_track_clock(Stage& stage, const TrackClock& clock);
+
+/// Takes the rows that came of a live crowd, which are those of its trajectories. Call it before move().
+void take_live_step(Stage& stage, const LiveStep& step);
 
 /// Returns the recorded crowd of the scene `tracks`; null where there is none.
 inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage) { return stage.trajectories_; }

@@ -16,6 +16,7 @@
 #include "app/crowd/layout.h"
 #include "app/crowd/minds.h"
 #include "app/crowd/walkers.h"
+#include "app/live/live_crowd.h"
 #include "app/settings/settings.h"
 #include "app/trajectory/track_clock.h"
 #include "engine/anim/base/executor.h"
@@ -116,6 +117,7 @@ class Crowd {
   friend const Followers* followers_of(const Crowd& crowd);
   friend const TrackClock& track_clock_of(const Crowd& crowd);
   friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
+  friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
@@ -151,6 +153,8 @@ inline const Followers* followers_of(const Crowd& crowd) { return crowd.follower
 inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state_.track_clock; }
 /// Takes a recorded crowd to another time, at a frame boundary.
 void set_track_clock(Crowd& crowd, const TrackClock& clock);
+/// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
+void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
 /// Returns [agent] 1 for people who are not there now; empty where everybody is.
 inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) { return crowd.state_.absent; }
 

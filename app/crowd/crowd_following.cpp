@@ -60,4 +60,14 @@ void set_track_clock(Crowd& crowd, const TrackClock& clock) {
   crowd.follow_tracks(here, 1);
 }
 
+void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs) {
+  crowd.state_.track_clock = step.clock;
+  crowd.followers_->begin_renewing(step.changed);
+  visit_in_tiles(step.changed.size(), executor, jobs, [&](std::size_t i) {
+    const std::uint32_t agent = step.changed[i];
+    const auto height = static_cast<float>(crowd.cast_.of(agent).height);
+    crowd.looks_.scales[agent] = crowd.followers_->renew(agent, height, step.settled);
+  });
+}
+
 }  // namespace throng::app

@@ -53,6 +53,7 @@ std::vector<Stander> standers_of(std::span<const SmoothTrack> tracks, std::span<
   std::vector<Stander> standers;
   for (std::uint32_t person = 0; person < tracks.size(); ++person) {
     const SmoothTrack& track = tracks[person];
+    if (track.row_count() == 0) continue;
     const auto last = static_cast<std::int32_t>(std::floor(track.last() / sample_seconds));
     for (auto i = static_cast<std::int32_t>(std::ceil(track.first() / sample_seconds)); i <= last; ++i) {
       const double seconds = i * sample_seconds;
@@ -169,6 +170,7 @@ Talks::Talks(std::span<const SmoothTrack> tracks, std::span<const TrackSteps> st
 }
 
 TalkMoment Talks::at(std::size_t person, double seconds) const {
+  if (glances_.empty()) return {};
   const std::vector<Glance>& all = glances_[person];
   const auto after = std::ranges::upper_bound(all, seconds, {}, &Glance::begin);
   if (after == all.begin()) return {};

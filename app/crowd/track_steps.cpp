@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,7 +11,6 @@ namespace throng::app {
 namespace {
 
 constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
-constexpr double stride_window = 0.8;                        // seconds: about a stride, so that sway is taken out
 constexpr double stand_window = 3.0;                         // seconds in which somebody who stands gets nowhere
 constexpr float stands_below = 0.015F, moves_above = 0.06F;  // metres a second over that window
 constexpr float turns_above = 0.08F;                         // metres a second
@@ -29,7 +28,7 @@ float share_of_turn(float speed, double seconds) {
 
 // Somebody who stands sways too, and makes no steps by that.
 glm::vec2 velocity_of_steps(const SmoothTrack& track, double seconds) {
-  const glm::vec2 velocity = track.velocity(seconds, stride_window);
+  const glm::vec2 velocity = track.velocity(seconds, TrackSteps::stride_window);
   const float got_on = glm::length(track.velocity(seconds, stand_window));
   return velocity * glm::smoothstep(stands_below, moves_above, got_on);
 }
@@ -41,42 +40,77 @@ glm::vec2 seen_by(float heading, const glm::vec2& velocity) {
 
 }  // namespace
 
-TrackSteps::TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading)
-    : first_(track.first()) {
-  const double length = track.last() - track.first();
-  const double between_rows = length / std::max<double>(static_cast<double>(track.row_count()) - 1.0, 1.0);
-  spacing_ = between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds;
-  knots_.resize(static_cast<std::size_t>(std::ceil(length / spacing_)) + 1);
-  turn(track, first_heading);
-  walk(track, plane, scale);
+TrackSteps::TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading) {
+  if (track.row_count() == 0) return;
+  begin(track);
+  end_with(track);
+  turn(track, first_heading, 0);
+  walk(track, plane, scale, 0);
 }
 
-void TrackSteps::turn(const SmoothTrack& track, float first_heading) {
-  const bool is_told = track.has_heading();
-  std::optional<float> heading;
-  if (is_told) heading = track.heading(first_);
-  for (std::size_t i = 0; i < knots_.size() && !heading; ++i) {
-    const glm::vec2 velocity = track.velocity(time_of(i), stride_window);
-    if (glm::length(velocity) > 0.5F * turns_at_once) heading = direction_of(velocity);
+void TrackSteps::begin(const SmoothTrack& track) {
+  const double between_rows =
+      (track.last() - track.first()) / std::max<double>(static_cast<double>(track.row_count()) - 1.0, 1.0);
+  first_ = track.first();
+  spacing_ = between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds;
+  knots_.clear();
+}
+
+void TrackSteps::end_with(const SmoothTrack& track) {
+  knots_.resize(static_cast<std::size_t>(std::ceil((track.last() - first_) / spacing_)) + 1);
+}
+
+void TrackSteps::extend(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading,
+                        double settled) {
+  constexpr std::size_t most_old = 64;  // knots are taken from the front in lots
+  const bool goes_on = !knots_.empty() && settled >= first_ && track.first() <= time_of(knots_.size() - 1);
+  std::size_t from = 0;
+  if (goes_on) {
+    from = std::min(static_cast<std::size_t>((settled - first_) / spacing_) + 2, knots_.size());
+    const auto old = static_cast<std::size_t>(std::max((track.first() - first_) / spacing_, 0.0));
+    if (old > most_old && old < from) {
+      knots_.erase(knots_.begin(), knots_.begin() + static_cast<std::ptrdiff_t>(old));
+      first_ = time_of(old), from -= old;
+    }
+  } else {
+    begin(track);
   }
-  if (!heading) {
-    const glm::vec3 way = track.position(track.last()) - track.position(first_);
-    constexpr float got_somewhere = 0.2F;  // metres
-    heading = std::hypot(way.x, way.z) > got_somewhere ? direction_of({way.x, way.z}) : first_heading;
-  }
+  end_with(track);
+  turn(track, first_heading, from);
+  walk(track, plane, scale, from);
+}
+
+float TrackSteps::heading_at_first(const SmoothTrack& track, float first_heading) const {
+  if (track.has_heading()) return track.heading(first_);
   for (std::size_t i = 0; i < knots_.size(); ++i) {
+    const glm::vec2 velocity = track.velocity(time_of(i), stride_window);
+    if (glm::length(velocity) > 0.5F * turns_at_once) return direction_of(velocity);
+  }
+  const glm::vec3 way = track.position(track.last()) - track.position(first_);
+  constexpr float got_somewhere = 0.2F;  // metres
+  return std::hypot(way.x, way.z) > got_somewhere ? direction_of({way.x, way.z}) : first_heading;
+}
+
+void TrackSteps::turn(const SmoothTrack& track, float first_heading, std::size_t from) {
+  const bool is_told = track.has_heading();
+  float heading = from > 0 ? knots_[from - 1].heading : heading_at_first(track, first_heading);
+  for (std::size_t i = from; i < knots_.size(); ++i) {
     const glm::vec2 velocity = track.velocity(time_of(i), stride_window);
     const float wanted = is_told ? track.heading(time_of(i)) : direction_of(velocity);
     const float share = is_told ? 1.0F - std::exp(-turns_with_file * static_cast<float>(spacing_))
                                 : share_of_turn(glm::length(velocity), spacing_);
-    *heading += share * wrapped_angle(wanted - *heading);
-    knots_[i].heading = *heading;
+    heading += share * wrapped_angle(wanted - heading);
+    knots_[i].heading = heading;
   }
 }
 
-void TrackSteps::walk(const SmoothTrack& track, const StridePlane& plane, float scale) {
+void TrackSteps::walk(const SmoothTrack& track, const StridePlane& plane, float scale, std::size_t from) {
   double cycles = 0.0, pace_before = 0.0;
-  for (std::size_t i = 0; i < knots_.size(); ++i) {
+  if (from > 0) {
+    cycles = static_cast<double>(knots_[from - 1].cycles);
+    pace_before = plane.stride(knots_[from - 1].velocity).cycles_per_second;
+  }
+  for (std::size_t i = from; i < knots_.size(); ++i) {
     Knot& knot = knots_[i];
     knot.velocity = seen_by(knot.heading, velocity_of_steps(track, time_of(i))) / scale;
     const double pace = plane.stride(knot.velocity).cycles_per_second;
@@ -87,6 +121,7 @@ void TrackSteps::walk(const SmoothTrack& track, const StridePlane& plane, float 
 }
 
 TrackStep TrackSteps::at(double seconds) const {
+  if (knots_.empty()) return {};
   const double place = std::clamp((seconds - first_) / spacing_, 0.0, static_cast<double>(knots_.size() - 1));
   const auto knot = std::min(static_cast<std::size_t>(place), std::max<std::size_t>(knots_.size(), 2) - 2);
   const auto t = static_cast<float>(place - static_cast<double>(knot));

@@ -25,12 +25,18 @@ struct TrackStep {
 class TrackSteps {
  public:
   static constexpr float cycles_in_all = 256.0F;
+  static constexpr double stride_window = 0.8;  ///< seconds, about a stride: their mean velocity has no sway
 
   TrackSteps() = default;
   /// `scale`: of the body. `first_heading`: of somebody who never moves.
   TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading);
 
+  /// Returns a moment; nothing but zeros where there is no track yet.
   TrackStep at(double seconds) const;
+
+  /// Takes rows that were added to the end of the track, or another track that begins later than this one ends. What
+  /// was told of times up to `settled` stays, but for what lies before the track's first row.
+  void extend(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading, double settled);
 
  private:
   struct Knot {
@@ -38,8 +44,11 @@ class TrackSteps {
     float cycles = 0.0F;   // 0 to below cycles_in_all
     glm::vec2 velocity{0.0F};
   };
-  void turn(const SmoothTrack& track, float first_heading);
-  void walk(const SmoothTrack& track, const StridePlane& plane, float scale);
+  void begin(const SmoothTrack& track);
+  void end_with(const SmoothTrack& track);
+  void turn(const SmoothTrack& track, float first_heading, std::size_t from);
+  void walk(const SmoothTrack& track, const StridePlane& plane, float scale, std::size_t from);
+  float heading_at_first(const SmoothTrack& track, float first_heading) const;
   double time_of(std::size_t knot) const { return first_ + spacing_ * static_cast<double>(knot); }
 
   std::vector<Knot> knots_;

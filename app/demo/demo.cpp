@@ -1,55 +1,25 @@
 #include "app/demo/demo.h"
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
 
-#include "app/demo/frame_reporter.h"
+#include "app/demo/drawn_overlay.h"
+#include "app/demo/live_input.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_loop.h"
-#include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
 #include "app/output/output.h"
 #include "app/overlay/overlay.h"
 #include "app/regression/origin.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
-#include "app/view/fly_camera.h"
 #include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {
-
-// The overlay in a picture: nobody moves a mouse, so one frame of it is all there is.
-anim::Status draw_overlay(Show& show, const DemoOptions& options) {
-  const auto fonts = find_data(data_folders(options.data), "assets/fonts");
-  Tuning tuning = show.stage().tuning();
-  FrameReporter reporter(show);
-  reporter.update(show, place_of(show.camera),
-                  show.figures().times().animation_ms + show.figures().times().drawing_ms());
-  if (options.ui_fixed) {
-    const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
-    if (!figures) return figures.error();
-    if (anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
-  }
-  Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
-  overlay.show_tab(options.ui_tab);
-  if (anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
-  constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
-  for (int frame = 0; frame < frames_until_laid_out; ++frame) {
-    const auto start = std::chrono::steady_clock::now();
-    overlay.begin_frame(show.width, show.height, usual_frame_seconds, {});
-    overlay.build(reporter.report(), tuning);
-    show.figures().add_overlay(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  show.painter().renderer().draw_overlay(*overlay.draw_data());
-  if (options.ui_map.empty()) return anim::Done{};
-  return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
-}
 
 anim::Status write_screenshot(Show& show, const std::string& file) {
   render::Renderer& renderer = show.painter().renderer();
@@ -105,10 +75,13 @@ anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) 
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
-  bool last = frames < 1, told = false;
+  bool last = false, told = false;
   for (int frame = 1; !last; ++frame) {
+    while (asked_to_stop() == 0 && !has_rows_for(show, step, std::chrono::milliseconds(100))) {
+    }
     show.animate(step);
-    last = frame == frames || asked_to_stop() != 0;
+    const LiveCrowd* const live = live_crowd_of(show);
+    last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
     tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
     if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
@@ -125,19 +98,25 @@ anim::Status finish_output(Show& show, const DemoOptions& options, Output* outpu
 
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   if (options.ui) show.covered = column_share(options.width, options.ui_scale);
+  const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
+  DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
   if (options.output.any()) {
     auto begun = Output::begin(options, show);
     if (!begun) return begun.error();
     output = std::move(*begun);
+    if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
   anim::Status run =
       replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
   if (!run) return run;
   if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
-  if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)
-    return draw_overlay(show, options);
-  return anim::Done{};
+  const LiveCrowd* const live = live_crowd_of(show);
+  if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
+  if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
+  const bool is_over_last = output != nullptr && output->drew_last();
+  if (anim::Status drawn = is_over_last ? anim::Done{} : overlay.draw(show); !drawn) return drawn;
+  return overlay.write_map();
 }
 
 anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
@@ -177,7 +156,9 @@ void say_on_stderr(const std::string& notice) {
 int run_show(const DemoOptions& options, Replay* replay) {
   const StopSignals signals;
   StartError error;
-  const std::unique_ptr<Show> show = Show::create(options, error);
+  auto live = open_live_input(options);
+  if (!live) return tell(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
+  const std::unique_ptr<Show> show = Show::create(options, error, std::move(*live));
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
   const bool ran = tell(run_in_words(*show, options, replay));
   const bool recorded = tell(show->stop_recording());

@@ -46,6 +46,10 @@ void WindowCamera::obey(const CameraCommands& commands, Show& show) {
     show.guide.follow(!show.guide.follows());
     show.films = false;
   }
+  if (commands.follow_behind && show.stage().selected()) {
+    show.guide.follow_behind(FollowCamera(*show.stage().selected()), true);
+    show.films = false;
+  }
   if (commands.fly_speed) fly_.set_speed(*commands.fly_speed);
   if (commands.keep_bookmark) bookmarks_.at(*commands.keep_bookmark) = place();
   if (!commands.go_to_bookmark) return;

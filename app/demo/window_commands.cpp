@@ -64,6 +64,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
 }
 
 void WindowCommands::obey_after_drawing(const OverlayCommands& commands) {
+  tracks_.read_when_said(session_);
   if (commands.screenshot) take_screenshot();
 }
 
@@ -83,6 +84,7 @@ void WindowCommands::obey_hands(const OverlayCommands& commands) {
   Show& show = session_.show;
   if (commands.hold_at) show.hands().hold_selected_clip(*commands.hold_at);
   if (commands.let_go) show.hands().let_go_of_clip();
+  if (commands.track_clock) set_track_clock(show, *commands.track_clock);
   if (commands.rewind) messages().tell(show.rewind(*commands.rewind));
   if (!commands.models.empty()) replace_models(commands.models);
 }
@@ -196,6 +198,7 @@ void WindowCommands::replace_models(const std::vector<std::string>& files) {
   if (crowd != files.end()) {
     return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
   }
+  if (tracks_.takes(files, session_)) return;
   if (messages().tell(session_.show.replace_models(files))) session_.reporter.describe_characters(session_.show);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/demo/dropped_tracks.h"
 #include "app/demo/window_session.h"
 #include "app/overlay/overlay.h"
 #include "app/recording/crowd_file.h"
@@ -48,6 +49,7 @@ class WindowCommands {
 
   WindowSession& session_;
   Overlay& overlay_;
+  DroppedTracks tracks_;
   int screenshots_ = 0;
   int recordings_ = 0;
 };

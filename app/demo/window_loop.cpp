@@ -85,6 +85,7 @@ class WindowLoop {
     lift_triangle_limit(before);
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
+      if (!commands.models.empty()) refuse_drop(commands.models.front());
       repeat(commands.replay, seconds);
     } else {
       commands_.obey(commands);
@@ -127,6 +128,11 @@ class WindowLoop {
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;
+  }
+
+  void refuse_drop(const std::string& file) {
+    session_.messages().say(file + ": a replay shows what was recorded; drop it on a window without --replay",
+                            Message::Kind::refused);
   }
 
   // What was recorded happens, and nothing else.

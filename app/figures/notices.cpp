@@ -100,14 +100,21 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
 }
 
 std::string tracks_notice(const Trajectories& trajectories) {
-  std::string notice = trajectories.file + ": " + trajectories.format + ", " +
-                       std::to_string(trajectories.persons.size()) + " people, " +
-                       std::to_string(trajectories.row_count) + " rows.";
+  const std::string counts = trajectories.is_live ? "rows as they come."
+                                                  : std::to_string(trajectories.persons.size()) + " people, " +
+                                                        std::to_string(trajectories.row_count) + " rows.";
+  std::string notice = trajectories.file + ": " + trajectories.format + ", " + counts;
   for (const std::string& sentence : trajectories.said) notice += " " + sentence;
   std::size_t odd = 0;
   for (const OddityCount& found : trajectories.report.found) odd += found.count;
   if (odd > 0) notice += " " + std::to_string(odd) + " odd things in it are listed by throng inspect.";
   return notice;
+}
+
+std::string plan_notice(std::size_t lines, std::size_t most) {
+  const std::string why = lines > most ? std::to_string(most) + " are the most" : "they cross each other too often";
+  return "Walls and floors are left out: the place has " + std::to_string(lines) + " lines, and " + why +
+         "; --walls names simpler ones.";
 }
 
 std::string local_store_notice(const anim::AnimationSystem& system) {

@@ -29,6 +29,8 @@ std::string placement_notice(std::span<const CharacterSource> characters);
 
 /// Says what a recorded crowd is, what was told apart in its file, and how many odd things `throng inspect` lists.
 std::string tracks_notice(const Trajectories& trajectories);
+/// Says that the walls and floors of a recorded crowd are too many to be drawn.
+std::string plan_notice(std::size_t lines, std::size_t most);
 
 /// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);

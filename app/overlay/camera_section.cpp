@@ -24,23 +24,28 @@ void show_scene_cameras(const TabContext& context) {
 
 void show_ways_to_go(const TabContext& context) {
   const CameraReport& cameras = context.report.cameras;
-  ButtonRow buttons(context.widgets, 3);
+  ButtonRow buttons(context.widgets, 2);
   context.commands.cameras.home |= buttons.button(
       "Home", {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."});
   context.commands.frame_crowd |=
       buttons.button("Frame crowd", {.what = "Moves the camera until everybody is seen beside the panel. Key F."});
-  const bool someone = context.report.selected.has_value();
+  const char* const nobody = context.report.selected ? nullptr : "Nobody is selected. Click at somebody first.";
+  ButtonRow follow(context.widgets, 2);
   context.commands.cameras.change_follow |=
-      buttons.button(cameras.follows ? "Stop following" : "Follow",
-                     {.what = "The camera goes where the selected agent goes, from where it is now. Key G."},
-                     someone ? nullptr : "Nobody is selected. Click at somebody first.");
+      follow.button(cameras.follows ? "Stop following" : "Follow",
+                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, nobody);
+  context.commands.cameras.follow_behind |=
+      follow.button("From behind",
+                    {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
+                             "go round."},
+                    nobody);
 }
 
 // Says who has the camera, where that is not the person alone.
 void say_who_moves_it(const TabContext& context) {
   const CameraReport& cameras = context.report.cameras;
   if (cameras.films) {
-    context.widgets.caption("A film or a path moves the camera. Fly, and it is yours.");
+    context.widgets.caption("A film, a path or a live crowd moves the camera. Fly, and it is yours.");
   } else if (cameras.follows && context.report.selected) {
     context.widgets.caption("The camera follows agent " + std::to_string(context.report.selected->agent) + ".");
   } else if (cameras.can_film) {

@@ -33,7 +33,8 @@ constexpr std::size_t place_of_digit(Key key) {
 
 void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, CameraCommands& commands) {
   commands.home |= key == Key::home;
-  commands.change_follow |= key == Key::g && open.selection;
+  const bool follows = key == Key::g && open.selection;
+  (input.down(Key::shift) ? commands.follow_behind : commands.change_follow) |= follows;
   if (place_of_digit(key) >= bookmark_count) return;
   (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
 }
@@ -54,8 +55,10 @@ void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& com
   commands.settings->plays = !settings.plays;
 }
 
-// Some keyboards have it above a digit, whose key then means nothing else.
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
+
+// Some keyboards have them above a digit, whose key then means nothing else.
+bool types_sign(const InputFrame& input) { return input.characters.find_first_of(U"/[]") != std::u32string::npos; }
 
 int tabs_further(const InputFrame& input, Key key) {
   if (!input.down(Key::control)) return 0;
@@ -88,7 +91,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
       ask_the_viewer(key, *open.viewer, commands.viewer);
     } else {
       ask_the_crowd(input, key, open, tuning, commands);
-      if (!types_slash(input)) add_camera_key(input, key, open, commands.cameras);
+      if (!types_sign(input)) add_camera_key(input, key, open, commands.cameras);
     }
   }
 }

@@ -19,7 +19,6 @@ namespace {
 using DoubleRing = std::vector<glm::dvec2>;
 using Triangle = std::array<glm::vec3, 3>;
 
-constexpr std::size_t most_lines = 5000;  // each is compared with those beside it
 constexpr double line_half_width = 0.04;
 constexpr float floor_height = -0.003F, exit_height = -0.002F, line_height = -0.001F;  // metres
 constexpr double least_cell = 1.0, least_wall_step = 3.0, most_cells = 6'000.0;
@@ -197,10 +196,12 @@ void add_line(const GroundLine& line, float cell, PlanBuilder& builder) {
 
 }  // namespace
 
+std::size_t plan_lines(const GroundPlan& plan) { return size_of(plan).lines; }
+
 render::SceneryMeshData plan_mesh(const GroundPlan& plan, float wall_height) {
   PlanBuilder builder;
   const PlanSize size = size_of(plan);
-  if (size.lines > most_lines) return builder.take();
+  if (size.lines > most_plan_lines) return builder.take();
   const float ground_step = size.ground_step(), wall_step = size.wall_step();
   PlanCover cover = cover_of(plan);
   cover.cut_columns(2.0 * static_cast<double>(ground_step));

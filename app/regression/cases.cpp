@@ -124,10 +124,13 @@ class CaseReader {
   }
 
  private:
-  /// Returns a member of the case, else of the defaults; null if none has it.
+  /// Returns a member of the case, else of the defaults; null if none has it. The crowd of a file brings its scene and
+  /// its people, which the defaults do not change.
   const Json* value(std::string_view key) const {
     if (json_.contains(key)) return &json_[key];
-    return defaults_.contains(key) ? &defaults_[key] : nullptr;
+    const bool is_of_file = json_.contains("recording") || json_.contains("trajectories");
+    const bool is_left_out = is_of_file && (key == "scene" || key == "agents");
+    return defaults_.contains(key) && !is_left_out ? &defaults_[key] : nullptr;
   }
   const Json& object_with(std::string_view key) const { return json_.contains(key) ? json_ : defaults_; }
 

@@ -26,6 +26,7 @@ struct CameraCommands {
   bool home = false;                               ///< key Home: the scene's first camera; a film moves it again
   std::optional<std::size_t> named = {};           ///< of scene_camera_names
   bool change_follow = false;                      ///< key G: follow the selected agent, or no longer
+  bool follow_behind = false;                      ///< Shift and G: go behind the selected agent and turn with it
   std::optional<float> fly_speed = {};             ///< metres a second
   std::optional<std::size_t> keep_bookmark = {};   ///< Ctrl and a digit
   std::optional<std::size_t> go_to_bookmark = {};  ///< a digit

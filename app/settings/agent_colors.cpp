@@ -52,8 +52,48 @@ int error_step(float pixels) {
   return step;
 }
 
-std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
-  switch (view) {
+std::optional<ColorScale> color_scale(const Tuning& tuning) {
+  constexpr float seconds_a_minute = 60.0F;
+  switch (tuning.debug_view) {
+    case DebugView::speed:
+      return ColorScale{.title = "Speed", .unit = "m/s", .top = tuning.top_speed};
+    case DebugView::density:
+      return ColorScale{.title = "Density", .unit = "1/m\xC2\xB2", .top = tuning.top_density};
+    case DebugView::presence:
+      if (tuning.top_presence <= 2.0F * seconds_a_minute) {
+        return ColorScale{.title = "Here for", .unit = "s", .top = tuning.top_presence};
+      }
+      return ColorScale{.title = "Here for", .unit = "min", .top = tuning.top_presence, .a_unit = seconds_a_minute};
+    default:
+      return std::nullopt;
+  }
+}
+
+// Viridis by S. van der Walt and N. Smith, at even distances. Its darkest colours are left out, because a shadow would
+// make them black.
+std::uint32_t scale_color(float share) {
+  constexpr std::array<std::array<float, 3>, 8> ramp = {{{71, 39, 119},
+                                                         {62, 73, 137},
+                                                         {48, 104, 142},
+                                                         {37, 133, 142},
+                                                         {31, 161, 135},
+                                                         {82, 197, 105},
+                                                         {165, 219, 54},
+                                                         {253, 231, 37}}};
+  const float place = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(ramp.size() - 1);
+  const std::size_t from = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
+  const auto mixed = [&](std::size_t part) {
+    const float value = std::lerp(ramp.at(from).at(part), ramp.at(from + 1).at(part), place - static_cast<float>(from));
+    return static_cast<std::uint32_t>(std::lround(value));
+  };
+  return rgba(mixed(0), mixed(1), mixed(2), 255);
+}
+
+std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail) {
+  if (const auto scale = color_scale(tuning)) {
+    return detail.measure < 0.0F ? 0 : scale_color(detail.measure / scale->top);
+  }
+  switch (tuning.debug_view) {
     case DebugView::interval:
       return interval_color(detail.interval);
     case DebugView::bone_level:
@@ -62,10 +102,9 @@ std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
       return detail.mesh_lod < 0 ? 0 : mesh_lod_color(detail.mesh_lod);
     case DebugView::error:
       return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
-    case DebugView::none:
+    default:
       return 0;
   }
-  return 0;
 }
 
 // The colours and their order are those of color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.

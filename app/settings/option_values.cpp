@@ -13,12 +13,6 @@
 namespace throng::app {
 namespace {
 
-std::optional<double> finite_number_in(const std::string& text) {
-  constexpr double most = std::numeric_limits<double>::max();
-  double number = 0;
-  return read_number(text, -most, most, number) ? std::nullopt : std::optional(number);
-}
-
 /// All parts between commas as finite numbers, or nothing.
 std::optional<std::vector<double>> numbers_in(const std::string& text) {
   std::vector<double> numbers;
@@ -46,6 +40,12 @@ CameraPlace camera_from(const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+std::optional<double> finite_number_in(const std::string& text) {
+  constexpr double most = std::numeric_limits<double>::max();
+  double number = 0;
+  return read_number(text, -most, most, number) ? std::nullopt : std::optional(number);
+}
 
 ValueReader whole_number(int& target, int least, int most) {
   return [&target, least, most](const std::string& text) -> Complaint {
@@ -166,18 +166,22 @@ ValueReader image_size(int& width, int& height) {
 
 ValueReader camera(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
-    if (text.find(',') == std::string::npos) {
+    if (text.find(',') == std::string::npos || text.starts_with("follow:")) {
       options.camera.reset();
       return any_text(options.camera_name)(text);
     }
-    const auto numbers = numbers_in(text);
-    if (!numbers || !can_be_a_camera(*numbers)) {
+    options.camera = camera_place_in(text);
+    if (!options.camera) {
       return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to "
              "90, fov 1 to 170";
     }
-    options.camera = camera_from(*numbers);
     return {};
   };
+}
+
+std::optional<CameraPlace> camera_place_in(const std::string& text) {
+  const auto numbers = numbers_in(text);
+  return numbers && can_be_a_camera(*numbers) ? std::optional(camera_from(*numbers)) : std::nullopt;
 }
 
 std::string names_of_times() {

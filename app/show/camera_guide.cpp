@@ -1,11 +1,24 @@
 #include "app/show/camera_guide.h"
 
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+
 #include "app/crowd/cast.h"
 #include "app/show/track_cameras.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
 
 namespace throng::app {
+namespace {
+
+bool is_live(const Stage& stage) {
+  const Followers* const followers = followers_of(stage.crowd());
+  return followers != nullptr && followers->trajectories().is_live;
+}
+
+}  // namespace
 
 std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect) {
   if (const Followers* const followers = followers_of(stage.crowd())) {
@@ -21,17 +34,42 @@ render::Camera CameraGuide::begin_scene(const Stage& stage) {
 }
 
 render::Camera CameraGuide::home(const Stage& stage) const {
-  return path_ == CameraPath::none ? camera_at(cameras_of(stage).front().place) : start_;
+  return has_path() ? start_ : camera_at(cameras_of(stage).front().place);
 }
 
 bool CameraGuide::can_film(const Stage& stage) const {
-  return path_ != CameraPath::none || stage.animated().cut_scene() != nullptr;
+  return has_path() || stage.animated().cut_scene() != nullptr || is_live(stage);
 }
 
 render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& camera, bool films) {
+  if (films && !keys_.empty()) return along(keys_, anim::to_seconds(stage.system().clock()));
   if (films && path_ != CameraPath::none) return along(path_, start_, anim::to_seconds(stage.system().clock()));
   if (films && stage.animated().cut_scene() != nullptr) return stage.animated().cut_scene()->film();
-  return carried(stage, camera);
+  look_for_another(stage);
+  const render::Camera next = films && is_live(stage) ? held_live(stage, camera) : camera;
+  return behind_ ? behind_->moved(stage, next) : carried(stage, next);
+}
+
+// It goes back smoothly, for somebody may come from far away.
+render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& camera) {
+  constexpr double seconds_to_go = 1.2;
+  const GroundBounds& bounds = followers_of(stage.crowd())->bounds();
+  if (bounds != live_bounds_) {
+    const auto cameras = cameras_of(stage);
+    const NamedCamera* const named = find_camera(cameras, live_name_);
+    live_place_ = camera_at(named != nullptr ? named->place : cameras.front().place);
+    live_bounds_ = bounds;
+  }
+  const anim::Ticks now = stage.system().clock(), before = std::exchange(clock_, now);
+  const auto share = static_cast<float>(1.0 - std::exp(-anim::to_seconds(now - before) / seconds_to_go));
+  render::Camera next = live_place_;
+  next.position = glm::mix(camera.position, live_place_.position, share);
+  return next;
+}
+
+void CameraGuide::look_for_another(const Stage& stage) {
+  if (!behind_ || !while_selected_ || stage.selected() == behind_->agent()) return;
+  behind_ = stage.selected() ? std::optional(FollowCamera(*stage.selected())) : std::nullopt;
 }
 
 render::Camera CameraGuide::carried(const Stage& stage, const render::Camera& camera) {

@@ -2,10 +2,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "app/show/follow_camera.h"
 #include "app/stage/stage.h"
+#include "app/view/keyed_path.h"
 #include "app/view/scenes.h"
 #include "engine/render/camera.h"
 
@@ -15,11 +19,15 @@ namespace throng::app {
 /// `aspect` is that of the picture.
 std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect = 16.0F / 9.0F);
 
-/// Moves the camera where nobody flies it: along a path, as the film of a cut scene, or with an agent.
+/// Moves the camera where nobody flies it: along a path, as the film of a cut scene, with an agent, or back from a live
+/// crowd that grows.
 class CameraGuide {
  public:
   /// Takes a path that begins at `start`.
   void take_path(CameraPath path, const render::Camera& start) { path_ = path, start_ = start; }
+
+  /// Takes a path of keys in its place.
+  void take_keys(std::vector<CameraKey> keys) { keys_ = std::move(keys); }
 
   /// Returns where the camera begins in the scene on the stage, which may be another one than before. A path begins
   /// there too.
@@ -27,12 +35,21 @@ class CameraGuide {
   /// Returns where the camera goes back to: the beginning of its path, or the scene's first camera.
   render::Camera home(const Stage& stage) const;
 
-  /// Returns whether there is a path or a film.
+  /// Lets a camera of a live crowd hold all that it has seen of it, whenever it films.
+  void frame_live(const std::string& name) { live_name_ = name; }
+
+  /// Returns whether there is a path, a film or a live crowd.
   bool can_film(const Stage& stage) const;
 
   /// Lets the camera go with the selected agent, from where it is, until nobody is selected.
-  void follow(bool follow) { follows_ = follow; }
-  bool follows() const { return follows_; }
+  void follow(bool follow) { follows_ = follow, behind_.reset(); }
+  /// Lets the camera go behind somebody from now on.
+  /// `while_selected`: it follows whoever is selected, until nobody is.
+  void follow_behind(const FollowCamera& camera, bool while_selected) {
+    follows_ = false, behind_ = camera, while_selected_ = while_selected;
+  }
+  bool follows() const { return follows_ || behind_.has_value(); }
+  bool follows_behind() const { return behind_.has_value(); }
 
   /// Returns the camera in the moment on the stage. `films`: a path or a film has it. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera, bool films);
@@ -43,12 +60,23 @@ class CameraGuide {
     std::uint32_t agent = 0;
     glm::vec3 place{0.0F};
   };
+  void look_for_another(const Stage& stage);
+  render::Camera held_live(const Stage& stage, const render::Camera& camera);
   render::Camera carried(const Stage& stage, const render::Camera& camera);
 
+  bool has_path() const { return path_ != CameraPath::none || !keys_.empty(); }
+
   CameraPath path_ = CameraPath::none;
+  std::vector<CameraKey> keys_;  // empty: path_ says it
   render::Camera start_;
   bool follows_ = false;
   std::optional<Followed> followed_;
+  std::optional<FollowCamera> behind_;
+  bool while_selected_ = false;
+  std::string live_name_;     // empty: no crowd was live
+  GroundBounds live_bounds_;  // that live_place_ is for
+  render::Camera live_place_;
+  anim::Ticks clock_{};
 };
 
 }  // namespace throng::app

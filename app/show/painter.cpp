@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/place/plan_mesh.h"
 #include "app/place/props.h"
 #include "app/show/contexts.h"
 
@@ -116,7 +117,10 @@ DrawnBy Painter::drawn_by() const {
 }
 
 std::string Painter::notice() const {
-  return context_ == nullptr ? std::string() : software_notice(context_->renderer(), spared_);
+  if (context_ == nullptr) return {};
+  std::string notice = software_notice(context_->renderer(), spared_);
+  if (lines_left_out() > 0) add_line(notice, plan_notice(lines_left_out(), most_plan_lines));
+  return notice;
 }
 
 render::PalettePageSource& Painter::palette_pages() {
@@ -180,7 +184,9 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   lines_.clear();
+  path_.add(lines_, stage);
   if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
+  trails_.add(lines_, stage, view.camera, {view.width, view.height});
   thresholds_.update(stage, view.lod_camera(), view.height);
   if (!stage.tuning().inspection.thresholds) return;
   const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].character->bounds.height / 2);

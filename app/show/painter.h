@@ -12,10 +12,12 @@
 #include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
+#include "app/show/path_in_view.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
+#include "app/show/trails.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/device_timer.h"
 #include "engine/render/renderer.h"
@@ -46,6 +48,8 @@ class Painter {
   const Spared& spared() const { return spared_; }
   /// Says what is left out; empty where that is nothing.
   std::string notice() const;
+  /// Does what Scenery::lines_left_out does; known once a frame was drawn.
+  std::size_t lines_left_out() const { return scenery_.lines_left_out(); }
   render::Renderer& renderer() { return *renderer_; }
   render::gl::Context& context() { return *context_; }
 
@@ -95,6 +99,8 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  PathInView path_;
+  Trails trails_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;

@@ -24,6 +24,9 @@ class Scenery {
   /// before. Errors: those of Renderer::load_scenery, which the first frame of a recorded crowd calls again.
   anim::Status follow(const Stage& stage, render::Renderer& renderer);
 
+  /// Returns how many lines the plan of a recorded crowd has, if they are too many to be drawn; else 0.
+  std::size_t lines_left_out() const { return lines_left_out_; }
+
   const render::SceneGround& ground() const { return ground_; }
 
  private:
@@ -47,6 +50,7 @@ class Scenery {
   std::array<std::optional<std::uint32_t>, prop_count> meshes_;  // [prop]; none: there is no such mesh
   std::shared_ptr<const Trajectories> planned_;                  // whose plan is loaded; null: none is
   std::optional<std::uint32_t> plan_mesh_;
+  std::size_t lines_left_out_ = 0;
   std::optional<Cause> placed_;
   render::SceneGround ground_;
 };

@@ -19,6 +19,10 @@
 namespace throng::app {
 namespace {
 
+// A recording does not hold the rows of a file, nor the moves of its clock.
+constexpr const char* no_recording_of_tracks =
+    "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
+
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
@@ -35,7 +39,7 @@ Tuning with_savings(Tuning tuning, const Spared& spared) {
 
 }  // namespace
 
-std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
+std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error, std::unique_ptr<LiveTracks> live) {
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
@@ -48,6 +52,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   show->painter_ = std::move(*painter);
+  if (live != nullptr && !show->open_live(options, std::move(live), error)) return nullptr;
   if (!show->open_stage(std::move(cast->characters), options, error)) return nullptr;
   if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
@@ -60,12 +65,12 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
   Tuning tuning = with_savings(options.tuning, painter_->spared());
-  std::shared_ptr<const Trajectories> trajectories;
-  if (!options.trajectories.file.empty()) {
+  std::shared_ptr<const Trajectories> trajectories = live_ != nullptr ? live_->trajectories() : nullptr;
+  if (live_ == nullptr && !options.trajectories.file.empty()) {
     trajectories = open_trajectories(options.trajectories, error);
     if (trajectories == nullptr) return false;
-    tuning.agents = static_cast<int>(trajectories->persons.size());
   }
+  if (trajectories != nullptr) tuning.agents = static_cast<int>(trajectories->persons.size());
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
@@ -87,39 +92,6 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
-// A recorded crowd begins where it was asked to.
-bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
-  const Trajectories* const all = trajectories_of(*stage_).get();
-  if (all == nullptr) return true;
-  TrackClock clock = track_clock_of(stage_->crowd());
-  clock.repeats = options.context == ContextKind::window;
-  if (options.trajectories.start) {
-    clock.seconds = *options.trajectories.start;
-    if (clock.seconds < clock.first || clock.seconds > clock.last) {
-      return fail(error, exit_usage,
-                  "--start: " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
-                      std::to_string(clock.last) + " s of its clock");
-    }
-  }
-  set_track_clock(*stage_, clock);
-  return true;
-}
-
-bool Show::place_camera(const DemoOptions& options, StartError& error) {
-  const auto cameras = cameras_of(*stage_, static_cast<float>(width) / static_cast<float>(height));
-  const NamedCamera* named = find_camera(cameras, options.camera_name);
-  if (named == nullptr) {
-    std::vector<std::string> names;
-    for (const NamedCamera& each : cameras) names.emplace_back(each.name);
-    return fail(error, exit_usage,
-                "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
-  }
-  camera = camera_at(options.camera.value_or(named->place));
-  guide.take_path(options.camera_path, camera);
-  films = options.camera_path != CameraPath::none || (!options.camera && options.camera_name.empty());
-  return true;
-}
-
 bool Show::begin_viewing(const std::string& clip, StartError& error) {
   ViewRequest request;
   const std::vector<std::string>& names = stage_->people().front().clip_names;
@@ -136,6 +108,7 @@ bool Show::begin_viewing(const std::string& clip, StartError& error) {
 }
 
 anim::Status Show::apply(const Tuning& tuning) {
+  if (tuning.scene == Scene::tracks && recorder_.is_recording()) return anim::Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
   if (!applied) return applied;
@@ -169,7 +142,8 @@ anim::Status Show::take(LoadedCast cast) {
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   const bool viewed = viewer_ != nullptr;
-  if (anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged;
+  if (anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_)); !exchanged)
+    return exchanged;
   left_out_.clear();
   if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
@@ -182,16 +156,21 @@ anim::Result<double> Show::set_placement(std::size_t character, const anim::Plac
   if (!placed) return placed.error();
   std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
   characters[character] = std::move(*placed);
-  if (const anim::Status exchanged = exchange(std::move(characters)); !exchanged) return exchanged.error();
+  const anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_));
+  if (!exchanged) return exchanged.error();
   recorder_.add(RecordedPlacement{static_cast<std::uint32_t>(character), choice});
   update_notice();
   return milliseconds_since(start) / 1000.0;
 }
 
-anim::Status Show::exchange(std::vector<CharacterSource> characters) {
-  auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame(),
-                             trajectories_of(*stage_));
+// Somebody who looks at a recorded crowd goes on at the same moment with other characters.
+anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
+                            std::shared_ptr<const Trajectories> trajectories) {
+  const bool same_tracks = tuning.scene == Scene::tracks && trajectories == trajectories_of(*stage_);
+  auto stage =
+      Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(), std::move(trajectories));
   if (!stage) return stage.error();
+  if (same_tracks) set_track_clock(**stage, track_clock_of(stage_->crowd()));
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   viewer_.reset();
@@ -242,7 +221,12 @@ anim::Status Show::view(const ViewRequest& request) {
 
 anim::Status Show::draw() {
   const PaintedView view{camera, frozen_camera_, width, height};
-  if (viewer_ == nullptr) return painter_->draw(*stage_, view, figures_);
+  if (viewer_ == nullptr) {
+    const std::size_t left_out_before = painter_->lines_left_out();
+    anim::Status drawn = painter_->draw(*stage_, view, figures_);
+    if (painter_->lines_left_out() != left_out_before) update_notice();
+    return drawn;
+  }
   const render::Camera round = viewer_->turntable().camera(view.aspect(), covered);
   return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())), stage_->tuning());
 }
@@ -261,6 +245,7 @@ anim::Status Show::rewind(std::size_t moment) {
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
+  if (stage_->tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
   const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
   if (stage_->frame() > 0) stage_->restart();
@@ -290,6 +275,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const std::uint64_t completed = painter_->completed_frame(*stage_);
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = RunFigures::Clock::now();
+  if (live_ != nullptr) take_live_rows(step);
   stage_->move(step);
   camera = guide.moved(*stage_, camera, films);
   freeze_lod_camera();
@@ -299,7 +285,9 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (recorder_.is_recording()) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
-  if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
+  // Any moment of a recorded crowd is there at once, and nobody knows those of a live one again.
+  const bool has_clock_of_its_own = followers_of(stage_->crowd()) != nullptr;
+  if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
 }
@@ -318,6 +306,9 @@ void Show::update_notice() {
   add_line(notice, pu_notice(on_this_machine(stage_->tuning().system).pus, stage_->system().options().pus));
   for (const std::string& sentence : left_out_) add_line(notice, sentence);
   if (trajectories_of(*stage_) != nullptr) add_line(notice, tracks_notice(*trajectories_of(*stage_)));
+  if (live_ != nullptr) {
+    for (const std::string& sentence : live_->said()) add_line(notice, sentence);
+  }
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
   add_line(notice, local_store_notice(stage_->system()));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "app/figures/run_figures.h"
+#include "app/live/live_crowd.h"
 #include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
@@ -26,7 +29,9 @@ namespace throng::app {
 /// one.
 class Show {
  public:
-  static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error);
+  /// `live` has a head, and is there where the options name standard input.
+  static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error,
+                                      std::unique_ptr<LiveTracks> live = {});
 
   /// Takes new values at a frame boundary. Another scene brings its own camera. Errors: they cannot be; then nothing
   /// has changed.
@@ -84,7 +89,8 @@ class Show {
   anim::Status begin_anew(const Tuning& tuning);
 
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
-  /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
+  /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written; the scene is
+  /// `tracks`, which a recording neither begins with nor comes to.
   anim::Status start_recording(const std::filesystem::path& file);
   /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
@@ -109,20 +115,30 @@ class Show {
   std::string notice;
 
  private:
+  friend void set_track_clock(Show& show, const TrackClock& clock);
   friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
+  friend bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
+  friend const LiveCrowd* live_crowd_of(const Show& show);
+  friend anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
+  bool open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error);
   bool begin_tracks(const DemoOptions& options, StartError& error);
+  void take_live_rows(anim::Ticks step);
   bool place_camera(const DemoOptions& options, StartError& error);
+  bool follow_from_start(const std::string& name, const DemoOptions& options, StartError& error);
   anim::Status take(LoadedCast cast);
-  anim::Status exchange(std::vector<CharacterSource> characters);
+  anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
+                        std::shared_ptr<const Trajectories> trajectories);
   bool begin_viewing(const std::string& clip, StartError& error);
   void update_notice();
   void freeze_lod_camera();
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
   std::unique_ptr<Painter> painter_;
-  std::unique_ptr<Stage> stage_;    // goes before the painter, as it uses the painter's pages
+  std::unique_ptr<Stage> stage_;     // goes before the painter, as it uses the painter's pages
+  std::unique_ptr<LiveCrowd> live_;  // null: no rows come
+  std::size_t live_news_ = 0;
   std::unique_ptr<Viewer> viewer_;  // null: the crowd is shown; goes before the stage, as it uses the stage's slots
   Recorder recorder_;
   RunFigures figures_;
@@ -134,8 +150,23 @@ class Show {
   std::optional<render::Camera> frozen_camera_;
 };
 
+/// Takes a recorded crowd to another time, or plays it otherwise, at a frame boundary. Does nothing to other crowds.
+void set_track_clock(Show& show, const TrackClock& clock);
+
 /// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
 /// render::Renderer::draw_labels.
 anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
+
+/// Returns the crowd whose rows still come; null where there is none.
+inline const LiveCrowd* live_crowd_of(const Show& show) { return show.live_.get(); }
+
+/// Waits, at most so long, for the rows that a frame of a live crowd shows. Returns whether they are there; those of
+/// other crowds are.
+bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
+
+/// Shows a recorded crowd in place of everybody, with the same characters, at a frame boundary. It begins at its first
+/// row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory lacks; then
+/// nothing has changed.
+anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
 
 }  // namespace throng::app

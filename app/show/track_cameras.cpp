@@ -32,8 +32,10 @@ FramedBox box_of(const Followers& followers, float height) {
 
 std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect) {
   const FramedBox box = box_of(followers, height);
-  // Cameras look from a long side, so that the crowd fills the width of the picture.
-  const bool is_deep = box.high.z - box.low.z > box.high.x - box.low.x;
+  // Cameras look from a long side, so that the crowd fills the width of the picture. Nobody knows that of a live crowd.
+  const Trajectories& all = followers.trajectories();
+  const bool is_known = !all.is_live || !all.plan.is_empty();
+  const bool is_deep = is_known && box.high.z - box.low.z > box.high.x - box.low.x;
   const float turn = is_deep ? 90.0F : 0.0F;
   const std::array looks{Look{"front", turn + 20.0F, -28.0F, 42.0F},
                          Look{"above", turn, -64.0F, 50.0F},

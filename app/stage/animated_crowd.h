@@ -125,6 +125,12 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
+  friend void forget_feet(AnimatedCrowd& animated) {
+    animated.gazes_->take_back({});  // it comes after the feet
+    animated.feet_->forget_places();
+  }
+  friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
+  friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
@@ -161,6 +167,11 @@ class AnimatedCrowd {
 /// Takes a recorded crowd to another time, at a frame boundary.
 inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {
   set_track_clock(*animated.crowd_, clock);
+}
+
+/// Takes the rows that came of a live crowd. Call it before move().
+inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) {
+  take_live_step(*animated.crowd_, step, animated.system_->executor(), animated.system_->options().pus);
 }
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);

@@ -11,6 +11,7 @@
 #include "app/lod/mesh_choice.h"
 #include "app/lod/mesh_lods.h"
 #include "app/lod/shown_poses.h"
+#include "app/measure/crowd_measures.h"
 #include "app/settings/settings.h"
 #include "app/stage/animated_crowd.h"
 #include "app/stage/kept_joints.h"
@@ -107,13 +108,16 @@ class Stage {
  private:
   friend const StageTimes& times_of(const Stage& stage);
   friend void set_track_clock(Stage& stage, const TrackClock& clock);
+  friend void take_live_step(Stage& stage, const LiveStep& step);
   friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
+  friend const CrowdMeasures& measures_of(const Stage& stage) { return stage.measures_; }
   friend anim::Status keep_joints(Stage& stage);
   friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
+  void jump();
   void learn_level_of_detail();
   anim::Status can_show(Tuning& tuning) const;
   anim::LodLimits limits() const;
@@ -126,6 +130,7 @@ class Stage {
 
   std::vector<CharacterSource> characters_;
   std::shared_ptr<const Trajectories> trajectories_;  // null: none
+  std::optional<TrackClock> track_clock_;             // of the recorded crowd, also while another scene is shown
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
@@ -136,6 +141,7 @@ class Stage {
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
   KeptJoints joints_;
+  CrowdMeasures measures_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
   StageTimes times_;
@@ -147,6 +153,9 @@ inline const StageTimes& times_of(const Stage& stage) { return stage.times_; }
 
 /// Takes a recorded crowd to another time, at a frame boundary. Everybody is posed for it at once.
 void set_track_clock(Stage& stage, const TrackClock& clock);
+
+/// Takes the rows that came of a live crowd, which are those of its trajectories. Call it before move().
+void take_live_step(Stage& stage, const LiveStep& step);
 
 /// Returns the recorded crowd of the scene `tracks`; null where there is none.
 inline const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage) { return stage.trajectories_; }

@@ -33,6 +33,8 @@ class TrackPlayers {
   void set(std::uint32_t agent, anim::Ticks ahead);
   /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
+  /// Returns how firmly they stand at any time of the file's clock.
+  std::array<float, person_legs> planted_at(std::uint32_t agent, double seconds) const;
 
   /// The place that somebody looks at, in its model space, and the share of the way that its head turns there.
   struct Gaze {
@@ -43,7 +45,7 @@ class TrackPlayers {
   std::optional<Gaze> gaze(std::uint32_t agent) const;
 
  private:
-  FollowedMix mix_of(std::uint32_t agent, anim::Ticks ahead) const;
+  FollowedMix mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const;
 
   anim::AnimationSystem* system_;
   const Crowd* crowd_;

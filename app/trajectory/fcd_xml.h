@@ -37,9 +37,6 @@ class FcdParser {
   std::unique_ptr<State> state_;
 };
 
-/// Returns whether a text that begins so is XML.
-bool is_xml(std::string_view head);
-
 /// Reads all rows of a file. Errors begin with the file's name.
 Status read_fcd_xml(const std::string& file, const TrackReading& options, const ReadProgress& progress,
                     RawTracks& tracks);

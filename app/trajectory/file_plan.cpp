@@ -1,11 +1,15 @@
 #include "app/trajectory/file_plan.h"
 
+#include <filesystem>
 #include <span>
 #include <utility>
 
+#include "app/trajectory/floor_xml.h"
+#include "app/trajectory/head_lines.h"
 #include "app/trajectory/sqlite_file.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/vadere_plan.h"
+#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -26,6 +30,20 @@ GroundArea placed_area(const FileArea& area, double unit, const glm::dvec2& orig
   return placed;
 }
 
+/// Reads walls of any kind that is text. The error is the end of a sentence.
+Result<FilePlan> plan_of_text(std::string_view text) {
+  if (std::string why = why_no_text(text, "name walls: WKT, .scenario or .floor"); !why.empty()) return Error{why};
+  text.remove_prefix(byte_order_mark(text));
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return Error{"it is empty; name a file with walls"};
+  if (is_xml(text)) return parse_floor(text);
+  if (text[first] != '{') return parse_wkt(text);
+  const auto json = parse_json(text);
+  if (!json) return Error{"its text " + json.error().message + "; name a .scenario of Vadere, or walls as WKT"};
+  auto scenario = vadere_scenario(*json);
+  return scenario ? Result<FilePlan>(std::move(scenario->plan)) : scenario.error();
+}
+
 }  // namespace
 
 GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dvec2& origin) {
@@ -44,28 +62,25 @@ GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dv
 
 Result<FilePlan> read_file_plan(const std::string& file) {
   constexpr std::size_t most_bytes = std::size_t{256} << 20U;
-  const auto opened = InputFile::open(file, "walls as WKT");
+  const auto opened = InputFile::open(file, "a file of walls");
   if (!opened) return Error{file + ": " + opened.error().message};
   std::string head(16, '\0');
   InputFile input = *opened;
   const auto read = input.read(std::as_writable_bytes(std::span(head)));
   if (read && is_sqlite(head)) return read_sqlite_plan(file);
-  const auto text = read_text(file, "walls as WKT", most_bytes);
+  const auto text = read_text(file, "a file of walls", most_bytes);
   if (!text) return Error{file + ": " + text.error().message};
-  if (const std::string why = why_no_text(*text); !why.empty()) return Error{file + ": " + why};
-  const std::string_view bare = std::string_view(*text).substr(byte_order_mark(*text));
-  const std::size_t first = bare.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return Error{file + ": it is empty; name a file of WKT"};
-  if (bare[first] == '{') {
-    const auto json = parse_json(bare);
-    if (!json) return Error{file + ": " + json.error().message + "; name a .scenario of Vadere, or walls as WKT"};
-    auto scenario = vadere_scenario(*json);
-    if (!scenario) return Error{file + ": " + scenario.error().message};
-    return std::move(scenario->plan);
+  auto plan = plan_of_text(*text);
+  return plan ? std::move(plan) : Error{file + ": " + plan.error().message};
+}
+
+std::optional<std::string> plan_beside(const std::string& file) {
+  std::error_code error;
+  for (const char* const extension : {".wkt", ".floor"}) {
+    const auto beside = std::filesystem::path(file).replace_extension(extension);
+    if (beside != file && std::filesystem::is_regular_file(beside, error)) return beside.string();
   }
-  auto plan = parse_wkt(bare);
-  if (!plan) return Error{file + ": " + plan.error().message};
-  return plan;
+  return {};
 }
 
 Result<GroundPlan> read_ground_plan(const std::string& file, const glm::dvec2& origin) {

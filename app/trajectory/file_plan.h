@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,12 @@ using FileLine = FilePlan::Line;
 /// obstacles. Several geometries may follow each other. The error is the end of a sentence, "line 3: ...; ...".
 Result<FilePlan> parse_wkt(std::string_view text);
 
-/// Reads walls and floors: WKT, a scenario of Vadere, or what JuPedSim wrote. Errors begin with the file's name.
+/// Reads walls and floors: WKT, a scenario of Vadere, a .floor of crowd:it, or what JuPedSim wrote. Errors begin with
+/// the file's name.
 Result<FilePlan> read_file_plan(const std::string& file);
+
+/// Returns the file of walls that lies beside one of trajectories and has its name: a .wkt, or a .floor of crowd:it.
+std::optional<std::string> plan_beside(const std::string& file);
 
 /// Returns the plan about the file's place `origin`, which is in metres.
 GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dvec2& origin);

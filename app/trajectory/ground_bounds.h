@@ -10,9 +10,19 @@ namespace throng::app {
 /// A rectangle on the ground: x and z in metres.
 struct GroundBounds {
   glm::vec2 low{0.0F}, high{0.0F};
+
+  friend bool operator==(const GroundBounds&, const GroundBounds&) = default;
 };
 
-/// Returns what holds everybody at every time. There is at least one person.
+/// Makes bounds hold a place.
+inline void add_to(GroundBounds& bounds, const glm::vec2& place) {
+  bounds.low = glm::min(bounds.low, place);
+  bounds.high = glm::max(bounds.high, place);
+}
+inline void add_to(GroundBounds& bounds, const TrackRow& row) { add_to(bounds, glm::vec2(row.x, row.z)); }
+
+/// Returns what holds everybody at every time. While rows still come, it holds the place too, or else a few metres
+/// around the first row.
 GroundBounds bounds_of(const Trajectories& trajectories);
 
 }  // namespace throng::app

@@ -193,6 +193,9 @@ class NdjsonParser final : public LineParser {
 }  // namespace
 
 Result<TextFormat> ndjson_format(std::string_view first) {
+  if (first.find('}') == std::string_view::npos) {
+    return Error{"it is JSON over several lines; put the object of a row on each line, or export CSV"};
+  }
   auto parser = std::make_unique<NdjsonParser>();
   RowSink sink;
   TextFormat format;

@@ -14,6 +14,7 @@
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/tracks.h"
 #include "app/trajectory/vadere_plan.h"
+#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -35,7 +36,7 @@ Status read_scenario(const std::string& file, const TrackReading& options, RawTr
   const auto text = read_text(*scenario_file, "a scenario", most_json_bytes);
   if (!text) return Error{*scenario_file + ": " + text.error().message};
   const auto json = parse_json(*text);
-  if (!json) return Error{*scenario_file + ": " + json.error().message + "; give the walls with --walls"};
+  if (!json) return Error{*scenario_file + ": its text " + json.error().message + "; give the walls with --walls"};
   auto scenario = vadere_scenario(*json);
   if (!scenario) return Error{*scenario_file + ": " + scenario.error().message};
   if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / scenario->seconds_a_step;
@@ -126,15 +127,17 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (!walls) return walls.error();
   RawTracks raw;
   if (const Status read = read_raw(file, options, progress, raw); !read) return read.error();
+  const auto beside = options.walls.empty() && raw.plan.is_empty() ? plan_beside(file) : std::nullopt;
+  if (beside) walls = read_file_plan(*beside);
+  if (!walls) return walls.error();
   if (options.up == TrackUp::y) {
     for (RowBlock& block : raw.blocks) std::ranges::for_each(block.rows, swap_up);
     raw.facts.has_z = true;
   }
+  if (beside) raw.facts.said.push_back("The place is that of " + *beside + ".");
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
-  if (!options.walls.empty()) {
-    tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
-  }
+  if (!walls->is_empty()) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
   if (progress) progress(1.0);
   return tracks;
 }
@@ -145,9 +148,11 @@ bool looks_like_trajectories(const std::string& file) {
   if (is_sqlite(*head) || is_xml(*head)) return true;
   if (text_format_of(*head, {})) return true;
   // A table that is refused is no model all the same.
-  const std::string extension = std::filesystem::path(file).extension().string();
-  static constexpr std::array names{".csv", ".tsv", ".txt", ".traj", ".ndjson", ".jsonl", ".dat", ".sqlite", ".fzp"};
-  return std::ranges::count(names, extension) > 0;
+  std::filesystem::path name = file;
+  if (name.extension() == ".gz") name.replace_extension();
+  static constexpr std::array extensions{".csv",   ".tsv", ".txt",    ".traj", ".ndjson",
+                                         ".jsonl", ".dat", ".sqlite", ".fzp",  ".pp"};
+  return std::ranges::count(extensions, name.extension().string()) > 0;
 }
 
 }  // namespace throng::app

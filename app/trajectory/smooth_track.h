@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include <glm/vec2.hpp>
@@ -19,6 +20,8 @@ namespace throng::app {
 /// who stops does not go beyond and come back.
 class SmoothTrack {
  public:
+  /// Makes a track of nobody, who is nowhere at any time; nothing else may be asked of it.
+  SmoothTrack() = default;
   explicit SmoothTrack(std::span<const TrackRow> rows)
       : rows_(rows), first_(rows.front().seconds), last_(rows.back().seconds) {}
 
@@ -41,7 +44,8 @@ class SmoothTrack {
   glm::vec2 slope(std::size_t row) const;
 
   std::span<const TrackRow> rows_;
-  double first_, last_;  // of the rows, which lie far apart in memory
+  double first_ = std::numeric_limits<double>::infinity(),
+         last_ = -first_;  // of the rows, which lie far apart in memory
 };
 
 /// Returns an angle, in radians, from -pi to pi.

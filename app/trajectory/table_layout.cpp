@@ -23,12 +23,14 @@ constexpr std::array field_names{
     FieldNames{TrackField::time,
                "time t seconds sec s timestamp simtime simsec timesec timesteptime elapsedtime starttimepid1"},
     FieldNames{TrackField::frame, "frame frameid fr f framenumber frameno framenum frameindex timestep step tick"},
-    FieldNames{TrackField::x,
-               "x posx xpos positionx xposition px xcoord coordx coordcentx xcoordinate locationx worldx centerx cx "
-               "startx startxpid1 xpid1"},
-    FieldNames{TrackField::y,
-               "y posy ypos positiony yposition py ycoord coordy coordcenty ycoordinate locationy worldy centery cy "
-               "starty startypid1 ypid1"},
+    FieldNames{
+        TrackField::x,
+        "x posx xpos positionx xposition px xcoord coordx coordcentx xcoordinate locationx worldx centerx xcenter cx "
+        "startx startxpid1 xpid1"},
+    FieldNames{
+        TrackField::y,
+        "y posy ypos positiony yposition py ycoord coordy coordcenty ycoordinate locationy worldy centery ycenter cy "
+        "starty startypid1 ypid1"},
     FieldNames{TrackField::z,
                "z posz zpos positionz zposition pz zcoord coordz coordcentz zcoordinate locationz worldz centerz cz "
                "height elevation"},
@@ -72,7 +74,7 @@ std::string unit_taken_off(std::string& name) {
     const std::size_t at = name.rfind(before);
     if (at == std::string::npos || at == 0) continue;
     const std::string unit = letters_and_digits(std::string_view(name).substr(at + before.size()));
-    if (std::ranges::count(units, unit) == 0) continue;
+    if (!is_unit(unit)) continue;
     name.resize(at);
     return unit;
   }
@@ -156,6 +158,8 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
   add();
   return fields;
 }
+
+bool is_unit(std::string_view word) { return std::ranges::count(units, word) > 0; }
 
 TableColumn column_named(std::string_view name) {
   std::string text = lower(name);

@@ -50,6 +50,9 @@ char separator_of(std::string_view line);
 /// Returns the fields of a line, without quotes and the blanks around them.
 std::vector<std::string> fields_of(std::string_view line, char separator);
 
+/// Returns whether a word is a unit that columns may have: "m", "deg".
+bool is_unit(std::string_view word);
+
 /// Returns what the name of a column means, and its unit: "X [cm]" is x in cm. Case does not matter.
 TableColumn column_named(std::string_view name);
 

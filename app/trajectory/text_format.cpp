@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/files/joined.h"
+#include "app/trajectory/first_columns.h"
+#include "app/trajectory/head_lines.h"
 #include "app/trajectory/ndjson.h"
 #include "app/trajectory/number_text.h"
 #include "app/trajectory/table_parser.h"
@@ -15,42 +17,6 @@
 
 namespace throng::app {
 namespace {
-
-struct HeadLines {
-  std::vector<std::string_view> comments;  ///< those before the first other line, without their #
-  std::string_view first = {};             ///< the first line that is no comment and not empty
-  std::string_view second = {};            ///< the next such line
-  std::size_t first_byte = 0, first_line = 1;
-  std::size_t second_byte = 0, second_line = 1;
-};
-
-std::string_view without_end(std::string_view line) {
-  while (!line.empty() && (line.back() == '\r' || line.back() == '\n')) line.remove_suffix(1);
-  return line;
-}
-
-HeadLines lines_of(std::string_view head) {
-  HeadLines lines;
-  std::size_t at = byte_order_mark(head), number = 1;
-  for (; at < head.size() && lines.second.empty(); ++number) {
-    const std::size_t end = std::min(head.find('\n', at), head.size());
-    const std::string_view line = without_end(head.substr(at, end - at));
-    const std::size_t text = line.find_first_not_of(" \t");
-    if (text != std::string_view::npos && line[text] == '#') {
-      if (lines.first.empty()) lines.comments.push_back(line.substr(text + 1));
-    } else if (text != std::string_view::npos && lines.first.empty()) {
-      lines.first = line;
-      lines.first_byte = at;
-      lines.first_line = number;
-    } else if (text != std::string_view::npos) {
-      lines.second = line;
-      lines.second_byte = at;
-      lines.second_line = number;
-    }
-    at = end + 1;
-  }
-  return lines;
-}
 
 bool is_row_of_numbers(std::string_view line) {
   double number = 0.0;
@@ -149,14 +115,10 @@ std::optional<TableLayout> layout_in_comments(const HeadLines& lines) {
   return {};
 }
 
-TextFormat archive_text(const HeadLines& lines, std::size_t columns) {
+TextFormat archive_text(const HeadLines& lines, TableLayout layout) {
   TextFormat format;
   RowFacts& facts = format.facts;
   using enum TrackField;
-  std::optional<TableLayout> named = layout_in_comments(lines);
-  TableLayout layout = named         ? *named
-                       : columns > 4 ? layout_without_header({id, frame, x, y, z})
-                                     : layout_without_header({id, frame, x, y});
   layout.separator = separator_of(lines.first);
   const bool is_jupedsim = layout.has(angle);  // its text has the ground's height where the archive has the head's
   take_comments(lines, facts);
@@ -169,7 +131,7 @@ TextFormat archive_text(const HeadLines& lines, std::size_t columns) {
   return format;
 }
 
-TextFormat street_matrix(std::size_t /*columns*/) {
+TextFormat street_matrix() {
   TextFormat format;
   using enum TrackField;
   TableLayout layout = layout_without_header({frame, id, x, z, y});
@@ -181,12 +143,29 @@ TextFormat street_matrix(std::size_t /*columns*/) {
   return format;
 }
 
-Result<TextFormat> table_without_header(const HeadLines& lines) {
+/// Reads rows of four or five numbers that nothing names, in the order that the first of them tell.
+TextFormat four_numbers(const HeadLines& lines, std::string_view rows, bool has_height) {
+  using enum TrackField;
+  const FirstColumns first = first_columns_of(rows, separator_of(lines.first));
+  const TrackField when = first.counts_frames ? frame : time;
+  TableLayout layout =
+      first.frame_is_first ? layout_without_header({when, id, x, y}) : layout_without_header({id, when, x, y});
+  layout.whole_ids = first.frame_is_first;
+  if (has_height) layout.columns.push_back(column_named("z"));
+  TextFormat format = archive_text(lines, std::move(layout));
+  if (!first.frame_is_first) return format;
+  format.facts.format = "text with the frame first, as of ETH/UCY";
+  format.facts.z_is_head = false;
+  if (first.skips_frames) format.facts.rate_rule = RateRule::annotated;
+  return format;
+}
+
+Result<TextFormat> table_without_header(const HeadLines& lines, std::string_view rows) {
   const std::size_t columns = fields_of(lines.first, separator_of(lines.first)).size();
   const bool has_blanks = separator_of(lines.first) == ' ' || separator_of(lines.first) == '\t';
-  const bool is_named = layout_in_comments(lines).has_value();
-  if (is_named || (has_blanks && (columns == 4 || columns == 5))) return archive_text(lines, columns);
-  if (has_blanks && (columns == 7 || columns == 8)) return street_matrix(columns);
+  if (auto named = layout_in_comments(lines)) return archive_text(lines, *std::move(named));
+  if (has_blanks && (columns == 4 || columns == 5)) return four_numbers(lines, rows, columns == 5);
+  if (has_blanks && (columns == 7 || columns == 8)) return street_matrix();
   return Error{"rows of " + counted(columns, "number") +
                " without a header; put a line before them that names the columns, such as id,frame,x,y"};
 }
@@ -222,6 +201,7 @@ Result<TextFormat> table_with_header(const HeadLines& lines) {
   if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines);
   TableLayout layout = layout_of_header(lines.first);
   if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
+  take_units(lines, layout);
   TextFormat format;
   take_columns(layout, format.facts);
   const bool is_vadere = layout.has(TrackField::end_time) || lower_case(lines.first).find("-pid") != std::string::npos;
@@ -245,17 +225,14 @@ Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::s
 
 }  // namespace
 
-std::size_t byte_order_mark(std::string_view head) { return head.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
-
 bool has_first_row(std::string_view head) {
   const HeadLines lines = lines_of(head);
   if (lines.first.empty()) return false;
   return !lines.second.empty() || lines.first.find('{') == 0 || is_row_of_numbers(lines.first);
 }
 
-std::string why_no_text(std::string_view head) {
-  static const std::string no_text =
-      "it is no text and no database; name a file of trajectories: CSV, text, XML, ndjson or SQLite";
+std::string why_no_text(std::string_view head, std::string_view remedy) {
+  const std::string no_text = "it is no text and no database; " + std::string(remedy);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";
@@ -279,14 +256,10 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*o
   const std::size_t text = lines.first.find_first_not_of(" \t");
   if (lines.first[text] == '{') return with_body(ndjson_format(lines.first), lines.first_byte, lines.first_line);
   if (is_row_of_numbers(lines.first)) {
-    return with_body(table_without_header(lines), lines.first_byte, lines.first_line);
+    return with_body(table_without_header(lines, head.substr(lines.first_byte)), lines.first_byte, lines.first_line);
   }
-  auto table = with_body(table_with_header(lines), head.size(), lines.first_line);
-  if (table) table->body_line = 1 + static_cast<std::size_t>(std::ranges::count(head, '\n'));
-  if (table && !lines.second.empty()) {
-    table->body = lines.second_byte;
-    table->body_line = lines.second_line;
-  }
+  auto table = with_body(table_with_header(lines), lines.body_byte, lines.first_line);
+  if (table) table->body_line = lines.body_line;
   return table;
 }
 

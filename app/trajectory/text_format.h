@@ -26,10 +26,10 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& opt
 /// Returns whether whole lines hold the first row, so that text_format_of() can tell them apart.
 bool has_first_row(std::string_view head);
 
-/// Returns why bytes are no text that can be read, and what to do; empty if they may be.
-std::string why_no_text(std::string_view head);
-
-/// Returns how many bytes a mark of UTF-8 at the front takes.
-std::size_t byte_order_mark(std::string_view head);
+/// Returns why bytes are no text that can be read, and what to do; empty if they may be. `remedy` is for what is no
+/// text at all.
+std::string why_no_text(std::string_view head, std::string_view remedy =
+                                                   "name a file of trajectories: CSV, text, XML, "
+                                                   "ndjson or SQLite");
 
 }  // namespace throng::app

@@ -29,7 +29,7 @@ struct TrackRow {
 static_assert(sizeof(TrackRow) == 24);
 static_assert(offsetof(TrackRow, x) == 8 && offsetof(TrackRow, y) == 16 && offsetof(TrackRow, heading) == 20);
 
-/// Somebody's rows, in ascending time, at least one.
+/// Somebody's rows, in ascending time, at least one but for a live crowd.
 struct PersonTrack {
   std::string id;        ///< as the file has it
   float stature = 0.0F;  ///< metres, where the file has heights of heads; 0: it says nothing
@@ -48,6 +48,8 @@ struct Trajectories {
   std::string format;             ///< "JuPedSim SQLite", for people
   std::vector<std::string> said;  ///< what was told apart, in sentences: unit, frame rate, heights
   TrackReport report;
+  /// Rows still come. `persons` are places then, each of which somebody has, somebody had, or nobody: LiveCrowd.
+  bool is_live = false;
 };
 
 }  // namespace throng::app

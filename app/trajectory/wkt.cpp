@@ -154,7 +154,7 @@ class WktReader {
     at_ = before;
     skip_blanks();
     return refuse(kind.empty() ? "a geometry should be where \"" + shown_rest() + "\" is"
-                               : "\"" + kind.substr(0, 30) + "\" is no geometry that is read here");
+                               : anim::in_quotes(kind.substr(0, 30)) + " is no geometry that is read here");
   }
   bool skip_srid() {
     double ignored = 0.0;

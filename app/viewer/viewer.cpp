@@ -52,9 +52,10 @@ anim::Status check(const Stage& stage, const ViewRequest& request) {
 
 /// Returns the palette entries that a bone moves; one that no vertex has for a bone that no skin uses.
 render::WeighedEntries entries_of(const anim::Skeleton& skeleton, int bone) {
-  const auto own = std::ranges::equal_range(skeleton.palette, bone, {}, &anim::PaletteEntry::bone);
-  if (own.empty()) return {entry_of_none, 1};
-  return {static_cast<std::uint32_t>(own.begin() - skeleton.palette.begin()), static_cast<std::uint32_t>(own.size())};
+  const auto first = std::ranges::lower_bound(skeleton.palette, bone, {}, &anim::PaletteEntry::bone);
+  const auto end = std::ranges::upper_bound(skeleton.palette, bone, {}, &anim::PaletteEntry::bone);
+  if (first == end) return {entry_of_none, 1};
+  return {static_cast<std::uint32_t>(first - skeleton.palette.begin()), static_cast<std::uint32_t>(end - first)};
 }
 
 /// Adds a circle about `centre` between two directions of length 1.

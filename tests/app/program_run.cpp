@@ -63,6 +63,7 @@ int wait_for(pid_t child) {
 [[noreturn]] void become_program(const std::vector<char*>& arguments, const std::vector<char*>& environment, int output,
                                  int errors, const ProgramTreatment& treatment) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (!treatment.input.empty()) dup2(open(treatment.input.c_str(), O_RDONLY | O_CLOEXEC), STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   if (treatment.address_space != 0) {

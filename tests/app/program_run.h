@@ -20,6 +20,7 @@ struct ProgramRun {
 /// Says how the program is run, and what is done to it meanwhile.
 struct ProgramTreatment {
   std::string output = {};                    ///< a file in place of the one that ProgramRun::output is read from
+  std::string input = {};                     ///< a file that it reads as standard input; empty: what we have
   std::function<void(pid_t)> meanwhile = {};  ///< is called with its number once it runs
   std::uint64_t address_space = 0;            ///< bytes; 0: no limit, which the sanitizers need
   std::vector<std::size_t> cores = {};        ///< those that it may run on; empty: all

@@ -103,7 +103,7 @@ const std::vector<Part>& parts() {
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
       {"draco/", {"engine/anim/import/"}},
       {"sqlite3.h", {"app/trajectory/database.cpp"}},
-      {"expat.h", {"app/trajectory/fcd_xml.cpp"}},
+      {"expat.h", {"app/trajectory/xml_text.cpp"}},
   };
   return all;
 }

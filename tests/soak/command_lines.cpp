@@ -89,10 +89,11 @@ std::string any_tracks(const Maker& maker) {
   }
   const fs::path file = maker.folder / "tracks.csv";
   std::ofstream(file) << text.str();
-  return file.string();
+  return maker.random.chance(0.2F) ? "-" : file.string();
 }
 
 std::string any_camera(const Maker& maker) {
+  if (maker.random.chance(0.2F)) return "follow:#" + std::to_string(maker.random.below(30));
   std::ostringstream text;
   for (const double most : {60.0, 20.0, 60.0, 180.0}) {
     text << std::lround(most * (2.0 * static_cast<double>(maker.random.unit()) - 1.0)) << ',';
@@ -100,6 +101,13 @@ std::string any_camera(const Maker& maker) {
   text << -maker.random.below(40);
   if (maker.random.chance(0.5F)) text << ',' << 10 + maker.random.below(90);
   return text.str();
+}
+
+std::string any_camera_path(const Maker& maker) {
+  if (maker.random.chance(0.7F)) return any_of(maker.random, std::vector<std::string>{"none", "orbit", "pan"});
+  const fs::path file = maker.folder / "path.csv";
+  std::ofstream(file) << "time,x,y,z,yaw,pitch,fov\n0,0,2,20,0,-5,50\n2,9,6,15,40,-20,40\n";
+  return file.string();
 }
 
 std::string any_cast(const Maker& maker) {
@@ -146,6 +154,9 @@ const std::vector<Option>& other_options() {
       {"--height", 0.02F, word_of({"head", "ground"})},
       {"--angle", 0.02F, word_of({"degrees", "radians"})},
       {"--start", 0.02F, word_of({"0", "0.5", "9"})},
+      {"--track-rate", 0.05F, word_of({"1", "-1", "0.1", "8"})},
+      {"--track-part", 0.02F, word_of({"0,1", "0.2,0.2", "3,9"})},
+      {"--track-repeat", 0.05F, text("")},
       {"--lenient", 0.05F, text("")},
       {"--walls", 0.0F, text("")},
       {"--clips", 0.1F, word_of({"walk=none", "stand=none", "run=none,jog=none", "sit=none,clap=none"})},
@@ -156,12 +167,15 @@ const std::vector<Option>& other_options() {
       {"--simd", 0.2F, [](const Maker& maker) { return any_target(maker.random); }},
       {"--size", 0.8F, any_size},
       {"--camera", 0.4F, any_camera},
-      {"--camera-path", 0.2F, word_of({"none", "orbit", "pan"})},
+      {"--camera-path", 0.2F, any_camera_path},
       {"--msaa", 0.2F, word_of({"0", "4"})},
       {"--sun", 0.3F, word_of({"noon", "evening", "overcast", "night", "3,200", "-90,0", "90,359"})},
       {"--focus", 0.0F, text("4")},
       {"--aperture", 0.0F, text("2")},
       {"--ui", 0.2F, word_of({"", "=fixed"})},
+      {"--legend", 0.1F, text("")},
+      {"--colours", 0.4F, word_of({"none", "interval", "bones", "mesh", "error", "speed", "density", "presence"})},
+      {"--trails", 0.2F, word_of({"0", "5", "30"})},
       {"--ui-tab", 0.2F, word_of({"crowd", "skipping", "bones", "scheduling", "agent", "presets"})},
       {"--ui-scale", 0.1F, word_of({"0.5", "1", "1.5", "4"})},
       {"--select", 0.2F, word_of({"0"})},

@@ -1,5 +1,6 @@
 #include "tests/soak/program.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -42,8 +43,10 @@ void watch(pid_t child, const ProgramTime& time, ProgramRun& run) {
 ProgramRun run_program(const std::vector<std::string>& words, const std::filesystem::path& folder,
                        const ProgramTime& time) {
   ProgramRun run;
-  app::ProgramRun ended =
-      app::run_program(words, {.meanwhile = [&](pid_t child) { watch(child, time, run); }, .folder = folder.string()});
+  const bool is_live = std::ranges::count(words, "-") > 0;  // tracks that come, which any_tracks wrote
+  app::ProgramRun ended = app::run_program(words, {.input = is_live ? (folder / "tracks.csv").string() : "/dev/null",
+                                                   .meanwhile = [&](pid_t child) { watch(child, time, run); },
+                                                   .folder = folder.string()});
   run.status = ended.exit_status;
   run.output = std::move(ended.output);
   run.errors = std::move(ended.errors);

@@ -42,6 +42,14 @@ TEST(Cases, ShowARecordedCrowd) {
   EXPECT_THAT(all.cases[0].words, ElementsAre("--trajectories", "people.csv", "--fps", "25"));
 }
 
+TEST(Cases, OfAFileHaveItsSceneAndItsPeople) {
+  const RegressionCases all = good(R"({"defaults": {"scene": "grid", "agents": 4}, "cases": [
+      {"name": "one", "trajectories": "people.csv"}, {"name": "two", "recording": "run.rec"}, {"name": "three"}]})");
+  EXPECT_THAT(all.cases[0].words, ElementsAre("--trajectories", "people.csv"));
+  EXPECT_THAT(all.cases[1].words, ElementsAre("--replay", "run.rec"));
+  EXPECT_THAT(all.cases[2].words, ElementsAre("--scene", "grid", "--agents", "4"));
+}
+
 TEST(Cases, HaveWhatTheyLeaveOpenFromTheDefaults) {
   const RegressionCases all = good(R"({"defaults": {"agents": 4, "size": "8x8", "context": "both", "models": "a.glb"},
                                        "cases": [{"name": "one"}, {"name": "two", "agents": 5, "context": "osmesa"}]})");

@@ -59,6 +59,19 @@ TEST(TrackTable, TakesUnitsOfTheHeader) {
   EXPECT_THAT(all_said(*tracks), HasSubstr("x is in cm"));
 }
 
+TEST(TrackTable, TakesALineOfUnitsBelowTheNames) {
+  const auto tracks = read_as("pathfinder.csv",
+                              "\"t\",\"id\",\"name\",\"x\",\"y\",\"v\",\"location\"\n"
+                              "\"s\",\"\",\"\",\"cm\",\"cm\",\"m/s\",\"\"\n"
+                              "0.0,0,\"00001\",-1011,-205,0.0,\"Room07\"\n1.0,0,\"00001\",-991,-203,0.3,\"Room07\"\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->row_count, 2U);
+  EXPECT_NEAR(file_place(*tracks, tracks->persons[0].rows[0]).x, -10.11, 1e-6);
+  EXPECT_EQ(error_of("a.csv", "t,id,x,y\ns,,m,\n0,1,2,z\n"),
+            "a.csv: line 3: \"z\" is not a number; put y in metres there, or skip such rows with --lenient");
+  EXPECT_THAT(error_of("a.csv", "t,id,x,y\ns,,parsecs,\n0,1,2,3\n"), HasSubstr("line 2: \"s\" is not a number"));
+}
+
 TEST(TrackTable, TakesTheIdOfPathfinderBeforeItsName) {
   const auto tracks = read_as("occupants.csv",
                               "\"t(s)\",\"id\",\"name\",\"active\",\"x(m)\",\"y(m)\",\"z(m)\",\"v(m/s)\"\n"

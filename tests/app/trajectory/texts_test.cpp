@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -86,6 +87,52 @@ TEST(ArchiveText, ReadsWhatJuPedSimWroteAsText) {
   EXPECT_EQ(tracks->persons[0].rows[1].seconds, 1.0);
   EXPECT_EQ(tracks->persons[0].stature, 0.0F);
   EXPECT_NEAR(tracks->persons[0].rows[0].heading, std::numbers::pi / 2.0, 1e-6);
+}
+
+/// Five people in rows of the frame, the id and the place; they walk 0.5 a row, 2 apart. Ids and frames are as apart as
+/// `between` says.
+std::string frame_first(int between, std::string_view separator) {
+  std::string text;
+  for (int frame = 0; frame < 12; ++frame) {
+    for (int person = 0; person < 5; ++person) {
+      if (frame < person) continue;
+      for (const double number : {780.0 + between * frame, 1.0 + person, 0.5 * frame, 2.0 * person}) {
+        text += std::to_string(number) + std::string(separator);
+      }
+      text.back() = '\n';
+    }
+  }
+  return text;
+}
+
+TEST(FrameFirst, IsToldByWhoseRowsFollowEachOtherNearBy) {
+  const auto tracks = read_as("biwi_eth.txt", frame_first(10, "\t"));
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->format, "text with the frame first, as of ETH/UCY");
+  ASSERT_EQ(tracks->persons.size(), 5U);
+  EXPECT_EQ(tracks->persons[0].id, "1");
+  EXPECT_EQ(tracks->persons[0].rows.size(), 12U);
+  EXPECT_NEAR(tracks->rows_a_second, 2.5, 1e-9);
+  EXPECT_NEAR(file_place(*tracks, tracks->persons[0].rows[3]).x, 1.5, 1e-6);
+  const auto every_frame = read_as("a.txt", frame_first(1, " "));
+  ASSERT_TRUE(every_frame) << every_frame.error().message;
+  EXPECT_EQ(every_frame->persons.size(), 5U);
+  EXPECT_GT(every_frame->rows_a_second, 15.0);
+}
+
+TEST(FrameFirst, IsNotTakenWhereTheIdIsFirst) {
+  for (const std::string& text :
+       std::vector<std::string>{walker(0.05, 0.0), "5 1 0 0\n5 2 0.1 0\n6 1 3 0\n6 2 3.1 0\n", "1 100 0 0\n"}) {
+    const auto tracks = read_as("a.txt", text);
+    ASSERT_TRUE(tracks) << tracks.error().message;
+    EXPECT_EQ(tracks->format, "text of the Jülich archive") << text;
+  }
+}
+
+TEST(FourNumbers, HaveSecondsWhereTimesAreNotWhole) {
+  const auto tracks = read_as("a.txt", "7 0.0 0 0\n7 0.4 0.5 0\n7 0.8 1 0\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_NEAR(tracks->last_seconds, 0.8, 1e-9);
 }
 
 TEST(StreetMatrix, HasHeightsBetweenXAndYAndARowEveryFortyHundredths) {
@@ -191,6 +238,19 @@ constexpr const char* vadere_rows =
     "#IDXCOL=2,DATACOL=6,SEP=' '\n"
     "pedestrianId simTime endTime-PID1 startX-PID1 startY-PID1 endX-PID1 endY-PID1 targetId-PID2\n"
     "1 0.4 1.0 2.0 7.0 2.0 6.5 8\n1 1.0 1.5 2.0 6.5 2.0 6.0 8\n";
+
+TEST(Viswalk, ReadsATableBelowItsComments) {
+  const auto tracks = read_as("a.pp",
+                              "\xEF\xBB\xBF$VISION\r\n* File: C:\\Station.inpx\r\n* Comment: 1;2;3\r\n*\r\n"
+                              "* No;SimSec;CoordCentX;CoordCentY\r\n$PEDESTRIAN:NO;SIMSEC;COORDCENTX;COORDCENTY\r\n"
+                              "3;0.20;1.5;2.5\r\n3;0.40;1.7;2.5\r\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  ASSERT_EQ(tracks->persons.size(), 1U);
+  EXPECT_EQ(tracks->persons[0].id, "3");
+  EXPECT_NEAR(tracks->persons[0].rows[0].seconds, 0.2, 1e-9);
+  EXPECT_EQ(error_of("a.pp", "$VISION\n* x\n$PEDESTRIAN:NO;SIMSEC;COORDCENTX;COORDCENTY\n3;0.2;a;2\n"),
+            "a.pp: line 4: \"a\" is not a number; put x in metres there, or skip such rows with --lenient");
+}
 
 TEST(Vadere, ReadsBothEndsOfStepsAndTheScenarioBesideThem) {
   const TrackFolder folder;

@@ -23,7 +23,7 @@ class TrackFolder {
   std::string path(std::string_view name) const { return (folder_.path() / name).string(); }
 
  private:
-  test::OwnFolder folder_;
+  throng::test::OwnFolder folder_;
 };
 
 /// Reads a text as a file; what is said of it.

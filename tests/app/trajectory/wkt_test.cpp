@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/trajectory/file_plan.h"
+#include "app/trajectory/floor_xml.h"
 #include "tests/app/trajectory/track_file.h"
 
 namespace throng::app::wkt_test {
@@ -87,6 +88,55 @@ TEST(Walls, AreRefusedByTheirOwnName) {
     EXPECT_THAT(tracks.error().message, HasSubstr("; ")) << text;
   }
   EXPECT_FALSE(read_trajectories(rows, {.walls = folder.path("none.wkt")}));
+}
+
+TEST(Floor, HasObstaclesOfClosedWallsAndWallsOfOthers) {
+  const auto plan = parse_floor(
+      "<?xml version=\"1.0\"?><floor><layer id=\"0\"><wall closed=\"true\"><point x=\"1\" y=\"2\"/>"
+      "<point x=\"2\" y=\"2\"/><point x=\"2\" y=\"3\"/></wall><wall closed=\"false\"><point x=\"5\" y=\"5\"/>"
+      "<point x=\"6\" y=\"5\"/></wall><wunderZone><point x=\"9\" y=\"9\"/></wunderZone></layer></floor>");
+  ASSERT_TRUE(plan) << plan.error().message;
+  ASSERT_EQ(plan->obstacles.size(), 1U);
+  EXPECT_EQ(plan->obstacles[0].size(), 3U);
+  ASSERT_EQ(plan->walls.size(), 1U);
+  EXPECT_TRUE(plan->floors.empty());
+}
+
+TEST(Floor, OfOneClosedWallIsWhatItEncloses) {
+  const auto plan = parse_floor(
+      "<floor><wall closed=\"true\"><point x=\"1\" y=\"2\"/><point x=\"2\" y=\"2\"/><point x=\"2\" "
+      "y=\"3\"/></wall></floor>");
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->floors.size(), 1U);
+  EXPECT_TRUE(plan->obstacles.empty());
+}
+
+TEST(Floor, IsRefusedWithItsLineAndARemedy) {
+  const auto error = [](std::string_view text) {
+    const auto plan = parse_floor(text);
+    return plan ? std::string() : plan.error().message;
+  };
+  EXPECT_EQ(error("<net/>"), "line 1: <net> is no floor of crowd:it; name a .floor, or walls as WKT");
+  EXPECT_EQ(error("<floor>\n<wall><point x=\"a\" y=\"1\"/></wall></floor>"),
+            "line 2: a point has no x and y in metres; put them there");
+  EXPECT_THAT(error("<floor>\n<wall>"), StartsWith("line 2: it is no whole XML"));
+  EXPECT_THAT(error("<!DOCTYPE floor><floor/>"), HasSubstr("DOCTYPE"));
+  EXPECT_EQ(error("<floor/>"), "it has no wall with points; export it again");
+}
+
+TEST(PlanBeside, IsTheFileWithTheNameOfTheTrajectories) {
+  const TrackFolder folder;
+  const std::string rows = folder.file("walk.csv", "id,time,x,y\n1,0,1,1\n1,1,2,1\n");
+  EXPECT_TRUE(read_trajectories(rows, {})->plan.is_empty());
+  const std::string walls = folder.file("walk.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4))");
+  const auto tracks = read_trajectories(rows, {});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->plan.floors.size(), 1U);
+  EXPECT_THAT(all_said(*tracks), HasSubstr("The place is that of " + walls));
+  folder.file("walk.wkt", "POLYGON ((0 0, 4 0");
+  const auto broken = read_trajectories(rows, {});
+  ASSERT_FALSE(broken);
+  EXPECT_THAT(broken.error().message, StartsWith(walls + ": line 1"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,7 +31,8 @@ struct LiveHead {
 };
 
 /// Reads rows as they come, from a pipe, a socket or a file: tables with a header, the text of the Jülich archive, JSON
-/// lines and the XML of SUMO. A thread of its own waits for them and reads them, so that the caller never does.
+/// lines and the XML of SUMO. A thread of its own waits for them and reads them, so that the caller never does. It
+/// reads no further while most_waiting_rows wait to be taken, so that whoever sends them waits too.
 class LiveTracks {
  public:
   /// Starts to read. The descriptor stays the caller's, and is open for as long as this lives.
@@ -39,16 +41,22 @@ class LiveTracks {
   LiveTracks(const LiveTracks&) = delete;
   LiveTracks& operator=(const LiveTracks&) = delete;
 
+  static constexpr std::size_t most_waiting_rows = 200'000;
+
   /// Adds to `rows` those that came since the last call. Those of a person ascend in time. Does not wait.
   /// Returns false once the last row was taken, because the text has ended or is wrong.
   bool take(std::vector<LiveRow>& rows);
+  /// Waits until rows can be taken or the text ends, at most so long.
+  void wait(std::chrono::milliseconds most) const;
+  /// Returns whether no more rows will come than wait now.
+  bool has_ended() const;
   std::optional<LiveHead> head() const;  ///< nothing before the first row
   std::string id(std::uint32_t person) const;
   std::size_t people() const;
   /// Returns what is wrong with the text, which ends it; the sentence begins with its name.
   Status status() const;
   std::size_t bad_rows() const;   ///< skipped, because options.lenient is set
-  std::size_t late_rows() const;  ///< left out, because somebody had a row at that time or later
+  std::size_t late_rows() const;  ///< left out, because somebody had another row at that time or later
 
  private:
   struct State;

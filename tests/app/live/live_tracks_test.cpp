@@ -1,4 +1,4 @@
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 
 #include <chrono>
 #include <cmath>
@@ -118,7 +118,7 @@ TEST(Live, TellsErrorsByLine) {
 
 TEST(Live, SkipsBadAndLateRows) {
   Feed feed({.lenient = true});
-  feed.send("id,time,x,y\n1,0,0,0\n1,1,abc,0\n1,2,0,0\n1,2,1,1\n1,1.5,0,0\n");
+  feed.send("id,time,x,y\n1,0,0,0\n1,1,abc,0\n1,2,0,0\n1,2,0,0\n1,2,1,1\n1,1.5,0,0\n");
   feed.end();
   feed.wait();
   EXPECT_EQ(feed.rows.size(), 2U);

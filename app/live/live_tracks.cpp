@@ -1,8 +1,9 @@
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -21,6 +22,7 @@
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/told_apart.h"
 #include "app/trajectory/tracks.h"
+#include "app/trajectory/xml_text.h"
 
 namespace throng::app {
 namespace {
@@ -55,6 +57,12 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   return scale;
 }
 
+/// Steps of Vadere end where the next one begins, so that every moment is there twice.
+bool is_same_moment(const TrackRow& a, const TrackRow& b) {
+  constexpr float same_place = 1e-3F;  // metres
+  return a.seconds == b.seconds && std::hypot(a.x - b.x, a.z - b.z) < same_place;
+}
+
 }  // namespace
 
 struct LiveTracks::State {
@@ -70,12 +78,14 @@ struct LiveTracks::State {
   RowScale scale;
   std::unique_ptr<LineParser> lines;
   std::unique_ptr<FcdParser> xml;
-  std::vector<double> last_times;  // of people
+  std::vector<TrackRow> last_rows;  // of people
   std::size_t told_people = 0;
   std::thread thread;
 
   // Both threads see these.
   mutable std::mutex mutex;
+  std::condition_variable came, was_taken;
+  bool is_to_stop = false;
   std::vector<LiveRow> rows;
   std::vector<std::string> ids;
   std::optional<LiveHead> live_head;
@@ -105,6 +115,7 @@ void LiveTracks::State::run() {
   }
   const std::lock_guard lock(mutex);
   has_ended = true;
+  came.notify_all();
 }
 
 /// Waits for text and reads it. Returns false at the end.
@@ -197,11 +208,12 @@ void LiveTracks::State::begin() {
 /// Gives the rows that were read to whoever takes them.
 void LiveTracks::State::hand_over() {
   if (sink.rows.empty()) return;
-  const std::lock_guard lock(mutex);
+  std::unique_lock lock(mutex);
+  was_taken.wait(lock, [this] { return rows.size() < most_waiting_rows || is_to_stop; });
   if (!live_head) begin();
   for (; told_people < sink.ids.size(); ++told_people)
     ids.push_back(sink.ids.id(static_cast<std::uint32_t>(told_people)));
-  last_times.resize(ids.size(), -std::numeric_limits<double>::infinity());
+  last_rows.resize(ids.size(), TrackRow{.seconds = -std::numeric_limits<double>::infinity()});
   for (RawRow& raw : sink.rows) {
     if (options.up == TrackUp::y) swap_up(raw);
     LiveRow& live = rows.emplace_back();
@@ -209,15 +221,16 @@ void LiveTracks::State::hand_over() {
     live.row = track_row(raw, scale, live_head->origin);
     if (scale.angle != AngleMeaning::heading) live.row.heading = heading_of_angle(raw.angle, scale.angle);
     if (scale.z_is_head) live.stature = std::exchange(live.row.y, 0.0F);
-    double& last = last_times[raw.person];
-    if (live.row.seconds <= last || (options.start_seconds && live.row.seconds < *options.start_seconds)) {
-      ++late;
+    TrackRow& last = last_rows[raw.person];
+    if (live.row.seconds > last.seconds) {
+      last = live.row;
+    } else {
+      late += is_same_moment(live.row, last) ? 0U : 1U;
       rows.pop_back();
-      continue;
     }
-    last = live.row.seconds;
   }
   sink.rows.clear();
+  came.notify_all();
 }
 
 LiveTracks::LiveTracks(int descriptor, const TrackReading& options, std::string name)
@@ -240,6 +253,11 @@ LiveTracks::LiveTracks(int descriptor, const TrackReading& options, std::string 
 }
 
 LiveTracks::~LiveTracks() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->is_to_stop = true;
+    state_->was_taken.notify_all();
+  }
   if (state_->stop[1] >= 0) close(state_->stop[1]);
   if (state_->thread.joinable()) state_->thread.join();
   if (state_->stop[0] >= 0) close(state_->stop[0]);
@@ -249,7 +267,18 @@ bool LiveTracks::take(std::vector<LiveRow>& rows) {
   const std::lock_guard lock(state_->mutex);
   rows.insert(rows.end(), state_->rows.begin(), state_->rows.end());
   state_->rows.clear();
+  state_->was_taken.notify_all();
   return !state_->has_ended;
+}
+
+void LiveTracks::wait(std::chrono::milliseconds most) const {
+  std::unique_lock lock(state_->mutex);
+  state_->came.wait_for(lock, most, [this] { return !state_->rows.empty() || state_->has_ended; });
+}
+
+bool LiveTracks::has_ended() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->has_ended;
 }
 
 std::optional<LiveHead> LiveTracks::head() const {

@@ -1,0 +1,87 @@
+// These parts of Show are about recorded crowds.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/files/exit_status.h"
+#include "app/show/show.h"
+#include "app/stage/memory_needs.h"
+#include "app/trajectory/file_plan.h"
+
+namespace throng::app {
+
+bool Show::open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error) {
+  GroundPlan plan;
+  const std::string& walls = options.trajectories.reading.walls;
+  if (!walls.empty()) {
+    auto read = read_ground_plan(walls, live->head()->origin);
+    if (!read) return fail(error, exit_job_failed, read.error().message);
+    plan = std::move(*read);
+  }
+  const auto pace = options.context == ContextKind::window ? LiveCrowd::Pace::of_the_rows : LiveCrowd::Pace::of_the_run;
+  live_ = std::make_unique<LiveCrowd>(std::move(live), static_cast<std::size_t>(options.tuning.agents), std::move(plan),
+                                      pace);
+  return true;
+}
+
+void Show::take_live_rows(anim::Ticks step) {
+  take_live_step(*stage_, live_->advance(anim::to_seconds(step)));
+  if (std::exchange(live_news_, live_->news()) != live_news_) update_notice();
+}
+
+bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most) {
+  return show.live_ == nullptr || show.live_->can_go_on(anim::to_seconds(step), most);
+}
+
+bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
+  const Trajectories* const all = trajectories_of(*stage_).get();
+  if (all == nullptr || all->is_live) return true;
+  TrackClock clock = track_clock_of(stage_->crowd());
+  const TrajectoryOptions& asked = options.trajectories;
+  const auto has = [clock](double seconds) { return seconds >= clock.first && seconds <= clock.last; };
+  const auto refuse = [&](const std::string& option) {
+    return fail(error, exit_usage,
+                option + ": " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
+                    std::to_string(clock.last) + " s of its clock");
+  };
+  if (asked.part && !(has(asked.part->first) && has(asked.part->second))) return refuse("--track-part");
+  if (asked.start && !has(*asked.start)) return refuse("--start");
+  clock.repeats = asked.repeats || options.context == ContextKind::window;
+  clock.rate = asked.rate.value_or(1.0);
+  if (asked.part) clock = with_part(clock, asked.part->first, asked.part->second);
+  if (asked.start && (*asked.start < clock.first || *asked.start > clock.last)) {
+    return fail(error, exit_usage, "--start: lies outside of the part that --track-part names");
+  }
+  clock.seconds = asked.start.value_or(clock.rate < 0.0 ? clock.last : clock.first);
+  set_track_clock(*stage_, clock);
+  return true;
+}
+
+void set_track_clock(Show& show, const TrackClock& clock) {
+  const bool can_be_set = followers_of(show.stage_->crowd()) != nullptr && show.live_ == nullptr;
+  if (can_be_set && clock != track_clock_of(show.stage_->crowd())) set_track_clock(*show.stage_, clock);
+}
+
+anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories) {
+  if (show.recorder_.is_recording()) {
+    return anim::Error{trajectories->file + ": a recording has no recorded crowd; end it with R, then drop the file"};
+  }
+  Tuning tuning = show.stage_->tuning();
+  tuning.scene = Scene::tracks;
+  tuning.agents = static_cast<int>(trajectories->persons.size());
+  std::vector<CharacterSource> characters(show.stage_->people().begin(), show.stage_->people().end());
+  if (anim::Status fits = check_memory(tuning, characters, nullptr); !fits) return fits;
+  if (anim::Status exchanged = show.exchange(std::move(characters), tuning, std::move(trajectories)); !exchanged) {
+    return exchanged;
+  }
+  show.live_.reset();
+  TrackClock clock = track_clock_of(show.stage_->crowd());
+  clock.repeats = true;
+  set_track_clock(*show.stage_, clock);
+  show.camera = show.guide.begin_scene(*show.stage_);
+  show.films = true;
+  show.update_notice();
+  return anim::Done{};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "app/trajectory/table_layout.h"
+
+namespace throng::app {
+
+/// The first lines of a text. All views are into it.
+struct HeadLines {
+  std::vector<std::string_view> comments;  ///< those before the first other line, without their #
+  std::string_view first = {};             ///< the first line that is no comment and not empty
+  std::string_view second = {};            ///< the next such line
+  std::string_view units = {};             ///< the line below names that says their units, as Pathfinder writes it
+  std::size_t first_byte = 0, first_line = 1;
+  std::size_t body_byte = 0, body_line = 1;  ///< of the row below names and units; the text's end if there is none
+};
+
+/// Returns the first lines of a text. Comments begin with #, and with * in files of Viswalk.
+HeadLines lines_of(std::string_view head);
+
+/// Gives columns without a unit that of the line of units, if there is one.
+void take_units(const HeadLines& lines, TableLayout& layout);
+
+/// Returns how many bytes a mark of UTF-8 at the front takes.
+std::size_t byte_order_mark(std::string_view head);
+
+}  // namespace throng::app

@@ -1,0 +1,87 @@
+#include "app/view/keyed_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "app/settings/option_values.h"
+#include "app/view/fly_camera.h"
+#include "engine/files/input_file.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+using Values = std::array<float, 6>;
+
+Values values_of(const CameraPlace& place) {
+  return {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view};
+}
+
+/// Returns how fast the values change at a key: as those of the parabola through it and its neighbours.
+Values slope(const std::vector<CameraKey>& keys, std::size_t key) {
+  Values slopes{};
+  if (keys.size() < 2) return slopes;
+  const std::size_t before = key > 0 ? key - 1 : key, after = std::min(key + 1, keys.size() - 1);
+  const Values first = values_of(keys[before].place), last = values_of(keys[after].place);
+  const auto seconds = static_cast<float>(keys[after].seconds - keys[before].seconds);
+  if (before == key || after == key) return slopes;  // it sets out from its first key and arrives at its last
+  for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = (last[i] - first[i]) / seconds;
+  return slopes;
+}
+
+Error fault(const std::string& file, std::size_t line, const std::string& what) {
+  return Error{file + ": line " + std::to_string(line) + ": " + what};
+}
+
+}  // namespace
+
+Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
+  const auto text = read_text(file, "a camera path", most_bytes);
+  if (!text) return Error{file + ": " + text.error().message};
+  std::istringstream lines(*text);
+  std::vector<CameraKey> keys;
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (number == 1) {
+      if (line == "time,x,y,z,yaw,pitch" || line == "time,x,y,z,yaw,pitch,fov") continue;
+      return fault(file, number, "it is no header of a camera path; begin with time,x,y,z,yaw,pitch,fov");
+    }
+    if (line.empty()) continue;
+    const std::size_t comma = line.find(',');
+    const auto seconds = finite_number_in(line.substr(0, comma));
+    const auto place = comma == std::string::npos ? std::nullopt : camera_place_in(line.substr(comma + 1));
+    if (!seconds || !place)
+      return fault(file, number, "it is no key; write seconds and then a place as --camera has it");
+    if (!keys.empty() && *seconds <= keys.back().seconds) {
+      return fault(file, number, "its time is not after that of the key before; sort the keys by time");
+    }
+    keys.push_back({*seconds, *place});
+    if (keys.size() < 2) continue;
+    float& yaw = keys.back().place.yaw;
+    yaw -= 360.0F * std::round((yaw - keys[keys.size() - 2].place.yaw) / 360.0F);
+  }
+  if (keys.empty()) return Error{file + ": it has no key; write a row a key below the header"};
+  return keys;
+}
+
+render::Camera along(const std::vector<CameraKey>& keys, double seconds) {
+  const auto after = std::ranges::upper_bound(keys, seconds, {}, &CameraKey::seconds);
+  if (after == keys.begin()) return camera_at(keys.front().place);
+  if (after == keys.end()) return camera_at(keys.back().place);
+  const auto to = static_cast<std::size_t>(after - keys.begin()), from = to - 1;
+  const auto length = static_cast<float>(keys[to].seconds - keys[from].seconds);
+  const float t = static_cast<float>(seconds - keys[from].seconds) / length, back = 1.0F - t;
+  const Values first = values_of(keys[from].place), last = values_of(keys[to].place);
+  const Values leaves = slope(keys, from), arrives = slope(keys, to);
+  Values at{};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const float weight = t * t * (3.0F - 2.0F * t);
+    at[i] = first[i] + weight * (last[i] - first[i]) + length * t * back * (leaves[i] * back - arrives[i] * t);
+  }
+  return camera_at({at[0], at[1], at[2], at[3], at[4], std::clamp(at[5], 1.0F, 170.0F)});
+}
+
+}  // namespace throng::app

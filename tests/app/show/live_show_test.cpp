@@ -1,0 +1,127 @@
+// A show of rows that come, beside one of the same rows in a file.
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/show/show.h"
+#include "tests/app/live/live_feed.h"
+#include "tests/app/recording/recorded_run.h"
+#include "tests/app/trajectory/track_file.h"
+
+namespace throng::app::live_show_test {
+namespace {
+
+using test::demo;
+using test::sixtieth;
+using testing::HasSubstr;
+
+/// Five people who walk round in circles one after the other, as a camera sees them 10 times a second.
+std::string circles() {
+  std::string text = "id,time,x,y\n";
+  for (int row = 0; row < 120; ++row) {
+    for (int person = 0; person < 5; ++person) {
+      const double seconds = 0.1 * row - 0.7 * person, angle = 1.2 * seconds / (2.0 + person);
+      if (seconds < 0.0 || seconds > 6.0) continue;
+      text += std::to_string(person) + "," + std::to_string(0.1 * row) + "," +
+              std::to_string((2.0 + person) * std::cos(angle)) + "," +
+              std::to_string((2.0 + person) * std::sin(angle)) + "\n";
+    }
+  }
+  return text;
+}
+
+class LiveShow : public testing::Test {
+ protected:
+  std::unique_ptr<Show> live(const std::string& options, const std::string& text) {
+    feed_.send_all(text);
+    StartError error;
+    auto show = Show::create(demo("--trajectories - " + options), error, feed_.read());
+    EXPECT_NE(show, nullptr) << error.message;
+    return show;
+  }
+  static bool is_over(const Show& show) { return live_crowd_of(show)->has_ended(); }
+  static void animate(Show& show) {
+    while (!has_rows_for(show, sixtieth, std::chrono::milliseconds(100))) {
+    }
+    show.animate(sixtieth);
+  }
+
+  const TrackFolder folder_;
+  LiveFeed feed_;
+};
+
+TEST_F(LiveShow, IsThatOfTheSameRowsInAFile) {
+  const std::string text = circles();
+  const auto recorded = test::show_of(demo("--trajectories " + folder_.file("circles.csv", text)));
+  const auto show = live("--agents 5", text);
+  const glm::dvec2 apart = trajectories_of(show->stage())->origin - trajectories_of(recorded->stage())->origin;
+  const glm::vec3 moved(apart.x, 0.0, -apart.y);
+  int frames = 0, seen = 0;
+  double turned = 0.0, strode = 0.0;
+  for (; !is_over(*show); ++frames) {
+    recorded->animate(sixtieth);
+    animate(*show);
+    const Crowd &crowd = show->stage().crowd(), &other = recorded->stage().crowd();
+    ASSERT_NEAR(track_clock_of(crowd).seconds, track_clock_of(other).seconds, 1e-6);
+    for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
+      ASSERT_EQ(absent_of(crowd)[agent], absent_of(other)[agent]) << agent << " in frame " << frames;
+      if (absent_of(crowd)[agent] != 0) continue;
+      ++seen;
+      ASSERT_LT(glm::distance(crowd.positions()[agent] + moved, other.positions()[agent]), 1e-3F);
+      const double seconds = track_clock_of(crowd).seconds;
+      const TrackStep step = followers_of(crowd)->step(agent, seconds);
+      const TrackStep step_of_file = followers_of(other)->step(agent, seconds);
+      turned = std::max(turned, std::abs(std::remainder(step.heading - step_of_file.heading, 6.2831853)));
+      strode = std::max(strode, std::abs(std::remainder(step.cycles - step_of_file.cycles, 256.0)));
+    }
+  }
+  EXPECT_GT(frames, 500);
+  EXPECT_GT(seen, 1500);
+  EXPECT_LT(turned, 0.02);
+  EXPECT_LT(strode, 0.02);
+}
+
+TEST_F(LiveShow, EndsWithWhatItHasWhereTheTextIsWrong) {
+  const auto show = live("--agents 3", "id,time,x,y\n1,0,0,0\n1,1,1,0\n1,2,two,0\n");
+  while (!is_over(*show)) animate(*show);
+  EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
+  EXPECT_FALSE(live_crowd_of(*show)->status());
+  EXPECT_THAT(show->notice, HasSubstr("-: line 4: \"two\" is not a number"));
+}
+
+TEST_F(LiveShow, HasItsWallsAboutTheFirstRow) {
+  const std::string walls = folder_.file("hall.wkt", "POLYGON ((100 200, 110 200, 110 210, 100 210, 100 200))\n");
+  const auto show = live("--agents 3 --walls " + walls, "id,time,x,y\n1,0,105,205\n1,1,106,205\n");
+  const GroundPlan& plan = trajectories_of(show->stage())->plan;
+  ASSERT_EQ(plan.floors.size(), 1U);
+  EXPECT_EQ(plan.floors[0].outline[0], glm::vec2(-5.0F, 5.0F));
+}
+
+TEST_F(LiveShow, GoesOnWithOtherCharactersAndOtherValues) {
+  const auto show = live("--agents 5", circles());
+  for (int frame = 0; frame < 60; ++frame) animate(*show);
+  const double before = track_clock_of(show->stage().crowd()).seconds;
+  test::change(*show, [](Tuning& tuning) { tuning.seed = 7; });
+  animate(*show);
+  EXPECT_NEAR(track_clock_of(show->stage().crowd()).seconds, before + 1.0 / 60.0, 1e-6);
+  EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
+}
+
+TEST_F(LiveShow, HoldsAllThatCameInItsPicture) {
+  std::string text = "id,time,x,y\n";
+  for (int row = 0; row < 80; ++row)
+    text += "ann," + std::to_string(0.1 * row) + "," + std::to_string(0.4 * row) + ",0\n";
+  const auto show = live("--agents 5", text);
+  animate(*show);
+  const float before = show->camera.position.y;
+  while (!is_over(*show)) animate(*show);
+  EXPECT_GT(show->camera.position.y, before + 3.0F);
+}
+
+}  // namespace
+}  // namespace throng::app::live_show_test

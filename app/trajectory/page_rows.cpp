@@ -17,7 +17,7 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t leaves_a_block = 256;
+constexpr std::size_t leaves_a_block = 2048;  // whose rows fill huge pages
 
 /// Where the columns of a row lie in a record.
 struct RowColumns {

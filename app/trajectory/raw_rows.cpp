@@ -18,8 +18,8 @@ bool add_row(const RawRow& row, RowSink& sink) {
   return true;
 }
 
-std::vector<RawRow> take_rows_of(RowSink& sink) {
-  std::vector<RawRow> rows = std::exchange(sink.rows, {});
+RawRows take_rows_of(RowSink& sink) {
+  RawRows rows = std::exchange(sink.rows, {});
   sink.rows.reserve(rows.size() + rows.size() / 16);
   return rows;
 }

@@ -14,17 +14,16 @@ namespace throng::anim {
 namespace {
 
 // A frame touches thousands of small pages of blocks and palettes, more than the TLB holds.
-constexpr std::size_t huge_page = std::size_t{2} << 20U;
-constexpr std::size_t worth_huge_pages = huge_page / 2;
+constexpr std::size_t worth_huge_pages = huge_page_bytes / 2;
 
 std::size_t round_up(std::size_t size, std::size_t unit) { return (size + unit - 1) / unit * unit; }
 
 #if defined(__linux__)
 // These are hints, so a refusal does no harm.
-void ask_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
+void wish_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
 void forget_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_DONTNEED)); }
 #else
-void ask_for_huge_pages(std::byte*, std::size_t) {}
+void wish_for_huge_pages(std::byte*, std::size_t) {}
 void forget_pages(std::byte*, std::size_t) {}
 #endif
 
@@ -47,13 +46,15 @@ void AlignedDelete::operator()(std::byte* bytes) const {
 
 AlignedBytes allocate_aligned(std::size_t size) {
   const bool huge = size >= worth_huge_pages;
-  const std::size_t alignment = huge ? huge_page : block_alignment;
+  const std::size_t alignment = huge ? huge_page_bytes : block_alignment;
   const std::size_t allocated = round_up(size, alignment);
   AlignedBytes bytes = given(allocated, alignment);
   if (huge) ask_for_huge_pages(bytes.get(), allocated);
   if (size > 0) std::memset(bytes.get(), 0, size);
   return bytes;
 }
+
+void ask_for_huge_pages(std::byte* bytes, std::size_t size) { wish_for_huge_pages(bytes, size); }
 
 void give_back_pages(std::byte* bytes, std::size_t size) {
   constexpr std::uintptr_t page = 4096;

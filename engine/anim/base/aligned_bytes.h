@@ -8,6 +8,7 @@
 namespace throng::anim {
 
 inline constexpr std::size_t block_alignment = 64;
+inline constexpr std::size_t huge_page_bytes = std::size_t{2} << 20U;
 
 /// Gives bytes back to who gave them (throng/host.h), unless they were lent.
 struct AlignedDelete {
@@ -28,6 +29,9 @@ AlignedBytes allocate_aligned(std::size_t size);
 inline AlignedBytes lend_aligned(const std::byte* bytes) {
   return {const_cast<std::byte*>(bytes), AlignedDelete{.lent = true}};
 }
+
+/// Asks for huge pages for bytes that begin where one may. It is a hint: systems without them do nothing.
+void ask_for_huge_pages(std::byte* bytes, std::size_t size);
 
 /// Gives pages that lie whole in these bytes back to the system, although the rest of their allocation stays. The
 /// caller does not use the bytes again.

@@ -36,7 +36,7 @@ void main() {
 #endif
   vec3 light = albedo * (sun_light() * lit + light_around.rgb) + light_around.rgb * light_around.a;
 #ifdef DEBUG_COLORS
-  light = mix(light, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a);
+  light = below(debug_color, facing, light);
 #endif
   color = vec4(exposed(light * haze_before.a + haze_before.rgb), 1.0);
 }

@@ -21,7 +21,9 @@ out vec2 passed_normal_coord;
 out vec2 passed_occlusion_coord;
 out vec4 world_tangent;
 out vec4 passed_color;
+#ifdef DEBUG_COLORS
 out vec4 debug_color;
+#endif
 
 void main() {
   InstanceRecord instance = drawn_instance();
@@ -35,6 +37,8 @@ void main() {
   passed_occlusion_coord = occlusion_coord;
   world_tangent = vec4(turned(instance, vertex.tangent), tangent.w);
   passed_color = tinted(instance);
+#ifdef DEBUG_COLORS
   debug_color = color_for_people(instance);
+#endif
   gl_Position = view_projection * vec4(world_position, 1.0);
 }

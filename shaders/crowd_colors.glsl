@@ -16,7 +16,9 @@ vec4 color_of_weight() {
   return vec4(mix(low, vec3(1.0, 0.08, 0.02), max(2.0 * weight - 1.0, 0.0)), 0.95);
 }
 
-// The colour that stands for a value of the agent or the vertex; alpha says how much of it shows.
+// The colour, linear, that stands for a value of the agent or the vertex; alpha says how much of it shows.
 vec4 color_for_people(const InstanceRecord instance) {
-  return weighed_entries > 0u ? color_of_weight() : unpackUnorm4x8(instance.debug_color);
+  if (weighed_entries > 0u) return color_of_weight();
+  vec4 color = unpackUnorm4x8(instance.debug_color);
+  return vec4(to_linear(color.rgb), color.a);
 }

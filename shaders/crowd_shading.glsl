@@ -1,7 +1,9 @@
 // Shows a point of the crowd's surface that has a material. Include frame_uniforms.glsl and lighting.glsl before it.
 in vec3 world_position;
 in vec3 world_normal;
+#ifdef DEBUG_COLORS
 in vec4 debug_color;
+#endif
 
 #include "sun_on_cloth.glsl"
 
@@ -11,7 +13,8 @@ vec3 facing_normal() { return normalize(gl_FrontFacing ? world_normal : -world_n
 vec3 seen(vec3 light) {
   vec3 from_eye = world_position - camera_position.xyz;
   float metres = length(from_eye);
-  float facing = sun_share(facing_normal());
-  vec3 color = mix(light, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a);
-  return exposed(through_haze(color, from_eye / metres, metres / distance_scale));
+#ifdef DEBUG_COLORS
+  light = below(debug_color, sun_share(facing_normal()), light);
+#endif
+  return exposed(through_haze(light, from_eye / metres, metres / distance_scale));
 }

@@ -111,3 +111,9 @@ vec3 light_that_shows(vec3 color) {
   }
   return light;
 }
+
+// Lays a colour that stands for a value over light. Where the surface faces the sun it looks as in the legend.
+vec3 below(vec4 value_color, float facing, vec3 light) {
+  if (value_color.a == 0.0) return light;
+  return mix(light, light_that_shows(value_color.rgb * (0.35 + 0.65 * facing)), value_color.a);
+}

@@ -109,6 +109,10 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
                                                     {"scheduling", "Scheduling"},
                                                     {"agent", "Agent"},
                                                     {"presets", "Presets"}}));
+  reader
+      .flag("--legend", options.legend,
+            "What the colours mean, the time and the number of people, in pictures of a headless run")
+      ->excludes(ui);
   reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",
@@ -181,10 +185,11 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",      "--clips-from",    "--replay", "--pus",          "--local-store", "--tile",     "--grain",
-      "--schedule", "--double-buffer", "--simd",   "--size",         "--msaa",        "--ui",       "--hide-ui",
-      "--headless", "--software",      "--draw",   "--frames",       "--screenshot",  "--stats",    "--events",
-      "--trace",    "--ui-map",        "--data",   "--remove-parts", "--video",       "--pictures", "--fps-out"};
+      "MODEL",          "--clips-from", "--replay",        "--pus",      "--local-store", "--tile",
+      "--grain",        "--schedule",   "--double-buffer", "--simd",     "--size",        "--msaa",
+      "--ui",           "--hide-ui",    "--headless",      "--software", "--draw",        "--frames",
+      "--screenshot",   "--stats",      "--events",        "--trace",    "--ui-map",      "--data",
+      "--remove-parts", "--video",      "--pictures",      "--fps-out",  "--legend"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }
@@ -198,6 +203,22 @@ std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& option
   if (!options.models.empty()) return options.models.front() + ": " + options.crowd_file + " says who is there";
   for (const std::string& name : options.given) {
     if (said.contains(name)) return name + ": " + options.crowd_file + " says it; leave it out";
+  }
+  return {};
+}
+
+/// What is drawn over a picture needs one.
+std::optional<std::string> contradiction_of_overlay(const DemoOptions& options) {
+  const std::string asked = options.ui ? "--ui" : options.legend ? "--legend" : "";
+  if (options.context == ContextKind::window) {
+    if (options.legend) return "--legend: a window has it in its panel; add --headless";
+    return {};
+  }
+  if (asked.empty()) return {};
+  if (options.context == ContextKind::none) return asked + ": --headless=none draws nothing; use --headless";
+  if (options.draw == DrawWhich::none) return asked + ": --draw none draws nothing";
+  if (drawn_frames(options) == DrawWhich::none) {
+    return asked + ": no frame is drawn; add --screenshot, --ui-map or --draw last";
   }
   return {};
 }
@@ -224,11 +245,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (draws_nothing && options.draw && *options.draw != DrawWhich::none) {
     return "--draw: --headless=none draws nothing; use --headless";
   }
-  if (draws_nothing && options.ui) return "--ui: --headless=none draws nothing; use --headless";
-  if (!window && options.ui && options.draw == DrawWhich::none) return "--ui: --draw none draws nothing";
-  if (!window && options.ui && drawn_frames(options) == DrawWhich::none) {
-    return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
-  }
+  if (auto contradiction = contradiction_of_overlay(options)) return contradiction;
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
   const bool is_still = !window && !options.screenshot.empty() && drawn_frames(options) != DrawWhich::all;
   if (options.focus && !is_still) return "--focus: is for stills; use --headless and --screenshot";
@@ -276,6 +293,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   reader.tuning("Scheduling", options.tuning);
   declare_simd(reader, options.kernels);
   declare_light(reader, options);
+  reader.tuning("View", options.tuning);
   declare_picture(reader, options);
   declare_run(reader, options);
   declare_output(reader, options);

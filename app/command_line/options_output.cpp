@@ -81,7 +81,6 @@ std::optional<std::string> contradiction_of_output(const DemoOptions& options) {
   }
   if (options.context == ContextKind::none) return refused("--headless=none draws nothing; use --headless");
   if (options.draw && *options.draw != DrawWhich::all) return refused("takes each frame; leave out --draw");
-  if (options.ui) return refused("the overlay is drawn in stills; leave out --ui");
   if (!options.output.video.empty()) {
     if (auto contradiction = contradiction_of_video(options)) return contradiction;
   }

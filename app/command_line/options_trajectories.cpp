@@ -1,19 +1,47 @@
 #include "app/command_line/options_trajectories.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
-#include "app/trajectory/live_crowd.h"
+#include "app/live/live_crowd.h"
 
 namespace throng::app {
 namespace {
 
 constexpr double most_rows_a_second = 10'000.0;
 constexpr double farthest_time = 1e12;  // seconds
+constexpr double fastest_rate = 100.0;
+constexpr std::array<const char*, 10> needs_file{"--walls",        "--fps",    "--unit",       "--height",
+                                                 "--angle",        "--start",  "--track-rate", "--track-part",
+                                                 "--track-repeat", "--lenient"};
 
 std::string name_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+ValueReader track_rate(std::optional<double>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    double rate = 0.0;
+    const Complaint complaint = read_number(text, -fastest_rate, fastest_rate, rate);
+    if (complaint || rate == 0.0) return "must be a number, -100 to 100, and not 0";
+    target = rate;
+    return {};
+  };
+}
+
+ValueReader track_part(std::optional<std::pair<double, double>>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    const std::size_t comma = text.find(',');
+    std::pair<double, double> part;
+    const bool is_part = comma != std::string::npos &&
+                         !read_number(text.substr(0, comma), -farthest_time, farthest_time, part.first) &&
+                         !read_number(text.substr(comma + 1), -farthest_time, farthest_time, part.second);
+    if (!is_part) return "must be two numbers of seconds, 12.5,40";
+    target = part;
+    return {};
+  };
+}
 
 Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
   if (axis == anim::UpAxis::y) return reading.up = TrackUp::y, Complaint();
@@ -43,13 +71,19 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
                choice<TrackAngle>(reading.angle, {{"degrees", TrackAngle::degrees}, {"radians", TrackAngle::radians}}));
   reader.value("--start", "T", "Seconds of its clock at which the crowd begins (its first row)",
                real_number(options.trajectories.start, -farthest_time, farthest_time));
+  reader.value("--track-rate", "X", "Seconds of its clock a second, -100 to 100; below 0: backwards (1)",
+               track_rate(options.trajectories.rate));
+  reader.value("--track-part", "T,T", "Play from one to the other second of its clock only (all of it)",
+               track_part(options.trajectories.part));
+  reader.flag("--track-repeat", options.trajectories.repeats,
+              "Begin anew at the end of the part (a window does; without one: stay there)");
   reader.flag("--lenient", reading.lenient, "Skip rows that are wrong, and count them");
 }
 
 std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options) {
   TrajectoryOptions& asked = options.trajectories;
   if (asked.file.empty()) {
-    for (const char* const option : {"--walls", "--fps", "--unit", "--height", "--angle", "--start", "--lenient"}) {
+    for (const char* const option : needs_file) {
       if (reader.given(option)) return std::string(option) + ": goes with --trajectories";
     }
     return {};
@@ -59,7 +93,10 @@ std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoO
     if (is_live && option == std::string_view("--agents")) continue;
     if (reader.given(option)) return std::string(option) + ": does not go with --trajectories";
   }
-  if (is_live && reader.given("--start")) return "--start: rows of standard input begin when they come; leave it out";
+  for (const char* const option : {"--start", "--track-rate", "--track-part", "--track-repeat"}) {
+    if (!is_live || !reader.given(option)) continue;
+    return std::string(option) + ": rows of standard input are shown as they come; leave it out";
+  }
   if (is_live && !reader.given("--agents")) options.tuning.agents = LiveCrowd::usual_places;
   options.tuning.scene = Scene::tracks;
   options.agents_given = true;

@@ -10,11 +10,6 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint64_t headings_stream = 17;
-/// Returns the seconds that somebody with a single row is there.
-double row_seconds_of(const Trajectories& all) {
-  constexpr double shortest = 1e-3;
-  return all.rows_a_second > 0.0 ? 1.0 / all.rows_a_second : shortest;
-}
 
 }  // namespace
 
@@ -26,25 +21,26 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
       bounds_(bounds_of(*source_.trajectories)) {
   const Trajectories& all = *source_.trajectories;
   assert(all.persons.size() == characters.size() && characters.size() == scales.size());
-  row_seconds_ = row_seconds_of(all);
+  const double row = row_seconds(all);
   Random random(seed, headings_stream);
   constexpr float half_turn = std::numbers::pi_v<float>;
   for (std::size_t agent = 0; agent < characters.size(); ++agent) {
-    const std::vector<TrackRow>& rows = all.persons[agent].rows;
+    const PersonTrack& person = all.persons[agent];
     first_headings_.push_back(random.between(-half_turn, half_turn));
-    tracks_.push_back(rows.empty() ? SmoothTrack() : SmoothTrack(rows));
+    presences_.push_back(presence_of(person, row));
+    tracks_.push_back(person.rows.empty() ? SmoothTrack() : SmoothTrack(person.rows));
     steps_.emplace_back(tracks_.back(), plane(agent), scales[agent], first_headings_.back());
   }
 }
 
 void Followers::begin_renewing(std::span<const std::uint32_t> agents) {
-  row_seconds_ = row_seconds_of(*source_.trajectories);
   for (const std::uint32_t agent : agents) add_to(bounds_, source_.trajectories->persons[agent].rows.back());
 }
 
 float Followers::renew(std::size_t agent, float height, double settled) {
   const PersonTrack& person = source_.trajectories->persons[agent];
   const float scale = person.stature > 0.0F ? person.stature / height : scales_[agent];
+  presences_[agent] = presence_of(person, row_seconds(*source_.trajectories));
   tracks_[agent] = SmoothTrack(person.rows);
   steps_[agent].extend(tracks_[agent], plane(agent), scale, first_headings_[agent], settled);
   return scale;

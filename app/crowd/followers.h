@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/crowd/people_over_time.h"
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/track_steps.h"
 #include "app/trajectory/ground_bounds.h"
@@ -31,19 +32,16 @@ class Followers {
 
   std::size_t count() const { return steps_.size(); }
   const Trajectories& trajectories() const { return *source_.trajectories; }
+  const std::shared_ptr<const Trajectories>& file() const { return source_.trajectories; }
   /// Returns what holds everybody at every time.
   const GroundBounds& bounds() const { return bounds_; }
   const StridePlane& plane(std::size_t agent) const { return plane_of_character(characters_[agent]); }
   const StridePlane& plane_of_character(std::size_t character) const { return source_.planes[character]; }
 
-  /// Returns whether somebody is there at a time: from the first row to the last one. Who has a single row is there as
-  /// long as a row lasts.
-  bool is_there(std::size_t agent, double seconds) const {
-    const SmoothTrack& way = tracks_[agent];
-    const double last = way.row_count() > 1 ? way.last() : way.first() + row_seconds_;
-    return seconds >= way.first() && seconds <= last;
-  }
+  const Presence& presence(std::size_t agent) const { return presences_[agent]; }
+  bool is_there(std::size_t agent, double seconds) const { return presence(agent).has(seconds); }
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
+  const SmoothTrack& way(std::size_t agent) const { return tracks_[agent]; }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
 
   /// Takes what is common to people whose rows come. Call it before renew() for each of them.
@@ -57,10 +55,10 @@ class Followers {
   TrackSource source_;
   std::vector<std::uint8_t> characters_;
   std::vector<float> scales_, first_headings_;  // [agent] as they are without what the file says
+  std::vector<Presence> presences_;             // [agent]
   std::vector<SmoothTrack> tracks_;             // [agent]
   std::vector<TrackSteps> steps_;               // [agent]
   GroundBounds bounds_;
-  double row_seconds_ = 0.0;
 };
 
 }  // namespace throng::app

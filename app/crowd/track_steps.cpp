@@ -11,7 +11,6 @@ namespace throng::app {
 namespace {
 
 constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
-constexpr double stride_window = 0.8;                        // seconds: about a stride, so that sway is taken out
 constexpr double stand_window = 3.0;                         // seconds in which somebody who stands gets nowhere
 constexpr float stands_below = 0.015F, moves_above = 0.06F;  // metres a second over that window
 constexpr float turns_above = 0.08F;                         // metres a second
@@ -29,7 +28,7 @@ float share_of_turn(float speed, double seconds) {
 
 // Somebody who stands sways too, and makes no steps by that.
 glm::vec2 velocity_of_steps(const SmoothTrack& track, double seconds) {
-  const glm::vec2 velocity = track.velocity(seconds, stride_window);
+  const glm::vec2 velocity = track.velocity(seconds, TrackSteps::stride_window);
   const float got_on = glm::length(track.velocity(seconds, stand_window));
   return velocity * glm::smoothstep(stands_below, moves_above, got_on);
 }

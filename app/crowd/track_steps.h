@@ -25,6 +25,7 @@ struct TrackStep {
 class TrackSteps {
  public:
   static constexpr float cycles_in_all = 256.0F;
+  static constexpr double stride_window = 0.8;  ///< seconds, about a stride: their mean velocity has no sway
 
   TrackSteps() = default;
   /// `scale`: of the body. `first_heading`: of somebody who never moves.

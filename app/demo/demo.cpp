@@ -1,56 +1,25 @@
 #include "app/demo/demo.h"
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
 
-#include "app/demo/frame_reporter.h"
+#include "app/demo/drawn_overlay.h"
 #include "app/demo/live_input.h"
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_loop.h"
-#include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
 #include "app/output/output.h"
 #include "app/overlay/overlay.h"
 #include "app/regression/origin.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
-#include "app/view/fly_camera.h"
 #include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {
-
-// The overlay in a picture: nobody moves a mouse, so one frame of it is all there is.
-anim::Status draw_overlay(Show& show, const DemoOptions& options) {
-  const auto fonts = find_data(data_folders(options.data), "assets/fonts");
-  Tuning tuning = show.stage().tuning();
-  FrameReporter reporter(show);
-  reporter.update(show, place_of(show.camera),
-                  show.figures().times().animation_ms + show.figures().times().drawing_ms());
-  if (options.ui_fixed) {
-    const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
-    if (!figures) return figures.error();
-    if (anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
-  }
-  Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
-  overlay.show_tab(options.ui_tab);
-  if (anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
-  constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
-  for (int frame = 0; frame < frames_until_laid_out; ++frame) {
-    const auto start = std::chrono::steady_clock::now();
-    overlay.begin_frame(show.width, show.height, usual_frame_seconds, {});
-    overlay.build(reporter.report(), tuning);
-    show.figures().add_overlay(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  show.painter().renderer().draw_overlay(*overlay.draw_data());
-  if (options.ui_map.empty()) return anim::Done{};
-  return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
-}
 
 anim::Status write_screenshot(Show& show, const std::string& file) {
   render::Renderer& renderer = show.painter().renderer();
@@ -129,11 +98,14 @@ anim::Status finish_output(Show& show, const DemoOptions& options, Output* outpu
 
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   if (options.ui) show.covered = column_share(options.width, options.ui_scale);
+  const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
+  DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
   if (options.output.any()) {
     auto begun = Output::begin(options, show);
     if (!begun) return begun.error();
     output = std::move(*begun);
+    if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
   anim::Status run =
       replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
@@ -141,9 +113,10 @@ anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay
   if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
   const LiveCrowd* const live = live_crowd_of(show);
   if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
-  if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)
-    return draw_overlay(show, options);
-  return anim::Done{};
+  if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
+  const bool is_over_last = output != nullptr && output->drew_last();
+  if (anim::Status drawn = is_over_last ? anim::Done{} : overlay.draw(show); !drawn) return drawn;
+  return overlay.write_map();
 }
 
 anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {

@@ -169,6 +169,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.figures().times().animation_ms);
   report_.agents = static_cast<int>(show.stage().crowd().size());
+  add_moment(show.stage());
   add_cast(show.stage());
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
@@ -184,12 +185,23 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   limit_.add(show.figures().times());
   report_.limit_sentence = limit_.sentence();
   add_error(show.stage());
+  add_tracks(show.stage());
   report_.selected = report_selection(show.stage());
-  if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
+  const std::shared_ptr<const TrackedPerson> tracked = tracked_person_.report(show.stage());
+  if (report_.selected) {
+    report_.selected->tracked = tracked;
+    selection_log_.update(show.stage(), *report_.selected);
+  }
   report_.snapshots.clear();
   for (std::size_t i = 0; i < show.moments().count(); ++i) {
     report_.snapshots.push_back(static_cast<float>(anim::to_seconds(show.moments().age(show.stage(), i))));
   }
+}
+
+void FrameReporter::add_moment(const Stage& stage) {
+  const bool is_recorded = followers_of(stage.crowd()) != nullptr;
+  report_.seconds = is_recorded ? track_clock_of(stage.crowd()).seconds : anim::to_seconds(stage.system().clock());
+  report_.people = report_.agents - static_cast<int>(std::ranges::count(absent_of(stage.crowd()), 1));
 }
 
 void FrameReporter::add_cast(const Stage& stage) {
@@ -221,6 +233,17 @@ void FrameReporter::add_error(const Stage& stage) {
   report_.error.pop_history.assign(meter.history().pop().begin(), meter.history().pop().end());
   const bool skips = stage.tuning().lod.rule != anim::LodRule::off;
   report_.error.skipping_sentence = skips ? skipping_sentence(limit_.mean(), report_.agents_by_interval) : "";
+}
+
+void FrameReporter::add_tracks(const Stage& stage) {
+  const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
+  // Nobody can go to another time of rows that still come.
+  if (followers_of(stage.crowd()) == nullptr || all->is_live) return report_.tracks.reset();
+  const bool is_counted = report_.tracks && tracks_ == all && counted_rows_ == all->row_count;
+  report_.tracks = {.clock = track_clock_of(stage.crowd()),
+                    .people = is_counted ? report_.tracks->people : std::make_shared<const PeopleOverTime>(*all)};
+  tracks_ = all;
+  counted_rows_ = all->row_count;
 }
 
 // Reports the agents that are tallest on the screen, and the selected one even where it is small.

@@ -9,6 +9,7 @@
 #include "app/demo/fixed_report.h"
 #include "app/demo/selection_log.h"
 #include "app/demo/slow_frames.h"
+#include "app/demo/tracked_person_reporter.h"
 #include "app/figures/limiter.h"
 #include "app/report/frame_report.h"
 #include "app/show/show.h"
@@ -59,9 +60,11 @@ class FrameReporter {
  private:
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
+  void add_moment(const Stage& stage);
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
   void add_error(const Stage& stage);
+  void add_tracks(const Stage& stage);
   void add_heads(const Stage& stage);
   void add_head(const Stage& stage, const anim::VisibleAgent& agent);
   void add_units(const anim::AnimationSystem& system);
@@ -70,7 +73,10 @@ class FrameReporter {
   LimiterOverFrames limit_;
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
-  int mesh_levels_ = 1;  // the most of a character
+  TrackedPersonReporter tracked_person_;
+  std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
+  std::size_t counted_rows_ = 0;                // of them
+  int mesh_levels_ = 1;                         // the most of a character
 };
 
 }  // namespace throng::app

@@ -12,6 +12,7 @@ Tuning worth_keeping(Tuning tuning) {
   tuning.inspection = standard.inspection;
   tuning.taken_away = standard.taken_away;
   tuning.debug_view = standard.debug_view;
+  tuning.trail_seconds = standard.trail_seconds;
   tuning.bones_as_lines = standard.bones_as_lines;
   return tuning;
 }

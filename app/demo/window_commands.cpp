@@ -84,6 +84,7 @@ void WindowCommands::obey_hands(const OverlayCommands& commands) {
   Show& show = session_.show;
   if (commands.hold_at) show.hands().hold_selected_clip(*commands.hold_at);
   if (commands.let_go) show.hands().let_go_of_clip();
+  if (commands.track_clock) set_track_clock(show, *commands.track_clock);
   if (commands.rewind) messages().tell(show.rewind(*commands.rewind));
   if (!commands.models.empty()) replace_models(commands.models);
 }

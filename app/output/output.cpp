@@ -44,7 +44,8 @@ int frames_of_run(const DemoOptions& options, const Show& show) {
   if (!options.frames_given && live_crowd_of(show) != nullptr) return 0;
   if (options.frames_given || !goes_on_to_its_end) return options.frames;
   const TrackClock& clock = track_clock_of(crowd);
-  const double frames = std::ceil((clock.last - clock.seconds) / options.dt.value_or(usual_frame_seconds));
+  const double left = clock.rate < 0.0 ? clock.seconds - clock.first : clock.last - clock.seconds;
+  const double frames = std::ceil(left / std::abs(clock.rate) / options.dt.value_or(usual_frame_seconds));
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));
 }
 
@@ -100,7 +101,9 @@ anim::Status Output::draw(Show& show, int frame) {
   if (labels_) {
     if (anim::Status taken = labels_->take(show, frame, drew_last_); !taken) return taken;
   }
-  return drew_last_ ? keep_image(show, frame) : anim::Done{};
+  if (!drew_last_) return anim::Done{};
+  if (anim::Status drawn = draw_over_ ? draw_over_(show) : anim::Done{}; !drawn) return drawn;
+  return keep_image(show, frame);
 }
 
 anim::Status Output::keep_image(Show& show, int frame) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/output/label_files.h"
 #include "app/output/output_folder.h"
@@ -30,6 +32,9 @@ class Output {
   /// Errors: a file or folder cannot be written, or is of another run.
   static anim::Result<std::unique_ptr<Output>> begin(const DemoOptions& options, const Show& show);
 
+  /// Has this draw over each picture of a frame, which labels know nothing of. Its error ends the run.
+  void draw_over_pictures(std::function<anim::Status(Show& show)> draw) { draw_over_ = std::move(draw); }
+
   /// Takes the frame that the show animated last, counted from 1; draws it unless its files are there. Errors: it
   /// cannot be drawn, or one of the frames before could not be written.
   anim::Status take(Show& show, int frame);
@@ -52,6 +57,7 @@ class Output {
   std::string summary() const;
 
   OutputOptions options_;
+  std::function<anim::Status(Show& show)> draw_over_;  // may be empty
   VideoFormat format_;
   std::optional<OutputFolder> pictures_;
   std::unique_ptr<LabelFiles> labels_;

@@ -13,6 +13,17 @@ void begin_fixed_window(const char* name, const Area& place, float rounding, ImG
   ImGui::PopStyleVar();
 }
 
+Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height) {
+  constexpr float margin = 12;
+  const Theme& theme = widgets.theme();
+  const Area place{.from = {crowd.from.x + theme.px(margin), crowd.to.y - theme.px(margin + height)},
+                   .to = {crowd.to.x - theme.px(margin), crowd.to.y - theme.px(margin)}};
+  begin_fixed_window(name, place, theme.px(10));
+  widgets.record(name, place);
+  widgets.cover(place);
+  return place;
+}
+
 void begin_clear_window(const char* name, const Area& place) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::SetNextWindowPos(place.from);

@@ -21,11 +21,10 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 /// Shows what the person was told so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
-/// Shows what the selected agent does, and the end of the graph of entities that makes its pose, as far as there is
-/// room. The card begins in the upper left
+/// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
+/// far as there is room; of somebody of a recorded crowd, speed and steps over time. The card begins in the upper left
 /// of `place`, where there is mostly sky. Closing it deselects the agent.
-void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
-                         OverlayCommands& commands);
+void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
 
 /// Shows the button *View*, which asks for the selected agent's character alone, in the clip that it plays. `name`
 /// tells it apart in the map.
@@ -36,6 +35,9 @@ std::string place_in_clip(const EntityRow& row);
 
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);
+
+/// Begins a bar of that height at the foot of the crowd; end it with ImGui::End(). Returns its place.
+Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height);
 
 /// Begins a window that lets the pointer through, for words over the crowd; end it with ImGui::End().
 void begin_clear_window(const char* name, const Area& place);

@@ -120,13 +120,18 @@ std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
   return static_cast<std::size_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
 }
 
+const char* why_no_snapshot(const FrameReport& report) {
+  return report.tracks ? "the timeline at the foot of the crowd goes to any moment" : "there is no snapshot yet";
+}
+
 // The crowd goes back where the slider is let go, since on the way there each snapshot would take its place.
 void show_snapshots(const TabContext& context) {
   const std::vector<float>& ages = context.report.snapshots;
   std::optional<double>& seconds_back = context.memory.seconds_back;
   const bool none = ages.empty();
+  const char* const why = why_no_snapshot(context.report);
   double seconds = seconds_back.value_or(0);
-  context.widgets.begin_idle(none ? std::optional<std::string>("there is no snapshot yet") : std::nullopt);
+  context.widgets.begin_idle(none ? std::optional<std::string>(why) : std::nullopt);
   if (context.widgets.number(
           "Back by", seconds, 0,
           {.highest = none ? 1 : static_cast<double>(ages.back()), .decimals = 1, .zero_word = "now", .suffix = " s"},
@@ -154,12 +159,29 @@ void show_time(const TabContext& context) {
   commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
                                   tuning.paused ? nullptr : "the crowd is not paused");
   if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
-                     ages.empty() ? "there is no snapshot yet" : nullptr)) {
+                     ages.empty() ? why_no_snapshot(report) : nullptr)) {
     commands.rewind = 0;
   }
+  if (report.tracks) return;
   widgets.caption(ages.empty()
                       ? "No snapshot yet."
                       : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");
+}
+
+// The values of the view in force alone have rows, or all while they are searched.
+void show_scale(const TabContext& context) {
+  const DebugView view = context.tuning.debug_view;
+  const bool shows_all = context.widgets.is_searching();
+  const Help help{.what = "What the last colour of the scale stands for. Above it people have that colour too."};
+  if (shows_all || view == DebugView::speed) context.row("top_speed", help);
+  if (shows_all || view == DebugView::density) context.row("top_density", help);
+  if (shows_all || view == DebugView::density) {
+    context.row("density_cut_off",
+                {.what = "How far a person's own ground reaches where nobody else is near, as PedPy's "
+                         "cut_off. A smaller one makes those at the edge denser.",
+                 .unit = "metres, 0.1 to 10"});
+  }
+  if (shows_all || view == DebugView::presence) context.row("top_presence", help);
 }
 
 void show_picture(const TabContext& context) {
@@ -167,7 +189,13 @@ void show_picture(const TabContext& context) {
   widgets.section("Picture");
   context.row("debug_view",
               {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
-                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
+                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest. speed, density: how fast "
+                       "people go, how close they stand. presence: since when they are there."});
+  show_scale(context);
+  context.row("trail_seconds",
+              {.what = "Draws where people of a recorded crowd went in the last seconds, on the ground.",
+               .unit = "seconds, 0 to 30",
+               .cost = "Some lines for each of them."});
   context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
                .cost = "Two draws a bone and agent in view."});

@@ -55,8 +55,10 @@ void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& com
   commands.settings->plays = !settings.plays;
 }
 
-// Some keyboards have it above a digit, whose key then means nothing else.
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
+
+// Some keyboards have them above a digit, whose key then means nothing else.
+bool types_sign(const InputFrame& input) { return input.characters.find_first_of(U"/[]") != std::u32string::npos; }
 
 int tabs_further(const InputFrame& input, Key key) {
   if (!input.down(Key::control)) return 0;
@@ -89,7 +91,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
       ask_the_viewer(key, *open.viewer, commands.viewer);
     } else {
       ask_the_crowd(input, key, open, tuning, commands);
-      if (!types_slash(input)) add_camera_key(input, key, open, commands.cameras);
+      if (!types_sign(input)) add_camera_key(input, key, open, commands.cameras);
     }
   }
 }

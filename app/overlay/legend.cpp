@@ -1,8 +1,9 @@
 #include "app/overlay/legend.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
+#include "app/crowd/track_steps.h"
 #include "app/files/joined.h"
 #include "app/overlay/controls/numbers.h"
 #include "app/settings/agent_colors.h"
@@ -80,7 +81,7 @@ LegendPart meshes_legend(const FrameReport& report) {
   return part;
 }
 
-LegendPart error_legend() {
+LegendPart error_legend(const Tuning& tuning) {
   LegendPart part{.title = "Error on screen", .steps = {}};
   for (int step = 0; step < error_steps; ++step) {
     const bool is_last = step + 1 == error_steps;
@@ -89,9 +90,44 @@ LegendPart error_legend() {
                               : is_last ? from + " px or more"
                                         : from + " to " + shortest_text(error_limit(step)) + " px";
     const float inside = is_last ? error_limit(step - 1) : 0.75F * error_limit(step);
-    part.steps.push_back({debug_color(DebugView::error, {.error_px = inside}), words, std::nullopt});
+    part.steps.push_back({debug_color(tuning, {.error_px = inside}), words, std::nullopt});
   }
   part.steps.push_back({0, "not measured", std::nullopt});
+  return part;
+}
+
+/// Returns the step between ticks, 1, 2 or 5 times a power of ten, with which a scale has four of them or a few more.
+float tick_step(float top) {
+  const float least = top / 5.0F * 0.999F, power = std::pow(10.0F, std::floor(std::log10(least)));
+  for (const float step : {1.0F, 2.0F, 5.0F}) {
+    if (step * power >= least) return step * power;
+  }
+  return 10.0F * power;
+}
+
+LegendRamp ramp_of(const ColorScale& scale) {
+  constexpr int samples = 33;
+  LegendRamp ramp;
+  for (int i = 0; i < samples; ++i) ramp.colors.push_back(scale_color(static_cast<float>(i) / (samples - 1)));
+  const float top = scale.top / scale.a_unit, step = tick_step(top);
+  constexpr float rounding = 1.001F;
+  for (int i = 0; static_cast<float>(i) * step <= top * rounding; ++i) {
+    const float value = static_cast<float>(i) * step;
+    const bool is_top = value * rounding >= top;
+    ramp.ticks.push_back({std::min(value / top, 1.0F), shortest_text(value) + (is_top ? "+" : "")});
+  }
+  return ramp;
+}
+
+LegendPart measure_legend(const ColorScale& scale, const Tuning& tuning, bool is_recorded) {
+  LegendPart part{.title = std::string(scale.title) + ", " + scale.unit, .steps = {}, .ramp = ramp_of(scale)};
+  if (tuning.debug_view == DebugView::speed && is_recorded) {
+    part.notes.push_back("mean of " + shortest_text(static_cast<float>(TrackSteps::stride_window)) + " s");
+  } else if (tuning.debug_view == DebugView::density) {
+    part.notes.push_back("Voronoi cells, cut off at " + shortest_text(tuning.density_cut_off) + " m");
+  } else if (tuning.debug_view == DebugView::presence && !is_recorded) {
+    part.notes.emplace_back("No effect: only people of a recorded crowd come and go");
+  }
   return part;
 }
 
@@ -99,9 +135,12 @@ LegendPart error_legend() {
 std::optional<LegendPart> characters_legend(const FrameReport& report, const Tuning& tuning) {
   if (idle_reason("debug_view", tuning, report.situation)) return std::nullopt;
   std::optional<LegendPart> part;
+  if (const auto scale = color_scale(tuning)) {
+    part = measure_legend(*scale, tuning, tuning.scene == Scene::tracks);
+    if (report.selected) part->steps.push_back({selected_color, "selected", std::nullopt});
+    return part;
+  }
   switch (tuning.debug_view) {
-    case DebugView::none:
-      return std::nullopt;
     case DebugView::interval:
       part = intervals_legend(report, tuning);
       break;
@@ -112,8 +151,10 @@ std::optional<LegendPart> characters_legend(const FrameReport& report, const Tun
       part = meshes_legend(report);
       break;
     case DebugView::error:
-      part = error_legend();
+      part = error_legend(tuning);
       break;
+    default:
+      return std::nullopt;
   }
   if (part && report.selected) part->steps.push_back({selected_color, "selected", 1});
   return part;

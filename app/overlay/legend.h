@@ -17,10 +17,23 @@ struct LegendStep {
   std::optional<int> agents;  ///< in view, that have it now; nothing: not counted
 };
 
+/// A word below a bar of colours.
+struct LegendTick {
+  float share = 0.0F;  ///< of the bar, from its left
+  std::string words;
+};
+
+/// A bar of colours that go over into each other.
+struct LegendRamp {
+  std::vector<std::uint32_t> colors;  ///< at even distances, from the left to the right
+  std::vector<LegendTick> ticks;
+};
+
 /// The meaning of the colours of one scale.
 struct LegendPart {
   std::string title;
   std::vector<LegendStep> steps;
+  std::optional<LegendRamp> ramp = {};  ///< shown below the title
   std::vector<std::string> notes = {};  ///< lines about all of it
 };
 

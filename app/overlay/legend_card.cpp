@@ -7,6 +7,7 @@ namespace throng::app {
 namespace {
 
 constexpr float legend_margin = 12, legend_padding = 10, legend_row = 17, legend_swatch = 11, legend_gap = 14;
+constexpr float ramp_height = 12, ramp_width = 190, ramp_rows = 2;
 constexpr float legend_title_room = 20;  // for the sign that folds it
 
 std::string agents_words(const LegendStep& step) {
@@ -25,7 +26,8 @@ ImVec2 legend_size(const Theme& theme, const std::vector<LegendPart>& parts, boo
     const float count = is_counted(part) ? text_width(theme.small, counted_words) + theme.px(legend_gap) : 0;
     width = std::max(width, text_width(theme.small, part.title) + count + theme.px(legend_title_room));
     if (is_folded) continue;
-    rows += 1 + static_cast<float>(part.steps.size());
+    rows += 1 + static_cast<float>(part.steps.size()) + (part.ramp ? ramp_rows : 0);
+    if (part.ramp) width = std::max(width, theme.px(ramp_width));
     for (const LegendStep& step : part.steps) {
       const std::string agents = agents_words(step);
       const float room = agents.empty() ? 0 : text_width(theme.small, agents) + theme.px(legend_gap);
@@ -83,12 +85,33 @@ class LegendDrawing {
       draw_text(theme_.small, {right_ - theme_.px(steps_ == 0 ? legend_title_room : 0), y_}, colour::dim, counted_words,
                 1);
     write(colour::text, part.title);
+    if (part.ramp) draw(*part.ramp);
     for (const LegendStep& step : part.steps) draw(step);
     for (const std::string& line : part.notes) write(colour::dim, line);
     y_ += theme_.px(6);
   }
 
  private:
+  void draw(const LegendRamp& ramp) {
+    const float from = left_ + theme_.px(4), to = right_ - theme_.px(12);  // words at the ends reach beyond
+    const float top = y_ + theme_.px(2), bottom = top + theme_.px(ramp_height);
+    const auto x_at = [&](float share) { return from + share * (to - from); };
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 1; i < ramp.colors.size(); ++i) {
+      const auto pieces = static_cast<float>(ramp.colors.size() - 1);
+      const std::uint32_t left = ramp.colors[i - 1] | IM_COL32_A_MASK, right = ramp.colors[i] | IM_COL32_A_MASK;
+      draw.AddRectFilledMultiColor({x_at(static_cast<float>(i - 1) / pieces), top},
+                                   {x_at(static_cast<float>(i) / pieces), bottom}, left, right, right, left);
+    }
+    for (const LegendTick& tick : ramp.ticks) {
+      const float x = x_at(tick.share);
+      draw.AddLine({x, bottom}, {x, bottom + theme_.px(3)}, colour::dim);
+      draw_text(theme_.small, {x, bottom + theme_.px(3)}, colour::text, tick.words, 0.5F);
+    }
+    const Area row{.from = {left_, y_}, .to = {right_, y_ + ramp_rows * theme_.px(legend_row)}};
+    widgets_.record("legend.ramp", row);
+    y_ = row.to.y;
+  }
   void draw(const LegendStep& step) {
     draw_swatch(theme_, {left_, y_ + theme_.px(3)}, step.color);
     draw_text(theme_.small, {left_ + theme_.px(legend_swatch + 8), y_}, colour::text, step.words);
@@ -108,6 +131,12 @@ class LegendDrawing {
   int steps_ = 0;
 };
 
+LegendPart moment_of(const FrameReport& report) {
+  return {.title = fixed(report.seconds, 2) + " s, " + std::to_string(report.people) +
+                   (report.people == 1 ? " person" : " people"),
+          .steps = {}};
+}
+
 /// Shows the sign at the right of the first line. A click anywhere in that line folds the card, and unfolds it.
 void show_fold(Widgets& widgets, const Area& place, bool& is_folded) {
   const Theme& theme = widgets.theme();
@@ -125,13 +154,17 @@ void show_fold(Widgets& widgets, const Area& place, bool& is_folded) {
 
 std::optional<Area> show_legend(const TabContext& context, const Area& crowd, std::span<const Area> taken,
                                 AidsMemory& memory) {
-  const std::vector<LegendPart> parts = legend_of(context.report, context.tuning, memory.heads.size());
+  std::vector<LegendPart> parts = legend_of(context.report, context.tuning, memory.heads.size());
+  if (memory.is_legend_alone) parts.insert(parts.begin(), moment_of(context.report));
   if (parts.empty()) return std::nullopt;
   Widgets& widgets = context.widgets;
   const Theme& theme = widgets.theme();
   bool is_folded = memory.legend_is_folded;
   auto place = room_for_legend(theme, crowd, taken, legend_size(theme, parts, is_folded));
-  if (!place && !is_folded) {
+  if (!place && memory.is_legend_alone) {
+    place = {.from = crowd.from, .to = crowd.from};
+    place->to.x += legend_size(theme, parts, false).x, place->to.y += legend_size(theme, parts, false).y;
+  } else if (!place && !is_folded) {
     is_folded = true;
     place = room_for_legend(theme, crowd, taken, legend_size(theme, parts, true));
   }
@@ -141,7 +174,7 @@ std::optional<Area> show_legend(const TabContext& context, const Area& crowd, st
   begin_fixed_window("Legend", *place, theme.px(8));
   ImGui::PopStyleVar(2);
   widgets.record("legend", *place);
-  show_fold(widgets, *place, memory.legend_is_folded);
+  if (!memory.is_legend_alone) show_fold(widgets, *place, memory.legend_is_folded);
   LegendDrawing drawing(widgets, *place);
   if (is_folded) {
     drawing.draw({.title = "Legend", .steps = {}});

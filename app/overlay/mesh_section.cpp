@@ -9,7 +9,7 @@
 namespace throng::app {
 namespace {
 
-constexpr std::array mesh_words = {"auto", "0", "1", "2", "3", "4", "5"};
+constexpr std::array mesh_words = {"auto", "0", "1", "2", "3", "4", "5", "6"};
 static_assert(mesh_words.size() == mesh_lod_steps + 1);
 
 std::string off_by(float value) { return fixed(value, 2) + " px"; }

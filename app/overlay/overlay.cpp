@@ -17,6 +17,7 @@
 #include "app/overlay/picture_aids.h"
 #include "app/overlay/replay_bar.h"
 #include "app/overlay/tabs.h"
+#include "app/overlay/track_bar.h"
 #include "app/overlay/viewer_panel.h"
 
 namespace throng::app {
@@ -121,6 +122,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
                   state.switches, tuning, commands);
     if (report.replay) apply_replay_keys(state.input, commands.replay);
+    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, commands);
     if (!viewer && !report.replay) {
       apply_pair_key(state.input, state.memory.pair, tuning, commands);
       apply_history_keys(state.input, state.memory.history, tuning);
@@ -140,6 +142,10 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
       state.switches.help = false;
     }
     show_picture_aids(context, state.map, layout.crowd, state.aids);
+  }
+  if (state.aids.is_legend_alone) {
+    const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
+    show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
   }
   state.watch_values(report, tuning);
   state.widgets.focus().end_frame(state.theme);
@@ -176,7 +182,8 @@ void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_
   if (context_of_tab.commands.look_at_frame) column.go_to("Scheduling");
   column.show_tabs(layout.column, context_of_tab, switches);
   if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
-  if (report.selected) show_selection_card(widgets, below_notices, *report.selected, context_of_tab.commands);
+  if (report.tracks) show_track_bar(context_of_tab, layout.crowd);
+  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.commands);
 }
 
 void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {
@@ -205,6 +212,8 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
 
 std::uint32_t Overlay::panel_color() { return colour::panel | IM_COL32_A_MASK; }
+
+void Overlay::show_legend_only() { state_->switches.hidden = state_->aids.is_legend_alone = true; }
 
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 

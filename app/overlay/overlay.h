@@ -69,6 +69,8 @@ class Overlay {
   static std::uint32_t panel_color();
 
   void set_hidden(bool hidden);
+  /// Shows from now on nothing but the legend, with the time and the number of people.
+  void show_legend_only();
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);
 

@@ -4,6 +4,7 @@
 
 #include "app/overlay/cards.h"
 #include "app/overlay/controls/card.h"
+#include "app/overlay/tracked_person_view.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
@@ -76,6 +77,12 @@ std::string blocks(const SelectionReport& selected) {
          (selected.channels == 1 ? " channel" : " channels");
 }
 
+std::string pose_words(const SelectionReport& selected) {
+  const std::string agent = "agent " + with_thousands(selected.agent);
+  if (!selected.visible) return agent + ", not posed";
+  return agent + ", posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames");
+}
+
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {
   ImVec2 at(card.from.x + theme.px(card_margin), card.from.y + theme.px(4));
   draw_text(theme.small, at, colour::dim, whereabouts(selected));
@@ -105,7 +112,8 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
                OverlayCommands& commands) {
   const Theme& theme = widgets.theme();
   const float width = theme.px(92), gap = theme.px(8), right = card.to.x - theme.px(card_margin);
-  draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, blocks(selected));
+  const std::string words = selected.tracked != nullptr ? pose_words(selected) : blocks(selected);
+  draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, words);
   const float view_width = theme.px(60);
   ImGui::SetCursorScreenPos({right - view_width - 2 * (width + gap), y});
   show_view_button(widgets, "View", view_width, commands);
@@ -117,6 +125,27 @@ void show_foot(Widgets& widgets, const Area& card, float y, const SelectionRepor
   widgets.end_idle();
   ImGui::SameLine(0, gap);
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
+}
+
+// The graph of the speed takes what is left over by the words, the steps and the buttons.
+void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+  const Theme& theme = widgets.theme();
+  const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
+  const float wanted = theme.px(tracked_person_height + foot_height);
+  const Card card(widgets, "Selected", place,
+                  {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
+                   .size = {width, std::min(wanted, Card::most_height(theme, place, width))},
+                   .title = title_of_tracked(*report.selected, report.tracks->clock.seconds)});
+  commands.deselect |= card.was_closed();
+  if (!card.is_unfolded()) return;
+  const Area content = card.content();
+  const float foot = std::max(content.to.y, content.from.y + theme.px(least_tracked_person_height + foot_height)) -
+                     theme.px(foot_height);
+  show_tracked_person(widgets,
+                      {.from = {content.from.x + theme.px(card_margin), content.from.y + theme.px(4)},
+                       .to = {content.to.x - theme.px(card_margin), foot - theme.px(4)}},
+                      report, commands);
+  show_foot(widgets, content, foot, *report.selected, commands);
 }
 
 }  // namespace
@@ -131,9 +160,10 @@ std::string place_in_clip(const EntityRow& row) {
   return fixed(row.position_seconds, 2) + " / " + fixed(row.duration_seconds, 2);
 }
 
-void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
-                         OverlayCommands& commands) {
+void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+  const SelectionReport& selected = *report.selected;
   const Theme& theme = widgets.theme();
+  if (selected.tracked != nullptr && report.tracks) return show_tracked_card(widgets, place, report, commands);
   const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
   const float without_rows = theme.px(4 + 2 * text_height + 2 + entity_height + 5 + foot_height);
   const float for_rows = Card::most_height(theme, place, width) - without_rows;

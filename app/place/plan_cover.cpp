@@ -56,6 +56,8 @@ class Inside {
 
 }  // namespace
 
+glm::dvec2 cover_direction() { return turned_back({1.0, 0.0}); }
+
 double PlanCover::Edge::x_at(double y) const {
   const double share = std::clamp((y - low.y) / (high.y - low.y), 0.0, 1.0);
   return low.x + share * (high.x - low.x);

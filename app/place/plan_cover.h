@@ -26,6 +26,9 @@ struct CoverPiece {
   bool left_is_outline, right_is_outline;  ///< else the part goes on there
 };
 
+/// Returns the direction of the level lines at which pieces begin and end; a turn to the left goes from low to high.
+glm::dvec2 cover_direction();
+
 /// Cuts overlapping polygons of any shape into pieces that overlap nowhere.
 /// Within a polygon is what an odd number of its lines surrounds, so lines that cross or have no area harm nothing.
 /// The sides of all pieces that are outlines are those of the parts.

@@ -17,6 +17,7 @@
 #include "app/report/placement_report.h"
 #include "app/report/replay_report.h"
 #include "app/report/selection_report.h"
+#include "app/report/tracks_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/report/viewer_report.h"
 #include "app/settings/idle_values.h"
@@ -74,6 +75,8 @@ struct FrameReport {
   std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240
   // Crowd
   int agents = 0, visible = 0, drawn = 0;
+  double seconds = 0;  ///< of the crowd's clock, or of a recorded crowd's file
+  int people = 0;      ///< who are there; of a recorded crowd some have not come yet, or have gone
   anim::UpdateReport work;
   std::uint64_t pose_hash = 0;
   render::DrawCounts draw_counts;
@@ -107,6 +110,7 @@ struct FrameReport {
   CameraPlace camera;
   CameraReport cameras;
   std::optional<ReplayReport> replay;       ///< a recording is repeated
+  std::optional<TracksReport> tracks;       ///< the scene is a recorded crowd
   Situation situation;                      ///< says which values have no effect
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
@@ -151,6 +155,7 @@ struct OverlayCommands {
   bool copy_camera = false;               ///< key C
   CameraCommands cameras;
   ReplayCommands replay;
+  std::optional<TrackClock> track_clock;  ///< the recorded crowd goes to this time, and is played so
   bool screenshot = false;                ///< key F12
   bool reload_shaders = false;            ///< key F5
   bool record = false;                    ///< key R: begins or ends a recording

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/character/roles.h"
 #include "app/crowd/habits.h"
+#include "app/report/tracked_person.h"
 #include "engine/anim/base/pool.h"
 
 namespace throng::app {
@@ -73,6 +75,7 @@ struct SelectionReport {
   std::vector<std::string> events = {};  ///< data keys that it met and clips that it began, the newest first
   std::optional<float> held_at = {};     ///< seconds: a person holds its clip there
   float clip_seconds = 0;                ///< length of the clip that it plays; 0: none
+  std::shared_ptr<const TrackedPerson> tracked = {};  ///< of a recorded crowd; else null
 };
 
 }  // namespace throng::app

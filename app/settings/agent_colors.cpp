@@ -26,19 +26,23 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
+// Does the same in smaller steps. Those beyond the last share its colour.
+std::uint32_t fine_step_color(int step) {
+  constexpr std::array<std::uint32_t, 8> row = {
+      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
+      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
+  static_assert(row.size() >= static_cast<std::size_t>(mesh_lod_steps));
+  return row[static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(row.size()) - 1))];
+}
+
 std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
 }  // namespace
 
-std::uint32_t interval_color(int frames) {
-  constexpr std::array<std::uint32_t, 8> row = {
-      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
-      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
-  return row[static_cast<std::size_t>(std::clamp(frames, 1, static_cast<int>(row.size())) - 1)];
-}
+std::uint32_t interval_color(int frames) { return fine_step_color(frames - 1); }
 
 std::uint32_t bone_level_color(int level) { return step_color(level, anim::max_bone_levels); }
-std::uint32_t mesh_lod_color(int lod) { return step_color(lod, mesh_lod_steps); }
+std::uint32_t mesh_lod_color(int lod) { return fine_step_color(lod); }
 
 float error_limit(int step) { return std::ldexp(first_error_limit, step); }
 
@@ -48,8 +52,48 @@ int error_step(float pixels) {
   return step;
 }
 
-std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
-  switch (view) {
+std::optional<ColorScale> color_scale(const Tuning& tuning) {
+  constexpr float seconds_a_minute = 60.0F;
+  switch (tuning.debug_view) {
+    case DebugView::speed:
+      return ColorScale{.title = "Speed", .unit = "m/s", .top = tuning.top_speed};
+    case DebugView::density:
+      return ColorScale{.title = "Density", .unit = "1/m\xC2\xB2", .top = tuning.top_density};
+    case DebugView::presence:
+      if (tuning.top_presence <= 2.0F * seconds_a_minute) {
+        return ColorScale{.title = "Here for", .unit = "s", .top = tuning.top_presence};
+      }
+      return ColorScale{.title = "Here for", .unit = "min", .top = tuning.top_presence, .a_unit = seconds_a_minute};
+    default:
+      return std::nullopt;
+  }
+}
+
+// Viridis by S. van der Walt and N. Smith, at even distances. Its darkest colours are left out, because a shadow would
+// make them black.
+std::uint32_t scale_color(float share) {
+  constexpr std::array<std::array<float, 3>, 8> ramp = {{{71, 39, 119},
+                                                         {62, 73, 137},
+                                                         {48, 104, 142},
+                                                         {37, 133, 142},
+                                                         {31, 161, 135},
+                                                         {82, 197, 105},
+                                                         {165, 219, 54},
+                                                         {253, 231, 37}}};
+  const float place = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(ramp.size() - 1);
+  const std::size_t from = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
+  const auto mixed = [&](std::size_t part) {
+    const float value = std::lerp(ramp.at(from).at(part), ramp.at(from + 1).at(part), place - static_cast<float>(from));
+    return static_cast<std::uint32_t>(std::lround(value));
+  };
+  return rgba(mixed(0), mixed(1), mixed(2), 255);
+}
+
+std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail) {
+  if (const auto scale = color_scale(tuning)) {
+    return detail.measure < 0.0F ? 0 : scale_color(detail.measure / scale->top);
+  }
+  switch (tuning.debug_view) {
     case DebugView::interval:
       return interval_color(detail.interval);
     case DebugView::bone_level:
@@ -58,10 +102,9 @@ std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
       return detail.mesh_lod < 0 ? 0 : mesh_lod_color(detail.mesh_lod);
     case DebugView::error:
       return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
-    case DebugView::none:
+    default:
       return 0;
   }
-  return 0;
 }
 
 // The colours and their order are those of color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.

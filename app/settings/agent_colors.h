@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "app/settings/settings.h"
 #include "engine/render/crowd_mesh_data.h"
@@ -15,10 +16,26 @@ struct AgentDetail {
   int bone_level = 0;      ///< the level of the pose shown
   float error_px = -1.0F;  ///< the error on screen; below 0: not measured
   int mesh_lod = -1;       ///< below 0: not chosen yet
+  float measure = -1.0F;   ///< metres a second, people a square metre or seconds, as the view asks; below 0: unknown
 };
 
-/// Returns the colour (RGBA8, sRGB, red in the lowest byte) that a debug view lays over an agent; 0: none.
-std::uint32_t debug_color(DebugView view, const AgentDetail& detail);
+/// Says what the colours of a view mean that shows a measure of people: those from 0 to `top` are those of a ramp.
+struct ColorScale {
+  const char* title;
+  const char* unit;
+  float top = 1.0F;
+  float a_unit = 1.0F;  ///< so much of the measure is one of the unit
+
+  friend bool operator==(const ColorScale&, const ColorScale&) = default;
+};
+/// Returns the scale of the view in force; nothing where it has steps.
+std::optional<ColorScale> color_scale(const Tuning& tuning);
+/// Returns the colour of a share of a scale, 0 to 1, opaque, so that no clothes change it. Lightness grows with it,
+/// also for people who tell few colours apart.
+std::uint32_t scale_color(float share);
+
+/// Returns the colour (RGBA8, sRGB, red in the lowest byte) that the debug view in force lays over an agent; 0: none.
+std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail);
 
 /// Returns the colour of an interval. Those beyond eight frames share the last.
 std::uint32_t interval_color(int frames);

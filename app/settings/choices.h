@@ -23,7 +23,8 @@ inline constexpr std::array<const char*, 9> habit_words = {"strolls", "stands ab
                                                            "watches", "has a seat",   "rests on a bench",
                                                            "trains",  "acts",         "is where its file says"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
-inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
+inline constexpr std::array<const char*, 8> debug_view_words = {"none",  "interval", "bones",   "mesh",
+                                                                "error", "speed",    "density", "presence"};
 inline constexpr std::array<const char*, 6> up_axis_words = {"x", "y", "z", "-x", "-y", "-z"};
 inline constexpr std::array<const char*, 3> ground_words = {"guess", "file", "feet"};
 

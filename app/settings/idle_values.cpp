@@ -138,8 +138,18 @@ Reason of_colours(const Tuning& tuning, const Situation&) {
   return tuning.taken_away.upload ? "No upload is on, so the records of the last frame are drawn" : nullptr;
 }
 
+template <DebugView view>
+Reason of_scale(const Tuning& tuning, const Situation& situation) {
+  return tuning.debug_view == view ? of_colours(tuning, situation) : "the colours show something else";
+}
+
 Reason of_what_is_drawn(const Tuning& tuning, const Situation&) {
   return tuning.taken_away.drawing ? nothing_drawn : nullptr;
+}
+
+Reason of_trails(const Tuning& tuning, const Situation& situation) {
+  return tuning.scene == Scene::tracks ? of_what_is_drawn(tuning, situation)
+                                       : "only people of a recorded crowd have trails";
 }
 
 Reason of_scenery(const Tuning& tuning, const Situation& situation) {
@@ -164,12 +174,17 @@ Reason of_split_line(const Tuning& tuning, const Situation& situation) {
   return tuning.inspection.split == Split::off ? "the picture is not split" : of_split(tuning, situation);
 }
 
+Reason of_agents(const Tuning& tuning, const Situation&) {
+  return tuning.scene == Scene::tracks ? "the file says who is there" : nullptr;
+}
+
 struct Rule {
   std::string_view key;
   Reason (*reason)(const Tuning& tuning, const Situation& situation);
 };
 
 constexpr std::array rules = std::to_array<Rule>({
+    {"agents", of_agents},
     {"paused", of_clock},
     {"time_scale", of_speed},
     {"placed_feet", of_feet},
@@ -195,6 +210,11 @@ constexpr std::array rules = std::to_array<Rule>({
     {"cost_least_task_ns", of_grain},
     {"palette", of_palette},
     {"debug_view", of_colours},
+    {"top_speed", of_scale<DebugView::speed>},
+    {"top_density", of_scale<DebugView::density>},
+    {"top_presence", of_scale<DebugView::presence>},
+    {"density_cut_off", of_scale<DebugView::density>},
+    {"trail_seconds", of_trails},
     {"bones_as_lines", of_what_is_drawn},
     {"scenery", of_scenery},
     {"sun_elevation", of_what_is_drawn},

@@ -22,7 +22,7 @@ namespace throng::app {
 enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, tracks };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
-enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error, speed, density, presence };
 enum class ErrorSampling : std::uint8_t { some, all, off };
 /// Divides the picture at a line. Left of it is the exact crowd; right of it the crowd as shown, or the difference of
 /// the two.
@@ -96,6 +96,11 @@ struct Tuning {
   bool crowd_shade = true;  ///< bodies keep the light of the sky from each other and from the ground
   // What is shown
   DebugView debug_view = DebugView::none;
+  float top_speed = 2.0F;        ///< metres a second that the last colour stands for
+  float top_density = 5.0F;      ///< people a square metre, the same
+  float top_presence = 60.0F;    ///< seconds since somebody appeared, the same
+  float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
+  float trail_seconds = 0.0F;    ///< the way that people of a recorded crowd went in them is drawn; 0: none is
   bool bones_as_lines = false;
   bool scenery = true;  ///< what stands around the crowd
   TakenAway taken_away{};
@@ -157,6 +162,7 @@ struct DemoOptions {
   int longest_tile = 4096;                   ///< pixels; larger pictures are drawn in tiles of at most these sides
   std::optional<std::uint64_t> free_memory;  ///< bytes; unset: what the machine has left
   bool ui = false;                           ///< overlay in a headless run
+  bool legend = false;                       ///< only the legend and the time, in a headless run
   bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
   std::string ui_tab = "Crowd";              ///< the overlay starts with it
   std::optional<int> selected;               ///< an agent, from the start

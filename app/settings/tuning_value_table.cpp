@@ -276,17 +276,6 @@ std::vector<TuningValue> scheduling_values() {
   };
 }
 
-std::vector<TuningValue> view_values() {
-  return {
-      word({.key = "debug_view", .label = "Colours", .help = "Colours over the characters: {values} ({default})"},
-           at(&Tuning::debug_view), debug_view_words),
-      on_off({.key = "bones_as_lines",
-              .label = "Bones as lines",
-              .help = "Skeletons are drawn over the characters ({default})"},
-             at(&Tuning::bones_as_lines)),
-  };
-}
-
 std::vector<TuningValue> cost_values() {
   return {
       cost("cost_tile_ns", &CostModel::tile, "Nanoseconds of a strip of a tile ({default})"),

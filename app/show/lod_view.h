@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// Lines over the crowd that show what level of detail decides by.
+/// Lines over the crowd.
 using SceneLines = std::vector<render::SceneLine>;
 
 /// Adds the edges of a camera's view that lie above the ground, as far as `reach` metres, and their ends on the ground.

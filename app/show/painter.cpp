@@ -184,7 +184,9 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   lines_.clear();
+  path_.add(lines_, stage);
   if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
+  trails_.add(lines_, stage, view.camera, {view.width, view.height});
   thresholds_.update(stage, view.lod_camera(), view.height);
   if (!stage.tuning().inspection.thresholds) return;
   const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].character->bounds.height / 2);

@@ -12,10 +12,12 @@
 #include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
 #include "app/show/lod_view.h"
+#include "app/show/path_in_view.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
 #include "app/show/thresholds_in_view.h"
+#include "app/show/trails.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/device_timer.h"
 #include "engine/render/renderer.h"
@@ -97,6 +99,8 @@ class Painter {
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
+  PathInView path_;
+  Trails trails_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;

@@ -126,7 +126,7 @@ void Picture::write_records(const Frame& frame, Tile& tile) {
     render::InstanceRecord& record = records_[tile.runs[run]++];
     frame.stage.record(agent, record, frame.poses);
     if (frame.lod_as_color && agent.agent != frame.stage.selected()) {
-      record.debug_color = debug_color(DebugView::mesh_lod, {.mesh_lod = static_cast<int>(run % lods)});
+      record.debug_color = debug_color(frame.stage.tuning(), {.mesh_lod = static_cast<int>(run % lods)});
     }
     if (weights > 0) name_weights(frame, tile, weights - 1, record);
   }

@@ -19,6 +19,10 @@
 namespace throng::app {
 namespace {
 
+// A recording does not hold the rows of a file, nor the moves of its clock.
+constexpr const char* no_recording_of_tracks =
+    "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
+
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
@@ -104,6 +108,7 @@ bool Show::begin_viewing(const std::string& clip, StartError& error) {
 }
 
 anim::Status Show::apply(const Tuning& tuning) {
+  if (tuning.scene == Scene::tracks && recorder_.is_recording()) return anim::Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
   if (!applied) return applied;
@@ -240,9 +245,7 @@ anim::Status Show::rewind(std::size_t moment) {
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
-  if (stage_->tuning().scene == Scene::tracks) {
-    return anim::Error{"a recorded crowd is not recorded again: its file and the values say all that happens"};
-  }
+  if (stage_->tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
   const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
   if (stage_->frame() > 0) stage_->restart();
@@ -282,7 +285,9 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (recorder_.is_recording()) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
-  if (keeps_moments_ && !stage_->tuning().paused && live_ == nullptr) rewind_.watch(*stage_);
+  // Any moment of a recorded crowd is there at once, and nobody knows those of a live one again.
+  const bool has_clock_of_its_own = followers_of(stage_->crowd()) != nullptr;
+  if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/figures/run_figures.h"
+#include "app/live/live_crowd.h"
 #include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
@@ -19,7 +20,6 @@
 #include "app/show/starting_characters.h"
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
-#include "app/trajectory/live_crowd.h"
 #include "app/viewer/viewer.h"
 #include "engine/render/camera.h"
 
@@ -89,7 +89,8 @@ class Show {
   anim::Status begin_anew(const Tuning& tuning);
 
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
-  /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
+  /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written; the scene is
+  /// `tracks`, which a recording neither begins with nor comes to.
   anim::Status start_recording(const std::filesystem::path& file);
   /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
@@ -114,6 +115,7 @@ class Show {
   std::string notice;
 
  private:
+  friend void set_track_clock(Show& show, const TrackClock& clock);
   friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
   friend bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
   friend const LiveCrowd* live_crowd_of(const Show& show);
@@ -147,6 +149,9 @@ class Show {
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
 };
+
+/// Takes a recorded crowd to another time, or plays it otherwise, at a frame boundary. Does nothing to other crowds.
+void set_track_clock(Show& show, const TrackClock& clock);
 
 /// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
 /// render::Renderer::draw_labels.

@@ -116,6 +116,8 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
+  friend void forget_feet(AnimatedCrowd& animated) { animated.feet_->forget_places(); }
+  friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}

@@ -72,7 +72,8 @@ void Stage::move(anim::Ticks delta) {
   const double seconds = track_clock_of(crowd()).seconds;
   animated_->move(delta);
   const TrackClock& clock = track_clock_of(crowd());
-  if ((clock.seconds - seconds) * clock.rate < 0.0) forget_what_is_shown();  // it begins anew, and nobody flies there
+  if ((clock.seconds - seconds) * clock.rate < 0.0) jump();  // the part begins anew
+  if (followers_of(crowd()) != nullptr) track_clock_ = clock;
   times_.crowd_ms = watch.lap();
 }
 
@@ -114,6 +115,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   mesh_choice_.choose(selection().visible, crowd().characters(), mesh_lods_, tuning_, animated_->system().executor(),
                       system().options().pus);
   times_.selection_ms = watch.lap();
+  measures_.take(crowd(), tuning_, animated_->system().executor(), system().options().pus);
   shown_.hide_unseen(selection().visible, last_frame);
   joints_.make_room(crowd().size());
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
@@ -214,11 +216,11 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
             .blend_start = pose.from_time,
             .blend_duration = pose.to_time - pose.from_time,
             .agent = agent.agent,
-            .debug_color = agent.agent == selected_
-                               ? selected_color
-                               : debug_color(tuning_.debug_view, {.interval = agent.interval,
-                                                                  .bone_level = pose.level(),
-                                                                  .error_px = meter_.error_of(agent.agent)}),
+            .debug_color = agent.agent == selected_ ? selected_color
+                                                    : debug_color(tuning_, {.interval = agent.interval,
+                                                                            .bone_level = pose.level(),
+                                                                            .error_px = meter_.error_of(agent.agent),
+                                                                            .measure = measures_.of(agent.agent)}),
             .tints = {},
             .bone_level = pose.level(),
             .shape = crowd().variants()[agent.agent].shape(),

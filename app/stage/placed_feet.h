@@ -46,6 +46,8 @@ class PlacedFeet {
   /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.
   /// An agent keeps it while another post process comes after it. Call it before an update.
   void take_back(std::span<const anim::VisibleAgent> visible);
+  /// Lets everybody's feet come down anew, where nobody was before. Call it when people are elsewhere at once.
+  void forget_places() { take_back({}); }
 
   const Moment& moment() const { return now_; }
   void go_back_to(const Moment& moment) { now_ = moment; }

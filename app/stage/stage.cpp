@@ -157,6 +157,10 @@ void Stage::restart() {
 
 void Stage::populate(AnimatedCrowd::Clocks clocks) {
   animated_->populate(tuning_, clocks, track_source(trajectories_, characters_));
+  if (followers_of(crowd()) != nullptr) {
+    if (track_clock_) set_track_clock(*animated_, *track_clock_);
+    track_clock_ = track_clock_of(crowd());
+  }
   selected_.reset();
   exact_.reset(crowd().size(), frame_);
   forget_what_is_shown();
@@ -174,9 +178,16 @@ void Stage::forget_what_is_shown() {
   meter_.reset(crowd().size());
 }
 
+// Nobody flies or slides from where they were: everybody is posed at once, and feet come down anew.
+void Stage::jump() {
+  forget_what_is_shown();
+  forget_feet(*animated_);
+}
+
 void set_track_clock(Stage& stage, const TrackClock& clock) {
   set_track_clock(*stage.animated_, clock);
-  stage.forget_what_is_shown();
+  stage.track_clock_ = clock;
+  stage.jump();
 }
 
 void take_live_step(Stage& stage, const LiveStep& step) {

@@ -11,6 +11,7 @@
 #include "app/lod/mesh_choice.h"
 #include "app/lod/mesh_lods.h"
 #include "app/lod/shown_poses.h"
+#include "app/measure/crowd_measures.h"
 #include "app/settings/settings.h"
 #include "app/stage/animated_crowd.h"
 #include "app/stage/kept_joints.h"
@@ -110,11 +111,13 @@ class Stage {
   friend void take_live_step(Stage& stage, const LiveStep& step);
   friend const std::shared_ptr<const Trajectories>& trajectories_of(const Stage& stage);
   friend const MeshChoice& mesh_choice_of(const Stage& stage);
+  friend const CrowdMeasures& measures_of(const Stage& stage) { return stage.measures_; }
   friend anim::Status keep_joints(Stage& stage);
   friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
+  void jump();
   void learn_level_of_detail();
   anim::Status can_show(Tuning& tuning) const;
   anim::LodLimits limits() const;
@@ -127,6 +130,7 @@ class Stage {
 
   std::vector<CharacterSource> characters_;
   std::shared_ptr<const Trajectories> trajectories_;  // null: none
+  std::optional<TrackClock> track_clock_;             // of the recorded crowd, also while another scene is shown
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
@@ -137,6 +141,7 @@ class Stage {
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
   KeptJoints joints_;
+  CrowdMeasures measures_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
   StageTimes times_;

@@ -11,14 +11,12 @@ namespace throng::app {
 namespace {
 
 FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
-                   anim::Ticks ahead) {
+                   double seconds, anim::Ticks ahead) {
   const Followers& followers = *followers_of(crowd);
-  TrackClock clock = track_clock_of(crowd);
-  advance(clock, anim::to_seconds(ahead));
-  TrackStep step = followers.step(agent, clock.seconds);
+  const TrackClock& clock = track_clock_of(crowd);
+  TrackStep step = followers.step(agent, seconds);
   step.velocity *= 1.0F - clock.stands;
-  const FollowedMoment moment{
-      .step = step, .seconds = clock.seconds, .rate = clock.rate, .ahead = ahead, .person = agent};
+  const FollowedMoment moment{.step = step, .seconds = seconds, .rate = clock.rate, .ahead = ahead, .person = agent};
   return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 
@@ -49,19 +47,25 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
     stances_.emplace_back(*characters[i].character, followers.plane_of_character(i));
   }
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    [[maybe_unused]] const auto added =
-        system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix_of(agent, {}).clips()));
+    [[maybe_unused]] const auto added = system.agent(agent).add_channel(
+        std::make_unique<anim::ClipMixChannel>(mix_of(agent, track_clock_of(crowd).seconds, {}).clips()));
     assert(added && "clips of roles are those of the character");
   }
 }
 
-FollowedMix TrackPlayers::mix_of(std::uint32_t agent, anim::Ticks ahead) const {
+FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const {
   const std::size_t character = crowd_->characters()[agent];
-  return mix_at(*crowd_, characters_[character], stances_[character], agent, ahead);
+  return mix_at(*crowd_, characters_[character], stances_[character], agent, seconds, ahead);
+}
+
+std::array<float, person_legs> TrackPlayers::planted_at(std::uint32_t agent, double seconds) const {
+  return mix_of(agent, seconds, {}).planted;
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
-  const FollowedMix mix = mix_of(agent, ahead);
+  TrackClock clock = track_clock_of(*crowd_);
+  advance(clock, anim::to_seconds(ahead));
+  const FollowedMix mix = mix_of(agent, clock.seconds, ahead);
   planted_[agent] = mix.planted;
   const anim::AgentView posed = std::as_const(*system_).agent(agent);
   [[maybe_unused]] const anim::Status changed = system_->agent(agent).change<anim::ClipMixChannel>(

@@ -30,9 +30,11 @@ class TrackPlayers {
   void set(std::uint32_t agent, anim::Ticks ahead);
   /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
+  /// Returns how firmly they stand at any time of the file's clock.
+  std::array<float, person_legs> planted_at(std::uint32_t agent, double seconds) const;
 
  private:
-  FollowedMix mix_of(std::uint32_t agent, anim::Ticks ahead) const;
+  FollowedMix mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const;
 
   anim::AnimationSystem* system_;
   const Crowd* crowd_;

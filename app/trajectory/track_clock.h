@@ -27,4 +27,38 @@ inline void advance(TrackClock& clock, double seconds) {
   }
 }
 
+/// Returns the clock at another time, as near to it as its part goes.
+inline TrackClock gone_to(TrackClock clock, double seconds) {
+  clock.seconds = std::clamp(seconds, clock.first, clock.last);
+  return clock;
+}
+
+/// Returns the clock with another part, whose ends may come in either order, at the nearest time in it.
+inline TrackClock with_part(TrackClock clock, double one_end, double other_end) {
+  clock.first = std::min(one_end, other_end);
+  clock.last = std::max(one_end, other_end);
+  return gone_to(clock, clock.seconds);
+}
+
+/// Returns whether the clock goes no further.
+inline bool has_ended(const TrackClock& clock) {
+  return !clock.repeats && (clock.rate < 0.0 ? clock.seconds <= clock.first : clock.seconds >= clock.last);
+}
+
+/// Returns the clock going on, or backwards; from the other end of its part where it could go no further.
+inline TrackClock playing(TrackClock clock, bool backwards) {
+  clock.rate = backwards ? -std::abs(clock.rate) : std::abs(clock.rate);
+  if (has_ended(clock)) clock.seconds = backwards ? clock.last : clock.first;
+  return clock;
+}
+
+/// Returns the time of a row so many rows further, or back below 0, where one comes each `row` seconds from `first` on.
+/// Between two rows, the next row is one further.
+inline double row_from(double seconds, double first, double row, int steps) {
+  constexpr double nearly = 1e-6;  // of a row
+  const double place = (seconds - first) / row;
+  const double from = steps < 0 ? std::ceil(place - nearly) : std::floor(place + nearly);
+  return first + row * (from + steps);
+}
+
 }  // namespace throng::app

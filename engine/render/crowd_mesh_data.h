@@ -88,7 +88,7 @@ struct MorphDeltaData {
 };
 
 /// The most mesh LODs that a character has, its full surface included.
-inline constexpr std::size_t largest_mesh_lod_count = 6;
+inline constexpr std::size_t largest_mesh_lod_count = 7;
 
 /// A coarser surface that comes with the character.
 struct BakedLodData {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,20 @@ TEST_F(CrowdPicture, ShowsADebugColorAsFarAsItsAlphaSays) {
   EXPECT_EQ(difference_now().worst_block, 0.0);
   for (InstanceRecord& record : crowd().instances) record.debug_color = 0xFF0000FFU;
   EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsADebugColorAsItIsInTheLegendWhereItFacesTheSun) {
+  constexpr int red = 30, green = 155, blue = 138;
+  for (InstanceRecord& record : crowd().instances) record.debug_color = 0xFF000000U | blue << 16U | green << 8U | red;
+  crowd().renderer().draw(crowd().frame());
+  const Image image = crowd().renderer().read_image();
+  int nearest = 255;
+  for (std::size_t at = 0; at + 3 < image.rgba.size(); at += 4) {
+    const int off = std::max(
+        {std::abs(image.rgba[at] - red), std::abs(image.rgba[at + 1] - green), std::abs(image.rgba[at + 2] - blue)});
+    nearest = std::min(nearest, off);
+  }
+  EXPECT_LE(nearest, 12) << "the haze leaves most of it";
 }
 
 /// Returns how many pixels are plainly red.

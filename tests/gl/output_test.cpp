@@ -105,6 +105,55 @@ TEST_F(OutputOfARun, ShowsItsLastFrameInAScreenshotThoughItWasThere) {
   EXPECT_TRUE(last->rgba == picture->rgba);
 }
 
+TEST_F(OutputOfARun, HasTheLegendInEachPictureAndInNoLabels) {
+  options_.width = 400, options_.height = 240;
+  options_.tuning.debug_view = DebugView::density;
+  const auto run_into = [this](const char* pictures, const char* labels) {
+    options_.output.pictures = folder_ / pictures;
+    options_.output.labels = folder_ / labels;
+    options_.screenshot = folder_ / (std::string(pictures) + ".png");
+    run(3);
+  };
+  run_into("plain", "labels");
+  options_.legend = true;
+  run_into("with legend", "labels beside it");
+  EXPECT_EQ(files_in(folder_ / "labels"), files_in(folder_ / "labels beside it"));
+  render::Image before;
+  for (const char* const name : {"frame_000001.png", "frame_000002.png", "frame_000003.png"}) {
+    const auto plain = render::read_png(folder_ / "plain" / name);
+    const auto legend = render::read_png(folder_ / "with legend" / name);
+    ASSERT_TRUE(plain && legend);
+    for (std::size_t pixel = 0; pixel < plain->rgba.size() / 4; ++pixel) {
+      const std::size_t x = pixel % 400, y = pixel / 400;
+      const bool is_card = x < 250 && y > 100;
+      const bool is_same = std::equal(&plain->rgba[4 * pixel], &plain->rgba[4 * pixel + 3], &legend->rgba[4 * pixel]);
+      ASSERT_TRUE(is_same || is_card) << x << " " << y;
+    }
+    EXPECT_FALSE(plain->rgba == legend->rgba) << name;
+    EXPECT_FALSE(before.rgba == legend->rgba) << "its time goes on";
+    before = *legend;
+  }
+  const auto last = render::read_png(folder_ / "with legend.png");
+  ASSERT_TRUE(last);
+  EXPECT_TRUE(last->rgba == before.rgba) << "the legend is drawn once";
+}
+
+TEST_F(OutputOfARun, HasThePanelInEachPicture) {
+  options_.width = 400, options_.height = 240;
+  options_.output.pictures = folder_ / "plain";
+  run(2);
+  options_.output.pictures = folder_ / "with panel";
+  options_.ui = options_.ui_fixed = true;
+  run(2);
+  for (const char* const name : {"frame_000001.png", "frame_000002.png"}) {
+    const auto plain = render::read_png(folder_ / "plain" / name);
+    const auto panel = render::read_png(folder_ / "with panel" / name);
+    ASSERT_TRUE(plain && panel);
+    const std::size_t right = 4 * (120 * 400 + 390);
+    EXPECT_FALSE(std::equal(&plain->rgba[right], &plain->rgba[right + 3], &panel->rgba[right])) << name;
+  }
+}
+
 TEST_F(OutputOfARun, HasInItsVideoWhatItsPicturesHaveAlsoThoseThatWereThere) {
   const FakeFfmpeg ffmpeg(folder_, FakeFfmpeg::takes_all);
   options_.output.pictures = folder_ / "pictures";

@@ -12,6 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr float field_width = 64, field_gap = 8, longest_list = 300;
+constexpr float least_margins = 8;  // of a word in a line of them
 
 void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -152,22 +153,15 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   const int before = index;
   const std::string standard_word = words[static_cast<std::size_t>(standard)];
   Row row = begin_row(label, index != standard, help, standard_word);
-  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(1));
-  const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(from, to, ImGui::GetColorU32(colour::well), theme_.px(4));
-  const float margins = margins_of_words(theme_, to.x - from.x, words);
-  float x = from.x;
-  for (int i = 0; i < static_cast<int>(words.size()); ++i) {
-    const char* const word = words[static_cast<std::size_t>(i)];
-    const float next = x + text_width(theme_.small, word) + margins;
-    const Area place = rectangle({std::floor(x), from.y}, {std::floor(next), to.y});
-    x = next;
-    if (pressable(std::string(label) + ":" + word, place)) index = i;
-    const bool hovered = ImGui::IsItemHovered();
-    if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
-    const ImU32 ink = i == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
-    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, from.y + theme_.px(4)}, ink, word, 0.5F);
+  const bool is_wide = margins_of_words(theme_, row.control.width(), words) < theme_.px(least_margins);
+  const std::size_t first_line = is_wide ? (words.size() + 1) / 2 : words.size();
+  Area line{.from = {row.control.from.x, row.control.from.y + theme_.px(1)},
+            .to = {row.control.to.x, row.control.to.y - theme_.px(2)}};
+  choose_in_line(label, line, words.first(first_line), 0, index);
+  if (is_wide) {
+    const float down = line.to.y - line.from.y + theme_.px(2);
+    line.from.y += down, line.to.y += down, row.control.to.y += down, row.all.to.y += down;
+    choose_in_line(label, line, words.subspan(first_line), static_cast<int>(first_line), index);
   }
   if (focus_.has_keys()) {
     const auto last = static_cast<int>(words.size()) - 1;
@@ -177,6 +171,25 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   }
   if (end_row(row)) index = standard;
   return index != before;
+}
+
+void Widgets::choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first,
+                             int& index) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(line.from, line.to, ImGui::GetColorU32(colour::well), theme_.px(4));
+  const float margins = margins_of_words(theme_, line.width(), words);
+  float x = line.from.x;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const float next = x + text_width(theme_.small, words[i]) + margins;
+    const Area place = rectangle({std::floor(x), line.from.y}, {std::floor(next), line.to.y});
+    x = next;
+    const int here = first + static_cast<int>(i);
+    if (pressable(std::string(label) + ":" + words[i], place)) index = here;
+    const bool hovered = ImGui::IsItemHovered();
+    if (here == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
+    const ImU32 ink = here == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
+    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, line.from.y + theme_.px(4)}, ink, words[i], 0.5F);
+  }
 }
 
 bool Widgets::pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,

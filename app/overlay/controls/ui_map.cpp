@@ -36,6 +36,14 @@ Json layer_json(const LayerRow& layer) {
   return {{"name", layer.name}, {"weight", layer.weight}, {"entities", layer.entities}};
 }
 
+Json tracked_json(const std::shared_ptr<const TrackedPerson>& person) {
+  if (person == nullptr) return nullptr;
+  return {{"id", person->id},
+          {"first", person->presence.first},
+          {"last", person->presence.last},
+          {"footfalls", person->footfalls.size()}};
+}
+
 Json selected_json(const std::optional<SelectionReport>& selected) {
   if (!selected) return nullptr;
   Json entities = Json::array();
@@ -51,6 +59,7 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"entities", entities},
           {"layers", layers},
           {"held_at", selected->held_at},
+          {"tracked", tracked_json(selected->tracked)},
           {"history_frames", selected->history.size()},
           {"events", selected->events}};
 }
@@ -93,6 +102,13 @@ Json replay_json(const std::optional<ReplayReport>& replay) {
   return {{"frame", replay->frame},   {"frames", replay->frames},   {"sought", replay->sought.value_or(0)},
           {"paused", replay->paused}, {"loops", replay->loops},     {"speed", replay->speed},
           {"ended", replay->ended},   {"differs", replay->differs}, {"outcome", replay->outcome}};
+}
+
+Json tracks_json(const std::optional<TracksReport>& tracks) {
+  if (!tracks) return nullptr;
+  const TrackClock& clock = tracks->clock;
+  return {{"seconds", clock.seconds}, {"first", clock.first},     {"last", clock.last},
+          {"rate", clock.rate},       {"repeats", clock.repeats}, {"people", tracks->people->at(clock.seconds)}};
 }
 
 Json cameras_json(const CameraReport& cameras) {
@@ -146,6 +162,7 @@ Json report_json(const FrameReport& report) {
           {"message", report.messages.all().empty() ? "" : report.messages.all().back().words},
           {"cameras", cameras_json(report.cameras)},
           {"replay", replay_json(report.replay)},
+          {"tracks", tracks_json(report.tracks)},
           {"selected", selected_json(report.selected)},
           {"viewer", viewer_json(report.viewer)}};
 }

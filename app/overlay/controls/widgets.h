@@ -117,6 +117,7 @@ class Widgets {
     bool explains = false;  ///< the keyboard rests on it
   };
 
+  void choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first, int& index);
   bool invisible(const std::string& name, const Area& place, bool takes_clicks);
   void tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const;
   bool is_left_out(const char* label, const Help& help);

@@ -15,7 +15,7 @@ enum Location : GLint { emission_location = 3, unlit_location = 4, factors_locat
 
 enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 
-// Switches of crowd.frag, after those of the light.
+// Switches of the crowd, after those of the light; the last is of crowd.frag alone.
 constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit = 2U << light_part_count;
 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
@@ -58,11 +58,11 @@ CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::vector<std::str
     : plain(shaders, {.vertex = "crowd_plain.vert", .fragment = "crowd.frag", .switches = always},
             light_switches({"DEBUG_COLORS", "TEXTURED"})),
       material(shaders, {.vertex = "crowd.vert", .fragment = "crowd_material.frag", .switches = always},
-               light_switches()),
+               light_switches({"DEBUG_COLORS"})),
       cut_out(shaders, {.vertex = "crowd.vert", .fragment = "crowd_cut_out.frag", .switches = always},
-              light_switches()),
+              light_switches({"DEBUG_COLORS"})),
       blended_part(shaders, {.vertex = "crowd.vert", .fragment = "crowd_blended.frag", .switches = always},
-                   light_switches()) {}
+                   light_switches({"DEBUG_COLORS"})) {}
 
 CrowdPass::CrowdPass(ShaderLibrary& shaders, Calls calls) : shaders_(&shaders), plain_(shaders, {}), surfaces_(calls) {}
 
@@ -73,10 +73,11 @@ void CrowdPass::prepare_morphs() {
 void CrowdPass::begin(const CrowdFrame& frame, std::uint32_t light) {
   constexpr std::uint32_t opacity = 0xFF000000U;
   morphs_ = morphed_.has_value() && !frame.morph_weights.empty();
-  light_ = light;
-  debug_colors_ = frame.weighed.count > 0 || std::ranges::any_of(frame.instances, [](const InstanceRecord& record) {
-                    return (record.debug_color & opacity) != 0;
-                  });
+  const bool has_debug_colors =
+      frame.weighed.count > 0 || std::ranges::any_of(frame.instances, [](const InstanceRecord& record) {
+        return (record.debug_color & opacity) != 0;
+      });
+  switches_ = light | (has_debug_colors ? debug_colors_bit : 0U);
 }
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
@@ -100,11 +101,11 @@ void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) {
   const CrowdMaterial& material = mesh.materials()[of_mesh];
   Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    const std::uint32_t plain =
-        light_ | (debug_colors_ ? debug_colors_bit : 0U) | (material.is_textured ? textured_bit : 0U);
-    glUseProgram(material.is_plain ? programs.plain.with(plain).id() : programs.material.with(light_).id());
+    const std::uint32_t textured = material.is_textured ? textured_bit : 0U;
+    glUseProgram(
+        (material.is_plain ? programs.plain.with(switches_ | textured) : programs.material.with(switches_)).id());
   } else {
-    glUseProgram(programs.cut_out.with(light_).id());
+    glUseProgram(programs.cut_out.with(switches_).id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
   }
   set_uniforms(material);
@@ -115,7 +116,7 @@ DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const Pale
   blended_.upload();
   for (const IndirectDraws::Group& group : blended_.groups()) {
     const CrowdMaterial& material = meshes[group.character].materials()[group.material];
-    glUseProgram(programs_for(meshes[group.character]).blended_part.with(light_).id());
+    glUseProgram(programs_for(meshes[group.character]).blended_part.with(switches_).id());
     glUniform1f(alpha_cutoff_location, solid_alpha);
     set_uniforms(material);
     set_culling(material);

@@ -59,9 +59,8 @@ class CrowdPass {
   ShaderLibrary* shaders_;
   Programs plain_;
   std::optional<Programs> morphed_;
-  bool morphs_ = false;        // an instance of the frame has weights
-  bool debug_colors_ = false;  // a colour stands for a value of an instance or a vertex
-  std::uint32_t light_ = 0;
+  bool morphs_ = false;         // an instance of the frame has weights
+  std::uint32_t switches_ = 0;  // of the light, and whether a colour stands for a value of an instance or a vertex
   IndirectDraws surfaces_;
   IndirectDraws blended_;
 };

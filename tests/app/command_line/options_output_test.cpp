@@ -69,8 +69,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "--video: the sides of a video are even; ask for --size 64x48"},
         Refused{"TheLastFrameAlone", "--headless --labels l --draw last",
                 "--labels: takes each frame; leave out --draw"},
-        Refused{"TheOverlay", "--headless --pictures p --ui",
-                "--pictures: the overlay is drawn in stills; leave out --ui"},
         Refused{"ARateOfNothing", "--headless --fps-out 30", "--fps-out: goes with --video"},
         Refused{"NoRate", "--headless --video a.mp4 --fps-out 0", "--fps-out 0: must be a number, 0.1 to 1000"},
         Refused{"TwoLengths", "--headless --seconds 1 --frames 60",

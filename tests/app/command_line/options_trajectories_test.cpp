@@ -20,6 +20,15 @@ TEST(TrajectoryOptionsOfALine, MakeTheSceneThatOfTheFile) {
   EXPECT_TRUE(options.trajectories.reading.lenient);
 }
 
+TEST(TrajectoryOptionsOfALine, SayHowItsTimeIsPlayed) {
+  const DemoOptions options =
+      options_of("--trajectories walk.csv --track-rate -0.5 --track-part 40,12.5 --track-repeat");
+  EXPECT_EQ(options.trajectories.rate, -0.5);
+  ASSERT_TRUE(options.trajectories.part);
+  EXPECT_EQ(*options.trajectories.part, std::pair(40.0, 12.5));
+  EXPECT_TRUE(options.trajectories.repeats);
+}
+
 TEST(TrajectoryOptionsOfALine, TakeTheAxisThatIsTheirs) {
   EXPECT_EQ(options_of("--trajectories walk.csv --up y").trajectories.reading.up, TrackUp::y);
   const DemoOptions both = options_of("man.glb --trajectories walk.csv --up walk=y,man=z");
@@ -46,9 +55,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"AnotherScene", "--trajectories a.csv --scene plaza", "--scene: does not go with --trajectories"},
         Refused{"OtherAgents", "--trajectories a.csv --agents 9", "--agents: does not go with --trajectories"},
         Refused{"ARecording", "--trajectories a.csv --record r", "--record: does not go with --trajectories"},
+        Refused{"RateAlone", "--track-rate 2", "--track-rate: goes with --trajectories"},
+        Refused{"NoRate", "--trajectories a.csv --track-rate 0",
+                "--track-rate 0: must be a number, -100 to 100, and not 0"},
+        Refused{"HalfAPart", "--trajectories a.csv --track-part 4",
+                "--track-part 4: must be two numbers of seconds, 12.5,40"},
         Refused{"AnAxisAside", "--trajectories a.csv --up x", "--up: of trajectories it is y or z"},
         Refused{"StartOfLiveRows", "--trajectories - --start 2",
-                "--start: rows of standard input begin when they come; leave it out"}),
+                "--start: rows of standard input are shown as they come; leave it out"}),
     name_of);
 
 }  // namespace

@@ -1,9 +1,14 @@
 // The mesh LOD of an agent follows from the error that it shows on screen, and from nothing else.
 #include "app/lod/mesh_lods.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "app/character/files.h"
+#include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app::mesh_lods_test {
 namespace {
@@ -25,6 +30,20 @@ TEST_F(ChosenMeshes, AreTheCoarsestThatAreOffByHalfAPixelAtMost) {
   EXPECT_EQ(lods_.choose(tuning_, 0, 24.0F), 2);
   EXPECT_EQ(lods_.choose(tuning_, 0, 0.0F), 2);
   EXPECT_FLOAT_EQ(lods_.error_px(0, 1, 124.0F), 0.496F);
+}
+
+// Who stands just too near for a mesh would be drawn with several times as many triangles.
+TEST(BuiltInMeshes, HaveNoGapBetweenNearAndFarOnes) {
+  const auto source = load_built_in(THRONG_SOURCE_DIR);
+  ASSERT_TRUE(source);
+  const auto surface = render::surface_parts(mesh_data(*source));
+  ASSERT_TRUE(surface);
+  const std::vector<std::uint32_t>& triangles = surface->triangles_by_lod;
+  ASSERT_GE(triangles.size(), 2U);
+  for (std::size_t lod = 1; lod < triangles.size(); ++lod) {
+    EXPECT_GE(triangles[lod] * 3, triangles[lod - 1]) << "mesh " << lod;
+  }
+  EXPECT_LT(triangles.back(), 100U);
 }
 
 TEST_F(ChosenMeshes, FollowTheirLimit) {

@@ -42,6 +42,8 @@ std::vector<AgentDetail> all_details(const Tuning& tuning) {
   for (int interval = 1; interval <= tuning.lod.largest_interval; ++interval) details.push_back({.interval = interval});
   for (int level = 0; level < 4; ++level) details.push_back({.bone_level = level});
   for (int lod = 0; lod < mesh_lod_steps; ++lod) details.push_back({.mesh_lod = lod});
+  const float top = color_scale(tuning).value_or(ColorScale{}).top;
+  for (const float share : {0.0F, 0.25F, 0.5F, 1.0F}) details.push_back({.measure = share * top});
   for (const float error : {0.0F, 0.2F, 0.3F, 0.7F, 1.5F, 3.0F, 9.0F}) details.push_back({.error_px = error});
   return details;
 }
@@ -56,9 +58,10 @@ TEST_F(Legends, HaveAllColoursThatAnyWayToColourGives) {
       std::vector<std::uint32_t> explained;
       for (const LegendPart& part : legend()) {
         for (const LegendStep& step : part.steps) explained.push_back(step.color);
+        if (part.ramp) explained.insert(explained.end(), part.ramp->colors.begin(), part.ramp->colors.end());
       }
       for (const AgentDetail& detail : all_details(tuning)) {
-        const std::uint32_t color = debug_color(view, detail);
+        const std::uint32_t color = debug_color(tuning, detail);
         EXPECT_TRUE(color == 0 || std::ranges::count(explained, color) == 1) << debug_view_words.at(i) << color;
       }
       EXPECT_EQ(explained.empty(), view == DebugView::none) << debug_view_words.at(i);
@@ -71,7 +74,7 @@ TEST_F(Legends, TellEightIntervalsApartAndSayWhichShareTheLastColour) {
   EXPECT_THAT(words_of(part), ElementsAre("1 frame", "2 frames", "3 frames", "4 frames", "5 frames", "6 frames",
                                           "7 frames", "8 frames"));
   EXPECT_EQ(part.steps.front().agents, 300);
-  EXPECT_EQ(part.steps[1].color, debug_color(DebugView::interval, {.interval = 2}));
+  EXPECT_EQ(part.steps[1].color, debug_color(tuning, {.interval = 2}));
   tuning.lod.largest_interval = 16;
   EXPECT_EQ(words_of(legend_of_view(DebugView::interval)).back(), "8 to 16 frames");
   tuning.lod.largest_interval = 3;
@@ -85,7 +88,7 @@ TEST_F(Legends, SayWhichBonesALevelHasAndForHowMany) {
   EXPECT_THAT(words_of(part),
               ElementsAre("level 0: 4 bones", "level 1: 3 bones", "level 2: 2 bones", "level 3: 1 bone"));
   EXPECT_EQ(part.steps[1].agents, 200);
-  EXPECT_EQ(part.steps[3].color, debug_color(DebugView::bone_level, {.bone_level = 3}));
+  EXPECT_EQ(part.steps[3].color, debug_color(tuning, {.bone_level = 3}));
 }
 
 TEST_F(Legends, SayHowManyTrianglesAMeshHas) {
@@ -100,8 +103,41 @@ TEST_F(Legends, SayThePixelsOfAnErrorAndWhoWasNotMeasured) {
   const LegendPart part = legend_of_view(DebugView::error);
   EXPECT_THAT(words_of(part), ElementsAre("below 0.25 px", "0.25 to 0.5 px", "0.5 to 1 px", "1 to 2 px", "2 to 4 px",
                                           "4 px or more", "not measured"));
-  EXPECT_EQ(part.steps[2].color, debug_color(DebugView::error, {.error_px = 0.6F}));
-  EXPECT_EQ(part.steps.back().color, debug_color(DebugView::error, {.error_px = -1.0F}));
+  EXPECT_EQ(part.steps[2].color, debug_color(tuning, {.error_px = 0.6F}));
+  EXPECT_EQ(part.steps.back().color, debug_color(tuning, {.error_px = -1.0F}));
+}
+
+TEST_F(Legends, OfAMeasureAreABarWithTicksInUnits) {
+  const auto ticks_of = [this](DebugView view) {
+    std::string words;
+    const LegendPart part = legend_of_view(view);
+    for (const LegendTick& tick : part.ramp.value().ticks) words += tick.words + ' ';
+    return words;
+  };
+  EXPECT_EQ(legend_of_view(DebugView::speed).title, "Speed, m/s");
+  EXPECT_EQ(ticks_of(DebugView::speed), "0 0.5 1 1.5 2+ ");
+  EXPECT_EQ(legend_of_view(DebugView::density).title, "Density, 1/m\xC2\xB2");
+  EXPECT_EQ(ticks_of(DebugView::density), "0 1 2 3 4 5+ ");
+  EXPECT_EQ(legend_of_view(DebugView::presence).title, "Here for, s");
+  EXPECT_EQ(ticks_of(DebugView::presence), "0 20 40 60+ ");
+  tuning.top_presence = 600.0F;
+  EXPECT_EQ(legend_of_view(DebugView::presence).title, "Here for, min");
+  EXPECT_EQ(ticks_of(DebugView::presence), "0 2 4 6 8 10+ ");
+}
+
+TEST_F(Legends, OfAMeasureHaveTheColoursThatPeopleHave) {
+  const LegendRamp ramp = legend_of_view(DebugView::speed).ramp.value();
+  for (std::size_t i = 0; i < ramp.colors.size(); i += 8) {
+    const float share = static_cast<float>(i) / static_cast<float>(ramp.colors.size() - 1);
+    EXPECT_EQ(ramp.colors[i], debug_color(tuning, {.measure = share * tuning.top_speed}));
+  }
+  EXPECT_EQ(debug_color(tuning, {.measure = 9.0F}), ramp.colors.back());
+}
+
+TEST_F(Legends, SayThatNobodyAppearsWhereNoFileIsPlayed) {
+  EXPECT_THAT(legend_of_view(DebugView::presence).notes, ElementsAre(testing::StartsWith("No effect")));
+  tuning.scene = Scene::tracks;
+  EXPECT_THAT(legend_of_view(DebugView::presence).notes, IsEmpty());
 }
 
 TEST_F(Legends, SayWhoIsSelectedAndLeaveOutWhatIsNotDrawn) {

@@ -73,6 +73,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.sweep) all.sweep = commands.sweep;
     add(all.cameras, commands.cameras);
     add(all.replay, commands.replay);
+    if (commands.track_clock) report.tracks->clock = *(all.track_clock = commands.track_clock);
     if (commands.bone_lod) all.bone_lod = commands.bone_lod;
     if (commands.hold_at) all.hold_at = commands.hold_at;
     if (commands.save_preset) all.save_preset = commands.save_preset;

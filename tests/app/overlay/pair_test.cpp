@@ -128,8 +128,9 @@ std::string all_rows(OverlayDriver& driver) {
 
 TEST_F(PairTest, ValuesAreCalledAsTheRowsThatShowThem) {
   std::string rows;
-  for (const anim::LodRule rule : {anim::LodRule::distance, anim::LodRule::budget}) {
-    driver.tuning.lod.rule = rule;
+  for (const DebugView view : {DebugView::speed, DebugView::density, DebugView::presence}) {
+    driver.tuning.debug_view = view;
+    driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
     rows += all_rows(driver);
   }
   for (const TuningValue& value : tuning_values()) {

@@ -73,6 +73,22 @@ TEST_F(PictureAids, TheLegendStandsAtTheLowerLeftAndIsFolded) {
   EXPECT_TRUE(driver.sees("legend:5"));
 }
 
+TEST_F(PictureAids, TheLegendAloneSaysTimeAndPeopleAndHidesThePanel) {
+  driver.report.seconds = 12.4;
+  driver.report.people = 143;
+  driver.overlay.show_legend_only();
+  driver.frames();
+  ASSERT_TRUE(driver.sees("legend"));
+  const UiRectangle moment = place("legend");
+  EXPECT_FALSE(driver.sees("tab:Crowd"));
+  EXPECT_FALSE(driver.sees("legend.fold"));
+  EXPECT_EQ(driver.overlay.crowd_area().height, static_cast<float>(driver.overlay.ui_map().height));
+  driver.tuning.debug_view = DebugView::speed;
+  driver.frames();
+  ASSERT_TRUE(driver.sees("legend.ramp"));
+  EXPECT_GT(place("legend").height, moment.height);
+}
+
 TEST_F(PictureAids, TheLegendIsUnderNoCard) {
   driver.tuning.debug_view = DebugView::error;
   driver.report.selected.emplace();

@@ -61,9 +61,12 @@ TEST_F(Search, FindsTheRowOfEveryKeyAndTheRowEditsIt) {
   for (const TuningValue& value : tuning_values()) {
     if (std::ranges::count(without_row, value.key) > 0) continue;
     bool found_right_one = false;
-    for (const anim::LodRule rule : {anim::LodRule::budget, anim::LodRule::distance}) {  // each leaves others idle
+    for (const DebugView view :
+         {DebugView::speed, DebugView::density, DebugView::presence}) {  // each leaves others idle
       driver.tuning = {};
-      driver.tuning.lod.rule = rule;
+      driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
+      driver.tuning.debug_view = view;
+      driver.tuning.scene = value.key == "trail_seconds" ? Scene::tracks : Scene::plaza;
       driver.tuning.inspection.forced_interval = value.key == "force_selected_only" ? 2 : 0;
       driver.frames();
       search(std::string(value.key));

@@ -71,6 +71,11 @@ const std::map<std::string_view, std::string> other_values{
     {"shadows", "off"},
     {"crowd_shade", "off"},
     {"debug_view", "interval"},
+    {"top_speed", "0.5"},
+    {"top_density", "1"},
+    {"top_presence", "5"},
+    {"density_cut_off", "2"},
+    {"trail_seconds", "10"},
     {"bones_as_lines", "on"},
     {"scenery", "off"},
     {"cost_tile_ns", "90000"},
@@ -280,6 +285,23 @@ TEST(IdleValues, AreThoseOfWhatTheCrowdLacks) {
   EXPECT_TRUE(idle("mesh_lod", {.mesh_levels = 1}));
   EXPECT_TRUE(idle("error_px", {.mesh_levels = 1}));
   EXPECT_TRUE(idle("cost_least_task_ns", {.pus = 1}));
+}
+
+TEST(IdleValues, AreThoseOfAScaleThatIsNotShown) {
+  for (const DebugView view : {DebugView::none, DebugView::speed, DebugView::density}) {
+    Tuning tuning = usual(anim::LodRule::off);
+    tuning.debug_view = view;
+    expect_effects_as_said(tuning, mannequins, debug_view_words.at(static_cast<std::size_t>(view)));
+  }
+}
+
+TEST(IdleValues, AreTrailsOfPeopleWhoAreInNoFile) {
+  Tuning tuning;
+  EXPECT_TRUE(idle_reason("trail_seconds", tuning, {}));
+  tuning.scene = Scene::tracks;
+  EXPECT_FALSE(idle_reason("trail_seconds", tuning, {}));
+  tuning.taken_away.drawing = true;
+  EXPECT_TRUE(idle_reason("trail_seconds", tuning, {}));
 }
 
 TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
+#include "tests/app/live/live_feed.h"
 #include "tests/app/recording/recorded_run.h"
-#include "tests/app/trajectory/live_feed.h"
 #include "tests/app/trajectory/track_file.h"
 
 namespace throng::app::live_show_test {

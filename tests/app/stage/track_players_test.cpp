@@ -87,6 +87,19 @@ class TrackPlayers : public testing::Test {
     return bytes;
   }
 
+  /// Returns by how much a number of two drawings differs at most.
+  static float farthest(const std::vector<std::byte>& one, const std::vector<std::byte>& other) {
+    EXPECT_EQ(one.size(), other.size());
+    float most = 0.0F;
+    for (std::size_t at = 0; at < std::min(one.size(), other.size()); at += sizeof(float)) {
+      float a = 0.0F, b = 0.0F;
+      std::memcpy(&a, &one[at], sizeof(a));
+      std::memcpy(&b, &other[at], sizeof(b));
+      most = std::max(most, std::abs(a - b));
+    }
+    return most;
+  }
+
   std::shared_ptr<const Trajectories> people_ = some_people();
   KeptPages pages_;
   std::unique_ptr<Stage> stage_;
@@ -170,6 +183,48 @@ TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
   const anim::Status pushed = stage_->animated().push_over(0, {1.0F, 0.0F, 0.0F});
   ASSERT_FALSE(pushed);
   EXPECT_EQ(pushed.error().message, "nobody who acts in the cut scene or follows a file can be pushed over");
+}
+
+TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
+  pass(400);
+  go_to(2.0);
+  pass(1, anim::Ticks{});
+  const std::vector<std::byte> jumped = drawn();
+  open(tuning(anim::LodRule::off));
+  go_to(2.0);
+  pass(1, anim::Ticks{});
+  EXPECT_LT(farthest(drawn(), jumped), 1e-4F) << "as on a stage where nobody was anywhere before";
+}
+
+TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
+  TrackClock part = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  part.repeats = true;
+  part.seconds = 5.5;
+  set_track_clock(*stage_, part);
+  for (int i = 0; i < 120 && seconds() >= 5.5; ++i) pass(1);
+  ASSERT_LT(seconds(), 2.1);
+  const double moment = seconds();
+  const std::vector<std::byte> repeated = drawn();
+  open(tuning(anim::LodRule::off));
+  go_to(moment);
+  pass(1, anim::Ticks{});
+  EXPECT_LT(farthest(drawn(), repeated), 1e-4F);
+}
+
+TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
+  TrackClock asked = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  asked.rate = -0.5;
+  asked.repeats = true;
+  set_track_clock(*stage_, asked);
+  Tuning other = stage_->tuning();
+  other.scene = Scene::grid;
+  ASSERT_TRUE(stage_->apply(other));
+  pass(5);
+  other.scene = Scene::tracks;
+  ASSERT_TRUE(stage_->apply(other));
+  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
+  stage_->set_roles(0, stage_->characters()[0].roles.clips);
+  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
 }
 
 TEST_F(TrackPlayers, TheSceneNeedsAFile) {

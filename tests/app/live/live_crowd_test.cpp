@@ -1,4 +1,4 @@
-#include "app/trajectory/live_crowd.h"
+#include "app/live/live_crowd.h"
 
 #include <chrono>
 #include <string>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/app/trajectory/live_feed.h"
+#include "tests/app/live/live_feed.h"
 
 namespace throng::app::live_crowd_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/trajectory/live_crowd.h"
+#include "app/live/live_crowd.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/trajectory/trajectories.h"
+
+namespace throng::app {
+
+/// The time in which somebody is there, both ends included.
+struct Presence {
+  double first = 0.0, last = 0.0;  ///< seconds of the file's clock
+
+  [[nodiscard]] bool has(double seconds) const { return seconds >= first && seconds <= last; }
+};
+
+/// Returns how long a row lasts, in seconds; a moment where nobody has two rows.
+double row_seconds(const Trajectories& all);
+
+/// Returns when somebody is there: from the first row to the last one. Who has a single row is there for `row_seconds`,
+/// and who has none never.
+Presence presence_of(const PersonTrack& person, double row_seconds);
+
+/// Tells how many people of a recorded crowd are there at each time of its clock.
+class PeopleOverTime {
+ public:
+  static constexpr std::size_t columns = 1024;  ///< of most_by_column()
+
+  PeopleOverTime() = default;
+  explicit PeopleOverTime(const Trajectories& all);
+
+  double first() const { return first_; }
+  double last() const { return last_; }
+  double row() const { return row_; }  ///< seconds from one row to the next
+  std::size_t people() const { return firsts_.size(); }
+  /// Returns how many are there at a time.
+  std::size_t at(double seconds) const;
+  /// Returns how many are there at the fullest time.
+  std::size_t most() const { return most_; }
+  /// Returns how many are there at the fullest time of each column: the file's time cut into equal parts.
+  std::span<const std::uint32_t> most_by_column() const { return most_by_column_; }
+
+ private:
+  std::vector<double> firsts_, lasts_;  // in ascending order
+  std::vector<std::uint32_t> most_by_column_;
+  double first_ = 0.0, last_ = 0.0, row_ = 0.0;
+  std::size_t most_ = 0;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,64 @@
+#include "app/measure/crowd_measures.h"
+
+#include <algorithm>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/tiles.h"
+
+namespace throng::app {
+
+namespace {
+
+constexpr float unknown = -1.0F;
+
+}  // namespace
+
+float speed_of(const Followers& followers, std::size_t agent, double seconds) {
+  return glm::length(followers.way(agent).velocity(seconds, TrackSteps::stride_window));
+}
+
+void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {
+  const Followers* const recorded = followers_of(crowd);
+  const double seconds = track_clock_of(crowd).seconds;
+  const std::span<const std::uint8_t> absent = absent_of(crowd);
+  const auto measure_each = [&](const auto& measure) {  // of a recorded crowd; who is not there may have no row
+    visit_in_tiles(crowd.size(), executor, jobs,
+                   [&](std::size_t agent) { values_[agent] = absent[agent] != 0 ? unknown : measure(agent); });
+  };
+  values_.resize(crowd.size());
+  switch (tuning.debug_view) {
+    case DebugView::speed:
+      if (recorded == nullptr) {
+        values_.assign(crowd.speeds().begin(), crowd.speeds().end());
+      } else {
+        measure_each([&](std::size_t agent) { return speed_of(*recorded, agent, seconds); });
+      }
+      break;
+    case DebugView::density:
+      take_densities(crowd, tuning.density_cut_off, executor, jobs);
+      break;
+    case DebugView::presence:
+      if (recorded == nullptr) {
+        std::ranges::fill(values_, unknown);
+      } else {
+        measure_each([&](std::size_t agent) { return static_cast<float>(seconds - recorded->presence(agent).first); });
+      }
+      break;
+    default:
+      values_.clear();
+  }
+}
+
+void CrowdMeasures::take_densities(const Crowd& crowd, float cut_off, anim::Executor& executor, int jobs) {
+  const Followers* const recorded = followers_of(crowd);
+  const std::shared_ptr<const Trajectories> file = recorded != nullptr ? recorded->file() : nullptr;
+  if (file != area_of_) {
+    area_ = file != nullptr ? WalkableArea(file->plan) : WalkableArea();
+    area_of_ = file;
+  }
+  density_.measure({crowd.positions(), absent_of(crowd)}, cut_off, area_, executor, jobs, values_);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/measure/convex_polygon.h"
+#include "app/trajectory/ground_plan.h"
+
+namespace throng::app {
+
+/// The ground that people can walk on: the floors of a plan without holes, obstacles and walls. Where a plan has no
+/// floor, that is all around its obstacles; where it has nothing, it is everywhere.
+class WalkableArea {
+ public:
+  WalkableArea() = default;
+  /// Lines that cross so often that cutting the plan would take seconds are left out: then it is everywhere.
+  explicit WalkableArea(const GroundPlan& plan);
+
+  bool is_everywhere() const { return pieces_.empty(); }
+
+  /// Returns square metres of the part of `cell` in which one can go from the person to everywhere; 0: it has none.
+  /// `cell` is about the person, who is at its origin. Who stands beside the area is taken to be in the nearest part.
+  float area_around(glm::vec2 person, const ConvexPolygon& cell) const;
+
+ private:
+  /// A part of the area without corners that point inwards.
+  struct Piece {
+    std::array<glm::dvec2, 4> corners;  // in order around it; two may be the same
+    std::uint32_t first_opening = 0, opening_count = 0;
+  };
+  /// Where one goes from a piece to another one.
+  struct Opening {
+    glm::dvec2 from, to;
+    std::uint32_t other;
+  };
+  class Walk;
+
+  void take_pieces(const GroundPlan& plan);
+  void join_pieces();
+  void sort_into_squares();
+  std::span<const std::uint32_t> pieces_in(std::size_t square) const;
+  std::size_t column(double x) const;
+  std::size_t row(double z) const;
+  std::uint32_t piece_of(glm::dvec2 person, const ConvexPolygon& cell) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<Opening> openings_;
+  // A grid of squares, and for each the pieces that lie in it.
+  glm::dvec2 lowest_{0.0};
+  double squares_a_metre_ = 1.0;
+  std::size_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> first_in_square_, in_squares_;
+};
+
+}  // namespace throng::app

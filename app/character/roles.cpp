@@ -104,6 +104,7 @@ const std::vector<RoleWords>& vocabulary() {
        {"veer", "diag", "forward", "fwd"},
        not_steady_nor({"left", "l", "back", "bwd"}),
        {"right", "r"}},
+      {Role::talk, {"talk", "speak", "convers", "chat"}, {"sit", "walk", "run", "phone"}},
   };
   return words;
 }

@@ -32,16 +32,17 @@ enum class Role : std::uint8_t {
   step_in_place,
   veer_left,
   veer_right,
+  talk,
   other
 };
-inline constexpr std::size_t role_count = 16;  ///< roles that one clip fills; `other` is any clip
+inline constexpr std::size_t role_count = 17;  ///< roles that one clip fills; `other` is any clip
 
 /// The names that `--clips`, the role file and the overlay use, in the order of Role.
 inline constexpr std::array<const char*, role_count> role_names = {
-    "stand", "look_around", "walk",      "jog",        "run",     "wave",          "cheer",     "clap",
-    "sit",   "walk_back",   "step_left", "step_right", "shuffle", "step_in_place", "veer_left", "veer_right"};
+    "stand",     "look_around", "walk",       "jog",     "run",           "wave",      "cheer",      "clap", "sit",
+    "walk_back", "step_left",   "step_right", "shuffle", "step_in_place", "veer_left", "veer_right", "talk"};
 std::optional<Role> role_named(std::string_view name);
-std::string known_roles();  ///< "stand, look_around, ... and veer_right"
+std::string known_roles();  ///< "stand, look_around, ... and talk"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
 /// A person's choice of the clip that plays a role; "none" is no clip at all.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/trajectory/live_crowd.h"
+#include "app/live/live_crowd.h"
 
 namespace throng::app {
 namespace {

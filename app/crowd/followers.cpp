@@ -31,9 +31,11 @@ Followers::Followers(TrackSource source, std::span<const std::uint8_t> character
     tracks_.push_back(person.rows.empty() ? SmoothTrack() : SmoothTrack(person.rows));
     steps_.emplace_back(tracks_.back(), plane(agent), scales[agent], first_headings_.back());
   }
+  talks_ = Talks(tracks_, steps_);
 }
 
 void Followers::begin_renewing(std::span<const std::uint32_t> agents) {
+  talks_ = {};
   for (const std::uint32_t agent : agents) add_to(bounds_, source_.trajectories->persons[agent].rows.back());
 }
 

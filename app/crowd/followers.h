@@ -10,6 +10,7 @@
 
 #include "app/crowd/people_over_time.h"
 #include "app/crowd/stride_plane.h"
+#include "app/crowd/talks.h"
 #include "app/crowd/track_steps.h"
 #include "app/trajectory/ground_bounds.h"
 #include "app/trajectory/trajectories.h"
@@ -43,6 +44,8 @@ class Followers {
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
   const SmoothTrack& way(std::size_t agent) const { return tracks_[agent]; }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
+  /// Returns whom somebody talks to. While rows still come, nobody knows who will stay, and nobody talks.
+  TalkMoment talk(std::size_t agent, double seconds) const { return talks_.at(agent, seconds); }
 
   /// Takes what is common to people whose rows come. Call it before renew() for each of them.
   void begin_renewing(std::span<const std::uint32_t> agents);
@@ -58,6 +61,7 @@ class Followers {
   std::vector<Presence> presences_;             // [agent]
   std::vector<SmoothTrack> tracks_;             // [agent]
   std::vector<TrackSteps> steps_;               // [agent]
+  Talks talks_;
   GroundBounds bounds_;
 };
 

@@ -78,6 +78,7 @@ constexpr Stay stays[] = {
     {8.0F, 24.0F},  // step_in_place
     {8.0F, 24.0F},  // veer_left
     {8.0F, 24.0F},  // veer_right
+    {4.0F, 14.0F},  // talk
     {4.0F, 14.0F},  // other
 };
 static_assert(std::size(stays) == role_count + 1);

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "app/live/live_tracks.h"
 #include "app/settings/settings.h"
-#include "app/trajectory/live.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {

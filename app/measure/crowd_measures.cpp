@@ -1,12 +1,19 @@
 #include "app/measure/crowd_measures.h"
 
 #include <algorithm>
+#include <span>
 
 #include <glm/geometric.hpp>
 
 #include "app/crowd/tiles.h"
 
 namespace throng::app {
+
+namespace {
+
+constexpr float unknown = -1.0F;
+
+}  // namespace
 
 float speed_of(const Followers& followers, std::size_t agent, double seconds) {
   return glm::length(followers.way(agent).velocity(seconds, TrackSteps::stride_window));
@@ -15,8 +22,10 @@ float speed_of(const Followers& followers, std::size_t agent, double seconds) {
 void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {
   const Followers* const recorded = followers_of(crowd);
   const double seconds = track_clock_of(crowd).seconds;
-  const auto measure_each = [&](const auto& measure) {
-    visit_in_tiles(crowd.size(), executor, jobs, [&](std::size_t agent) { values_[agent] = measure(agent); });
+  const std::span<const std::uint8_t> absent = absent_of(crowd);
+  const auto measure_each = [&](const auto& measure) {  // of a recorded crowd; who is not there may have no row
+    visit_in_tiles(crowd.size(), executor, jobs,
+                   [&](std::size_t agent) { values_[agent] = absent[agent] != 0 ? unknown : measure(agent); });
   };
   values_.resize(crowd.size());
   switch (tuning.debug_view) {
@@ -32,9 +41,9 @@ void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executo
       break;
     case DebugView::presence:
       if (recorded == nullptr) {
-        std::ranges::fill(values_, -1.0F);
+        std::ranges::fill(values_, unknown);
       } else {
-        measure_each([&](std::size_t agent) { return static_cast<float>(seconds - recorded->way(agent).first()); });
+        measure_each([&](std::size_t agent) { return static_cast<float>(seconds - recorded->presence(agent).first); });
       }
       break;
     default:

@@ -16,7 +16,7 @@ namespace throng::app {
 namespace {
 
 constexpr float same_place = 1e-3F;  // metres
-constexpr float unknown = -1.0F;
+constexpr float no_density = -1.0F;
 
 /// The nearest others of somebody, the nearest first.
 class Nearest {
@@ -90,7 +90,7 @@ float density_at(const Body& person, const CrowdCells& all, float cut_off, const
   }
   const float square_metres = area.area_around(person.position, ground);
   constexpr float least = 1e-4F;  // square metres; less is an error of rounding
-  return square_metres < least ? unknown : sharing / square_metres;
+  return square_metres < least ? no_density : sharing / square_metres;
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ float density_at(const Body& person, const CrowdCells& all, float cut_off, const
 void VoronoiDensity::measure(const MeasuredPeople& people, float cut_off, const WalkableArea& area,
                              anim::Executor& executor, int jobs, std::span<float> densities) {
   assert(densities.size() == people.positions.size() && cut_off > 0.0F);
-  std::ranges::fill(densities, unknown);
+  std::ranges::fill(densities, no_density);
   bodies_.reserve(people.positions.size());
   bodies_.clear();
   glm::vec2 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());

@@ -257,6 +257,7 @@ constexpr RoleRow role_rows[] = {
      "The clip of those who walk on and a little to their left, by a file of trajectories."},
     {Role::veer_right, "Veer right",
      "The clip of those who walk on and a little to their right, by a file of trajectories."},
+    {Role::talk, "Talk", "The clip of those who talk to who stands near, in a file of trajectories."},
 };
 
 void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) {

@@ -174,12 +174,17 @@ Reason of_split_line(const Tuning& tuning, const Situation& situation) {
   return tuning.inspection.split == Split::off ? "the picture is not split" : of_split(tuning, situation);
 }
 
+Reason of_agents(const Tuning& tuning, const Situation&) {
+  return tuning.scene == Scene::tracks ? "the file says who is there" : nullptr;
+}
+
 struct Rule {
   std::string_view key;
   Reason (*reason)(const Tuning& tuning, const Situation& situation);
 };
 
 constexpr std::array rules = std::to_array<Rule>({
+    {"agents", of_agents},
     {"paused", of_clock},
     {"time_scale", of_speed},
     {"placed_feet", of_feet},

@@ -276,53 +276,6 @@ std::vector<TuningValue> scheduling_values() {
   };
 }
 
-// The upper end of a scale of colours.
-template <typename Member>
-TuningValue top(std::string_view key, const char* label, std::string_view help, double most, const char* suffix,
-                Member member) {
-  return number({.key = key,
-                 .label = label,
-                 .help = help,
-                 .least = 0.1,
-                 .most = most,
-                 .track = {.decimals = 1, .logarithmic = true, .suffix = suffix}},
-                member);
-}
-
-std::vector<TuningValue> view_values() {
-  return {
-      word({.key = "debug_view",
-            .label = "Colours",
-            .option = "--colours NAME",
-            .help = "Colours over the characters: {values} ({default})"},
-           at(&Tuning::debug_view), debug_view_words),
-      top("top_speed", "Speed up to", "Metres a second that the last colour stands for, {values} ({default})", 20,
-          " m/s", at(&Tuning::top_speed)),
-      top("top_density", "Density up to", "People a square metre that the last colour stands for, {values} ({default})",
-          50, " /m\xC2\xB2", at(&Tuning::top_density)),
-      top("top_presence", "Presence up to", "Seconds that the last colour stands for, {values} ({default})", 36'000,
-          " s", at(&Tuning::top_presence)),
-      number({.key = "density_cut_off",
-              .label = "Cut-off",
-              .help = "Metres that a person's own ground reaches at most, for the density, {values} ({default})",
-              .least = 0.1,
-              .most = 10,
-              .track = {.least = 0.1, .most = 3, .decimals = 2, .suffix = " m"}},
-             at(&Tuning::density_cut_off)),
-      number({.key = "trail_seconds",
-              .label = "Trails",
-              .option = "--trails SECONDS",
-              .help = "The way that people of a file went in the last seconds is drawn, {values} ({default})",
-              .most = 30,
-              .track = {.decimals = 1, .zero_word = "off", .suffix = " s"}},
-             at(&Tuning::trail_seconds)),
-      on_off({.key = "bones_as_lines",
-              .label = "Bones as lines",
-              .help = "Skeletons are drawn over the characters ({default})"},
-             at(&Tuning::bones_as_lines)),
-  };
-}
-
 std::vector<TuningValue> cost_values() {
   return {
       cost("cost_tile_ns", &CostModel::tile, "Nanoseconds of a strip of a tile ({default})"),

@@ -57,7 +57,9 @@ anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& rendere
   if (planned_ != nullptr && !planned_->plan.is_empty()) {
     render::SceneryMeshData mesh = plan_mesh(planned_->plan);
     if (mesh.vertices.empty()) {
-      lines_left_out_ = plan_lines(planned_->plan);
+      constexpr std::size_t few = 1000;  // are never too many; if nothing is drawn of them, they have no length
+      const std::size_t lines = plan_lines(planned_->plan);
+      lines_left_out_ = lines > few ? lines : 0;
     } else {
       plan_mesh_ = static_cast<std::uint32_t>(loaded_.size()), loaded_.push_back(std::move(mesh));
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/figures/run_figures.h"
+#include "app/live/live_crowd.h"
 #include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
 #include "app/settings/settings.h"
@@ -19,7 +20,6 @@
 #include "app/show/starting_characters.h"
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
-#include "app/trajectory/live_crowd.h"
 #include "app/viewer/viewer.h"
 #include "engine/render/camera.h"
 

@@ -39,15 +39,17 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
   if (!camera) return camera.error();
   film_camera_ = camera->number;
-  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet, gazes;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
     rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
+    gazes.push_back(kinds.look_at);
   }
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
   feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
+  gazes_ = std::make_unique<Gazes>(std::move(gazes), *system_);
   return anim::Done{};
 }
 
@@ -77,6 +79,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   fallen_->reset();
   mark_fallen();
   feet_->reset(agents);
+  gazes_->reset(tuning.scene == Scene::tracks ? agents : 0);
   system_->set_agent_count(0);
   if (clocks == Clocks::begin_anew) system_->restart();
   cut_scene_.reset();
@@ -132,10 +135,20 @@ void AnimatedCrowd::match_playback() {
 void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {
   if (stand && track_players_) {
     feet_->place(*crowd_, agent, is_shown, track_players_->planted(agent));
+    turn_head(agent);
   } else if (stand) {
     feet_->place(*crowd_, agent, is_shown);
   } else {
     feet_->let_go(agent);
+    if (track_players_) gazes_->look_away(agent);
+  }
+}
+
+void AnimatedCrowd::turn_head(std::uint32_t agent) {
+  if (const auto gaze = track_players_->gaze(agent)) {
+    gazes_->look(agent, gaze->target, gaze->share);
+  } else {
+    gazes_->look_away(agent);
   }
 }
 

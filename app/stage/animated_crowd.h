@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/character/source.h"
@@ -14,6 +15,7 @@
 #include "app/stage/cut_scene.h"
 #include "app/stage/event_sums.h"
 #include "app/stage/fallen_agents.h"
+#include "app/stage/gazes.h"
 #include "app/stage/picking.h"
 #include "app/stage/placed_feet.h"
 #include "app/stage/track_players.h"
@@ -51,14 +53,21 @@ class AnimatedCrowd {
 
   /// Advances every clock; the crowd walks on and asks for clips.
   void move(anim::Ticks delta);
-  /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Call it before an update;
-  /// feet stand only in an update for the pose of now.
+  /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Where they stand, the agent
+  /// turns its head to whom it talks to. Call it before an update; feet stand only in an update for the pose of now.
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
-  /// Takes foot placement from agents that no longer need it, or that are not visible. Call it before an update.
-  void take_back_feet(std::span<const anim::VisibleAgent> visible) { feet_->take_back(visible); }
-  /// Sets what somebody of a recorded crowd plays in an update. Call it before place_feet().
-  void follow_track(const anim::AgentUpdate& update) {
-    if (track_players_) track_players_->set(update.agent.number, update.look_ahead);
+  /// Takes foot placement and gazes from agents that no longer need them, or that are not visible. Call it before an
+  /// update.
+  void take_back_feet(std::span<const anim::VisibleAgent> visible) {
+    gazes_->take_back(visible);
+    feet_->take_back(visible);
+  }
+  /// Sets what somebody of a recorded crowd plays in the first of these updates. It asks the caches for who comes after
+  /// that. Call it before place_feet().
+  void follow_track(std::span<const anim::AgentUpdate> updates) {
+    if (!track_players_) return;
+    if (updates.size() > 1) std::as_const(*system_).agent(updates[1].agent.number).prefetch();
+    track_players_->set(updates[0].agent.number, updates[0].look_ahead);
   }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
@@ -116,7 +125,10 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
-  friend void forget_feet(AnimatedCrowd& animated) { animated.feet_->forget_places(); }
+  friend void forget_feet(AnimatedCrowd& animated) {
+    animated.gazes_->take_back({});  // it comes after the feet
+    animated.feet_->forget_places();
+  }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
@@ -131,6 +143,7 @@ class AnimatedCrowd {
   void change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase = 0.0);
   void change_clip(const std::optional<ClipRequest>& request);
   void match_playback();
+  void turn_head(std::uint32_t agent);
   void mark_fallen();
 
   std::span<const CharacterSource> characters_;
@@ -140,6 +153,7 @@ class AnimatedCrowd {
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
+  std::unique_ptr<Gazes> gazes_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes

@@ -6,7 +6,6 @@
 
 #include "app/character/gait_plane.h"
 #include "app/crowd/random.h"
-#include "engine/anim/asset/marker_map.h"
 
 namespace throng::app {
 namespace {
@@ -15,10 +14,6 @@ constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, a
 constexpr float least_walk = 0.12F;                    // share of gaits below which no foot is lifted
 constexpr float least_seen_weight = 0.002F;            // what weighs less is not seen
 
-anim::MarkedClip marked(const anim::BakedClip& clip) {
-  return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};
-}
-
 anim::FineTicks fine(double seconds) { return anim::to_ticks(seconds) * anim::fine_ticks_per_tick; }
 
 /// Writes clips into a mix so that the moment is reached when its time has come.
@@ -26,22 +21,22 @@ class MixWriter {
  public:
   MixWriter(const FollowedMoment& moment, const anim::Character& character) : moment_(moment), character_(character) {}
 
-  /// Returns the phase of the gait's clip.
-  double add_gait(const GaitPoint& gait, const GaitPoint& reference, float weight, double cycles_per_second) {
-    const anim::MarkedClip counted = marked(clip(reference.clip)), played = marked(clip(gait.clip));
+  /// Returns the phase of the gait's clip. `in_step` maps the reference's clip to it.
+  double add_gait(const GaitPoint& gait, const GaitPoint& reference, const anim::MarkerMap& in_step, float weight,
+                  double cycles_per_second) {
     const double cycle = moment_.step.cycles - std::floor(moment_.step.cycles);
-    const anim::FineTicks length = counted.duration * anim::fine_ticks_per_tick;
+    const anim::FineTicks length = ticks_of(reference.clip) * anim::fine_ticks_per_tick;
     const auto at = std::min(static_cast<anim::FineTicks>(cycle * static_cast<double>(length)), length - 1);
-    const anim::MarkerMap::Place place = anim::MarkerMap(counted, played).at(at);
-    const double speed = place.rate * cycles_per_second * anim::to_seconds(counted.duration) * moment_.rate;
+    const anim::MarkerMap::Place place = in_step.at(at);
+    const double speed = place.rate * cycles_per_second * anim::to_seconds(ticks_of(reference.clip)) * moment_.rate;
     add(gait.clip, weight, place.position, speed, anim::StepVoice::follows);
-    return static_cast<double>(place.position) / static_cast<double>(played.duration * anim::fine_ticks_per_tick);
+    return static_cast<double>(place.position) / static_cast<double>(ticks_of(gait.clip) * anim::fine_ticks_per_tick);
   }
 
   void add_rest(int rest, float weight) {
     constexpr double spread = 0.37;  // seconds from one person's rest to the next one's
     const double at = moment_.seconds + spread * static_cast<double>(moment_.person % 97);
-    const double length = anim::to_seconds(std::max(clip(rest).duration, anim::Ticks{1}));
+    const double length = anim::to_seconds(ticks_of(rest));
     const double into = at - length * std::floor(at / length);
     add(rest, weight, fine(into), moment_.rate, anim::StepVoice::own);
   }
@@ -58,7 +53,9 @@ class MixWriter {
   }
 
  private:
-  const anim::BakedClip& clip(int index) const { return character_.clips[static_cast<std::size_t>(index)]; }
+  anim::Ticks ticks_of(int index) const {
+    return std::max(character_.clips[static_cast<std::size_t>(index)].duration, anim::Ticks{1});
+  }
 
   void add(int index, float weight, anim::FineTicks position, double speed, anim::StepVoice voice) {
     if (weight < least_seen_weight && mix_.count > 0) return;
@@ -66,6 +63,10 @@ class MixWriter {
     const auto same = std::ranges::find(before, index, &anim::MixedClip::clip);
     if (same != before.end()) {
       same->weight += weight;
+      return;
+    }
+    if (mix_.count == mix_.of.size()) {  // a sixth clip hardly weighs anything
+      mix_.of.back().weight += weight;
       return;
     }
     const auto way = static_cast<anim::FineTicks>(speed * 65536.0) * moment_.ahead.count();
@@ -91,9 +92,14 @@ void add_rests(const FollowedMoment& moment, const CharacterRoles& roles, float 
   const auto turn = static_cast<std::int64_t>(std::floor(turns));
   const auto t = static_cast<float>(std::min((turns - std::floor(turns)) * rest_seconds / rest_fade, 1.0));
   const float arrived = t * t * (3.0F - 2.0F * t);
-  const int stand = standing_clip(roles);
-  writer.add_rest(rest_of(roles, stand, moment.person, turn), weight * arrived);
-  writer.add_rest(rest_of(roles, stand, moment.person, turn - 1), weight * (1.0F - arrived));
+  const int stand = standing_clip(roles), talk = roles.clip(Role::talk);
+  const float talks = talk != no_clip ? weight * moment.speaks : 0.0F;
+  if (talks > 0.0F) writer.add_rest(talk, talks);
+  const auto rest = [&](std::int64_t at, float share) {
+    if (share > 0.0F) writer.add_rest(rest_of(roles, stand, moment.person, at), share);
+  };
+  rest(turn, (weight - talks) * arrived);
+  rest(turn - 1, (weight - talks) * (1.0F - arrived));
 }
 
 }  // namespace
@@ -112,8 +118,8 @@ FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane,
       continue;
     }
     if (weight < least_seen_weight) continue;
-    const double phase =
-        writer.add_gait(points[share.point].gait, points[plane.reference()].gait, weight, stride.cycles_per_second);
+    const double phase = writer.add_gait(points[share.point].gait, points[plane.reference()].gait,
+                                         stances.in_step(share.point), weight, stride.cycles_per_second);
     walks += weight;
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       margins[leg] += weight * stances.margin(share.point, leg, phase);

@@ -20,6 +20,7 @@ struct FollowedMoment {
   double rate = 1.0;         ///< seconds of the file that pass in a second; below 0: backwards
   anim::Ticks ahead{};       ///< the moment is so far ahead of the animation's clock
   std::uint32_t person = 0;  ///< people who stand look about at different times
+  float speaks = 0.0F;       ///< of standing, the share of talking
 };
 
 /// The clips of such a pose.

@@ -119,18 +119,20 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   shown_.hide_unseen(selection().visible, last_frame);
   joints_.make_room(crowd().size());
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
-  for (anim::AgentUpdate& update : lod_.updates()) {
+  const std::span<anim::AgentUpdate> updates = lod_.updates();
+  for (std::size_t i = 0; i < updates.size(); ++i) {
+    anim::AgentUpdate& update = updates[i];
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > anim::Ticks{};
-    animated_->follow_track(update);
+    animated_->follow_track(updates.subspan(i));
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);
     const bool on_a_new_page = shown_.pose(agent).to_time == now();
     if (!ahead || !on_a_new_page) continue;
     lod_.show_at_once(update);
-    animated_->follow_track(update);  // for the pose of now
+    animated_->follow_track(updates.subspan(i, 1));  // for the pose of now
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
   pose_fallen(last_frame);

@@ -110,6 +110,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.cut_scene = cut_scene_ ? std::optional(cut_scene_->moment()) : std::nullopt;
   into.fallen = *fallen_;
   into.feet = feet_->moment();
+  into.gazes = gazes_->moment();
   into.played_speeds = played_speeds_;
 }
 
@@ -120,6 +121,7 @@ anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);
+  gazes_->go_back_to(moment.gazes);
   played_speeds_ = moment.played_speeds;
   mark_fallen();
   held_clip_.reset();

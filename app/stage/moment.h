@@ -7,6 +7,7 @@
 #include "app/crowd/crowd.h"
 #include "app/stage/cut_scene.h"
 #include "app/stage/fallen_agents.h"
+#include "app/stage/gazes.h"
 #include "app/stage/placed_feet.h"
 #include "engine/anim/agent/system_snapshot.h"
 
@@ -21,6 +22,7 @@ struct StageMoment {
   std::optional<CutScene::Moment> cut_scene;
   std::optional<FallenAgents> fallen;
   PlacedFeet::Moment feet;
+  Gazes::Moment gazes;
   std::vector<float> played_speeds;
 };
 

@@ -32,6 +32,10 @@ Standing standing_of(const anim::Stride& stride, std::size_t ball, const glm::dv
   return standing;
 }
 
+anim::MarkedClip marked(const anim::BakedClip& clip) {
+  return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};
+}
+
 std::size_t run_from(const Standing& standing, std::size_t first) {
   std::size_t length = 0;
   while (length < instants && standing[(first + length) % instants]) ++length;
@@ -41,13 +45,18 @@ std::size_t run_from(const Standing& standing, std::size_t first) {
 }  // namespace
 
 Stances::Stances(const anim::Character& character, const StridePlane& plane) : of_(plane.points().size()) {
+  const auto clip_of = [&](std::size_t point) -> const anim::BakedClip& {
+    return character.clips[static_cast<std::size_t>(plane.points()[point].gait.clip)];
+  };
+  for (std::size_t point = 0; point < of_.size(); ++point) {
+    in_step_.emplace_back(marked(clip_of(plane.reference())), marked(clip_of(point)));
+  }
   const anim::Limbs limbs = anim::find_limbs(character.skeleton);
   const std::array legs{limbs.left_leg, limbs.right_leg};
   for (std::size_t point = 0; point < of_.size(); ++point) {
     const GaitPoint& gait = plane.points()[point].gait;
     if (!gait.is_gait) continue;
-    const anim::BakedClip& clip = character.clips[static_cast<std::size_t>(gait.clip)];
-    const anim::Stride stride = anim::sample_stride(character.skeleton, clip.keyframe(), character.height);
+    const anim::Stride stride = anim::sample_stride(character.skeleton, clip_of(point).keyframe(), character.height);
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       if (!legs[leg]) continue;
       const int ball = legs[leg]->tip >= 0 ? legs[leg]->tip : legs[leg]->end;

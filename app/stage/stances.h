@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/crowd/stride_plane.h"
+#include "engine/anim/asset/marker_map.h"
 #include "engine/anim/bake/character.h"
 
 namespace throng::app {
@@ -12,7 +13,7 @@ namespace throng::app {
 inline constexpr std::size_t person_legs = 2;  ///< left, then right, as anim::CharacterRigs has them
 
 /// Tells when the feet of each gait of a character stand, measured on the clips at load: a foot stands while its ball
-/// is low and goes back as fast as the gait goes ahead.
+/// is low and goes back as fast as the gait goes ahead. It tells too where each gait is while another one counts steps.
 class Stances {
  public:
   Stances() = default;
@@ -23,6 +24,9 @@ class Stances {
   /// that is a gait. A foot whose clip has no stance is reported to stand half the time.
   float margin(std::size_t point, std::size_t leg, double phase) const;
 
+  /// Maps the clip by whose stride cycles are counted (StridePlane::reference) to that of a point of the plane.
+  const anim::MarkerMap& in_step(std::size_t point) const { return in_step_[point]; }
+
  private:
   /// The part of a clip in which a foot stands.
   struct Stance {
@@ -30,6 +34,7 @@ class Stances {
     float length = 0.5F;  // of the cycle
   };
   std::vector<std::array<Stance, person_legs>> of_;  // [point]
+  std::vector<anim::MarkerMap> in_step_;             // [point]
 };
 
 }  // namespace throng::app

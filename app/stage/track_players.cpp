@@ -16,7 +16,12 @@ FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stan
   const TrackClock& clock = track_clock_of(crowd);
   TrackStep step = followers.step(agent, seconds);
   step.velocity *= 1.0F - clock.stands;
-  const FollowedMoment moment{.step = step, .seconds = seconds, .rate = clock.rate, .ahead = ahead, .person = agent};
+  const FollowedMoment moment{.step = step,
+                              .seconds = seconds,
+                              .rate = clock.rate,
+                              .ahead = ahead,
+                              .person = agent,
+                              .speaks = followers.talk(agent, seconds).speaks};
   return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
 }
 
@@ -60,6 +65,21 @@ FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, anim::Tick
 
 std::array<float, person_legs> TrackPlayers::planted_at(std::uint32_t agent, double seconds) const {
   return mix_of(agent, seconds, {}).planted;
+}
+
+std::optional<TrackPlayers::Gaze> TrackPlayers::gaze(std::uint32_t agent) const {
+  const Followers& followers = *followers_of(*crowd_);
+  const double seconds = track_clock_of(*crowd_).seconds;
+  const TalkMoment talk = followers.talk(agent, seconds);
+  if (talk.looks <= 0.0F) return std::nullopt;
+  constexpr float eyes = 0.93F;  // of a person's height
+  const auto height = static_cast<float>(characters_[crowd_->characters()[talk.other]].roles.height);
+  const glm::vec3 way = followers.position(talk.other, seconds) - crowd_->positions()[agent];
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec3 target(way.x * heading.cosine - way.z * heading.sine,
+                         way.y + eyes * height * crowd_->scales()[talk.other],
+                         way.x * heading.sine + way.z * heading.cosine);
+  return Gaze{.target = target / crowd_->scales()[agent], .share = talk.looks};
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {

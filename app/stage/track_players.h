@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
@@ -32,6 +35,14 @@ class TrackPlayers {
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
   /// Returns how firmly they stand at any time of the file's clock.
   std::array<float, person_legs> planted_at(std::uint32_t agent, double seconds) const;
+
+  /// The place that somebody looks at, in its model space, and the share of the way that its head turns there.
+  struct Gaze {
+    glm::vec3 target;
+    float share;
+  };
+  /// Returns where an agent looks now who talks to somebody; nothing for all others.
+  std::optional<Gaze> gaze(std::uint32_t agent) const;
 
  private:
   FollowedMix mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const;

@@ -18,8 +18,23 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t cou
   return value;
 }
 
+/// Returns the eight bytes there as a number whose first byte is the highest.
+std::uint64_t eight_bytes(std::string_view page, std::size_t at) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, page.data() + at, sizeof(word));
+  if constexpr (std::endian::native == std::endian::big) return word;
+  constexpr std::uint64_t bytes = 0x00FF00FF00FF00FFU, pairs = 0x0000FFFF0000FFFFU;
+  word = (word >> 8U & bytes) | (word & bytes) << 8U;  // compilers make one instruction of it
+  word = (word >> 16U & pairs) | (word & pairs) << 16U;
+  return word >> 32U | word << 32U;
+}
+
 /// Reads a number of one to nine bytes, as SQLite writes them, and goes past it. Returns false beyond the page.
 bool take_varint(std::string_view page, std::size_t& at, std::uint64_t& value) {
+  if (at < page.size() && static_cast<unsigned char>(page[at]) < 0x80) {
+    value = static_cast<unsigned char>(page[at++]);
+    return true;
+  }
   value = 0;
   for (int i = 0; i < 9 && at < page.size(); ++i) {
     const auto byte = static_cast<unsigned char>(page[at++]);
@@ -42,10 +57,11 @@ std::size_t bytes_of_kind(std::uint64_t kind) {
 double number_of_kind(std::uint64_t kind, std::string_view page, std::size_t at) {
   if (kind >= 8) return kind == 9 ? 1.0 : 0.0;
   const std::size_t count = bytes_of_kind(kind);
-  const std::uint64_t bits = big_endian(page, at, count);
-  if (kind == 7) return std::bit_cast<double>(bits);
   const auto unused = static_cast<unsigned>(64 - 8 * count);
-  return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  // Most numbers are followed by others, so that eight bytes can be read at once.
+  const std::uint64_t bits = at + 8 <= page.size() ? eight_bytes(page, at) : big_endian(page, at, count) << unused;
+  if (kind == 7) return std::bit_cast<double>(bits);
+  return static_cast<double>(static_cast<std::int64_t>(bits) >> unused);
 }
 
 }  // namespace

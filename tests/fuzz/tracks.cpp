@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 #include "app/trajectory/read.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"

@@ -59,6 +59,7 @@ const std::vector<House>& houses() {
       {"app/",
        {{"files"},
         {"trajectory"},
+        {"live"},
         {"character"},
         {"settings"},
         {"crowd"},

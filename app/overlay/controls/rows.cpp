@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr float field_width = 64, field_gap = 8, longest_list = 300;
-constexpr float least_margins = 2;  // of a word in a line of them
+constexpr float least_margins = 8;  // of a word in a line of them
 
 void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "engine/anim/agent/wind_back.h"
+#include "engine/anim/base/compiler.h"
 
 namespace throng::anim {
 namespace {
@@ -24,6 +25,14 @@ ChannelId AgentView::channel_id(std::size_t place) const {
 
 ProcessId AgentView::post_process_id(std::size_t place) const {
   return place < post_process_count() ? ProcessId{graphs().post_process(index(), place).id} : ProcessId{};
+}
+
+void AgentView::prefetch() const {
+  constexpr std::size_t line = 64, lines = 2;
+  for (const Handle entity : graph().entities) {
+    for (std::size_t i = 0; i < lines; ++i) prefetch_to_write(pools().block(entity) + i * line);
+  }
+  if (channel_count() > 0) prefetch_to_write(graphs().channel(index(), 0).part.get());
 }
 
 bool AgentView::can_pose_exactly() const { return exists() && anim::can_pose_exactly(*population_, number()); }

@@ -59,6 +59,10 @@ class AgentView {
     return {alike.pools, alike.clips, graph(), posed_at, alike.morph_blend()};
   }
 
+  /// Asks the caches for what a change of the agent's channels reads and writes. Who changes many agents one after the
+  /// other asks for the next one before it changes this one.
+  void prefetch() const;
+
   /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
   /// the offset of an interrupted fade was captured in between, or its feet are placed.
   bool can_pose_exactly() const;

@@ -109,7 +109,7 @@ TEST(RolesByName, HaveNamesOfTheirOwn) {
   EXPECT_EQ(role_named("other"), std::nullopt);
   EXPECT_EQ(known_roles(),
             "stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, shuffle, "
-            "step_in_place, veer_left and veer_right");
+            "step_in_place, veer_left, veer_right and talk");
 }
 
 TEST(PlayableRole, IsTheNearestThatTheCharacterHasAClipFor) {

@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 const std::string roles =
     "roles are stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, "
-    "shuffle, step_in_place, veer_left and veer_right";
+    "shuffle, step_in_place, veer_left, veer_right and talk";
 
 INSTANTIATE_TEST_SUITE_P(
     Clips, Refusal,

@@ -3,6 +3,7 @@
 #include "app/crowd/track_steps.h"
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -62,6 +63,31 @@ TEST(TrackSteps, StridesAddUpToTheWay) {
   const SmoothTrack track(rows);
   const TrackSteps steps(track, plane(), 1.0F, 0.0F);
   EXPECT_NEAR(steps.at(8.0).cycles - steps.at(2.0).cycles, 6.0, 0.02);
+}
+
+// Somebody walks round in a circle, and rows come two at a time.
+TEST(TrackSteps, KeepWhatWasShownWhileRowsComeAndComeToTheSame) {
+  std::vector<TrackRow> rows;
+  for (double t = 0.0; t < 20.0; t += 0.04) {
+    const auto angle = static_cast<float>(t) * 0.6F;
+    rows.push_back({.seconds = t, .x = 2.0F * std::sin(angle), .z = 2.0F * std::cos(angle)});
+  }
+  const SmoothTrack whole(rows);
+  const TrackSteps all(whole, plane(), 1.0F, 0.0F);
+  TrackSteps steps;
+  for (std::size_t end = 25; end < rows.size(); end += 2) {
+    const std::size_t begin = end > 300 ? end - 300 : 0;  // what is old is forgotten
+    const SmoothTrack track(std::span<const TrackRow>(rows).subspan(begin, end - begin));
+    const double shown = track.last() - 0.5;
+    const TrackStep before = steps.at(shown);
+    steps.extend(track, plane(), 1.0F, 0.0F, shown);
+    if (end > 25) {
+      ASSERT_EQ(steps.at(shown).heading, before.heading) << shown;
+      ASSERT_EQ(steps.at(shown).cycles, before.cycles) << shown;
+    }
+    ASSERT_NEAR(steps.at(shown).heading, all.at(shown).heading, 0.02F) << shown;
+    ASSERT_NEAR(steps.at(shown).cycles, all.at(shown).cycles, 0.02) << shown;
+  }
 }
 
 TEST(TrackSteps, TallPeopleTakeLongerSteps) {

@@ -120,6 +120,21 @@ TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) {
   EXPECT_EQ(notice(anim::PaletteFormat::matrices), "");
 }
 
+TEST(PlanNotice, SaysHowManyLinesAreTooMany) {
+  EXPECT_EQ(plan_notice(30'000, 20'000),
+            "Walls and floors are left out: the place has 30000 lines, and 20000 are the most; --walls names simpler "
+            "ones.");
+  EXPECT_EQ(plan_notice(9'000, 20'000),
+            "Walls and floors are left out: the place has 9000 lines, and they cross each other too often; --walls "
+            "names simpler ones.");
+}
+
+TEST(TracksNotice, SaysOfALiveCrowdThatRowsCome) {
+  Trajectories live;
+  live.file = "-", live.format = "table", live.is_live = true;
+  EXPECT_EQ(tracks_notice(live), "-: table, rows as they come.");
+}
+
 TEST(Lines, AreOneASentence) {
   std::string lines;
   add_line(lines, "");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/settings/choices.h"
 #include "tests/app/crowd/crowd_person.h"
 
 namespace throng::app::crowd_measures_test {
@@ -82,6 +83,12 @@ TEST_F(MeasuredCrowd, DensityIsOfThoseWhoAreThere) {
   EXPECT_NEAR(both.of(0), both.of(1), 1e-4F);
   tuning_.density_cut_off = 0.2F;
   EXPECT_NEAR(taken(DebugView::density, 4.0).of(0), 1.0F / 0.12F, 0.01F);
+}
+
+TEST_F(MeasuredCrowd, NothingIsKnownOfWhoHasNotComeYet) {
+  for (const DebugView view : {DebugView::speed, DebugView::density, DebugView::presence}) {
+    EXPECT_LT(taken(view, 1.0).of(1), 0.0F) << debug_view_words.at(static_cast<std::size_t>(view));
+  }
 }
 
 TEST_F(MeasuredCrowd, NothingIsTakenWhereTheViewShowsNoMeasure) {

@@ -117,6 +117,8 @@ std::string all_rows(OverlayDriver& driver) {
   for (const std::string tab : {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling"}) {
     driver.click("tab:" + tab);
     driver.point_at(1100, 600);
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = 200});
+    driver.frames();
     for (int pages = 0; pages < 8; ++pages) {
       add();
       driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -5});
@@ -128,8 +130,9 @@ std::string all_rows(OverlayDriver& driver) {
 
 TEST_F(PairTest, ValuesAreCalledAsTheRowsThatShowThem) {
   std::string rows;
-  for (const anim::LodRule rule : {anim::LodRule::distance, anim::LodRule::budget}) {
-    driver.tuning.lod.rule = rule;
+  for (const DebugView view : {DebugView::speed, DebugView::density, DebugView::presence}) {
+    driver.tuning.debug_view = view;
+    driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
     rows += all_rows(driver);
   }
   for (const TuningValue& value : tuning_values()) {

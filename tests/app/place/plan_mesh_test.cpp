@@ -226,6 +226,22 @@ TEST(PlanMesh, DegenerateRingsBecomeWallsOrNothing) {
   EXPECT_TRUE(faces_of(empty).empty());
 }
 
+TEST(PlanMesh, HasNothingOfPlansThatWouldTakeMoreThanASecond) {
+  GroundPlan plan;
+  const auto add_walls = [&plan](int from, int to) {
+    for (int i = from; i < to; ++i) {
+      const float x = static_cast<float>(i % 100) * 3.0F, z = static_cast<float>(i / 100) * 3.0F;
+      plan.walls.push_back({{{x, z}, {x + 1.0F, z}}, ""});
+    }
+  };
+  add_walls(0, static_cast<int>(most_plan_lines / 2));
+  EXPECT_EQ(plan_lines(plan), most_plan_lines);
+  EXPECT_FALSE(plan_mesh(plan).vertices.empty());
+  add_walls(static_cast<int>(most_plan_lines / 2), static_cast<int>(most_plan_lines / 2) + 1);
+  EXPECT_EQ(plan_lines(plan), most_plan_lines + 2);
+  EXPECT_TRUE(plan_mesh(plan).vertices.empty());
+}
+
 TEST(PlanMesh, NoTriangleIsLong) {
   const std::vector<Face> faces = faces_of(floor_of(rectangle({-400, -20}, {400, 20})));
   float longest = 0.0F;

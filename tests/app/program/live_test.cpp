@@ -28,7 +28,7 @@ class LiveProgram : public testing::Test {
 TEST_F(LiveProgram, EndsWithItsInput) {
   const ProgramRun run = this->run("id,time,x,y\n1,0,0,0\n1,1,1,0\n1,2,2,0\n");
   EXPECT_EQ(run.exit_status, 0);
-  EXPECT_THAT(run.errors, HasSubstr("-: table, rows as they come."));
+  EXPECT_THAT(run.errors, HasSubstr("-: table with a header, rows as they come."));
 }
 
 TEST_F(LiveProgram, RefusesWhatAFileOfItWouldBeRefusedFor) {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
+#include "tests/app/live/live_feed.h"
 #include "tests/app/recording/recorded_run.h"
-#include "tests/app/trajectory/live_feed.h"
 #include "tests/app/trajectory/track_file.h"
 
 namespace throng::app::live_show_test {
@@ -113,11 +113,14 @@ TEST_F(LiveShow, GoesOnWithOtherCharactersAndOtherValues) {
 }
 
 TEST_F(LiveShow, HoldsAllThatCameInItsPicture) {
-  const auto show = live("--agents 5", circles());
+  std::string text = "id,time,x,y\n";
+  for (int row = 0; row < 80; ++row)
+    text += "ann," + std::to_string(0.1 * row) + "," + std::to_string(0.4 * row) + ",0\n";
+  const auto show = live("--agents 5", text);
   animate(*show);
   const float before = show->camera.position.y;
   while (!is_over(*show)) animate(*show);
-  EXPECT_GT(show->camera.position.y, before + 1.0F);
+  EXPECT_GT(show->camera.position.y, before + 3.0F);
 }
 
 }  // namespace

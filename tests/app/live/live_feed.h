@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 
 namespace throng::app {
 

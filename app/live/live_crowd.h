@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 #include "app/trajectory/track_clock.h"
 #include "app/trajectory/trajectories.h"
 #include "engine/result.h"

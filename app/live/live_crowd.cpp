@@ -1,4 +1,4 @@
-#include "app/trajectory/live_crowd.h"
+#include "app/live/live_crowd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,9 @@ double LiveCrowd::delay() const { return std::clamp(rows_of_delay * row_seconds_
 // Rows stay where they are while many wait, so that whoever sends them waits too.
 void LiveCrowd::fetch() {
   if (has_read_all_ || waiting_.size() - next_ >= LiveTracks::most_waiting_rows) return;
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(std::exchange(next_, 0)));
+  if (next_ >= waiting_.size() / 2) {  // so that a row is moved once or twice
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(std::exchange(next_, 0)));
+  }
   const std::size_t before = waiting_.size();
   has_read_all_ = !tracks_->take(waiting_);
   const bool is_first = all_->row_count == 0 && before == 0 && !waiting_.empty();

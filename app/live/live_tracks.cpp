@@ -1,4 +1,4 @@
-#include "app/trajectory/live.h"
+#include "app/live/live_tracks.h"
 
 #include <array>
 #include <cerrno>

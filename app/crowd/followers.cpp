@@ -1,5 +1,6 @@
 #include "app/crowd/followers.h"
 
+#include <algorithm>
 #include <cassert>
 #include <numbers>
 #include <utility>
@@ -42,7 +43,10 @@ void Followers::begin_renewing(std::span<const std::uint32_t> agents) {
 float Followers::renew(std::size_t agent, float height, double settled) {
   const PersonTrack& person = source_.trajectories->persons[agent];
   const float scale = person.stature > 0.0F ? person.stature / height : scales_[agent];
-  presences_[agent] = presence_of(person, row_seconds(*source_.trajectories));
+  Presence& known = presences_[agent];
+  Presence now = presence_of(person, row_seconds(*source_.trajectories));
+  if (now.first <= known.last) now.first = std::min(now.first, known.first);  // older rows may have been forgotten
+  known = now;
   tracks_[agent] = SmoothTrack(person.rows);
   steps_[agent].extend(tracks_[agent], plane(agent), scale, first_headings_[agent], settled);
   return scale;

@@ -35,8 +35,9 @@ std::string way_words(const TrackedPerson& person, double now) {
   if (!person.presence.has(now)) words = "not there";
   words += "   walked " + fixed(person.way_at(now), 1) + " of " + fixed(way, 1) + " m";
   if (time > 0.0) words += ", " + fixed(static_cast<double>(way) / time, 2) + " m/s on average";
-  return words + "   " + with_thousands(person.steps_until(now)) + " of " +
-         (person.has_all_footfalls ? "" : "at least ") + with_thousands(person.footfalls.size()) + " steps";
+  if (!person.has_all_footfalls) return words + "   the steps are being counted";
+  return words + "   " + with_thousands(person.steps_until(now)) + " of " + with_thousands(person.footfalls.size()) +
+         " steps";
 }
 
 void draw_speeds(const Theme& theme, const Area& graph, const TimeAxis& axis, const TrackedPerson& person) {

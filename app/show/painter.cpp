@@ -172,6 +172,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
                            .bones_as_lines = stage.tuning().bones_as_lines,
                            .fill_pixels = !stage.tuning().taken_away.pixels,
                            .lines = lines_,
+                           .ground_lines = trail_lines_,
                            .morph_weights = picture.morph_weights(),
                            .distance_scale = distance_scale_,
                            .ground = scenery_.ground(),
@@ -186,7 +187,8 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   lines_.clear();
   path_.add(lines_, stage);
   if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
-  trails_.add(lines_, stage, view.camera, {view.width, view.height});
+  trail_lines_.clear();
+  trails_.add(trail_lines_, stage, view.camera, {view.width, view.height});
   thresholds_.update(stage, view.lod_camera(), view.height);
   if (!stage.tuning().inspection.thresholds) return;
   const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].character->bounds.height / 2);

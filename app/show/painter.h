@@ -101,6 +101,7 @@ class Painter {
   SceneLines lines_;
   PathInView path_;
   Trails trails_;
+  SceneLines trail_lines_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;

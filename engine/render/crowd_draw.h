@@ -45,12 +45,13 @@ struct WeighedEntries {
 struct CrowdFrame {
   CameraView camera;
   std::span<const InstanceRecord> instances;
-  std::span<const CrowdBatch> batches;        ///< in ascending order of page, then character
-  std::uint32_t now = 0;                      ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
-  bool bones_as_lines = false;                ///< the bones are drawn over the characters
-  bool fill_pixels = true;                    ///< false: everything is drawn, but no pixel is filled
-  std::span<const SceneLine> lines = {};      ///< drawn over the crowd
-  std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
+  std::span<const CrowdBatch> batches;           ///< in ascending order of page, then character
+  std::uint32_t now = 0;                         ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
+  bool bones_as_lines = false;                   ///< the bones are drawn over the characters
+  bool fill_pixels = true;                       ///< false: everything is drawn, but no pixel is filled
+  std::span<const SceneLine> lines = {};         ///< drawn over the crowd, faintly where something is before them
+  std::span<const SceneLine> ground_lines = {};  ///< drawn where nothing is before them
+  std::span<const float> morph_weights = {};     ///< of instances whose records say where theirs are
   float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   SceneLight light = {};
   SceneGround ground = {};

@@ -218,7 +218,8 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
     add(counts, blend_.finish(target));
   }
   if (frame.bones_as_lines) add(counts, bones_.draw(frame, meshes_, palettes_, target.size()));
-  add(counts, lines_.draw(frame.lines, target.size()));
+  add(counts, lines_.draw(frame.ground_lines, target.size(), false));
+  add(counts, lines_.draw(frame.lines, target.size(), true));
   glDisable(GL_RASTERIZER_DISCARD);
   glDisable(GL_SCISSOR_TEST);
   if (!shaders_.status()) trouble_ = shaders_.status().error();

@@ -22,7 +22,7 @@ LinePass::LinePass(ShaderLibrary& shaders)
   glVertexArrayBindingDivisor(vertex_array_.id(), 0, 1);
 }
 
-DrawCounts LinePass::draw(std::span<const SceneLine> lines, glm::ivec2 picture) {
+DrawCounts LinePass::draw(std::span<const SceneLine> lines, glm::ivec2 picture, bool show_through) {
   if (lines.empty()) return {};
   glNamedBufferData(lines_.id(), static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
   glDisable(GL_CULL_FACE);
@@ -39,11 +39,11 @@ DrawCounts LinePass::draw(std::span<const SceneLine> lines, glm::ivec2 picture) 
     glDrawArraysInstanced(GL_TRIANGLES, 0, corners_of_a_ribbon, static_cast<GLsizei>(lines.size()));
   };
   draw_where(GL_GEQUAL, seen_opacity);  // depth is reversed
-  draw_where(GL_LESS, hidden_opacity);
+  if (show_through) draw_where(GL_LESS, hidden_opacity);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
-  return {2, 0};
+  return {show_through ? 2U : 1U, 0};
 }
 
 }  // namespace throng::render

@@ -117,6 +117,8 @@ std::string all_rows(OverlayDriver& driver) {
   for (const std::string tab : {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling"}) {
     driver.click("tab:" + tab);
     driver.point_at(1100, 600);
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = 200});
+    driver.frames();
     for (int pages = 0; pages < 8; ++pages) {
       add();
       driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -5});

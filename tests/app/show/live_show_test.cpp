@@ -112,6 +112,21 @@ TEST_F(LiveShow, GoesOnWithOtherCharactersAndOtherValues) {
   EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
 }
 
+// Ann stays for so long that her first rows are forgotten. Then Bob takes the only place.
+TEST_F(LiveShow, KnowsWhenSomebodyCame) {
+  std::string text = "id,time,x,y\n";
+  for (int row = 0; row < 400; ++row) {
+    text += std::string(row < 250 ? "ann" : "bob") + "," + std::to_string(0.1 * row) + ",1,2\n";
+  }
+  const auto show = live("--agents 1", text);
+  const auto came_at = [&] { return followers_of(show->stage().crowd())->presence(0).first; };
+  for (int frame = 0; frame < 1400; ++frame) animate(*show);
+  EXPECT_EQ(came_at(), 0.0);
+  while (!is_over(*show)) animate(*show);
+  EXPECT_EQ(trajectories_of(show->stage())->persons[0].id, "bob");
+  EXPECT_GE(came_at(), 25.0);
+}
+
 TEST_F(LiveShow, HoldsAllThatCameInItsPicture) {
   std::string text = "id,time,x,y\n";
   for (int row = 0; row < 80; ++row)

@@ -59,7 +59,9 @@ class TrackPlayers : public testing::Test {
   void open(const Tuning& tuning) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    auto made = Stage::create(std::move(characters), tuning, pages_, 0, people_);
+    stage_.reset();
+    pages_ = std::make_unique<KeptPages>();
+    auto made = Stage::create(std::move(characters), tuning, *pages_, 0, people_);
     ASSERT_TRUE(made) << made.error().message;
     stage_ = std::move(*made);
   }
@@ -81,7 +83,7 @@ class TrackPlayers : public testing::Test {
     for (std::uint32_t agent = 0; agent < stage_->crowd().size(); ++agent) {
       const ShownPose& pose = stage_->shown().pose(agent);
       if (!pose.shown()) continue;
-      const auto* const palette = reinterpret_cast<const std::byte*>(pages_.palette(pose.to));
+      const auto* const palette = reinterpret_cast<const std::byte*>(pages_->palette(pose.to));
       bytes.insert(bytes.end(), palette, palette + 62 * sizeof(anim::PaletteMatrix));
     }
     return bytes;
@@ -101,7 +103,7 @@ class TrackPlayers : public testing::Test {
   }
 
   std::shared_ptr<const Trajectories> people_ = some_people();
-  KeptPages pages_;
+  std::unique_ptr<KeptPages> pages_;  // of the stage that is open
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 20, .z = 25, .yaw = 0, .pitch = -40});
 };
@@ -163,7 +165,7 @@ TEST_F(TrackPlayers, FeetDoNotSlip) {
   FootSlips slips(stage_->characters()[0].character->skeleton);
   for (int i = 0; i < 600; ++i) {
     pass(1);
-    slips.add_frame(*stage_, pages_, anim::to_seconds(frame));
+    slips.add_frame(*stage_, *pages_, anim::to_seconds(frame));
   }
   const std::vector<double> all = slips.slips();
   EXPECT_GT(all.size(), 60U);
@@ -230,7 +232,7 @@ TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
 TEST_F(TrackPlayers, TheSceneNeedsAFile) {
   std::vector<CharacterSource> characters;
   characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-  const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), pages_);
+  const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), *pages_);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message, "scene tracks: no file of trajectories is open; start with --trajectories FILE");
 }

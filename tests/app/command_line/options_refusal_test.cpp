@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NoLocalStore", "--local-store 0", "--local-store 0: must be auto or 1 to 65536 KiB"},
         Refused{"LocalStoreInWords", "--local-store big", "--local-store big: must be auto or 1 to 65536 KiB"},
         Refused{"TwoSamples", "--msaa 2", "--msaa 2: must be 0 or 4"},
-        Refused{"SeventhMesh", "--mesh-lod 6", "--mesh-lod 6: must be on, off, 0, 1, 2, 3, 4 or 5"},
+        Refused{"EighthMesh", "--mesh-lod 7", "--mesh-lod 7: must be on, off, 0, 1, 2, 3, 4, 5 or 6"},
         Refused{"NegativeTime", "pose a --clip 0 --json - --time 0,-1",
                 "--time 0,-1: must be seconds, 0 or more, with commas between them"},
         Refused{"EmptyTime", "pose a --clip 0 --json - --time 0,,1",

@@ -207,7 +207,7 @@ std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& option
   return {};
 }
 
-/// What is drawn over a picture needs one.
+/// Refuses what is drawn over a picture where a run draws none.
 std::optional<std::string> contradiction_of_overlay(const DemoOptions& options) {
   const std::string asked = options.ui ? "--ui" : options.legend ? "--legend" : "";
   if (options.context == ContextKind::window) {

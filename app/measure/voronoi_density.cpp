@@ -46,7 +46,7 @@ class Nearest {
   static bool is_nearer(const Other& a, const Other& b) { return a.distance_squared < b.distance_squared; }
   Other* end() { return others_.data() + count_; }
 
-  // Of very many the nearest stay, by which the ground is cut to less than the others could reach.
+  // Keeps the nearest of very many: they cut the ground to less than the others could reach.
   void add(const Other& other) {
     if (count_ < others_.size()) {
       others_[count_++] = other;

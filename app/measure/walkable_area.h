@@ -33,7 +33,7 @@ class WalkableArea {
     std::array<glm::dvec2, 4> corners;  // in order around it; two may be the same
     std::uint32_t first_opening = 0, opening_count = 0;
   };
-  /// Where one goes from a piece to another one.
+  /// A line over which one goes from a piece to another one.
   struct Opening {
     glm::dvec2 from, to;
     std::uint32_t other;

@@ -32,7 +32,7 @@ TrackLayout lay_out_bar(const Theme& theme, const Area& place) {
           .controls = {.from = {left, below - theme.px(BarControls::height)}, .to = {right, below}}};
 }
 
-/// What a person sees and changes: the clock as it was reported, or as it was asked for in this frame.
+/// Holds the clock that a person sees and changes: as it was reported, or as it was asked for in this frame.
 class ClockInHand {
  public:
   explicit ClockInHand(const TabContext& context) : context_(context) {}

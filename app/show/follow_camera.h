@@ -27,7 +27,7 @@ class FollowCamera {
   const std::optional<std::uint32_t>& agent() const { return agent_; }
 
  private:
-  /// Where somebody is, and which way they look: radians from +Z towards +X.
+  /// The place of somebody, and which way they look: radians from +Z towards +X.
   struct Pose {
     glm::vec3 place{0.0F};
     float heading = 0.0F;

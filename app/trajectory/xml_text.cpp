@@ -22,7 +22,7 @@ const char* XmlAttributes::of(std::string_view name) const {
   return nullptr;
 }
 
-/// What the parser calls.
+/// The functions that the parser calls.
 struct XmlReader::Events {
   static void at_start(void* context, const XML_Char* name, const XML_Char** attributes) {
     XmlReader& reader = *static_cast<XmlReader*>(context);

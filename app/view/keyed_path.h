@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// Where a camera is at a time.
+/// The place of a camera at a time.
 struct CameraKey {
   double seconds = 0.0;  ///< since the path began
   CameraPlace place;

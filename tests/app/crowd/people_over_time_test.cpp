@@ -1,4 +1,4 @@
-// How many people of a recorded crowd are there at each time.
+// Counts the people of a recorded crowd at each time.
 #include "app/crowd/people_over_time.h"
 
 #include <gtest/gtest.h>

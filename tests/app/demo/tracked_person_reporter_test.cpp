@@ -1,4 +1,4 @@
-// What is reported of a selected person of a recorded crowd.
+// A person of a recorded crowd that is selected is reported.
 #include "app/demo/tracked_person_reporter.h"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// What is measured of people who follow a file, and of those of a scene.
+// People who follow a file are measured, and those of a scene.
 
 #include "app/measure/crowd_measures.h"
 

@@ -67,7 +67,8 @@ TEST_F(ReplacedWhileRecording, AreRefusedAndARecordedCrowdIsNotRecorded) {
   EXPECT_EQ(show->stage().crowd().size(), 12U);
   ASSERT_TRUE(show->stop_recording());
   ASSERT_TRUE(replace_trajectories(*show, people(7)));
-  EXPECT_THAT(show->start_recording(folder_ / "run.rec").error().message, HasSubstr("the scene tracks is not recorded"));
+  EXPECT_THAT(show->start_recording(folder_ / "run.rec").error().message,
+              HasSubstr("the scene tracks is not recorded"));
 }
 
 }  // namespace

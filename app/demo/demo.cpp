@@ -61,7 +61,7 @@ anim::Status draw_one_of_all(Show& show, Output* output, int frame) {
 
 anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
-  for (int frame = 1; !asked_to_stop() && (!options.frames_given || frame <= options.frames); ++frame) {
+  for (int frame = 1; asked_to_stop() == 0 && (!options.frames_given || frame <= options.frames); ++frame) {
     const anim::Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;

@@ -34,12 +34,12 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   RowScale scale;
   const bool is_tall = facts.tells_unit && facts.z_is_head && first.z > 50.0F && first.z < 300.0F;
   scale.metres_a_unit = options.metres_a_unit.value_or(facts.unit.value_or(is_tall ? 0.01 : 1.0));
-  if (is_tall && !facts.unit) facts.said.push_back("Places are in centimetres, for heads are so high.");
+  if (is_tall && !facts.unit) facts.said.emplace_back("Places are in centimetres, for heads are so high.");
   scale.times_a_second = facts.times_a_second;
   if (facts.has_frames) {
     scale.times_a_second = options.fps.value_or(facts.rate.value_or(25.0));
     if (!options.fps && !facts.rate) {
-      facts.said.push_back("The rows do not say their frame rate: 25 a second are taken; --fps overrules it.");
+      facts.said.emplace_back("The rows do not say their frame rate: 25 a second are taken; --fps overrules it.");
     }
   }
   scale.angle = facts.angle;
@@ -50,7 +50,7 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   }
   if (scale.angle == AngleMeaning::unknown) {
     scale.angle = AngleMeaning::degrees;
-    facts.said.push_back("Angles are taken as degrees; --angle radians overrules it.");
+    facts.said.emplace_back("Angles are taken as degrees; --angle radians overrules it.");
   }
   scale.z_is_head =
       options.height == TrackHeight::head || (options.height == TrackHeight::by_format && facts.z_is_head);

@@ -235,7 +235,7 @@ class WalkableArea::Walk {
  private:
   glm::vec2 about_person(const glm::dvec2& place) const { return place - person_; }
   void go_through(const Opening& opening) {
-    const auto end = seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_);
+    auto* const end = seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_);
     if (seen_count_ == seen_.size() || std::find(seen_.begin(), end, opening.other) != end) return;
     const float width = length_within(cell_, about_person(opening.from), about_person(opening.to));
     if (width >= static_cast<float>(narrowest_opening)) seen_[seen_count_++] = opening.other;

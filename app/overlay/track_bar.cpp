@@ -190,10 +190,10 @@ void show_players(BarControls& controls, ClockInHand& clock, Tuning& tuning) {
 double next_rate(double rate, bool faster) {
   constexpr double nearly = 1e-9;
   if (faster) {
-    const auto next = std::ranges::upper_bound(track_rates, rate + nearly);
+    const auto* const next = std::ranges::upper_bound(track_rates, rate + nearly);
     return next == track_rates.end() ? std::max(rate, track_rates.back()) : *next;
   }
-  const auto here = std::ranges::lower_bound(track_rates, rate - nearly);
+  const auto* const here = std::ranges::lower_bound(track_rates, rate - nearly);
   return here == track_rates.begin() ? std::min(rate, track_rates.front()) : *(here - 1);
 }
 

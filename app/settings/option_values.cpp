@@ -89,7 +89,7 @@ ValueReader memory_size(std::uint64_t& target) {
     constexpr double most = 1e15;
     const std::size_t length = std::min(text.find_first_not_of("0123456789."), text.size());
     const auto number = finite_number_in(text.substr(0, length));
-    const auto unit =
+    const auto* const unit =
         std::ranges::find(units, std::string_view(text).substr(length), &std::pair<std::string_view, double>::first);
     const double bytes = number && unit != units.end() ? *number * unit->second : 0.0;
     if (!(bytes >= 1.0 && bytes <= most)) return "must be a size, such as 500MB or 2GB";
@@ -186,6 +186,7 @@ std::optional<CameraPlace> camera_place_in(const std::string& text) {
 
 std::string names_of_times() {
   std::vector<std::string> names;
+  names.reserve(times_of_day.size());
   for (const TimeOfDay& time : times_of_day) names.emplace_back(time.name);
   return joined(names, ", ", " or ");
 }

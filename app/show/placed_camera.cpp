@@ -18,6 +18,7 @@ bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const NamedCamera* named = find_camera(cameras, is_of_somebody ? "" : options.camera_name);
   if (named == nullptr) {
     std::vector<std::string> names;
+    names.reserve(cameras.size());
     for (const NamedCamera& each : cameras) names.emplace_back(each.name);
     return fail(error, exit_usage,
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));

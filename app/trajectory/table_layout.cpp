@@ -73,7 +73,7 @@ std::string unit_taken_off(std::string& name) {
   for (const std::string_view before : {"[", "(", "/", "_", " in "}) {
     const std::size_t at = name.rfind(before);
     if (at == std::string::npos || at == 0) continue;
-    const std::string unit = letters_and_digits(std::string_view(name).substr(at + before.size()));
+    std::string unit = letters_and_digits(std::string_view(name).substr(at + before.size()));
     if (!is_unit(unit)) continue;
     name.resize(at);
     return unit;

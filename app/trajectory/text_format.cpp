@@ -101,7 +101,8 @@ void take_comments(const HeadLines& lines, RowFacts& facts) {
     if (facts.unit) continue;
     if (comment.find("x/cm") != std::string::npos || comment.find("in cm") != std::string::npos) facts.unit = 0.01;
     if (comment.find("x/m") != std::string::npos || comment.find("in m") != std::string::npos) facts.unit = 1.0;
-    if (facts.unit) facts.said.push_back(*facts.unit < 1.0 ? "A comment says centimetres." : "A comment says metres.");
+    if (facts.unit)
+      facts.said.emplace_back(*facts.unit < 1.0 ? "A comment says centimetres." : "A comment says metres.");
   }
 }
 
@@ -232,7 +233,7 @@ bool has_first_row(std::string_view head) {
 }
 
 std::string why_no_text(std::string_view head, std::string_view remedy) {
-  const std::string no_text = "it is no text and no database; " + std::string(remedy);
+  std::string no_text = "it is no text and no database; " + std::string(remedy);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";

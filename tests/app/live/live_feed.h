@@ -17,8 +17,8 @@ class LiveFeed {
     if (pipe(ends_) != 0) ends_[0] = ends_[1] = -1;
   }
   ~LiveFeed() {
-    end();
     if (sender_.joinable()) sender_.join();
+    end();
     if (ends_[0] >= 0) close(ends_[0]);
   }
   LiveFeed(const LiveFeed&) = delete;

@@ -8,11 +8,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/crowd/people_over_time.h"
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/talks.h"
 #include "app/crowd/track_steps.h"
 #include "app/trajectory/ground_bounds.h"
+#include "app/trajectory/presence.h"
 #include "app/trajectory/trajectories.h"
 
 namespace throng::app {

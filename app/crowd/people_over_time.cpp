@@ -1,27 +1,15 @@
 #include "app/crowd/people_over_time.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace throng::app {
 namespace {
-
-constexpr double shortest_row = 1e-3;  // seconds
 
 std::size_t count_until(const std::vector<double>::const_iterator& end, const std::vector<double>& times) {
   return static_cast<std::size_t>(end - times.begin());
 }
 
 }  // namespace
-
-double row_seconds(const Trajectories& all) { return all.rows_a_second > 0.0 ? 1.0 / all.rows_a_second : shortest_row; }
-
-Presence presence_of(const PersonTrack& person, double row_seconds) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (person.rows.empty()) return {never, never};
-  const double first = person.rows.front().seconds;
-  return {first, person.rows.size() > 1 ? person.rows.back().seconds : first + row_seconds};
-}
 
 PeopleOverTime::PeopleOverTime(const Trajectories& all)
     : most_by_column_(columns), first_(all.first_seconds), last_(all.last_seconds), row_(row_seconds(all)) {

@@ -5,23 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "app/trajectory/presence.h"
 #include "app/trajectory/trajectories.h"
 
 namespace throng::app {
-
-/// The time in which somebody is there, both ends included.
-struct Presence {
-  double first = 0.0, last = 0.0;  ///< seconds of the file's clock
-
-  [[nodiscard]] bool has(double seconds) const { return seconds >= first && seconds <= last; }
-};
-
-/// Returns how long a row lasts, in seconds; a moment where nobody has two rows.
-double row_seconds(const Trajectories& all);
-
-/// Returns when somebody is there: from the first row to the last one. Who has a single row is there for `row_seconds`,
-/// and who has none never.
-Presence presence_of(const PersonTrack& person, double row_seconds);
 
 /// Tells how many people of a recorded crowd are there at each time of its clock.
 class PeopleOverTime {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/crowd/random.h"
@@ -18,12 +19,15 @@ constexpr float nearest_talk = 0.6F, farthest_talk = 1.5F;  // metres between pe
 constexpr float reach = 1.6F;  // radians from straight ahead that spine and neck turn the eyes by
 constexpr double shortest_talk = 2.5, longest_turn = 8.0, between_turns = 2.0;  // seconds
 constexpr double turns_head = 0.8;                                              // seconds
-constexpr std::size_t most_meetings = 4'000'000;  // samples of pairs; those of huge jams that come later are left out
+constexpr double longest_between_rows = 10.0;  // seconds in the mean; farther apart they do not say who stands
+// Those of huge jams that come later are left out.
+constexpr std::size_t most_standers = 8'000'000;  // samples of people
+constexpr std::size_t most_meetings = 4'000'000;  // samples of pairs
 
 /// Two people who could talk at a sample.
 struct Meeting {
   std::uint32_t one, other;
-  std::int32_t sample;
+  std::int64_t sample;
 
   // The checker takes the nought of a comparison for a null pointer.
   friend auto operator<=>(const Meeting&, const Meeting&) = default;  // NOLINT(modernize-use-nullptr)
@@ -32,14 +36,15 @@ struct Meeting {
 /// Two people who could talk from a sample to another one.
 struct Encounter {
   std::uint32_t one, other;
-  std::int32_t first, last;
+  std::int64_t first, last;
 
-  double begin() const { return first * sample_seconds; }
-  double end() const { return last * sample_seconds; }
+  double begin() const { return static_cast<double>(first) * sample_seconds; }
+  double end() const { return static_cast<double>(last) * sample_seconds; }
 };
 
 struct Stander {
-  std::int32_t sample, column, row;
+  std::int64_t sample;
+  std::int32_t column, row;
   std::uint32_t person;
   glm::vec2 place;
   float heading;
@@ -55,10 +60,12 @@ std::vector<Stander> standers_of(std::span<const SmoothTrack> tracks, std::span<
   for (std::uint32_t person = 0; person < tracks.size(); ++person) {
     const SmoothTrack& track = tracks[person];
     if (track.row_count() == 0) continue;
-    const auto last = static_cast<std::int32_t>(std::floor(track.last() / sample_seconds));
-    for (auto i = static_cast<std::int32_t>(std::ceil(track.first() / sample_seconds)); i <= last; ++i) {
-      const double seconds = i * sample_seconds;
+    if (track.last() - track.first() > longest_between_rows * static_cast<double>(track.row_count())) continue;
+    const auto last = static_cast<std::int64_t>(std::floor(track.last() / sample_seconds));
+    for (auto i = static_cast<std::int64_t>(std::ceil(track.first() / sample_seconds)); i <= last; ++i) {
+      const double seconds = static_cast<double>(i) * sample_seconds;
       if (glm::length(track.velocity(seconds, window_seconds)) > stander_below) continue;
+      if (standers.size() == most_standers) return standers;
       const glm::vec3 position = track.position(seconds);
       standers.push_back({.sample = i,
                           .column = static_cast<std::int32_t>(std::floor(position.x / farthest_talk)),
@@ -179,7 +186,7 @@ TalkMoment Talks::at(std::size_t person, double seconds) const {
   const double inside = std::min(seconds - glance.begin, glance.end - seconds) / turns_head;
   if (inside <= 0.0) return {};
   const auto t = static_cast<float>(std::min(inside, 1.0));
-  const float looks = t * t * (3.0F - 2.0F * t);
+  const float looks = glm::smoothstep(0.0F, 1.0F, t);
   return {.other = glance.other, .looks = looks, .speaks = glance.speaks ? looks : 0.0F};
 }
 

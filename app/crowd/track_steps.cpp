@@ -11,6 +11,7 @@ namespace throng::app {
 namespace {
 
 constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
+constexpr double most_knots_a_row = 300.0;                   // in the mean, so that rows years apart take no memory
 constexpr double stand_window = 3.0;                         // seconds in which somebody who stands gets nowhere
 constexpr float stands_below = 0.015F, moves_above = 0.06F;  // metres a second over that window
 constexpr float turns_above = 0.08F;                         // metres a second
@@ -41,18 +42,15 @@ glm::vec2 seen_by(float heading, const glm::vec2& velocity) {
 }  // namespace
 
 TrackSteps::TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading) {
-  if (track.row_count() == 0) return;
-  begin(track);
-  end_with(track);
-  turn(track, first_heading, 0);
-  walk(track, plane, scale, 0);
+  if (track.row_count() > 0) extend(track, plane, scale, first_heading, track.first());
 }
 
 void TrackSteps::begin(const SmoothTrack& track) {
   const double between_rows =
       (track.last() - track.first()) / std::max<double>(static_cast<double>(track.row_count()) - 1.0, 1.0);
   first_ = track.first();
-  spacing_ = between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds;
+  spacing_ =
+      std::max(between_rows < far_knot_seconds ? knot_seconds : far_knot_seconds, between_rows / most_knots_a_row);
   knots_.clear();
 }
 

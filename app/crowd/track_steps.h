@@ -18,7 +18,7 @@ struct TrackStep {
 
 /// Tells where somebody looks and how many steps they have made, all along a track. It is a function of time alone, so
 /// that one can look at any moment without those before it. It keeps the values of every tenth of a second, or fifth
-/// where rows are as far apart, so that a frame reads one place in memory.
+/// where rows are as far apart, so that a frame reads one place in memory; fewer where rows are minutes apart.
 ///
 /// Without headings in the file, people turn to where they walk, the sooner the faster they are. Who hardly moves turns
 /// hardly, and so steps back or aside where the file goes there. Who stands keeps the heading.

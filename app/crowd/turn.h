@@ -6,6 +6,13 @@
 
 namespace throng::app {
 
+/// Returns the area of the parallelogram of two directions; below 0 where `b` lies to the right of `a`, with x to the
+/// right and y up.
+template <typename Vector>
+typename Vector::value_type cross(const Vector& a, const Vector& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 /// Returns the cosine and sine of `quarters` quarter turns, within 1e-15. It uses exact operations alone, because the
 /// functions of the C library differ in the last bit from machine to machine.
 inline glm::dvec2 cosine_sine(double quarters) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/files/joined.h"
 #include "app/trajectory/read.h"
 #include "app/view/fly_camera.h"
 
@@ -78,7 +79,7 @@ void DroppedTracks::read(WindowSession& session) const {
   session.tuning.agents = session.accepted.agents = show.stage().tuning().agents;
   session.camera.put(place_of(show.camera), show);
   session.reporter.describe_characters(show);
-  session.messages().say("Opened " + next_.file + ": " + std::to_string(people) + " people");
+  session.messages().say("Opened " + next_.file + ": " + counted_people(people));
 }
 
 }  // namespace throng::app

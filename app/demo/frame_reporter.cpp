@@ -239,11 +239,10 @@ void FrameReporter::add_tracks(const Stage& stage) {
   const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
   // Nobody can go to another time of rows that still come.
   if (followers_of(stage.crowd()) == nullptr || all->is_live) return report_.tracks.reset();
-  const bool is_counted = report_.tracks && tracks_ == all && counted_rows_ == all->row_count;
+  const bool is_counted = report_.tracks && tracks_ == all;
   report_.tracks = {.clock = track_clock_of(stage.crowd()),
                     .people = is_counted ? report_.tracks->people : std::make_shared<const PeopleOverTime>(*all)};
   tracks_ = all;
-  counted_rows_ = all->row_count;
 }
 
 // Reports the agents that are tallest on the screen, and the selected one even where it is small.

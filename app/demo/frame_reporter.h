@@ -75,7 +75,6 @@ class FrameReporter {
   SlowFrames slow_frames_;
   TrackedPersonReporter tracked_person_;
   std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
-  std::size_t counted_rows_ = 0;                // of them
   int mesh_levels_ = 1;                         // the most of a character
 };
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <glm/geometric.hpp>
+#include "app/measure/crowd_measures.h"
 
 namespace throng::app {
 namespace {
@@ -16,12 +16,8 @@ constexpr double between_looks = 0.02;                       // seconds, of whic
 constexpr int looks_a_frame = 4000;
 constexpr float is_down = 0.5F;
 
-float speed_of(const SmoothTrack& way, double seconds, double window) {
-  return glm::length(way.velocity(seconds, std::max(window, TrackSteps::stride_window)));
-}
-
 // Both go by the mean velocity of a stride, as a head that sways goes farther than the person does.
-void add_speeds(const SmoothTrack& way, TrackedPerson& person) {
+void add_speeds(const Followers& followers, std::uint32_t agent, TrackedPerson& person) {
   const double length = person.presence.last - person.presence.first;
   const auto count = std::clamp(static_cast<std::size_t>(length / between_speeds) + 1, std::size_t{2}, most_speeds);
   const double spacing = length / static_cast<double>(count - 1);
@@ -30,10 +26,10 @@ void add_speeds(const SmoothTrack& way, TrackedPerson& person) {
   double walked = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double seconds = person.presence.first + spacing * static_cast<double>(i);
-    person.speeds.push_back(speed_of(way, seconds, spacing));
+    person.speeds.push_back(speed_of(followers, agent, seconds, spacing));
     person.ways.push_back(static_cast<float>(walked));
     for (double sum = 0.5; sum < sums; ++sum) {
-      walked += static_cast<double>(speed_of(way, seconds + sum / sums * spacing, 0.0)) * spacing / sums;
+      walked += static_cast<double>(speed_of(followers, agent, seconds + sum / sums * spacing)) * spacing / sums;
     }
   }
 }
@@ -43,8 +39,7 @@ void add_speeds(const SmoothTrack& way, TrackedPerson& person) {
 std::shared_ptr<const TrackedPerson> TrackedPersonReporter::report(const Stage& stage) {
   const bool is_recorded = followers_of(stage.crowd()) != nullptr && !trajectories_of(stage)->is_live;
   if (!stage.selected() || !is_recorded) return person_ = nullptr;
-  const bool is_same = person_ != nullptr && agent_ == *stage.selected() && crowd_ == stage.animated().number() &&
-                       rows_ == followers_of(stage.crowd())->trajectories().row_count;
+  const bool is_same = person_ != nullptr && agent_ == stage.selected() && crowd_ == stage.animated().number();
   if (!is_same) begin(stage, *stage.selected());
   if (!person_->has_all_footfalls) find_footfalls(stage);
   return person_;
@@ -61,10 +56,9 @@ void TrackedPersonReporter::begin(const Stage& stage, std::uint32_t agent) {
       stage.crowd().scales()[agent] * static_cast<float>(stage.character_of(agent).character->bounds.height);
   person_->file_has_stature = track.stature > 0.0F;
   person_->origin = followers.trajectories().origin;
-  add_speeds(followers.way(agent), *person_);
+  add_speeds(followers, agent, *person_);
   agent_ = agent;
   crowd_ = stage.animated().number();
-  rows_ = followers.trajectories().row_count;
   searched_ = person_->presence.first;
 }
 
@@ -74,14 +68,13 @@ void TrackedPersonReporter::find_footfalls(const Stage& stage) {
   for (int look = 0; look < looks_a_frame && searched_ < person_->presence.last; ++look) {
     const double next = std::min(searched_ + between_looks, person_->presence.last);
     const std::array<float, person_legs> planted = players.planted_at(agent_, next);
+    const std::ptrdiff_t known = std::ssize(person_->footfalls);
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       if (before.at(leg) >= is_down || planted.at(leg) < is_down) continue;
       const auto share = static_cast<double>((is_down - before.at(leg)) / (planted.at(leg) - before.at(leg)));
       person_->footfalls.push_back({.seconds = std::lerp(searched_, next, share), .is_left = leg == 0});
     }
-    if (planted != before)
-      std::ranges::sort(person_->footfalls.end() - std::min<std::ptrdiff_t>(2, std::ssize(person_->footfalls)),
-                        person_->footfalls.end(), {}, &Footfall::seconds);
+    std::ranges::sort(person_->footfalls.begin() + known, person_->footfalls.end(), {}, &Footfall::seconds);
     before = planted;
     searched_ = next;
   }

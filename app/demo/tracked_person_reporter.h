@@ -23,7 +23,6 @@ class TrackedPersonReporter {
   std::shared_ptr<TrackedPerson> person_;
   std::uint32_t agent_ = 0;
   std::uint64_t crowd_ = 0;  // AnimatedCrowd::number
-  std::size_t rows_ = 0;     // of all people
   double searched_ = 0.0;    // seconds of the file's clock, until where footfalls are known
 };
 

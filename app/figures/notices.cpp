@@ -101,7 +101,7 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
 
 std::string tracks_notice(const Trajectories& trajectories) {
   const std::string counts = trajectories.is_live ? "rows as they come."
-                                                  : std::to_string(trajectories.persons.size()) + " people, " +
+                                                  : counted_people(trajectories.persons.size()) + ", " +
                                                         std::to_string(trajectories.row_count) + " rows.";
   std::string notice = trajectories.file + ": " + trajectories.format + ", " + counts;
   for (const std::string& sentence : trajectories.said) notice += " " + sentence;

@@ -27,6 +27,11 @@ inline std::string fixed(double value, int decimals) {
   return text;
 }
 
+/// Returns "1 person" or "7 people".
+inline std::string counted_people(std::size_t count) {
+  return count == 1 ? "1 person" : std::to_string(count) + " people";
+}
+
 /// Returns "1 clip", "2 clips".
 inline std::string counted(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");

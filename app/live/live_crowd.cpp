@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "app/trajectory/presence.h"
+
 namespace throng::app {
 namespace {
 
@@ -82,7 +84,7 @@ bool LiveCrowd::can_go_on(double seconds, std::chrono::milliseconds most) {
   return has_rows();
 }
 
-/// Whoever sends rows faster than they are shown has them from a file, and late is only who fell behind a camera.
+// Hurries only behind a camera: rows that come faster than they are shown are from a file, which cannot be late.
 double LiveCrowd::rate(double seconds) {
   if (seconds <= 0.0) return 1.0;
   const double share = std::min(seconds / input_rate_window, 1.0);
@@ -127,9 +129,7 @@ void LiveCrowd::let_stand(double seconds, bool goes_on) {
 void LiveCrowd::free_places() {
   for (std::uint32_t place = 0; place < person_at_.size(); ++place) {
     if (person_at_[place] == none) continue;
-    const std::vector<TrackRow>& rows = all_->persons[place].rows;
-    const double last = rows.back().seconds + (rows.size() == 1 ? row_seconds_ : 0.0);
-    if (last >= seconds_) continue;
+    if (presence_of(all_->persons[place], row_seconds_).last >= seconds_) continue;
     person_at_[place] = none;
     free_.push_back(place);
   }

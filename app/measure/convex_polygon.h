@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "app/crowd/turn.h"
+
 namespace throng::app {
 
 /// A convex polygon on the ground that is cut smaller and smaller, without memory of its own to take.
@@ -48,8 +50,7 @@ class ConvexPolygon {
   float area() const {
     float twice = 0.0F;
     for (std::size_t i = 2; i < count_; ++i) {
-      const glm::vec2 a = corners_[i - 1] - corners_[0], b = corners_[i] - corners_[0];
-      twice += a.x * b.y - a.y * b.x;
+      twice += cross(corners_[i - 1] - corners_[0], corners_[i] - corners_[0]);
     }
     return 0.5F * (twice < 0.0F ? -twice : twice);
   }

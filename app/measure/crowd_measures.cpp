@@ -8,15 +8,14 @@
 #include "app/crowd/tiles.h"
 
 namespace throng::app {
-
 namespace {
 
 constexpr float unknown = -1.0F;
 
 }  // namespace
 
-float speed_of(const Followers& followers, std::size_t agent, double seconds) {
-  return glm::length(followers.way(agent).velocity(seconds, TrackSteps::stride_window));
+float speed_of(const Followers& followers, std::size_t agent, double seconds, double window) {
+  return glm::length(followers.way(agent).velocity(seconds, std::max(window, TrackSteps::stride_window)));
 }
 
 void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {

@@ -32,7 +32,7 @@ class CrowdMeasures {
 };
 
 /// Returns the speed of somebody of a recorded crowd, metres a second: the mean over TrackSteps::stride_window, or over
-/// the part of it in which the person is there, as a file's rows say it.
-float speed_of(const Followers& followers, std::size_t agent, double seconds);
+/// a longer `window` in seconds, or the part of it in which the person is there, as a file's rows say it.
+float speed_of(const Followers& followers, std::size_t agent, double seconds, double window = 0.0);
 
 }  // namespace throng::app

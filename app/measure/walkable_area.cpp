@@ -9,12 +9,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/turn.h"
 #include "app/place/plan_cover.h"
 
 namespace throng::app {
 namespace {
-
-using DoubleRing = std::vector<glm::dvec2>;
 
 constexpr double wall_half_width = 1e-3;     // metres
 constexpr double narrowest_opening = 2e-3;   // metres: nobody goes through a gap between lines that ought to meet
@@ -23,8 +22,6 @@ constexpr double beyond_everybody = 20'000;  // metres from what stands about, w
 constexpr double square = 2.0;               // metres
 constexpr double most_squares = 200'000;
 constexpr std::uint32_t no_piece = 0xFFFFFFFF;
-
-DoubleRing doubled(const std::vector<glm::vec2>& points) { return {points.begin(), points.end()}; }
 
 struct Box {
   glm::dvec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
@@ -43,12 +40,10 @@ DoubleRing floor_around(const GroundPlan& plan) {
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
-double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 bool holds(std::span<const glm::dvec2> corners, const glm::dvec2& place) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec2 &from = corners[i], &to = corners[i + 1 < corners.size() ? i + 1 : 0];
-    if (turn(to - from, place - from) < 0.0) return false;
+    if (cross(to - from, place - from) < 0.0) return false;
   }
   return true;
 }
@@ -72,9 +67,7 @@ float length_within(const ConvexPolygon& cell, glm::vec2 from, glm::vec2 to) {
   float begin = 0.0F, end = 1.0F;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::vec2 side = corners[(i + 1) % corners.size()] - corners[i];
-    const auto inside = [&](const glm::vec2& place) {
-      return side.x * (place.y - corners[i].y) - side.y * (place.x - corners[i].x);
-    };
+    const auto inside = [&](const glm::vec2& place) { return cross(side, place - corners[i]); };
     const float first = inside(from), last = inside(to);
     if (first < 0.0F && last < 0.0F) return 0.0F;
     if (first < 0.0F) begin = std::max(begin, first / (first - last));
@@ -154,7 +147,7 @@ void WalkableArea::join_pieces() {
   }
 }
 
-// What reaches beyond the grid lies in the squares at its edge.
+// A piece that reaches beyond the grid lies in the squares at the edge too.
 void WalkableArea::sort_into_squares() {
   Box box;
   for (const Piece& piece : pieces_) {

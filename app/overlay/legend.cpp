@@ -1,11 +1,11 @@
 #include "app/overlay/legend.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/crowd/track_steps.h"
 #include "app/files/joined.h"
 #include "app/overlay/controls/numbers.h"
+#include "app/overlay/controls/plots.h"
 #include "app/settings/agent_colors.h"
 #include "app/settings/option_values.h"
 #include "engine/render/crowd_draw.h"
@@ -96,20 +96,11 @@ LegendPart error_legend(const Tuning& tuning) {
   return part;
 }
 
-/// Returns the step between ticks, 1, 2 or 5 times a power of ten, with which a scale has four of them or a few more.
-float tick_step(float top) {
-  const float least = top / 5.0F * 0.999F, power = std::pow(10.0F, std::floor(std::log10(least)));
-  for (const float step : {1.0F, 2.0F, 5.0F}) {
-    if (step * power >= least) return step * power;
-  }
-  return 10.0F * power;
-}
-
 LegendRamp ramp_of(const ColorScale& scale) {
   constexpr int samples = 33;
   LegendRamp ramp;
   for (int i = 0; i < samples; ++i) ramp.colors.push_back(scale_color(static_cast<float>(i) / (samples - 1)));
-  const float top = scale.top / scale.a_unit, step = tick_step(top);
+  const float top = scale.top / scale.a_unit, step = round_up(0.999F * top / 5.0F);  // four ticks or a few more
   constexpr float rounding = 1.001F;
   for (int i = 0; static_cast<float>(i) * step <= top * rounding; ++i) {
     const float value = static_cast<float>(i) * step;

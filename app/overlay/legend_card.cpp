@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/files/joined.h"
 #include "app/overlay/cards.h"
 #include "app/overlay/picture_aids.h"
 
@@ -132,8 +133,7 @@ class LegendDrawing {
 };
 
 LegendPart moment_of(const FrameReport& report) {
-  return {.title = fixed(report.seconds, 2) + " s, " + std::to_string(report.people) +
-                   (report.people == 1 ? " person" : " people"),
+  return {.title = fixed(report.seconds, 2) + " s, " + counted_people(static_cast<std::size_t>(report.people)),
           .steps = {}};
 }
 

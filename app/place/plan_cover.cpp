@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/turn.h"
+
 namespace throng::app {
 namespace {
 
@@ -27,8 +29,6 @@ glm::dvec2 turned(const glm::dvec2& at) {
 glm::dvec2 turned_back(const glm::dvec2& at) {
   return {turn_cosine * at.x + turn_sine * at.y, turn_cosine * at.y - turn_sine * at.x};
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 glm::dvec2 left_of(const glm::dvec2& way) { return {-way.y, way.x}; }
 

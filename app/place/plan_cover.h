@@ -26,6 +26,10 @@ struct CoverPiece {
   bool left_is_outline, right_is_outline;  ///< else the part goes on there
 };
 
+/// A ring or a line of a plan, in double precision, as it is cut.
+using DoubleRing = std::vector<glm::dvec2>;
+inline DoubleRing doubled(const std::vector<glm::vec2>& points) { return {points.begin(), points.end()}; }
+
 /// Returns the direction of the level lines at which pieces begin and end; a turn to the left goes from low to high.
 glm::dvec2 cover_direction();
 

@@ -11,12 +11,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "app/crowd/turn.h"
 #include "app/place/plan_cover.h"
 
 namespace throng::app {
 namespace {
 
-using DoubleRing = std::vector<glm::dvec2>;
 using Triangle = std::array<glm::vec3, 3>;
 
 constexpr double line_half_width = 0.04;
@@ -69,13 +69,10 @@ class PlanBuilder {
   render::SceneryMeshData mesh_;
 };
 
-DoubleRing doubles(const std::vector<glm::vec2>& points) { return {points.begin(), points.end()}; }
-
 double area_of(const DoubleRing& ring) {
   double twice = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    twice += a.x * b.y - a.y * b.x;
+    twice += cross(ring[i], ring[(i + 1) % ring.size()]);
   }
   return 0.5 * std::abs(twice);
 }
@@ -91,7 +88,7 @@ struct PlanSize {
       length += static_cast<double>(glm::distance(points[i - 1], points[i]));
   }
   void add(const GroundArea& whole) {
-    area += area_of(doubles(whole.outline));
+    area += area_of(doubled(whole.outline));
     add(whole.outline);
     for (const GroundRing& hole : whole.holes) add(hole);
   }
@@ -113,8 +110,8 @@ PlanSize size_of(const GroundPlan& plan) {
 }
 
 std::vector<DoubleRing> rings_of(const GroundArea& area) {
-  std::vector<DoubleRing> rings{doubles(area.outline)};
-  for (const GroundRing& hole : area.holes) rings.push_back(doubles(hole));
+  std::vector<DoubleRing> rings{doubled(area.outline)};
+  for (const GroundRing& hole : area.holes) rings.push_back(doubled(hole));
   return rings;
 }
 
@@ -134,12 +131,12 @@ PlanCover cover_of(const GroundPlan& plan) {
   PlanCover cover;
   for (const GroundArea& area : plan.floors) add_floor(area, cover);
   for (const GroundRing& obstacle : plan.obstacles) {
-    const DoubleRing ring = doubles(obstacle);
+    const DoubleRing ring = doubled(obstacle);
     cover.add(CoverLayer::solid, std::span(&ring, 1));
     if (area_of(ring) < 1e-4) cover.add_band(CoverLayer::solid, ring, true, 0.5 * plan_wall_thickness);
   }
   for (const GroundLine& line : plan.walls) {
-    cover.add_band(CoverLayer::solid, doubles(line.points), false, 0.5 * plan_wall_thickness);
+    cover.add_band(CoverLayer::solid, doubled(line.points), false, 0.5 * plan_wall_thickness);
   }
   for (const GroundArea& area : plan.exits) cover.add(CoverLayer::exit, rings_of(area));
   return cover;

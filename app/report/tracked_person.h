@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/crowd/people_over_time.h"
+#include "app/trajectory/presence.h"
 
 namespace throng::app {
 

@@ -18,11 +18,9 @@ constexpr double between_looks = 0.1, most_looks = 200'000.0;       // seconds; 
 void PathInView::add(SceneLines& lines, const Stage& stage) {
   const Followers* const followers = followers_of(stage.crowd());
   if (followers == nullptr || !stage.selected()) return;
-  const Trajectories& all = followers->trajectories();
-  const bool is_known = !points_.empty() && of_ == &all && rows_ == all.row_count && agent_ == *stage.selected();
-  if (!is_known || all.is_live) {
-    of_ = &all;
-    rows_ = all.row_count;
+  const bool is_known = crowd_ == stage.animated().number() && agent_ == stage.selected();
+  if (!is_known || followers->trajectories().is_live) {
+    crowd_ = stage.animated().number();
     agent_ = *stage.selected();
     find(*followers, agent_);
   }

@@ -17,7 +17,7 @@ class PathInView {
   static constexpr std::size_t most_points = 8192;
 
   /// Adds the path: solid as far as it is walked, paler where it goes on. Adds nothing where nobody of a recorded crowd
-  /// is selected. Finds the points once a person.
+  /// is selected. Finds the points once a person, or in each frame while rows still come.
   void add(SceneLines& lines, const Stage& stage);
 
  private:
@@ -28,9 +28,8 @@ class PathInView {
   void find(const Followers& followers, std::uint32_t agent);
 
   std::vector<Point> points_;
+  std::uint64_t crowd_ = 0;  // whose points are known; 0: none are
   std::uint32_t agent_ = 0;
-  const Trajectories* of_ = nullptr;
-  std::size_t rows_ = 0;  // of all people
 };
 
 }  // namespace throng::app

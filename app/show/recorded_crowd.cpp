@@ -64,7 +64,8 @@ void set_track_clock(Show& show, const TrackClock& clock) {
 
 anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories) {
   if (show.recorder_.is_recording()) {
-    return anim::Error{trajectories->file + ": a recording has no recorded crowd; end it with R, then drop the file"};
+    return anim::Error{trajectories->file +
+                       ": a recording goes on, and cannot hold the crowd of a file; end it with R, then drop the file"};
   }
   Tuning tuning = show.stage_->tuning();
   tuning.scene = Scene::tracks;

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/turn.h"
 #include "app/settings/agent_colors.h"
 
 namespace throng::app {
@@ -27,8 +28,6 @@ std::uint32_t faded(std::uint32_t color, float age, float seconds) {
   return (color & no_alpha) | static_cast<std::uint32_t>(255.0F * std::sqrt(left)) << 24U;
 }
 
-float turn(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
-
 glm::vec2 on_map(const glm::vec3& place) { return {place.x, place.z}; }
 
 /// Says how far one can go straight on without leaving what was passed farther aside than a width: the directions that
@@ -42,12 +41,12 @@ class Straight {
     const glm::vec2 way = place - from_;
     const float length = glm::length(way);
     const bool turns_back = length < farthest_ - width_;
-    if (turns_back || (is_bound_ && (turn(right_, way) < 0.0F || turn(way, left_) < 0.0F))) return false;
+    if (turns_back || (is_bound_ && (cross(right_, way) < 0.0F || cross(way, left_) < 0.0F))) return false;
     farthest_ = std::max(farthest_, length);
     if (length <= width_) return true;
     const glm::vec2 aside = (width_ / length) * glm::vec2(-way.y, way.x), left = way + aside, right = way - aside;
-    if (!is_bound_ || turn(left, left_) > 0.0F) left_ = left;
-    if (!is_bound_ || turn(right_, right) > 0.0F) right_ = right;
+    if (!is_bound_ || cross(left, left_) > 0.0F) left_ = left;
+    if (!is_bound_ || cross(right_, right) > 0.0F) right_ = right;
     is_bound_ = true;
     return true;
   }

@@ -56,10 +56,10 @@ class AnimatedCrowd {
   /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Where they stand, the agent
   /// turns its head to whom it talks to. Call it before an update; feet stand only in an update for the pose of now.
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
-  /// Takes foot placement and gazes from agents that no longer need them, or that are not visible. Call it before an
-  /// update.
-  void take_back_feet(std::span<const anim::VisibleAgent> visible) {
-    gazes_->take_back(visible);
+  /// Takes foot placement and gazes from agents that no longer need them, or that are not in `visible`. Feet that had
+  /// it come down anew. Call it before an update.
+  void take_back_lent(std::span<const anim::VisibleAgent> visible) {
+    gazes_->take_back(visible);  // a gaze comes after the feet
     feet_->take_back(visible);
   }
   /// Sets what somebody of a recorded crowd plays in the first of these updates. It asks the caches for who comes after
@@ -125,10 +125,6 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
-  friend void forget_feet(AnimatedCrowd& animated) {
-    animated.gazes_->take_back({});  // it comes after the feet
-    animated.feet_->forget_places();
-  }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)

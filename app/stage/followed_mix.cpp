@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glm/common.hpp>
+
 #include "app/character/gait_plane.h"
 #include "app/crowd/random.h"
 
@@ -90,8 +92,8 @@ int rest_of(const CharacterRoles& roles, int stand, std::uint32_t person, std::i
 void add_rests(const FollowedMoment& moment, const CharacterRoles& roles, float weight, MixWriter& writer) {
   const double turns = moment.seconds / rest_seconds + 0.61 * static_cast<double>(moment.person);
   const auto turn = static_cast<std::int64_t>(std::floor(turns));
-  const auto t = static_cast<float>(std::min((turns - std::floor(turns)) * rest_seconds / rest_fade, 1.0));
-  const float arrived = t * t * (3.0F - 2.0F * t);
+  const auto t = static_cast<float>((turns - std::floor(turns)) * rest_seconds / rest_fade);
+  const float arrived = glm::smoothstep(0.0F, 1.0F, t);
   const int stand = standing_clip(roles), talk = roles.clip(Role::talk);
   const float talks = talk != no_clip ? weight * moment.speaks : 0.0F;
   if (talks > 0.0F) writer.add_rest(talk, talks);

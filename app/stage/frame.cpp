@@ -134,7 +134,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     lod_.show_at_once(update);
     animated_->follow_track(updates.subspan(i, 1));  // for the pose of now
   }
-  if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
+  if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_lent(selection().visible);
   pose_fallen(last_frame);
   animated_->system().update(lod_.updates());
   measure(camera, size);

@@ -36,8 +36,6 @@ class PlacedFeet {
   /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.
   /// Call it before an update.
   void take_back(std::span<const anim::VisibleAgent> visible) { lent_.take_back(visible); }
-  /// Lets everybody's feet come down anew, where nobody was before. Call it when people are elsewhere at once.
-  void forget_places() { take_back({}); }
 
   const Moment& moment() const { return lent_.moment(); }
   void go_back_to(const Moment& moment) { lent_.go_back_to(moment); }

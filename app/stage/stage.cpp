@@ -181,7 +181,7 @@ void Stage::forget_what_is_shown() {
 // Nobody flies or slides from where they were: everybody is posed at once, and feet come down anew.
 void Stage::jump() {
   forget_what_is_shown();
-  forget_feet(*animated_);
+  animated_->take_back_lent({});
 }
 
 void set_track_clock(Stage& stage, const TrackClock& clock) {

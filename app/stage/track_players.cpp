@@ -8,24 +8,6 @@
 #include "app/character/gait_plane.h"
 
 namespace throng::app {
-namespace {
-
-FollowedMix mix_at(const Crowd& crowd, const CharacterSource& source, const Stances& stances, std::uint32_t agent,
-                   double seconds, anim::Ticks ahead) {
-  const Followers& followers = *followers_of(crowd);
-  const TrackClock& clock = track_clock_of(crowd);
-  TrackStep step = followers.step(agent, seconds);
-  step.velocity *= 1.0F - clock.stands;
-  const FollowedMoment moment{.step = step,
-                              .seconds = seconds,
-                              .rate = clock.rate,
-                              .ahead = ahead,
-                              .person = agent,
-                              .speaks = followers.talk(agent, seconds).speaks};
-  return followed_mix(moment, followers.plane(agent), stances, source.roles, *source.character);
-}
-
-}  // namespace
 
 StridePlane stride_plane_of(const CharacterSource& source) {
   std::vector<StridePoint> points;
@@ -59,8 +41,19 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
 }
 
 FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const {
+  const Followers& followers = *followers_of(*crowd_);
+  const TrackClock& clock = track_clock_of(*crowd_);
   const std::size_t character = crowd_->characters()[agent];
-  return mix_at(*crowd_, characters_[character], stances_[character], agent, seconds, ahead);
+  const CharacterSource& source = characters_[character];
+  TrackStep step = followers.step(agent, seconds);
+  step.velocity *= 1.0F - clock.stands;
+  const FollowedMoment moment{.step = step,
+                              .seconds = seconds,
+                              .rate = clock.rate,
+                              .ahead = ahead,
+                              .person = agent,
+                              .speaks = followers.talk(agent, seconds).speaks};
+  return followed_mix(moment, followers.plane(agent), stances_[character], source.roles, *source.character);
 }
 
 std::array<float, person_legs> TrackPlayers::planted_at(std::uint32_t agent, double seconds) const {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <glm/common.hpp>
+
 #include "app/settings/option_values.h"
 #include "app/view/fly_camera.h"
 #include "engine/files/input_file.h"
@@ -19,14 +21,13 @@ Values values_of(const CameraPlace& place) {
   return {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view};
 }
 
-/// Returns how fast the values change at a key: as those of the parabola through it and its neighbours.
+/// Returns how fast the values change at a key: as fast as in the mean from the key before it to the one after it. The
+/// camera sets out from its first key and arrives at its last.
 Values slope(const std::vector<CameraKey>& keys, std::size_t key) {
   Values slopes{};
-  if (keys.size() < 2) return slopes;
-  const std::size_t before = key > 0 ? key - 1 : key, after = std::min(key + 1, keys.size() - 1);
-  const Values first = values_of(keys[before].place), last = values_of(keys[after].place);
-  const auto seconds = static_cast<float>(keys[after].seconds - keys[before].seconds);
-  if (before == key || after == key) return slopes;  // it sets out from its first key and arrives at its last
+  if (key == 0 || key + 1 == keys.size()) return slopes;
+  const Values first = values_of(keys[key - 1].place), last = values_of(keys[key + 1].place);
+  const auto seconds = static_cast<float>(keys[key + 1].seconds - keys[key - 1].seconds);
   for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = (last[i] - first[i]) / seconds;
   return slopes;
 }
@@ -78,8 +79,8 @@ render::Camera along(const std::vector<CameraKey>& keys, double seconds) {
   const Values leaves = slope(keys, from), arrives = slope(keys, to);
   Values at{};
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const float weight = t * t * (3.0F - 2.0F * t);
-    at[i] = first[i] + weight * (last[i] - first[i]) + length * t * back * (leaves[i] * back - arrives[i] * t);
+    at[i] = first[i] + glm::smoothstep(0.0F, 1.0F, t) * (last[i] - first[i]) +
+            length * t * back * (leaves[i] * back - arrives[i] * t);
   }
   return camera_at({at[0], at[1], at[2], at[3], at[4], std::clamp(at[5], 1.0F, 170.0F)});
 }

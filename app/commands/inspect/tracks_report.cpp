@@ -92,9 +92,8 @@ Json pair_json(double first, double second) { return Json::array({first, second}
 
 std::string tracks_text(const Trajectories& tracks) {
   const TrackSums sums = sums_of(tracks);
-  std::string text = tracks.file + ": " + tracks.format + ", " +
-                     (tracks.persons.size() == 1 ? "1 person" : std::to_string(tracks.persons.size()) + " people") +
-                     ", " + counted(tracks.row_count, "row") + "\n";
+  std::string text = tracks.file + ": " + tracks.format + ", " + counted_people(tracks.persons.size()) + ", " +
+                     counted(tracks.row_count, "row") + "\n";
   text += "  time    " + fixed(tracks.first_seconds, 2) + " to " + fixed(tracks.last_seconds, 2) + " s, " +
           fixed(tracks.rows_a_second, 2) + " rows a second of most people, who stay " + range_text(sums.stay, 1) +
           " s\n";

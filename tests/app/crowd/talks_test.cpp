@@ -1,4 +1,4 @@
-// Who stands near somebody of a recorded crowd talks to them, and looks elsewhere when they leave.
+// People of a recorded crowd who stand near each other talk, and look elsewhere when one of them leaves.
 
 #include "app/crowd/talks.h"
 
@@ -16,11 +16,12 @@ namespace {
 constexpr float left = std::numbers::pi_v<float> / 2.0F, right = -left, behind = 2.0F * left;
 
 /// Somebody who walks up from afar until second 4, stands at (x, z), and walks off at a time.
-std::vector<TrackRow> visit(float x, float z, float heading, double until = 40.0) {
+/// The file's clock says `begin` more.
+std::vector<TrackRow> visit(float x, float z, float heading, double until = 40.0, double begin = 0.0) {
   std::vector<TrackRow> rows;
   for (double t = 0.0; t <= 44.0; t += 0.2) {
     const double away = std::max({0.0, 4.0 - t, t - until});
-    rows.push_back({.seconds = t, .x = x, .z = z + 1.2F * static_cast<float>(away), .heading = heading});
+    rows.push_back({.seconds = begin + t, .x = x, .z = z + 1.2F * static_cast<float>(away), .heading = heading});
   }
   return rows;
 }
@@ -78,6 +79,20 @@ TEST(Talks, NobodyTalksWhileWalkingOrAlone) {
     EXPECT_EQ(crowd.at(0, t).looks, 0.0F) << t;
     EXPECT_EQ(crowd.at(1, t).looks, 0.0F) << t;
   }
+}
+
+TEST(Talks, ClocksMayCountFromLongAgo) {
+  constexpr double today = 1.8e9;  // seconds since 1970
+  const SmallCrowd crowd({visit(0.0F, 0.0F, left, 40.0, today), visit(1.0F, 0.0F, right, 40.0, today)});
+  int count = 0;
+  for (int i = 0; i < 280; ++i) count += looks(crowd.at(0, today + 8.0 + 0.1 * i)) ? 1 : 0;
+  EXPECT_GT(count, 140);
+}
+
+TEST(Talks, RowsYearsApartDoNotSayWhoStands) {
+  const std::vector<TrackRow> once_and_again{{.seconds = 0.0}, {.seconds = 1e9}};
+  const std::vector<TrackRow> beside{{.seconds = 0.0, .x = 1.0F}, {.seconds = 1e9, .x = 1.0F}};
+  EXPECT_EQ(SmallCrowd({once_and_again, beside}).at(0, 5e8).looks, 0.0F);
 }
 
 TEST(Talks, HeadsTurnSlowly) {

@@ -65,6 +65,14 @@ TEST(TrackSteps, StridesAddUpToTheWay) {
   EXPECT_NEAR(steps.at(8.0).cycles - steps.at(2.0).cycles, 6.0, 0.02);
 }
 
+TEST(TrackSteps, OfRowsYearsApartTakeLittleMemory) {
+  const std::vector<TrackRow> rows{{.seconds = 0.0}, {.seconds = 1e9, .x = 1.0F}};
+  const SmoothTrack track(rows);
+  const TrackSteps steps(track, plane(), 1.0F, 0.5F);
+  EXPECT_NEAR(glm::length(steps.at(5e8).velocity), 0.0F, 1e-3F);
+  EXPECT_TRUE(std::isfinite(steps.at(5e8).cycles));
+}
+
 // Somebody walks round in a circle, and rows come two at a time.
 TEST(TrackSteps, KeepWhatWasShownWhileRowsComeAndComeToTheSame) {
   std::vector<TrackRow> rows;

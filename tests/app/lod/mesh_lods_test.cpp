@@ -32,7 +32,7 @@ TEST_F(ChosenMeshes, AreTheCoarsestThatAreOffByHalfAPixelAtMost) {
   EXPECT_FLOAT_EQ(lods_.error_px(0, 1, 124.0F), 0.496F);
 }
 
-// Who stands just too near for a mesh would be drawn with several times as many triangles.
+// A gap between two meshes draws people who stand just too near for the coarser one with several times the triangles.
 TEST(BuiltInMeshes, HaveNoGapBetweenNearAndFarOnes) {
   const auto source = load_built_in(THRONG_SOURCE_DIR);
   ASSERT_TRUE(source);

@@ -63,7 +63,7 @@ TEST_F(ReplacedWhileRecording, AreRefusedAndARecordedCrowdIsNotRecorded) {
   ASSERT_TRUE(show->start_recording(folder_ / "run.rec"));
   const anim::Status replaced = replace_trajectories(*show, people(7));
   ASSERT_FALSE(replaced);
-  EXPECT_THAT(replaced.error().message, HasSubstr("a recording has no recorded crowd"));
+  EXPECT_THAT(replaced.error().message, HasSubstr("a recording goes on, and cannot hold the crowd of a file"));
   EXPECT_EQ(show->stage().crowd().size(), 12U);
   ASSERT_TRUE(show->stop_recording());
   ASSERT_TRUE(replace_trajectories(*show, people(7)));

@@ -15,6 +15,7 @@
 #include "app/view/fly_camera.h"
 #include "engine/anim/rig/rig_map.h"
 #include "tests/app/stage/posed_feet.h"
+#include "tests/app/stage/tracks_stage.h"
 
 namespace throng::app::talking_people_test {
 namespace {
@@ -34,44 +35,31 @@ std::shared_ptr<const Trajectories> some_people() {
   return std::make_shared<const Trajectories>(std::move(all));
 }
 
-class TalkingPeople : public testing::Test {
+class TalkingPeople : public TracksStage {
  protected:
-  TalkingPeople() {
-    const Tuning tuning{.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}};
-    std::vector<CharacterSource> characters;
-    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    const anim::Skeleton& skeleton = characters.front().character->skeleton;
+  TalkingPeople()
+      : TracksStage(some_people(), {.x = 2, .y = 2, .z = 6, .yaw = 0, .pitch = -10}, anim::ticks_per_second / 30) {
+    open({.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}});
+    const anim::Skeleton& skeleton = stage_->people().front().character->skeleton;
     const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
     head_entry_ = static_cast<std::size_t>(anim::joint_place(skeleton, head).entry);
     feet_ = std::make_unique<PosedFeet>(skeleton);
-    stage_ = std::move(*Stage::create(std::move(characters), tuning, pages_, 0, some_people()));
   }
 
-  void pass(int frames, anim::Ticks step = anim::ticks_per_second / 30) {
-    for (int i = 0; i < frames; ++i) {
-      stage_->move(step);
-      stage_->pose(camera_, 1280, 720, step, stage_->frame());
-    }
-  }
-  double seconds() const { return track_clock_of(stage_->crowd()).seconds; }
-  void go_to(double seconds) {
-    TrackClock clock = track_clock_of(stage_->crowd());
-    clock.seconds = seconds;
-    set_track_clock(*stage_, clock);
+  /// Poses everybody as they are at a time.
+  void look_at(double seconds) {
+    go_to(seconds);
     pass(1, anim::Ticks{});
   }
   /// Returns the radians by which a head is turned to the left.
   double turned(std::uint32_t agent) const {
-    const anim::PaletteMatrix& matrix = pages_.palette(stage_->shown().pose(agent).to)[head_entry_];
+    const anim::PaletteMatrix& matrix = pages_->palette(stage_->shown().pose(agent).to)[head_entry_];
     return std::atan2(static_cast<double>(matrix.rows[0][2]), static_cast<double>(matrix.rows[2][2]));
   }
   TalkMoment talk(std::uint32_t agent) const { return followers_of(stage_->crowd())->talk(agent, seconds()); }
 
-  KeptPages pages_;
-  std::unique_ptr<Stage> stage_;
   std::size_t head_entry_ = 0;
   std::unique_ptr<PosedFeet> feet_;
-  render::Camera camera_ = camera_at({.x = 2, .y = 2, .z = 6, .yaw = 0, .pitch = -10});
 };
 
 TEST_F(TalkingPeople, TurnTheirHeadsToEachOther) {
@@ -93,9 +81,9 @@ TEST_F(TalkingPeople, DoTheSameHoweverOneCameToAMoment) {
     pass(1);
     if (i % 20 != 0 || talk(0).looks == 0.0F) continue;
     const double moment = seconds(), played = turned(0);
-    go_to(1.0);
-    go_to(29.0);
-    go_to(moment);
+    look_at(1.0);
+    look_at(29.0);
+    look_at(moment);
     EXPECT_NEAR(turned(0), played, 1e-3) << moment;
     ++compared;
   }
@@ -104,12 +92,12 @@ TEST_F(TalkingPeople, DoTheSameHoweverOneCameToAMoment) {
 
 TEST_F(TalkingPeople, KeepTheirFeetWhereTheyStand) {
   pass(150);
-  const auto began = feet_->ball(*stage_, pages_, 0, 0);
+  const auto began = feet_->ball(*stage_, *pages_, 0, 0);
   ASSERT_TRUE(began);
   double farthest = 0.0;
   for (int i = 0; i < 500; ++i) {
     pass(1);
-    const auto ball = feet_->ball(*stage_, pages_, 0, 0);
+    const auto ball = feet_->ball(*stage_, *pages_, 0, 0);
     farthest = std::max(farthest, std::hypot(ball->x - began->x, ball->z - began->z));
   }
   EXPECT_LT(farthest, 2e-3);

@@ -14,6 +14,7 @@
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
 #include "tests/app/stage/foot_slips.h"
+#include "tests/app/stage/tracks_stage.h"
 
 namespace throng::app::track_players_test {
 namespace {
@@ -47,35 +48,16 @@ std::shared_ptr<const Trajectories> some_people() {
   return std::make_shared<const Trajectories>(std::move(all));
 }
 
-class TrackPlayers : public testing::Test {
+class TrackPlayers : public TracksStage {
  protected:
-  TrackPlayers() { open(tuning(anim::LodRule::off)); }
+  TrackPlayers() : TracksStage(some_people(), {.x = 0, .y = 20, .z = 25, .yaw = 0, .pitch = -40}, frame) {
+    open(tuning(anim::LodRule::off));
+  }
 
   static Tuning tuning(anim::LodRule rule) {
     return {.scene = Scene::tracks,
             .lod = {.rule = rule, .bone_lod = false, .smooth = rule != anim::LodRule::off},
             .system = {.pus = 2}};
-  }
-  void open(const Tuning& tuning) {
-    std::vector<CharacterSource> characters;
-    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    stage_.reset();
-    pages_ = std::make_unique<KeptPages>();
-    auto made = Stage::create(std::move(characters), tuning, *pages_, 0, people_);
-    ASSERT_TRUE(made) << made.error().message;
-    stage_ = std::move(*made);
-  }
-  void pass(int frames, anim::Ticks step = frame) {
-    for (int i = 0; i < frames; ++i) {
-      stage_->move(step);
-      stage_->pose(camera_, 1280, 720, step, stage_->frame());
-    }
-  }
-  double seconds() const { return track_clock_of(stage_->crowd()).seconds; }
-  void go_to(double seconds) {
-    TrackClock clock = track_clock_of(stage_->crowd());
-    clock.seconds = seconds;
-    set_track_clock(*stage_, clock);
   }
   /// Returns the bits of everybody's palette, agent by agent.
   std::vector<std::byte> drawn() const {
@@ -101,11 +83,6 @@ class TrackPlayers : public testing::Test {
     }
     return most;
   }
-
-  std::shared_ptr<const Trajectories> people_ = some_people();
-  std::unique_ptr<KeptPages> pages_;  // of the stage that is open
-  std::unique_ptr<Stage> stage_;
-  render::Camera camera_ = camera_at({.x = 0, .y = 20, .z = 25, .yaw = 0, .pitch = -40});
 };
 
 TEST_F(TrackPlayers, EverybodyIsWhereTheRowsAre) {

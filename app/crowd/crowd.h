@@ -26,7 +26,7 @@ namespace throng::app {
 
 /// Returns how much a tuning lets agents differ.
 inline Variety variety_of(const Tuning& tuning) {
-  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes};
+  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes, tuning.wardrobe};
 }
 
 /// Everything in a crowd that changes as time passes.

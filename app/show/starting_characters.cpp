@@ -68,7 +68,9 @@ LoadOptions load_options(const DemoOptions& options) {
   return {.import = options.reading,
           .placement = options.placement,
           .placements = options.placements,
-          .clips_from = options.clips_from};
+          .clips_from = options.clips_from,
+          .wardrobe = options.context != ContextKind::none,
+          .cast_rules = options.cast_rules};
 }
 
 bool fail(StartError& error, int status, std::string message) {

@@ -14,12 +14,9 @@ namespace {
 
 anim::Status take_wardrobe(CharacterSource& source, const std::string& data_option, const LoadOptions& options) {
   const std::vector<std::filesystem::path> folders = data_folders(data_option);
-  source.cast_rules = options.cast_rules;
-  if (source.cast_rules.empty()) {
-    const auto rules = find_data(folders, "assets/cast.json");
-    if (!rules) return rules.error();
-    source.cast_rules = rules->string();
-  }
+  const auto rules = find_data(folders, "assets/cast.json");
+  if (!rules) return rules.error();
+  source.cast_rules = rules->string();
   if (!options.wardrobe) return anim::Done{};
   const auto file = find_data(folders, "assets/wardrobe.glb");
   if (!file) return file.error();

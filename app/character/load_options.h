@@ -26,7 +26,6 @@ struct LoadOptions {
   std::vector<ModelPlacement> placements{};  ///< of single models, over that of all
   std::vector<std::string> clips_from{};     ///< files whose clips every character plays too
   bool wardrobe = false;                     ///< the built-in character gets its parts, which drawing alone needs
-  std::string cast_rules{};                  ///< who wears what, of every character; empty: as beside its file
 };
 
 }  // namespace throng::app

@@ -64,7 +64,7 @@ class BodyLooks {
   std::array<Tints, 256> first_tints_{};
 };
 
-/// Gives agents bodies by their shares. A child stands beside a grown-up, and goes nowhere alone.
+/// Gives agents bodies by their shares. A child walks or stands beside a grown-up, and goes nowhere alone.
 class Bodies {
  public:
   Bodies(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety)
@@ -96,6 +96,7 @@ class Bodies {
 
   bool stands_beside_another(std::size_t agent) const {
     const std::size_t before = layout_.walkers.size() + layout_.marchers.size();
+    if (agent < layout_.walkers.size()) return layout_.company.follows(agent);
     if (agent <= before) return false;
     const StanderPlace& own = layout_.standers[agent - before];
     const StanderPlace& other = layout_.standers[agent - before - 1];
@@ -122,6 +123,9 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
 
 std::vector<Habit> habits_of(const CrowdLayout& layout) {
   std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);
+  for (std::size_t walker = 0; walker < habits.size(); ++walker) {
+    if (layout.company.follows(walker)) habits[walker] = Habit::accompany;
+  }
   habits.insert(habits.end(), layout.marchers.size(), Habit::march);
   for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
   return habits;

@@ -149,6 +149,7 @@ struct DemoOptions {
   std::string crowd_file;                  ///< NAME.throng, which says who is there; empty: none was named
   std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`
   std::vector<CastEntry> cast;             ///< files and folders with shares; empty: the built-in character
+  std::string cast_rules;                  ///< the file that says who wears what; empty: as beside the models
   std::vector<std::string> clips_from;     ///< files whose clips every character plays too
   anim::PlacementChoice placement;         ///< size and place of all of them; what it leaves open is guessed
   std::vector<ModelPlacement> placements;  ///< of single models, over that

@@ -15,8 +15,9 @@ struct Clothing {
   CastRules rules;    ///< without styles where nobody dresses
 };
 
-/// Returns the clothing of a character: its parts, and the rules of CharacterSource::cast_rules, or even ones for a
-/// file with parts and without rules. Errors: those of read_cast_rules, and a name that no part has.
+/// Returns the clothing of a character: its parts, and the rules of CharacterSource::cast_rules, or of MODEL.cast.json
+/// beside its file, or even ones for a file with parts and without rules. Errors: those of read_cast_rules, and a name
+/// that no part has.
 anim::Result<Clothing> clothing_of(const CharacterSource& source);
 
 /// Returns the kinds of bodies as the crowd needs them.

@@ -64,8 +64,7 @@ static_assert(offsetof(AgentLook, face) == 84);
 inline constexpr std::uint32_t usual_pattern_size = 128;
 
 /// Returns a tint that shows `color` (sRGB, red in the lowest byte; its highest byte is ignored).
-constexpr std::uint32_t tint_of(std::uint32_t color, Pattern pattern = Pattern::plain,
-                                Fabric fabric = Fabric::cotton) {
+constexpr std::uint32_t tint_of(std::uint32_t color, Pattern pattern = Pattern::plain, Fabric fabric = Fabric::cotton) {
   return (color & 0xFFFFFFU) | static_cast<std::uint32_t>(pattern) << 24U | static_cast<std::uint32_t>(fabric) << 29U;
 }
 /// Returns the second colour of a region with the size of its pattern, 1 to 255.

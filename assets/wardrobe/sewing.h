@@ -18,7 +18,7 @@ enum class LaidFrom : unsigned char { front, back, left, right, above };
 /// A thin piece of cloth, as rows of places from below; rows are of equal length and run to the wearer's left in front
 /// and at the back, from front to back at the side.
 struct Piece {
-  std::vector<std::vector<glm::dvec2>> rows;
+  std::vector<std::vector<glm::dvec2>> rows = {};
   LaidFrom from = LaidFrom::front;
   mannequin::Region region = mannequin::Region::shirt;
   double lift = 0.004;  ///< Metres above the cloth.

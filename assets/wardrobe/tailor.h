@@ -31,7 +31,7 @@ TrunkRow trunk_row(double height, double ease);
 /// How a garment for the trunk is cut.
 struct TopCut {
   Region region = Region::shirt;
-  std::vector<TrunkRow> rows;  ///< From the hem to the breast.
+  std::vector<TrunkRow> rows = {};  ///< From the hem to the breast.
   double ease = 0.006;         ///< Above the breast, outside the skin.
   double shoulder = 0;         ///< Makes the shoulders wider.
   TrunkRow neck{1.514, 0.071, 0.046, -0.083, 0.030, 0.0, 1.0};

@@ -20,9 +20,9 @@ struct TrouserCut {
   double waist = 1.000;  ///< The height of the upper edge.
   double band_trim = 0;
   std::vector<LegRow> legs = {};  ///< From the thigh to the hem.
-  double crease = 0;         ///< How far the pressed crease stands out in front.
-  double stripe = 0;         ///< Half the width of a stripe along the side, metres.
-  bool turned_in = true;     ///< The hem; a leg that ends in a boot needs none.
+  double crease = 0;              ///< How far the pressed crease stands out in front.
+  double stripe = 0;              ///< Half the width of a stripe along the side, metres.
+  bool turned_in = true;          ///< The hem; a leg that ends in a boot needs none.
 };
 void add_trousers(Cage& cage, const TrouserCut& cut);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -133,6 +134,9 @@ struct ModelPart {
   std::vector<SkinnedMesh> meshes;     ///< without morphs
   std::vector<BakedMeshLod> lods;      ///< finest first; may be empty
 };
+
+/// The slot of parts that show a whole outfit from afar.
+inline constexpr std::string_view silhouette_slot = "silhouette";
 
 /// One skeleton of a file with its skins, clips, meshes and materials.
 struct Model {

@@ -9,8 +9,9 @@ namespace throng::wardrobe {
 /// A horizontal cross-section of the left trouser leg, metres.
 struct LegRow {
   double height, x, z, half_width, half_depth;
-  double trim = 0;   ///< Of the band between this row and the one above.
-  double paint = 1;  ///< Of the same band.
+  double trim = 0;        ///< Of the band between this row and the one above.
+  double paint = 1;       ///< Of the same band.
+  double lift_front = 0;  ///< How much higher it is in front, where the shoe carries it.
 };
 
 /// How trousers are cut.

@@ -96,11 +96,14 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   for (const WeighedName& named : scene->styles) {
     const Style* const style = rules.style(named.name);
     styles_.emplace_back(style, named.weight);
-    std::vector<std::vector<Options>>& by_body = options_.emplace_back();
+    std::vector<std::vector<Slot>>& by_body = slots_.emplace_back();
     for (const BodyRule& body : rules.bodies) {
-      std::vector<Options>& by_slot = by_body.emplace_back();
-      for (const SlotRule& slot : style->wears) {
-        by_slot.push_back(options_for(slot, body.name, weather == rules.weather.end() ? nullptr : &*weather));
+      std::vector<Slot>& slots = by_body.emplace_back();
+      const WeatherRule* const factors = weather == rules.weather.end() ? nullptr : &*weather;
+      for (const SlotRule& slot : style->wears) slots.push_back(slot_for(slot, body.name, factors));
+      for (const SlotRule& slot : body.wears) {
+        const bool is_said = std::ranges::find(style->wears, slot.slot, &SlotRule::slot) != style->wears.end();
+        if (!is_said) slots.push_back(slot_for(slot, body.name, factors));
       }
     }
   }
@@ -114,8 +117,8 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   }
 }
 
-Dresser::Options Dresser::options_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
-  Options options;
+Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
+  Slot filled{.name = slot.slot, .options = {}};
   for (const WeighedName& named : slot.parts) {
     const WardrobePart* const part = wardrobe_.find(body, named.name);
     if (part == nullptr && named.name != nothing_worn) continue;
@@ -123,9 +126,9 @@ Dresser::Options Dresser::options_for(const SlotRule& slot, const std::string& b
     for (std::size_t i = 0; part != nullptr && weather != nullptr && i < weather->tags.size(); ++i) {
       if (part->has_tag(weather->tags[i].name)) weight *= weather->tags[i].weight;
     }
-    options.push_back({part, weight});
+    filled.options.push_back({part, weight});
   }
-  return options;
+  return filled;
 }
 
 const Style* Dresser::style_of(const Person& person) const {
@@ -145,15 +148,13 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
       std::ranges::find(styles_, worn.style, [](const auto& each) { return each.first; }) - styles_.begin());
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
-  const std::vector<Options>& by_slot = options_[style][person.body];
-  for (std::size_t slot = 0; slot < by_slot.size(); ++slot) {
-    const std::string& name = worn.style->wears[slot].slot;
-    if (worn.keeps_out(name)) continue;
-    const bool is_uniform = worn.style->alike && region_of(name).has_value();
+  for (const Slot& slot : slots_[style][person.body]) {
+    if (worn.keeps_out(slot.name)) continue;
+    const bool is_uniform = worn.style->alike && region_of(slot.name).has_value();
     const auto weight = [&](const Option& option) {
       return option.part == nullptr || worn.suits(*option.part) ? option.weight : 0.0F;
     };
-    const Option* const chosen = weighed_one(by_slot[slot], weight, is_uniform ? uniform : own);
+    const Option* const chosen = weighed_one(slot.options, weight, is_uniform ? uniform : own);
     if (chosen != nullptr && chosen->part != nullptr) worn.parts.push_back(chosen->part);
   }
 }

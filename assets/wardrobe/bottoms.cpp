@@ -1,20 +1,23 @@
-#include "assets/wardrobe/make.h"
+#include "assets/wardrobe/clothes.h"
 #include "assets/wardrobe/part.h"
 
 namespace throng::wardrobe {
-namespace {
-
-mannequin::Skin jeans() {
-  return mirrored_surface(shell(
-      {Slot::torso, Slot::thighs, Slot::shins}, mannequin::Region::trousers,
-      [](glm::dvec3 place) { return place.y > 0.95 ? 0.004 : 0.007; },
-      [](glm::dvec3 middle) { return middle.y < 1.03; }));
-}
-
-}  // namespace
 
 std::vector<Part> bottoms() {
-  return {{"jeans", Slot::bottom, Fits::all, {Slot::thighs, Slot::shins}, {"casual"}, {}, jeans}};
+  constexpr Slot bottom = Slot::bottom;
+  const std::vector<Slot> legs{Slot::thighs, Slot::shins};
+  return {
+      {"jeans", bottom, Fits::all, legs, {"casual"}, {}, make_jeans},
+      {"chinos", bottom, Fits::all, legs, {"casual", "formal"}, {}, make_chinos},
+      {"suit_trousers", bottom, Fits::adults, legs, {"formal"}, {}, make_suit_trousers},
+      {"shorts", bottom, Fits::all, {}, {"summer", "sport"}, {}, make_shorts},
+      {"leggings", bottom, Fits::women_and_children, legs, {"sport"}, {}, make_leggings},
+      {"cargo_trousers", bottom, Fits::all, legs, {"work"}, {}, make_cargo_trousers},
+      {"track_trousers", bottom, Fits::all, legs, {"sport"}, {}, make_track_trousers},
+      {"knee_skirt", bottom, Fits::women_and_children, {Slot::thighs}, {"formal"}, {}, make_knee_skirt},
+      {"long_skirt", bottom, Fits::women_and_children, {Slot::thighs}, {"summer"}, {}, make_long_skirt},
+      {"pleated_skirt", bottom, Fits::women_and_children, {}, {"summer"}, {}, make_pleated_skirt},
+  };
 }
 
 }  // namespace throng::wardrobe

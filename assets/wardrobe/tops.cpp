@@ -1,24 +1,25 @@
-#include "assets/wardrobe/make.h"
+#include "assets/wardrobe/clothes.h"
 #include "assets/wardrobe/part.h"
 
 namespace throng::wardrobe {
-namespace {
 
-using glm::dvec3;
-using mannequin::Cage;
-using mannequin::Region;
-
-/// An example of a part: the man's skin lifted by 8 mm, without what lies below the hem and beyond the sleeve.
-mannequin::Skin t_shirt() {
-  const auto lift = [](dvec3) { return 0.009; };
-  const auto keep = [](dvec3 middle) { return middle.y > 0.93 && middle.x < 0.31; };
-  const Cage cage = shell({Slot::torso, Slot::upper_arms, Slot::head}, Region::shirt, lift,
-                          [&](dvec3 middle) { return keep(middle) && (middle.y < 1.50); });
-  return mirrored_surface(cage);
+std::vector<Part> tops() {
+  constexpr Slot top = Slot::top;
+  const std::vector<Slot> trunk{Slot::torso};
+  const std::vector<Slot> trunk_and_arms{Slot::torso, Slot::upper_arms, Slot::forearms};
+  return {
+      {"t_shirt", top, Fits::all, trunk, {"summer"}, {}, make_t_shirt},
+      {"polo", top, Fits::all, trunk, {"summer", "sport"}, {}, make_polo},
+      {"tank_top", top, Fits::all, {}, {"summer", "sport"}, {}, make_tank_top},
+      {"shirt", top, Fits::all, trunk_and_arms, {"formal"}, {}, make_shirt},
+      {"blouse", top, Fits::women_and_children, {Slot::upper_arms, Slot::forearms}, {"formal"}, {}, make_blouse},
+      {"jumper", top, Fits::all, trunk_and_arms, {"cold"}, {}, make_jumper},
+      {"hoodie", top, Fits::all, trunk_and_arms, {"cold", "sport"}, {Slot::outer}, make_hoodie},
+      {"puffer", top, Fits::all, trunk_and_arms, {"cold"}, {Slot::outer}, make_puffer},
+      {"rain_jacket", top, Fits::all, trunk_and_arms, {"rain"}, {Slot::outer}, make_rain_jacket},
+      {"summer_dress", top, Fits::women_and_children, {Slot::bottom}, {"summer"}, {Slot::bottom}, make_summer_dress},
+      {"evening_dress", top, Fits::woman, {Slot::thighs, Slot::bottom}, {"formal"}, {Slot::bottom}, make_evening_dress},
+  };
 }
-
-}  // namespace
-
-std::vector<Part> tops() { return {{"t_shirt", Slot::top, Fits::all, {Slot::torso}, {"casual"}, {}, t_shirt}}; }
 
 }  // namespace throng::wardrobe

@@ -24,8 +24,8 @@ struct MeshPartData {
   std::span<const std::uint8_t> regions;           ///< Region a vertex; any other, or empty: untinted
   std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
   std::span<const float> hair;                     ///< two a vertex, -1..1, or empty
-  std::span<const float> trims;                    ///< one a vertex, 0..1, or empty: where Pattern::trim shows
-  std::span<const float> faces;                    ///< four a vertex, -1..1, or empty: see SurfaceVertex
+  std::span<const float> trims = {};               ///< one a vertex, 0..1, or empty: where Pattern::trim shows
+  std::span<const float> faces = {};               ///< four a vertex, -1..1, or empty: see SurfaceVertex
   std::span<const std::uint16_t> palette_entries;  ///< four a vertex
   std::span<const float> weights;                  ///< four a vertex, sum 1
   std::span<const std::uint32_t> indices;          ///< triangles, counter-clockwise front

@@ -45,7 +45,8 @@ anim::ImportedFile imported(const json& document) {
 }
 
 TEST(PartsOfAFile, AreApartAndSayWhatTheyFill) {
-  const json shirt{{"slot", "top"}, {"body", "woman"}, {"covers", {"torso"}}, {"tags", {"warm"}}, {"keeps_out", {"outer"}}};
+  const json shirt{
+      {"slot", "top"}, {"body", "woman"}, {"covers", {"torso"}}, {"tags", {"warm"}}, {"keeps_out", {"outer"}}};
   const anim::ImportedFile file = imported(document_with({part(shirt), part({{"slot", "top"}})}));
   const anim::Model& model = file.models.front();
   EXPECT_THAT(file.repairs, IsEmpty());

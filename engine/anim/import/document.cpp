@@ -87,21 +87,22 @@ std::vector<std::string> plain_texts(const json& texts) {
   return plain;
 }
 
-std::vector<PartNode> take_parts(json& document) {
-  std::vector<PartNode> nodes;
-  if (!document.contains("nodes")) return nodes;
+std::map<int, PartNode> take_parts(json& document) {
+  std::map<int, PartNode> parts;
+  if (!document.contains("nodes")) return parts;
+  int index = -1;
   for (json& node : document["nodes"]) {
-    PartNode& part = nodes.emplace_back();
+    ++index;
     const auto said = node.find(part_property);
     if (said == node.end()) continue;
-    part = {.slot = anim::plain_text((*said)["slot"].get<std::string>()),
-            .body = anim::plain_text(said->value("body", "")),
-            .covers = plain_texts(said->value("covers", json::array())),
-            .keeps_out = plain_texts(said->value("keeps_out", json::array())),
-            .tags = plain_texts(said->value("tags", json::array()))};
+    parts[index] = {.slot = anim::plain_text((*said)["slot"].get<std::string>()),
+                    .body = anim::plain_text(said->value("body", "")),
+                    .covers = plain_texts(said->value("covers", json::array())),
+                    .keeps_out = plain_texts(said->value("keeps_out", json::array())),
+                    .tags = plain_texts(said->value("tags", json::array()))};
     node.erase(part_property);
   }
-  return nodes;
+  return parts;
 }
 
 /// Extras may hold anything; what is no list of names is none.

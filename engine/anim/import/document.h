@@ -33,8 +33,7 @@ struct MeshLodNode {
 
 /// What a node says of the part that it draws (see json_document.h).
 struct PartNode {
-  std::string slot;  ///< empty: the node is no part
-  std::string body;
+  std::string slot, body;
   std::vector<std::string> covers, keeps_out, tags;
 };
 
@@ -52,7 +51,7 @@ struct Document {
   std::vector<std::vector<anim::NamedDataKey>> data_keys;           ///< by animation, as the file has them
   std::vector<std::vector<anim::NamedCurve>> curves;                ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;                  ///< by node, as the file has them
-  std::vector<PartNode> parts;                                      ///< by node
+  std::map<int, PartNode> parts;                                    ///< by node, of those that are parts
   std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
   std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;

@@ -189,8 +189,7 @@ class MeshReader {
 
  private:
   bool is_drawn(int node) const { return tree_.is_drawn[static_cast<std::size_t>(node)]; }
-  const PartNode& part_of(int node) const { return document_.parts[static_cast<std::size_t>(node)]; }
-  bool is_part(int node) const { return !part_of(node).slot.empty(); }
+  bool is_part(int node) const { return document_.parts.contains(node); }
 
   std::vector<anim::ModelPart> read_parts() {
     std::vector<anim::ModelPart> parts;
@@ -209,7 +208,7 @@ class MeshReader {
 
   /// Takes the meshes that were read last for those of a part.
   anim::ModelPart read_part(int node) {
-    const PartNode& said = part_of(node);
+    const PartNode& said = document_.parts.at(node);
     const std::string& name = source(node).name;
     anim::ModelPart part{.name = name.substr(name.find('/') + 1),
                          .slot = said.slot,

@@ -189,7 +189,7 @@ Skin headscarf() {
   hood.column = [](double angle) {
     const double turn = angle * std::numbers::pi / 180;  // 0 at the top, around the face
     const double up = std::cos(turn);
-    const dvec3 radius(0.092, up > 0 ? glm::mix(0.104, 0.126, up) : glm::mix(0.104, 0.150, -up), 0.125);
+    const dvec3 radius(0.0985, up > 0 ? glm::mix(0.112, 0.127, up) : glm::mix(0.112, 0.150, -up), 0.125);
     const double edge = glm::mix(up > 0 ? 0.86 : 0.98, 1.30, std::pow(std::abs(std::sin(turn)), 1.4));
     std::vector<HairPoint> points;
     constexpr int rings = 9;

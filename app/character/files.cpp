@@ -5,9 +5,25 @@
 #include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
+#include "app/character/wardrobe_file.h"
 #include "app/files/data_folder.h"
 
 namespace throng::app {
+
+namespace {
+
+anim::Status take_wardrobe(CharacterSource& source, const std::string& data_option, const LoadOptions& options) {
+  const std::vector<std::filesystem::path> folders = data_folders(data_option);
+  const auto rules = find_data(folders, "assets/cast.json");
+  if (!rules) return rules.error();
+  source.cast_rules = rules->string();
+  if (!options.wardrobe) return anim::Done{};
+  const auto file = find_data(folders, "assets/wardrobe.glb");
+  if (!file) return file.error();
+  return add_parts(source, *file);
+}
+
+}  // namespace
 
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
   const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
@@ -15,6 +31,7 @@ anim::Result<CharacterSource> load_built_in(const std::string& data_option, cons
   const BoneLodFile kept{{}};
   auto source = load_character(file->string(), "mannequin (built in)", &kept, options);
   if (!source) return source;
+  if (const anim::Status dressed = take_wardrobe(*source, data_option, options); !dressed) return dressed.error();
   const auto rig = RoleFile({}).read_rig();
   if (!rig) return rig.error();
   if (rig->empty()) return source;

@@ -44,7 +44,7 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Materi
   };
   return {.positions = flat<float>(mesh.positions),
           .normals = flat<float>(mesh.normals),
-          .texture_coords = coords_of(mesh, leading),
+          .texture_coords = mesh.cloth.empty() ? coords_of(mesh, leading) : flat<float>(mesh.cloth),
           .emission_coords = own_coords(material.emission_texture),
           .metallic_roughness_coords = own_coords(material.metallic_roughness_texture),
           .normal_coords = own_coords(material.normal_texture),
@@ -54,6 +54,8 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Materi
           .regions = mesh.regions,
           .shapes = flat<float>(mesh.shapes),
           .hair = flat<float>(mesh.hair),
+          .trims = mesh.trims,
+          .faces = flat<float>(mesh.faces),
           .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
           .weights = flat<float>(mesh.weights),
           .indices = mesh.indices,

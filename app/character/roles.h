@@ -89,6 +89,14 @@ inline constexpr double person_height = 1.8;  ///< metres; every distance of a s
 /// Small animals stand at least so far apart, of what people do, because a place is made for people.
 inline constexpr double least_spacing = 0.6;
 
+/// A kind of body that some agents of a character have, as woman, man or child.
+struct BodyKind {
+  double share = 1.0;  ///< beside the shares of the others
+  double size = 1.0;   ///< over that of the file
+
+  bool is_child() const { return size < 0.8; }
+};
+
 /// The clips of a character that the crowd plays for each role, and the body that it needs room for.
 struct CharacterRoles {
   RoleClips clips = no_clips();
@@ -105,6 +113,7 @@ struct CharacterRoles {
   bool is_prop = false;           ///< a thing: it stands only where a scene asks for one
   bool is_painted = false;        ///< its colours are its file's own: agents differ in shade, not in clothes
   double share = 1.0;             ///< of the crowd, beside the shares of the others
+  std::vector<BodyKind> bodies = {};  ///< empty: all have that of the file
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// Returns the quarter turns a second that a clip makes to the left.

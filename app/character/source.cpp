@@ -253,6 +253,23 @@ std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& 
   return levels;
 }
 
+namespace {
+
+render::PieceLevelData level_data(const std::vector<anim::SkinnedMesh>& meshes, double error, const auto& part_of) {
+  render::PieceLevelData level{.parts = {}, .error = static_cast<float>(error)};
+  for (const anim::SkinnedMesh& mesh : meshes) level.parts.push_back(part_of(mesh));
+  return level;
+}
+
+render::MeshPieceData piece_data(const anim::ModelPart& part, const auto& part_of) {
+  render::MeshPieceData piece{.levels = {}, .is_silhouette = part.slot == anim::silhouette_slot};
+  piece.levels.push_back(level_data(part.meshes, 0.0, part_of));
+  for (const anim::BakedMeshLod& lod : part.lods) piece.levels.push_back(level_data(lod.meshes, lod.error, part_of));
+  return piece;
+}
+
+}  // namespace
+
 render::CrowdMeshData mesh_data(const CharacterSource& source) {
   const anim::Model& model = source.model;
   render::CrowdMeshData data;
@@ -265,6 +282,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
     render::BakedLodData& baked = data.baked_lods.emplace_back();
     for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_of(mesh));
   }
+  for (const anim::ModelPart& part : model.parts) data.pieces.push_back(piece_data(part, part_of));
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
   for (const anim::Image& image : model.images) {
     data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});

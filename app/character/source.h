@@ -39,6 +39,7 @@ struct CharacterSource {
   std::array<Passage, 2> passages;           ///< into the suggested seat and out of it
   std::vector<std::string> repairs;          ///< of its file, a sentence each
   std::vector<std::string> notes;            ///< anim::ImportedFile::notes
+  std::string cast_rules;                    ///< the file that says who wears what; empty: none does
   std::vector<std::string> cast;             ///< names of all characters of its file
   std::size_t cast_index = 0;                ///< which of them it is
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too

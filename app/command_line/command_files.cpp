@@ -19,6 +19,7 @@ RunFiles files_of(const DemoOptions& options) {
   for (const CastEntry& entry : options.cast) files.read_model(entry.file);
   files.read.push_back({"MODEL", options.crowd_file});
   files.read.push_back({"--preset", options.preset});
+  files.read.push_back({"--cast", options.cast_rules});
   if (options.trajectories.file != "-") files.read.push_back({"--trajectories", options.trajectories.file});
   files.read.push_back({"--walls", options.trajectories.reading.walls});
   files.read.push_back({"--replay", options.replay});

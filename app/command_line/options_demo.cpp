@@ -38,8 +38,13 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
 }
 
 void declare_cast(OptionReader& reader, DemoOptions& options) {
-  reader.value("--cast", "MODEL*SHARE,...", "Models with their shares of the agents, in place of MODEL (even shares)",
-               cast_entries(options.cast));
+  reader.value("--cast", "MODEL*SHARE,...|RULES.json",
+               "Models with their shares of the agents, in place of MODEL (even shares); or who wears what",
+               [&options, entries = cast_entries(options.cast)](const std::string& text) -> Complaint {
+                 if (!text.ends_with(".json")) return entries(text);
+                 options.cast_rules = text;
+                 return {};
+               });
 }
 
 void declare_clips(OptionReader& reader, DemoOptions& options) {

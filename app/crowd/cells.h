@@ -16,7 +16,8 @@ struct Body {
   glm::vec2 velocity{0.0F};  ///< metres a second
   float radius = 0.0F;       ///< metres
   std::uint32_t agent = 0;
-  bool moves = false;  ///< false: it stands still during the step
+  std::uint32_t company = 0;  ///< the agent whom it keeps beside; its own, if it is alone
+  bool moves = false;         ///< false: it stands still during the step
 };
 
 /// A uniform grid over the ground. It sorts bodies by cell, and by agent within a cell, so that the bodies near a point

@@ -24,15 +24,9 @@ std::uint32_t one_of(std::span<const std::uint32_t> colours, Random& random) {
   return colours[random.below(static_cast<std::uint32_t>(colours.size()))];
 }
 
-// No two of one colour are quite alike; not much lighter, or pale ones would burn out in the sun.
-std::uint32_t faded(std::uint32_t colour, Random& random) {
-  const float lightness = random.between(0.85F, 1.04F);
-  std::uint32_t result = 0xFF;
-  for (const unsigned shift : {0U, 8U, 16U}) {  // blue, green, red: red ends lowest
-    const float channel = static_cast<float>((colour >> shift) & 0xFFU) * lightness;
-    result = (result << 8U) | static_cast<std::uint32_t>(std::min(channel, 255.0F));
-  }
-  return result;
+// A painter's colour with red in the lowest byte.
+constexpr std::uint32_t red_lowest(std::uint32_t colour) {
+  return (colour & 0xFFU) << 16U | (colour & 0xFF00U) | colour >> 16U;
 }
 
 // The darker the skin, the darker the hair may be expected: light hair only goes with the first tones.
@@ -43,13 +37,24 @@ std::span<const std::uint32_t> hairs_for(std::size_t skin) {
 
 }  // namespace
 
+// Not much lighter, or pale ones would burn out in the sun.
+std::uint32_t faded(std::uint32_t color, Random& random) {
+  const float lightness = random.between(0.85F, 1.04F);
+  std::uint32_t result = 0xFF;
+  for (const unsigned shift : {16U, 8U, 0U}) {
+    const float channel = static_cast<float>((color >> shift) & 0xFFU) * lightness;
+    result = (result << 8U) | static_cast<std::uint32_t>(std::min(channel, 255.0F));
+  }
+  return result;
+}
+
 Tints random_tints(Random& random) {
   const std::uint32_t skin = random.below(static_cast<std::uint32_t>(std::size(skins)));
   const std::uint32_t hair = one_of(hairs_for(skin), random);
   const bool accent = random.chance(share_of_accents);
   const std::uint32_t shirt = accent ? one_of(bright_shirts, random) : one_of(muted_shirts, random);
   Tints tints{skins[skin], hair, shirt, one_of(trousers, random), one_of(shoes, random)};
-  for (std::uint32_t& tint : tints) tint = faded(tint, random);
+  for (std::uint32_t& tint : tints) tint = faded(red_lowest(tint), random);
   return tints;
 }
 

@@ -22,6 +22,7 @@ struct Variety {
   float tint = 1.0F;                ///< in colours, 0 to 1: as random_tints() and random_shade() draw them
   float size = usual_size_variety;  ///< in size, 0 to most_size_variety
   Clothes clothes = Clothes::own;   ///< pattern: they have the colours of ClothesPattern
+  bool bodies = false;              ///< they have the bodies of CharacterRoles::bodies
 
   friend bool operator==(const Variety&, const Variety&) = default;
 };
@@ -29,6 +30,9 @@ inline constexpr float most_size_variety = 0.3F;
 
 /// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.
 Tints random_tints(Random& random);
+
+/// Returns a colour a little lighter or darker, so that no two of one colour are quite alike.
+std::uint32_t faded(std::uint32_t color, Random& random);
 
 /// The shape of one body, each value from -1 to 1; all 0 is the character as it was made. A character whose file has no
 /// `_SHAPE` and `_HAIR` shows none of it.

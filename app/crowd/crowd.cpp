@@ -45,10 +45,21 @@ CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const
   return grid_layout(agents, roles);
 }
 
+CrowdLayout layout_with_company(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                                const Variety& variety) {
+  CrowdLayout layout = layout_of(scene, agents, seed, roles, variety.clothes);
+  if (variety.bodies) draw_company(layout, seed);
+  return layout;
+}
+
 CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CrowdCast& cast) {
   std::vector<Body> bodies;
   for (std::size_t agent = 0; agent < looks.radii.size(); ++agent) {
-    bodies.push_back({.radius = looks.radii[agent], .agent = static_cast<std::uint32_t>(agent)});
+    const auto number = static_cast<std::uint32_t>(agent);
+    const bool walks = agent < layout.walkers.size();
+    bodies.push_back({.radius = looks.radii[agent],
+                      .agent = number,
+                      .company = walks ? static_cast<std::uint32_t>(layout.company.leader(agent)) : number});
   }
   const std::size_t first_stander = layout.walkers.size() + layout.marchers.size();
   for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
@@ -58,15 +69,23 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
   for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
     paces.push_back(looks.paces[walker] * looks.scales[walker]);
   }
-  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.obstacles};
+  return {cast,   layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.company,
+          layout.obstacles};
 }
 
 }  // namespace
 
+void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits) {
+  assert(looks.size() == crowd.size() && outfits.size() == crowd.size());
+  crowd.looks_.drawn = std::move(looks);
+  crowd.looks_.outfits = std::move(outfits);
+  crowd.looks_.number = render::new_looks_number();
+}
+
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
              const Variety& variety, const TrackSource& tracks)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters), variety.clothes), scene, seed, characters, variety,
-            tracks, common_roles(characters)) {
+    : Crowd(layout_with_company(scene, agents, seed, common_roles(characters), variety), scene, seed, characters,
+            variety, tracks, common_roles(characters)) {
   assert(size() == agents);
 }
 

@@ -26,7 +26,7 @@ namespace throng::app {
 
 /// Returns how much a tuning lets agents differ.
 inline Variety variety_of(const Tuning& tuning) {
-  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes};
+  return {tuning.variety, tuning.tint, tuning.size_variety, tuning.clothes, tuning.wardrobe};
 }
 
 /// Everything in a crowd that changes as time passes.
@@ -119,6 +119,7 @@ class Crowd {
   friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
+  friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
   void place(const CrowdLayout& layout);
@@ -155,6 +156,8 @@ inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state
 void set_track_clock(Crowd& crowd, const TrackClock& clock);
 /// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
 void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
+/// Dresses everybody: how they look, and the pieces of their character's mesh that they wear.
+void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
 /// Returns [agent] 1 for people who are not there now; empty where everybody is.
 inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) { return crowd.state_.absent; }
 

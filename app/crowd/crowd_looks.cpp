@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "app/crowd/clothes.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/random.h"
@@ -24,6 +26,8 @@ constexpr std::uint64_t looks_stream = 4;
 constexpr std::uint64_t variants_stream = 9;
 constexpr std::uint64_t painted_stream = 11;
 constexpr std::uint64_t clothes_stream = 14;
+constexpr std::uint64_t bodies_stream = 20;
+constexpr double beside_grown_ups = 2.2;  // metres, of a person, from a child to whom it belongs
 
 /// The size and the colours of a body, and the shape of one that was made for it.
 struct BodyLook {
@@ -60,6 +64,53 @@ class BodyLooks {
   std::array<Tints, 256> first_tints_{};
 };
 
+/// Gives agents bodies by their shares. A child walks or stands beside a grown-up, and goes nowhere alone.
+class Bodies {
+ public:
+  Bodies(const CrowdLayout& layout, std::uint32_t seed, const CrowdCast& cast, const Variety& variety)
+      : layout_(layout), cast_(cast), random_(seed, bodies_stream), are_asked_for_(variety.bodies && variety.differs) {}
+
+  std::uint8_t next(std::size_t agent) {
+    const std::vector<BodyKind>& kinds = cast_.of(agent).bodies;
+    const float drawn = random_.unit();
+    if (kinds.empty() || !are_asked_for_) return 0;
+    const bool may_be_child = stands_beside_another(agent) && !last_is_child_;
+    double total = 0.0;
+    for (const BodyKind& kind : kinds) total += share_of(kind, may_be_child);
+    double left = static_cast<double>(drawn) * total;
+    std::size_t body = 0;
+    while (body + 1 < kinds.size() && left >= share_of(kinds[body], may_be_child)) {
+      left -= share_of(kinds[body++], may_be_child);
+    }
+    last_is_child_ = kinds[body].is_child();
+    return static_cast<std::uint8_t>(body);
+  }
+
+ private:
+  // Where they may be at all, there are more of them, so that their share of the crowd is about what was asked for.
+  static double share_of(const BodyKind& kind, bool may_be_child) {
+    constexpr double in_groups = 2.5;
+    if (!kind.is_child()) return kind.share;
+    return may_be_child ? in_groups * kind.share : 0.0;
+  }
+
+  bool stands_beside_another(std::size_t agent) const {
+    const std::size_t before = layout_.walkers.size() + layout_.marchers.size();
+    if (agent < layout_.walkers.size()) return layout_.company.follows(agent);
+    if (agent <= before) return false;
+    const StanderPlace& own = layout_.standers[agent - before];
+    const StanderPlace& other = layout_.standers[agent - before - 1];
+    return own.habit == Habit::stand_about && other.habit == Habit::stand_about &&
+           glm::distance(own.position, other.position) < beside_grown_ups * cast_.spacing();
+  }
+
+  const CrowdLayout& layout_;
+  const CrowdCast& cast_;
+  Random random_;
+  bool are_asked_for_;
+  bool last_is_child_ = false;
+};
+
 std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene, const CharacterRoles& roles,
                                          const Variety& variety) {
   if (variety.clothes != Clothes::pattern) return {};
@@ -72,6 +123,9 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
 
 std::vector<Habit> habits_of(const CrowdLayout& layout) {
   std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);
+  for (std::size_t walker = 0; walker < habits.size(); ++walker) {
+    if (layout.company.follows(walker)) habits[walker] = Habit::accompany;
+  }
   habits.insert(habits.end(), layout.marchers.size(), Habit::march);
   for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
   return habits;
@@ -83,6 +137,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
   const std::vector<Habit> habits = habits_of(layout);
   Random random(seed, looks_stream), clothes(seed, clothes_stream);
   BodyLooks bodies(seed, variety);
+  Bodies kinds(layout, seed, cast, variety);
   const std::vector<glm::dvec3> places = pattern ? places_of(layout) : std::vector<glm::dvec3>();
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
@@ -92,8 +147,12 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
     const float scale = random.between(shortest, tallest), phase = random.unit();
     const float pace = walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest);
     const BodyLook body = bodies.next(character, cast.numbers()[agent], scale, random_tints(random));
+    looks.bodies.push_back(kinds.next(agent));
+    const auto size = character.bodies.empty() || !variety.bodies
+                          ? 1.0F
+                          : static_cast<float>(character.bodies[looks.bodies.back()].size);
     // Marchers have steps of one length, and a script counts on the length of an actor's.
-    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale);
+    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale * size);
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(pace);
     looks.start_phases.push_back(phase);

@@ -89,6 +89,7 @@ Role resting_role(Habit habit) {
   switch (habit) {
     case Habit::stroll:
     case Habit::march:
+    case Habit::accompany:
       return walk;
     case Habit::sit:
     case Habit::rest:

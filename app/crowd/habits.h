@@ -19,6 +19,7 @@ enum class Habit : std::uint8_t {
   train,        ///< runs round the stadium's field
   act,          ///< does what a script says (CutScene)
   follow,       ///< is where a recorded crowd has it (Followers)
+  accompany,    ///< walks beside somebody who strolls, and stops with them (Company)
 };
 
 /// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and

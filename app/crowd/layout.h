@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/character/roles.h"
+#include "app/crowd/company.h"
 #include "app/crowd/fixtures.h"
 #include "app/crowd/habits.h"
 #include "app/crowd/lanes.h"
@@ -41,6 +42,7 @@ struct StanderPlace {
 struct CrowdLayout {
   std::vector<Lane> lanes;  ///< each with its speed
   std::vector<WalkerStart> walkers;
+  Company company;
   Habit walkers_habit = Habit::stroll;
   Lane route;  ///< the marchers' route, with its speed
   std::vector<MarcherStart> marchers;

@@ -52,7 +52,8 @@ void CrowdMinds::begin(std::size_t agent) {
   }
   // Uniform from now on, so that the first changes come as evenly as all later ones.
   const Habit habit = habits_[agent];
-  const bool follows = habit == Habit::march || habit == Habit::act || habit == Habit::follow;
+  const bool follows =
+      habit == Habit::march || habit == Habit::act || habit == Habit::follow || habit == Habit::accompany;
   const bool changes = !follows && (intentions_[agent] != Role::other || others.size() > 1);
   next_changes_[agent] = changes ? now_ + some_time(whim, {0.5F, stay_in(intentions_[agent]).most}) : never;
 }

@@ -76,7 +76,7 @@ class Step {
     const float square = squared(apart);
     if (square > reach_.sight * reach_.sight) return;
     const float radii = self_.radius + other.radius;
-    avoid(other, apart, radii, comfort * radii);
+    if (other.company != self_.company) avoid(other, apart, radii, comfort * radii);
     const float close = radii + reach_.closing;
     if (square < close * close) limit(other, apart, std::sqrt(square), {radii, least_share_of_radii * radii});
   }

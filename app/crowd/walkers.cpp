@@ -26,6 +26,9 @@ constexpr double lead_step = 0.25;      // metres
 constexpr float farthest_lane = 22.0F;  // metres to another lane
 constexpr float chance_of_another_way = 0.5F;
 constexpr float standing_speed = 0.05F;  // metres a second
+// Of company: metres of a person, seconds, and shares of a speed.
+constexpr float behind_leader = 0.05F, near_enough = 0.35F, seconds_to_come_up = 0.8F;
+constexpr float most_hurry = 1.35F, slower_a_metre = 0.45F, least_of_speed = 0.35F;
 constexpr float share_of_walk_to_step = 0.25F;
 constexpr float gait_band = 1.08F;  // by which a speed must leave a gait's range
 constexpr double turns_a_second = 0.75;
@@ -61,13 +64,15 @@ Heading turned(Heading from, Heading to, glm::vec2 most) {
 }  // namespace
 
 CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
-                           std::vector<Body> bodies, std::vector<float> paces, std::span<const Obstacle> obstacles)
+                           std::vector<Body> bodies, std::vector<float> paces, Company company,
+                           std::span<const Obstacle> obstacles)
     : cast_(&cast),
       spacing_(static_cast<float>(cast.spacing())),
       lanes_(std::move(lanes)),
       starts_(std::move(starts)),
       ahead_(starts_.size()),
       paces_(std::move(paces)),
+      company_(std::move(company)),
       headings_(starts_.size()),
       moved_at_(starts_.size()),
       new_gait_at_(starts_.size()),
@@ -82,8 +87,9 @@ CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::
 void CrowdWalkers::begin_walking(std::size_t walker) {
   const WalkerStart& start = starts_[walker];
   const LanePlace place = lanes_[start.lane].at(start.distance);
-  ahead_[walker] = bodies_[walker].position = on_ground(place);
   headings_[walker] = place.heading;
+  ahead_[walker] = bodies_[walker].position = on_ground(place);
+  if (company_.follows(walker)) bodies_[walker].position = place_beside(walker);
   bodies_[walker].moves = true;
   bodies_[walker].velocity = glm::vec2(place.heading.sine, place.heading.cosine) * speed_of(walker, Role::walk);
 }
@@ -136,7 +142,42 @@ void CrowdWalkers::look_ahead(std::size_t walker) {
   }
 }
 
+// The place beside the leader, a little behind, so that one sees where the other goes.
+glm::vec2 CrowdWalkers::place_beside(std::size_t walker) const {
+  const std::size_t leader = company_.leader(walker);
+  const Heading heading = headings_[leader];
+  const glm::vec2 left(heading.cosine, -heading.sine), ahead(heading.sine, heading.cosine);
+  return bodies_[leader].position + spacing_ * (company_.sides[walker] * left - behind_leader * ahead);
+}
+
+// Comes up faster than the leader goes, and stands once it is there and the leader stands.
+void CrowdWalkers::keep_company(std::size_t walker) {
+  Body& body = bodies_[walker];
+  const Body& leader = bodies_[company_.leader(walker)];
+  const glm::vec2 way = place_beside(walker) - body.position;
+  const float most = most_hurry * std::max(speed_of(walker, Role::walk), glm::length(leader.velocity));
+  glm::vec2 velocity = leader.velocity + way / seconds_to_come_up;
+  const float speed = glm::length(velocity);
+  if (speed > most) velocity *= most / speed;
+  const bool is_there = !leader.moves && glm::length(way) < near_enough * spacing_;
+  if (is_there) velocity = glm::vec2(0.0F);
+  body.moves = !is_there || glm::length(body.velocity) > standing_speed;
+  if (!body.moves) body.velocity = glm::vec2(0.0F);
+  wishes_[walker] = {velocity, body.moves ? std::max(most, glm::length(body.velocity)) : 0.0F};
+}
+
+// A leader goes no faster than the slowest of its company can, and waits for who is behind.
+float CrowdWalkers::patient_speed(std::size_t leader, float speed) const {
+  for (std::size_t walker = leader + 1; walker < company_.end_of(leader); ++walker) {
+    const float behind = glm::distance(place_beside(walker), bodies_[walker].position) / spacing_;
+    const float waits = std::clamp(1.0F - slower_a_metre * (behind - near_enough), least_of_speed, 1.0F);
+    speed = std::min(speed, most_hurry * speed_of(walker, Role::walk)) * waits;
+  }
+  return speed;
+}
+
 void CrowdWalkers::wish(std::size_t walker, Role intention) {
+  if (company_.follows(walker)) return keep_company(walker);
   Body& body = bodies_[walker];
   if (!is_gait(intention)) {
     body.moves = glm::length(body.velocity) > standing_speed;
@@ -147,7 +188,7 @@ void CrowdWalkers::wish(std::size_t walker, Role intention) {
   look_ahead(walker);
   const glm::vec2 way = ahead_[walker] - body.position;
   const float left = std::max(glm::length(way), 1e-3F);
-  const float speed = speed_of(walker, intention);
+  const float speed = patient_speed(walker, speed_of(walker, intention));
   body.moves = true;
   wishes_[walker] = {way * (speed / left), 1.15F * speed};
 }
@@ -185,7 +226,7 @@ void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
   if (steps) moved_at_[walker] = now;
   if (now - new_gait_at_[walker] < least_time_in_gait) return;
   const anim::Ticks held_up = now - moved_at_[walker];
-  if (held_up >= patience && now - new_gait_at_[walker] >= patience) {
+  if (!company_.follows(walker) && held_up >= patience && now - new_gait_at_[walker] >= patience) {
     new_gait_at_[walker] = now;
     turn_aside(walker, minds.whim(walker));
     return;

@@ -17,13 +17,14 @@ namespace throng::app {
 
 /// Moves the agents that walk where they like, the first of a crowd. Each follows a point a few steps ahead on its
 /// lane, at the speed of the gait that it has in mind, and makes way for others. It cuts across to a lane that it
-/// changes to.
+/// changes to. Who keeps company goes beside its leader instead, who waits, and stops where the leader does.
 class CrowdWalkers {
  public:
   /// `bodies` has all agents, walkers first; `paces` has the walkers' speeds over those of the gait's clip. `cast`
   /// outlives this object, `obstacles` does not.
   CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
-               std::vector<Body> bodies, std::vector<float> paces, std::span<const Obstacle> obstacles = {});
+               std::vector<Body> bodies, std::vector<float> paces, Company company = {},
+               std::span<const Obstacle> obstacles = {});
 
   /// Moves all walkers by `dt`, in steps short enough to steer by, then asks `minds` for the gait that fits the speed.
   /// Allocates nothing. The result does not depend on `jobs`.
@@ -42,6 +43,9 @@ class CrowdWalkers {
   void turn_aside(std::size_t walker, Random& whim);
   void look_ahead(std::size_t walker);
   void wish(std::size_t walker, Role intention);
+  void keep_company(std::size_t walker);
+  glm::vec2 place_beside(std::size_t walker) const;
+  float patient_speed(std::size_t leader, float speed) const;
   void stop(std::size_t walker);
   void turn(std::size_t walker, float seconds);
   Role gait(std::size_t walker, Role shown) const;
@@ -53,6 +57,7 @@ class CrowdWalkers {
   std::vector<WalkerStart> starts_;  // the lane and the place of the point that the walker follows
   std::vector<glm::vec2> ahead_;     // that point
   std::vector<float> paces_;
+  Company company_;
   std::vector<Heading> headings_;
   std::vector<anim::Ticks> moved_at_;     // the time at which it last got on
   std::vector<anim::Ticks> new_gait_at_;  // the time at which it last changed gait

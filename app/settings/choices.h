@@ -11,6 +11,7 @@ namespace throng::app {
 // The words for each enumeration of the settings and the report, in its order. The command line has the same words.
 inline constexpr std::array<const char*, 6> scene_words = {"plaza", "parade", "stadium", "grid", "film", "tracks"};
 inline constexpr std::array<const char*, 2> clothes_words = {"own", "pattern"};
+inline constexpr std::array<const char*, 4> weather_words = {"mild", "warm", "cold", "rain"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 4> swept_value_words = {"PUs", "store", "tile", "grain"};
@@ -19,9 +20,10 @@ inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 3> error_sampling_words = {"some", "all", "off"};
 inline constexpr std::array<const char*, 3> split_words = {"off", "exact | LOD", "difference"};
-inline constexpr std::array<const char*, 9> habit_words = {"strolls", "stands about", "marches",
+inline constexpr std::array<const char*, 10> habit_words = {"strolls", "stands about", "marches",
                                                            "watches", "has a seat",   "rests on a bench",
-                                                           "trains",  "acts",         "is where its file says"};
+                                                           "trains",  "acts",         "is where its file says",
+                                                           "keeps company"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 8> debug_view_words = {"none",  "interval", "bones",   "mesh",
                                                                 "error", "speed",    "density", "presence"};

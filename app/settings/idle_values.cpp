@@ -125,6 +125,10 @@ Reason of_variety(const Tuning& tuning, const Situation&) {
   return tuning.variety ? nullptr : "variety is off, so all of a character are alike";
 }
 
+Reason of_weather(const Tuning& tuning, const Situation&) {
+  return tuning.wardrobe ? nullptr : "the wardrobe is off, so nobody dresses";
+}
+
 Reason of_grain(const Tuning&, const Situation& situation) {
   return situation.pus == 1 ? "there is one PU, and nobody to share with" : nullptr;
 }
@@ -207,6 +211,7 @@ constexpr std::array rules = std::to_array<Rule>({
     {"triangle_budget", of_mesh_error},
     {"tint", of_variety},
     {"size_variety", of_variety},
+    {"weather", of_weather},
     {"cost_least_task_ns", of_grain},
     {"palette", of_palette},
     {"debug_view", of_colours},

@@ -29,6 +29,7 @@ enum class ErrorSampling : std::uint8_t { some, all, off };
 enum class Split : std::uint8_t { off, shown, difference };
 /// The colours that people wear: each their own, or those of a shape that is seen from above.
 enum class Clothes : std::uint8_t { own, pattern };
+enum class Weather : std::uint8_t { mild, warm, cold, rain };
 /// The way that the camera moves by itself from its first place.
 enum class CameraPath : std::uint8_t { none, orbit, pan };
 
@@ -76,6 +77,8 @@ struct Tuning {
   float tint = 1.0F;          ///< how much they differ in colours, 0 to 1
   float size_variety = 0.1F;  ///< how much they differ in size, as a share, 0 to 0.3
   Clothes clothes = Clothes::own;
+  bool wardrobe = false;             ///< people are dressed out of the wardrobe of their character, where it has one
+  Weather weather = Weather::mild;   ///< what they dress for
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
@@ -146,6 +149,7 @@ struct DemoOptions {
   std::string crowd_file;                  ///< NAME.throng, which says who is there; empty: none was named
   std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`
   std::vector<CastEntry> cast;             ///< files and folders with shares; empty: the built-in character
+  std::string cast_rules;                  ///< the file that says who wears what; empty: as beside the models
   std::vector<std::string> clips_from;     ///< files whose clips every character plays too
   anim::PlacementChoice placement;         ///< size and place of all of them; what it leaves open is guessed
   std::vector<ModelPlacement> placements;  ///< of single models, over that

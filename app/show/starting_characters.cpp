@@ -68,7 +68,8 @@ LoadOptions load_options(const DemoOptions& options) {
   return {.import = options.reading,
           .placement = options.placement,
           .placements = options.placements,
-          .clips_from = options.clips_from};
+          .clips_from = options.clips_from,
+          .wardrobe = options.context != ContextKind::none};
 }
 
 bool fail(StartError& error, int status, std::string message) {
@@ -83,6 +84,9 @@ std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, S
     return fail(error, exit_usage, known.error().message), std::nullopt;
   }
   if (!choose_roles(options, cast->characters, error)) return {};
+  for (CharacterSource& character : cast->characters) {
+    if (!options.cast_rules.empty()) character.cast_rules = options.cast_rules;
+  }
   return std::move(*cast);
 }
 

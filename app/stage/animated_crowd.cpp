@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/character/cut_scene_models.h"
+#include "app/wardrobe/dressed_crowd.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/base/cores.h"
 
@@ -173,6 +174,12 @@ void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade,
 
 void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
   if (request) change_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)));
+}
+
+void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning) {
+  if (!tuning.wardrobe) return;
+  DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
+  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits));
 }
 
 }  // namespace throng::app

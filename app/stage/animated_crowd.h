@@ -19,6 +19,7 @@
 #include "app/stage/picking.h"
 #include "app/stage/placed_feet.h"
 #include "app/stage/track_players.h"
+#include "app/wardrobe/clothing.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/lod/level_of_detail.h"
@@ -127,6 +128,7 @@ class AnimatedCrowd {
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
+  friend void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
@@ -174,5 +176,8 @@ std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters
 
 /// Returns the options with as many PUs as the machine has cores, where their number is 0.
 anim::SystemOptions on_this_machine(anim::SystemOptions options);
+
+/// Dresses everybody as rules say, if the tuning asks for it. `clothing` has one a character.
+void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning);
 
 }  // namespace throng::app

@@ -28,6 +28,18 @@ std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characte
   return sizes;
 }
 
+/// Reads what everybody may wear, and tells the crowd of the bodies that there are.
+anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>& characters) {
+  std::vector<Clothing> all;
+  for (CharacterSource& source : characters) {
+    auto clothing = clothing_of(source);
+    if (!clothing) return clothing.error();
+    source.roles.bodies = body_kinds(clothing->rules);
+    all.push_back(std::move(*clothing));
+  }
+  return all;
+}
+
 bool same_crowd(const Tuning& a, const Tuning& b) {
   return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && variety_of(a) == variety_of(b);
 }
@@ -60,7 +72,10 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> 
                                                    render::PalettePageSource& pages, std::uint64_t first_frame,
                                                    std::shared_ptr<const Trajectories> trajectories) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
+  auto clothing = clothing_of_all(characters);
+  if (!clothing) return clothing.error();
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
+  stage->clothing_ = std::move(*clothing);
   stage->tuning_ = tuning;
   stage->trajectories_ = std::move(trajectories);
   if (anim::Status shown = stage->can_show(stage->tuning_); !shown) return shown.error();
@@ -92,10 +107,11 @@ anim::Status Stage::apply(const Tuning& asked) {
   if (anim::Status shown = can_show(tuning); !shown) return shown;
   if (anim::Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
-  const bool keeps_crowd = same_crowd(tuning, tuning_);
+  const bool keeps_crowd = same_crowd(tuning, tuning_), keeps_clothes = tuning.weather == tuning_.weather;
   tuning_ = tuning;
   if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
+  if (keeps_crowd && !keeps_clothes) dress(*animated_, clothing_, tuning_);
   return anim::Done{};
 }
 
@@ -157,6 +173,7 @@ void Stage::restart() {
 
 void Stage::populate(AnimatedCrowd::Clocks clocks) {
   animated_->populate(tuning_, clocks, track_source(trajectories_, characters_));
+  dress(*animated_, clothing_, tuning_);
   if (followers_of(crowd()) != nullptr) {
     if (track_clock_) set_track_clock(*animated_, *track_clock_);
     track_clock_ = track_clock_of(crowd());

@@ -129,6 +129,7 @@ class Stage {
   void measure(const render::Camera& camera, const glm::vec2& size);
 
   std::vector<CharacterSource> characters_;
+  std::vector<Clothing> clothing_;                    // [character]
   std::shared_ptr<const Trajectories> trajectories_;  // null: none
   std::optional<TrackClock> track_clock_;             // of the recorded crowd, also while another scene is shown
   Tuning tuning_;

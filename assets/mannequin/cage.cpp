@@ -73,7 +73,7 @@ std::size_t Cage::add(dvec3 position, const Weights& weights) {
 
 std::size_t Cage::add_face(std::vector<std::size_t> corners, Region region, dvec3 paint) {
   std::vector<dvec3> paints(corners.size(), paint);
-  faces.push_back({std::move(corners), region, std::move(paints)});
+  faces.push_back({std::move(corners), region, std::move(paints), false, notes});
   return faces.size() - 1;
 }
 

@@ -15,8 +15,33 @@
 
 namespace throng::mannequin {
 
-/// What an instance tints apart; the values of the vertex attribute _REGION.
-enum class Region : unsigned char { skin = 0, hair = 1, shirt = 2, trousers = 3, shoes = 4, untinted = 5 };
+/// What an instance tints apart; the values of the vertex attribute _REGION. The last three are of the wardrobe alone.
+enum class Region : unsigned char {
+  skin = 0,
+  hair = 1,
+  shirt = 2,
+  trousers = 3,
+  shoes = 4,
+  untinted = 5,
+  outer = 6,
+  headgear = 7,
+  thing = 8
+};
+
+/// How a face gets its coordinates of patterns.
+enum class Chart : unsigned char {
+  by_joints,    ///< Around the arm, the leg or the trunk, whichever moves it.
+  around_body,  ///< Around the trunk, also where legs move it: skirts, coats.
+  from_front,   ///< Straight from the front: u is x, v is the height.
+  from_side     ///< Straight from the side: u is z, v is the height.
+};
+
+/// What the wardrobe knows of a face; the built-in character has no use for it.
+struct FaceNotes {
+  unsigned char piece = 0;  ///< Which piece of a body it belongs to.
+  double trim = 0;          ///< How much it shows the second colour of a pattern of trim, 0 to 1.
+  Chart chart = Chart::by_joints;
+};
 
 /// Weight of every joint; sums to one.
 using Weights = std::array<double, joint_count>;
@@ -36,6 +61,7 @@ struct CageFace {
   /// A quad that is only halved, across the edges from corner 0 to 1 and from 2 to 3; so must be the quads beyond the
   /// other two edges. For the straight stretches of a limb and for hems.
   bool straight = false;
+  FaceNotes notes = {};
 };
 
 /// The coarse control mesh of the left half of the body (x >= 0), open along the plane x = 0.
@@ -43,6 +69,7 @@ struct CageFace {
 struct Cage {
   std::vector<CageVertex> vertices;
   std::vector<CageFace> faces;
+  FaceNotes notes = {};  ///< Of the faces that are added from now on.
 
   std::size_t add(glm::dvec3 position, const Weights& weights);
   std::size_t add_face(std::vector<std::size_t> corners, Region region, glm::dvec3 paint = glm::dvec3(1));

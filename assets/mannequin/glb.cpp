@@ -67,6 +67,8 @@ Json add_mesh(BufferWriter& buffer, const Mesh& mesh, const std::string& name) {
   return {{"name", name}, {"primitives", Json::array({primitive})}};
 }
 
+}  // namespace
+
 Json joint_nodes() {
   const auto& joints = skeleton();
   Json nodes = Json::array();
@@ -83,7 +85,6 @@ Json joint_nodes() {
   return nodes;
 }
 
-/// Rigid: the joint's place at rest as the rounded node translations add up to it, taken away.
 std::vector<std::array<float, 16>> inverse_binds() {
   const auto& joints = skeleton();
   std::array<glm::dvec3, joint_count> places{};
@@ -97,6 +98,8 @@ std::vector<std::array<float, 16>> inverse_binds() {
   }
   return matrices;
 }
+
+namespace {
 
 /// A joint's rotations over a clip, neighbours in the same hemisphere.
 std::vector<Float4> rotation_keys(const Clip& clip, std::size_t joint) {

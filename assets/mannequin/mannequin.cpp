@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <cstddef>
-
-#include <glm/common.hpp>
 
 #include "assets/mannequin/body.h"
 #include "assets/mannequin/body_parts.h"
@@ -14,17 +11,8 @@ namespace {
 
 using glm::dvec3;
 
-dvec3 above_ground(dvec3 place) { return {place.x, std::max(place.y, 0.0), place.z}; }
-
 Skin smooth_skin(const Surface& surface) {
-  Skin skin;
-  for (const CageVertex& vertex : surface.vertices) {
-    const dvec3 stepped = glm::round(above_ground(vertex.position) / position_step) * position_step + dvec3(0);
-    skin.points.push_back({.position = stepped, .weights = vertex.weights});
-  }
-  for (const Quad& quad : surface.quads) {
-    skin.faces.push_back({{quad.corners.begin(), quad.corners.end()}, quad.region, std::vector<dvec3>(4, quad.paint)});
-  }
+  Skin skin = skin_of(surface);
   compute_normals(skin);
   std::vector<dvec3> positions;
   std::vector<dvec3> normals;

@@ -67,7 +67,7 @@ class Assembly {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  using Key = std::tuple<std::size_t, Region, double, double, double>;
+  using Key = std::tuple<std::size_t, Region, unsigned char, double, double, double, double, double, double>;
 
   void add(const SkinFace& face) {
     std::vector<Triangle> triangles;
@@ -76,15 +76,19 @@ class Assembly {
       std::array<std::uint16_t, 3> corners{};
       for (std::size_t c = 0; c < 3; ++c) {
         const auto corner = std::find(face.corners.begin(), face.corners.end(), triangle[c]) - face.corners.begin();
-        corners[c] = vertex(triangle[c], face.region, face.paint[static_cast<std::size_t>(corner)]);
+        corners[c] = vertex(face, static_cast<std::size_t>(corner));
       }
       mesh_.triangles.push_back(corners);
     }
   }
 
-  std::uint16_t vertex(std::size_t at, Region region, dvec3 paint) {
-    const auto [found, fresh] = known_.try_emplace(Key{at, region, paint.x, paint.y, paint.z},
-                                                   static_cast<std::uint16_t>(mesh_.vertices.size()));
+  std::uint16_t vertex(const SkinFace& face, std::size_t corner) {
+    const std::size_t at = face.corners[corner];
+    const dvec3 paint = face.paint[corner];
+    const glm::dvec2 pattern = face.pattern.empty() ? glm::dvec2(0) : face.pattern[corner];
+    const auto [found, fresh] = known_.try_emplace(
+        Key{at, face.region, face.notes.piece, paint.x, paint.y, paint.z, face.notes.trim, pattern.x, pattern.y},
+        static_cast<std::uint16_t>(mesh_.vertices.size()));
     if (!fresh) return found->second;
     const SkinPoint& point = skin_.points[at];
     MeshVertex made{};
@@ -93,7 +97,11 @@ class Assembly {
     strongest_four(point.weights, made);
     const dvec3 colour = paint * point.openness;
     made.colour = {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z), 255};
-    made.region = static_cast<float>(region);
+    made.region = static_cast<float>(face.region);
+    made.point = static_cast<std::uint32_t>(at);
+    made.trim = static_cast<float>(face.notes.trim);
+    made.pattern = pattern;
+    made.piece = face.notes.piece;
     made.shape = glm::round(shapes_[at].body / shape_step) * shape_step + dvec3(0);
     made.hair = glm::round(shapes_[at].hair / shape_step) * shape_step + glm::dvec2(0);
     mesh_.vertices.push_back(made);
@@ -107,6 +115,19 @@ class Assembly {
 };
 
 }  // namespace
+
+Skin skin_of(const Surface& surface) {
+  Skin skin;
+  for (const CageVertex& vertex : surface.vertices) {
+    const dvec3 above_ground(vertex.position.x, std::max(vertex.position.y, 0.0), vertex.position.z);
+    skin.points.push_back({.position = rounded_floats(above_ground, position_step), .weights = vertex.weights});
+  }
+  for (const Quad& quad : surface.quads) {
+    skin.faces.push_back(
+        {{quad.corners.begin(), quad.corners.end()}, quad.region, std::vector<dvec3>(4, quad.paint), quad.notes});
+  }
+  return skin;
+}
 
 std::vector<Triangle> triangles_of(const Skin& skin) {
   std::vector<Triangle> triangles;

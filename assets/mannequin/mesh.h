@@ -7,8 +7,9 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
-#include "assets/mannequin/cage.h"
+#include "assets/mannequin/surface.h"
 
 namespace throng::mannequin {
 
@@ -29,6 +30,8 @@ struct SkinFace {
   std::vector<std::size_t> corners;
   Region region;
   std::vector<glm::dvec3> paint;  ///< Per corner.
+  FaceNotes notes = {};
+  std::vector<glm::dvec2> pattern = {};  ///< Per corner, metres over the cloth; empty where nothing has a pattern.
 };
 
 /// The body before it is cut into triangles.
@@ -47,12 +50,20 @@ struct MeshVertex {
   float region;
   glm::vec3 shape;  ///< Whole multiples of shape_step, as `hair`; see Shape.
   glm::vec2 hair;
+  std::uint32_t point = 0;  ///< Of the skin.
+  float trim = 0;
+  glm::vec2 pattern{0};
+  unsigned char piece = 0;
+  glm::vec4 face{0};  ///< See assets/wardrobe/face_shares.h.
 };
 
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::array<std::uint16_t, 3>> triangles;  ///< Counter-clockwise seen from outside.
 };
+
+/// The points of a surface, not below the ground, each rounded to its step, and its faces.
+Skin skin_of(const Surface& surface);
 
 /// Faces cut along their shortest diagonals.
 std::vector<std::array<std::size_t, 3>> triangles_of(const Skin& skin);

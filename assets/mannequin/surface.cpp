@@ -37,6 +37,7 @@ class Subdivision {
     add_face_points();
     add_edge_points();
     move_own_points();
+    move_border_points();
   }
 
   Surface take() {
@@ -59,7 +60,7 @@ class Subdivision {
       const std::size_t corner = face.corners[c];
       const std::size_t next = edge_point(corner, face.corners[(c + 1) % n]);
       const std::size_t last = edge_point(corner, face.corners[(c + n - 1) % n]);
-      surface.quads.push_back({{corner, next, face_point(f), last}, face.region, face.paint[c]});
+      surface.quads.push_back({{corner, next, face_point(f), last}, face.region, face.paint[c], face.notes});
     }
   }
 
@@ -67,8 +68,8 @@ class Subdivision {
     const auto& c = face.corners;
     const std::size_t near = edge_point(c[0], c[1]);
     const std::size_t far = edge_point(c[2], c[3]);
-    surface.quads.push_back({{c[0], near, far, c[3]}, face.region, face.paint[0]});
-    surface.quads.push_back({{near, c[1], c[2], far}, face.region, face.paint[1]});
+    surface.quads.push_back({{c[0], near, far, c[3]}, face.region, face.paint[0], face.notes});
+    surface.quads.push_back({{near, c[1], c[2], far}, face.region, face.paint[1], face.notes});
   }
 
   void add_face_points() {
@@ -81,12 +82,14 @@ class Subdivision {
 
   void add_edge_points() {
     std::map<EdgeKey, Blend> blends;
+    std::map<EdgeKey, int> sides;
     for (std::size_t f = 0; f < cage_.faces.size(); ++f) {
       const auto& corners = cage_.faces[f].corners;
       for (std::size_t c = 0; c < corners.size(); ++c) {
         const std::size_t a = corners[c];
         const std::size_t b = corners[(c + 1) % corners.size()];
         Blend& blend = blends[edge_key(a, b)];
+        ++sides[edge_key(a, b)];
         blend.add(cage_.vertices[a], 0.5);
         blend.add(cage_.vertices[b], 0.5);
         blend.add(vertices_[face_point(f)], 1);
@@ -94,7 +97,33 @@ class Subdivision {
     }
     for (const auto& [key, blend] : blends) {
       edges_[key] = vertices_.size();
-      vertices_.push_back(blend.vertex());
+      const bool open = sides[key] == 1;
+      vertices_.push_back(open ? middle_of(key) : blend.vertex());
+      if (open) border_.push_back(key);
+    }
+  }
+
+  [[nodiscard]] CageVertex middle_of(const EdgeKey& key) const {
+    Blend middle;
+    middle.add(cage_.vertices[key.first], 1);
+    middle.add(cage_.vertices[key.second], 1);
+    return middle.vertex();
+  }
+
+  /// A border is a curve of its own: a cubic spline of its vertices. Where more than two open edges meet, it stays.
+  void move_border_points() {
+    std::map<std::size_t, std::vector<std::size_t>> around;
+    for (const auto& [a, b] : border_) {
+      around[a].push_back(b);
+      around[b].push_back(a);
+    }
+    for (const auto& [v, ends] : around) {
+      Blend moved;
+      moved.add(cage_.vertices[v], 6);
+      if (ends.size() == 2) {
+        for (const std::size_t end : ends) moved.add(cage_.vertices[end], 1);
+      }
+      vertices_[v] = moved.vertex();
     }
   }
 
@@ -124,6 +153,7 @@ class Subdivision {
   const Cage& cage_;
   std::vector<CageVertex> vertices_;
   std::map<EdgeKey, std::size_t> edges_;
+  std::vector<EdgeKey> border_;
 };
 
 }  // namespace

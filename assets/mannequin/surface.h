@@ -11,15 +11,17 @@ struct Quad {
   std::array<std::size_t, 4> corners;  ///< Counter-clockwise seen from outside.
   Region region;
   glm::dvec3 paint;
+  FaceNotes notes = {};
 };
 
-/// A closed quad mesh, one vertex per position.
+/// A quad mesh, one vertex per position.
 struct Surface {
   std::vector<CageVertex> vertices;
   std::vector<Quad> quads;
 };
 
-/// One step of Catmull-Clark subdivision (Catmull and Clark 1978) of a closed cage, weights and paint included.
+/// One step of Catmull-Clark subdivision (Catmull and Clark 1978) of a cage, weights and paint included.
+/// Open borders become the curves of their own vertices.
 Surface subdivide(const Cage& cage);
 
 /// Moves the cage's vertices until the subdivided surface passes near the places where they were authored.

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/render/agent_look.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/job_runner.h"
 #include "engine/render/scene_ground.h"
@@ -18,6 +19,7 @@ struct CrowdBatch {
   std::uint32_t page = 0;
   std::uint8_t character = 0;  ///< its index in the order of loading
   std::uint8_t mesh_lod = 0;   ///< 0 is the full mesh
+  std::uint16_t piece = 0;     ///< of the character's mesh; 0 is all of it
   std::uint32_t first_instance = 0;
   std::uint32_t instance_count = 0;
 };
@@ -46,6 +48,9 @@ struct CrowdFrame {
   CameraView camera;
   std::span<const InstanceRecord> instances;
   std::span<const CrowdBatch> batches;           ///< in ascending order of page, then character
+  std::span<const std::uint32_t> drawn = {};     ///< [place in a batch] an index of `instances`
+  std::span<const AgentLook> looks = {};         ///< [agent]
+  std::uint64_t looks_number = 0;                ///< differs from that of any other looks
   std::uint32_t now = 0;                         ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;                   ///< the bones are drawn over the characters
   bool fill_pixels = true;                       ///< false: everything is drawn, but no pixel is filled

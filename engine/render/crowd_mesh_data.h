@@ -14,16 +14,18 @@ namespace throng::render {
 struct MeshPartData {
   std::span<const float> positions;        ///< x y z, in the space of the palette
   std::span<const float> normals;          ///< x y z, unit
-  std::span<const float> texture_coords;   ///< u v of the base colour, or empty
+  std::span<const float> texture_coords;   ///< u v of the base colour, or empty; without a texture, of patterns: metres
   std::span<const float> emission_coords;  ///< u v of the emission, or empty: `texture_coords`; so are these
   std::span<const float> metallic_roughness_coords;
   std::span<const float> normal_coords;
   std::span<const float> occlusion_coords;
   std::span<const float> tangents;                 ///< x y z, unit, and the side of the bitangent; or empty: no bumps
   std::span<const float> colors;                   ///< linear r g b a, or empty: white
-  std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex; any other, or empty: untinted
+  std::span<const std::uint8_t> regions;           ///< Region a vertex; any other, or empty: untinted
   std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
   std::span<const float> hair;                     ///< two a vertex, -1..1, or empty
+  std::span<const float> trims = {};               ///< one a vertex, 0..1, or empty: where Pattern::trim shows
+  std::span<const float> faces = {};               ///< four a vertex, -1..1, or empty: see SurfaceVertex
   std::span<const std::uint16_t> palette_entries;  ///< four a vertex
   std::span<const float> weights;                  ///< four a vertex, sum 1
   std::span<const std::uint32_t> indices;          ///< triangles, counter-clockwise front
@@ -95,12 +97,31 @@ struct BakedLodData {
   std::vector<MeshPartData> parts;
 };
 
+/// The first mesh LOD at which silhouettes take the place of the pieces that agents wear.
+inline constexpr std::size_t first_silhouette_lod = 4;
+
+/// A mesh of a piece at one level.
+struct PieceLevelData {
+  std::vector<MeshPartData> parts;
+  float error = 0.0F;  ///< metres that it is off; 0 for the finest
+};
+
+/// A piece of a wardrobe, which some agents wear (Outfit).
+struct MeshPieceData {
+  /// Finest first, at least one. Those of a usual piece stand for mesh LODs from 0 on, those of a silhouette for mesh
+  /// LODs from first_silhouette_lod on; the last one stands for all that follow. One alone that is no silhouette is
+  /// simplified.
+  std::vector<PieceLevelData> levels;
+  bool is_silhouette = false;
+};
+
 /// Palettes of poses that stand for all that a character does: [pose][entry].
 using PosedPalettes = std::vector<std::vector<glm::mat4x3>>;
 
 struct CrowdMeshData {
-  std::vector<MeshPartData> parts;
+  std::vector<MeshPartData> parts;       ///< piece 0, all of a character; agents without an outfit are drawn with it
   std::vector<BakedLodData> baked_lods;  ///< finest first, the first few are used; if empty, `parts` are simplified
+  std::vector<MeshPieceData> pieces;     ///< pieces 1, 2 ...: what agents with an outfit wear
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
   /// Maps, for each of 1 to 4 bone levels, a palette entry to the one that a vertex reads at that level: the same entry

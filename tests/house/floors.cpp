@@ -63,6 +63,7 @@ const std::vector<House>& houses() {
         {"character"},
         {"settings"},
         {"crowd"},
+        {"wardrobe"},
         {"place"},
         {"measure"},
         {"view"},

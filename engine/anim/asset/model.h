@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -104,9 +105,12 @@ struct SkinnedMesh {
                                     ///< side of the bitangent, -1 or 1; else empty
   std::vector<std::vector<glm::vec2>> texture_coords;  ///< by Texture::coords; one a position, or empty
   std::vector<glm::vec4> colors;                       ///< linear RGBA, one a position, or empty
-  std::vector<std::uint8_t> regions;          ///< `_REGION`: tint region 0..4, or 5: untinted; one a position, or empty
-  std::vector<glm::vec3> shapes;              ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
-  std::vector<glm::vec2> hair;                ///< `_HAIR`: full, long, -1..1; one a position, or empty
+  std::vector<std::uint8_t> regions;  ///< `_REGION`: tint region 0..8, 5 untinted; one a position, or empty
+  std::vector<glm::vec3> shapes;      ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
+  std::vector<glm::vec2> hair;        ///< `_HAIR`: full, long, -1..1; one a position, or empty
+  std::vector<glm::vec4> faces;       ///< `_FACE`: jaw, nose, brow, eyes, -1..1; one a position, or empty
+  std::vector<glm::vec2> cloth;       ///< `TEXCOORD_0` where there are regions and no texture: metres on the cloth
+  std::vector<float> trims;  ///< `_TRIM`: how much a region's second colour shows, 0..1; one a position, or empty
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
@@ -119,6 +123,21 @@ struct BakedMeshLod {
   std::vector<SkinnedMesh> meshes;
 };
 
+/// A piece of what a character may wear or be made of. Those who differ wear some of them each (app/wardrobe).
+struct ModelPart {
+  std::string name;                    ///< of its node, behind the first `/`
+  std::string slot;                    ///< what it fills, as "top"; empty: it is always worn
+  std::string body;                    ///< whom it fits, as "woman"; empty: everybody
+  std::vector<std::string> covers;     ///< slots that are not drawn below it
+  std::vector<std::string> keeps_out;  ///< slots that stay empty with it
+  std::vector<std::string> tags;       ///< what rules know it by, as "warm"
+  std::vector<SkinnedMesh> meshes;     ///< without morphs
+  std::vector<BakedMeshLod> lods;      ///< finest first; may be empty
+};
+
+/// The slot of parts that show a whole outfit from afar.
+inline constexpr std::string_view silhouette_slot = "silhouette";
+
 /// One skeleton of a file with its skins, clips, meshes and materials.
 struct Model {
   Skeleton skeleton;
@@ -127,10 +146,21 @@ struct Model {
   std::vector<SkinnedMesh> meshes;
   std::vector<Morph> morphs;            ///< those that its clips animate
   std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
+  std::vector<ModelPart> parts;         ///< empty: all wear `meshes`; else these have the first part of each slot
   std::vector<Material> materials;      ///< at least one if there is a mesh
   std::vector<Image> images;
   bool faces_backwards = false;  ///< the file's format looks along -Z, as VRM 0.x does (see placement.h)
 };
+
+/// Calls `visit` with the meshes of a model, with those of each mesh LOD, and with those of each part and its LODs.
+void visit_surfaces(auto& model, const auto& visit) {
+  visit(model.meshes);
+  for (auto& lod : model.mesh_lods) visit(lod.meshes);
+  for (auto& part : model.parts) {
+    visit(part.meshes);
+    for (auto& lod : part.lods) visit(lod.meshes);
+  }
+}
 
 /// The contents of one .glb or .gltf. Models are sorted by the number of vertices skinned to them, then by joints,
 /// largest first.

@@ -26,10 +26,9 @@ void place_bind_pose(Model& model, const Placement& placement, const glm::dmat4&
     frame.scale *= placement.scale;
   }
   for (Skin& skin : model.skins) skin.bind_to_model = matrix * skin.bind_to_model;
-  for (SkinnedMesh& mesh : model.meshes) place_mesh(mesh, placement, matrix);
-  for (BakedMeshLod& lod : model.mesh_lods) {
-    for (SkinnedMesh& mesh : lod.meshes) place_mesh(mesh, placement, matrix);
-  }
+  visit_surfaces(model, [&](std::vector<SkinnedMesh>& meshes) {
+    for (SkinnedMesh& mesh : meshes) place_mesh(mesh, placement, matrix);
+  });
 }
 
 }  // namespace
@@ -48,6 +47,9 @@ void place_model(Model& model, const Placement& placement) {
   }
   if (model.skeleton.rigid) place_bind_pose(model, placement, matrix);
   for (BakedMeshLod& lod : model.mesh_lods) lod.error *= placement.scale;
+  for (ModelPart& part : model.parts) {
+    for (BakedMeshLod& lod : part.lods) lod.error *= placement.scale;
+  }
 }
 
 bool face_forward(Model& model) {

@@ -179,8 +179,7 @@ void reorder_bones(Model& model, const BoneOrder& order) {
     for (int& entry : skin.palette_entries) entry = at(entry_places, entry);
   }
   for (Clip& clip : model.clips) reorder_clip(clip, places);
-  reorder_influences(model.meshes, entry_places);
-  for (BakedMeshLod& lod : model.mesh_lods) reorder_influences(lod.meshes, entry_places);
+  visit_surfaces(model, [&](std::vector<SkinnedMesh>& meshes) { reorder_influences(meshes, entry_places); });
 }
 
 }  // namespace throng::anim

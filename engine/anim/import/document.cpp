@@ -81,6 +81,30 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
   return nodes;
 }
 
+std::vector<std::string> plain_texts(const json& texts) {
+  std::vector<std::string> plain;
+  for (const json& text : texts) plain.push_back(anim::plain_text(text.get<std::string>()));
+  return plain;
+}
+
+std::map<int, PartNode> take_parts(json& document) {
+  std::map<int, PartNode> parts;
+  if (!document.contains("nodes")) return parts;
+  int index = -1;
+  for (json& node : document["nodes"]) {
+    ++index;
+    const auto said = node.find(part_property);
+    if (said == node.end()) continue;
+    parts[index] = {.slot = anim::plain_text((*said)["slot"].get<std::string>()),
+                    .body = anim::plain_text(said->value("body", "")),
+                    .covers = plain_texts(said->value("covers", json::array())),
+                    .keeps_out = plain_texts(said->value("keeps_out", json::array())),
+                    .tags = plain_texts(said->value("tags", json::array()))};
+    node.erase(part_property);
+  }
+  return parts;
+}
+
 /// Extras may hold anything; what is no list of names is none.
 std::vector<std::vector<std::string>> take_target_names(json& document) {
   std::vector<std::vector<std::string>> meshes;
@@ -209,6 +233,7 @@ Document load_document(const std::filesystem::path& path, bool strict, MemoryAcc
   document.data_keys = take_data_keys(json_document);
   document.curves = take_curves(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
+  document.parts = take_parts(json_document);
   document.target_names = take_target_names(json_document);
   document.is_hidden = take_hidden(json_document);
   document.humanoid = read_humanoid(json_document, document.repairs);

@@ -31,6 +31,12 @@ struct MeshLodNode {
   double error = 0.0;  ///< metres
 };
 
+/// What a node says of the part that it draws (see json_document.h).
+struct PartNode {
+  std::string slot, body;
+  std::vector<std::string> covers, keeps_out, tags;
+};
+
 /// A checked glTF document. `gltf` is tinygltf's form of the JSON; buffers and images are our own, because tinygltf
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
 /// inside their views.
@@ -45,6 +51,7 @@ struct Document {
   std::vector<std::vector<anim::NamedDataKey>> data_keys;           ///< by animation, as the file has them
   std::vector<std::vector<anim::NamedCurve>> curves;                ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;                  ///< by node, as the file has them
+  std::map<int, PartNode> parts;                                    ///< by node, of those that are parts
   std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
   std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;

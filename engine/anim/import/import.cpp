@@ -39,6 +39,7 @@ anim::Model build_model(Document& document, const NodeTree& tree, const std::vec
   Surfaces surfaces = read_surfaces(document, tree, animations, built, materials);
   model.meshes = std::move(surfaces.meshes);
   model.mesh_lods = std::move(surfaces.mesh_lods);
+  model.parts = std::move(surfaces.parts);
   model.morphs = std::move(surfaces.morphs);
   model.skeleton = std::move(built.skeleton);
   model.skins = std::move(built.skins);

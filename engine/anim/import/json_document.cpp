@@ -64,6 +64,17 @@ void keep_extra(json& document, const char* array, const char* property) {
   }
 }
 
+/// A part may be said by its slot alone, as programs write a custom property.
+void spell_out_parts(json& document) {
+  const auto nodes = document.find("nodes");
+  if (nodes == document.end() || !nodes->is_array()) return;
+  for (json& node : *nodes) {
+    if (!node.is_object() || !node.contains(part_property)) continue;
+    json& part = node[part_property];
+    if (part.is_string()) part = json{{"slot", part}};
+  }
+}
+
 /// A text has two bytes for each value at least, so its length limits them. Objects are searched by their keys.
 constexpr JsonLimits gltf_limits{.depth = max_json_depth,
                                  .bytes = max_file_size,
@@ -124,6 +135,8 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   keep_extra(document, "animations", data_keys_property);
   keep_extra(document, "animations", curves_property);
   keep_extra(document, "nodes", mesh_lods_property);
+  keep_extra(document, "nodes", part_property);
+  spell_out_parts(document);
   keep_extra(document, "meshes", target_names_property);
   simplify(document);
   return document;

@@ -50,6 +50,13 @@ constexpr auto properties = std::to_array<Property>({
     {"mesh LOD", "node", Kind::index, "nodes", 0, required},
     {"mesh LOD", "error", Kind::number, {}, 0, required},
 
+    {"node", part_property, Kind::object, "part"},
+    {"part", "slot", Kind::text, {}, 0, required},
+    {"part", "body", Kind::text},
+    {"part", "covers", Kind::texts},
+    {"part", "keeps_out", Kind::texts},
+    {"part", "tags", Kind::texts},
+
     {"mesh", "name", Kind::text},
     {"mesh", "weights", Kind::numbers},
     {"mesh", "primitives", Kind::objects, "primitive", 1, required},

@@ -171,16 +171,75 @@ class MeshReader {
   Surfaces read() {
     std::vector<int> skinned;
     for (int node = 0; node < tree_.size(); ++node) {
-      if (tree_.is_drawn[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
+      if (is_drawn(node) && !is_part(node) && read_skinned(node)) skinned.push_back(node);
     }
-    for (const AttachedMesh& attached : built_.attached) read_attached(attached);
-    Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}, .morphs = morphs_};
-    reads_lods_ = true;
+    for (const AttachedMesh& attached : built_.attached) {
+      if (!is_part(attached.node)) read_attached(attached);
+    }
+    Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}, .parts = {}, .morphs = morphs_};
+    keeps_morphs_ = false;
+    surfaces.parts = read_parts();
+    if (!surfaces.parts.empty()) {
+      add_first_parts(surfaces);
+      return surfaces;
+    }
     for (std::size_t lod = 0; lod < lod_count(skinned); ++lod) surfaces.mesh_lods.push_back(read_lod(skinned, lod));
     return surfaces;
   }
 
  private:
+  bool is_drawn(int node) const { return tree_.is_drawn[static_cast<std::size_t>(node)]; }
+  bool is_part(int node) const { return document_.parts.contains(node); }
+
+  std::vector<anim::ModelPart> read_parts() {
+    std::vector<anim::ModelPart> parts;
+    for (int node = 0; node < tree_.size(); ++node) {
+      if (!is_part(node) || !is_drawn(node)) continue;
+      drawn_.clear();  // parts of several bodies may share a mesh
+      if (read_skinned(node)) parts.push_back(read_part(node));
+    }
+    for (const AttachedMesh& attached : built_.attached) {
+      if (!is_part(attached.node)) continue;
+      read_attached(attached);
+      parts.push_back(read_part(attached.node));
+    }
+    return parts;
+  }
+
+  /// Takes the meshes that were read last for those of a part.
+  anim::ModelPart read_part(int node) {
+    const PartNode& said = document_.parts.at(node);
+    const std::string& name = source(node).name;
+    anim::ModelPart part{.name = name.substr(name.find('/') + 1),
+                         .slot = said.slot,
+                         .body = said.body,
+                         .covers = said.covers,
+                         .keeps_out = said.keeps_out,
+                         .tags = said.tags,
+                         .meshes = std::exchange(meshes_, {}),
+                         .lods = {}};
+    if (part.name.empty()) part.name = node_label(node);
+    for (std::size_t lod = 0; source(node).skin >= 0 && lod < lods_of(node).size(); ++lod) {
+      drawn_.clear();
+      part.lods.push_back(read_lod({node}, lod));
+    }
+    return part;
+  }
+
+  /// Makes what no part is a part that is always worn, and adds the first part of each slot to the meshes.
+  static void add_first_parts(Surfaces& surfaces) {
+    std::set<std::string> filled;
+    const std::string body = surfaces.parts.front().body;
+    anim::ModelPart always;
+    always.name = "always";
+    always.meshes = surfaces.meshes;
+    for (const anim::ModelPart& part : surfaces.parts) {
+      if (!(part.body.empty() || part.body == body) || !filled.insert(part.slot).second) continue;
+      surfaces.meshes.insert(surfaces.meshes.end(), part.meshes.begin(), part.meshes.end());
+    }
+    if (!always.meshes.empty()) surfaces.parts.insert(surfaces.parts.begin(), std::move(always));
+  }
+
   const tinygltf::Node& source(int node) const { return document_.gltf.nodes[static_cast<std::size_t>(node)]; }
 
   const std::vector<MeshLodNode>& lods_of(int node) const {
@@ -264,7 +323,7 @@ class MeshReader {
   /// Makes a morph of each target of the node's mesh that an animation moves.
   MorphsOfMesh morphs_of(int node) {
     MorphsOfMesh morphs{.rest_weights = morph_weights(node), .animated = {}};
-    if (reads_lods_) return morphs;
+    if (!keeps_morphs_) return morphs;
     const std::vector<int> targets = animated_targets(animations_, node, morphs.rest_weights);
     document_.memory->charge_for_good(targets.size() * bytes_a_morph, node_label(node));
     for (const int target : targets) {
@@ -326,7 +385,7 @@ class MeshReader {
   std::set<std::pair<int, int>> drawn_;
   std::vector<anim::SkinnedMesh> meshes_;
   std::vector<anim::Morph> morphs_;
-  bool reads_lods_ = false;  // which do not morph
+  bool keeps_morphs_ = true;  // parts and LODs do not morph
 };
 
 }  // namespace

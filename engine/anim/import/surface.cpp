@@ -90,7 +90,7 @@ std::vector<glm::vec3> compute_normals(const std::vector<glm::vec3>& positions, 
   return normals;
 }
 
-constexpr float largest_region = 5.0F;
+constexpr float largest_region = 8.0F;
 
 class SurfaceReader {
  public:
@@ -115,6 +115,7 @@ class SurfaceReader {
     read_colors();
     read_regions();
     read_variations();
+    read_cloth();
     place(placement);
     mend_normals();
     return std::move(mesh_);
@@ -288,6 +289,19 @@ class SurfaceReader {
     for (glm::vec3& shape : mesh_.shapes) shape = glm::clamp(shape, -1.0F, 1.0F);
     mesh_.hair = read_attribute<glm::vec2>("_HAIR", TINYGLTF_TYPE_VEC2, float_alone);
     for (glm::vec2& hair : mesh_.hair) hair = glm::clamp(hair, -1.0F, 1.0F);
+    mesh_.faces = read_attribute<glm::vec4>("_FACE", TINYGLTF_TYPE_VEC4, float_or_small);
+    for (glm::vec4& face : mesh_.faces) face = glm::clamp(face, -1.0F, 1.0F);
+  }
+
+  /// Reads where a vertex lies on its cloth, for patterns, which textures would hide.
+  void read_cloth() {
+    if (mesh_.regions.empty()) return;
+    if (mesh_.texture_coords.empty() && primitive_.attributes.contains("TEXCOORD_0")) {
+      mesh_.cloth = read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small);
+    }
+    for (const auto& value : read_attribute<glm::vec1>("_TRIM", TINYGLTF_TYPE_SCALAR, float_or_unsigned)) {
+      mesh_.trims.push_back(glm::clamp(value.x, 0.0F, 1.0F));
+    }
   }
 
   void place(const glm::dmat4& placement) {

@@ -111,7 +111,8 @@ void describe(Archive& archive, T& delta) {
 template <typename Archive, Same<anim::SkinnedMesh> T>
 void describe(Archive& archive, T& mesh) {
   archive(mesh.name, mesh.material, mesh.positions, mesh.normals, mesh.tangents, mesh.texture_coords, mesh.colors,
-          mesh.regions, mesh.shapes, mesh.hair, mesh.palette_entries, mesh.weights, mesh.indices, mesh.morph_deltas);
+          mesh.regions, mesh.shapes, mesh.hair, mesh.faces, mesh.cloth, mesh.trims, mesh.palette_entries, mesh.weights,
+          mesh.indices, mesh.morph_deltas);
 }
 
 template <typename Archive, Same<anim::BakedMeshLod> T>
@@ -119,11 +120,16 @@ void describe(Archive& archive, T& lod) {
   archive(lod.error, lod.meshes);
 }
 
+template <typename Archive, Same<anim::ModelPart> T>
+void describe(Archive& archive, T& part) {
+  archive(part.name, part.slot, part.body, part.covers, part.keeps_out, part.tags, part.meshes, part.lods);
+}
+
 /// Names all of a model but its clips, which have a section of their own.
 template <typename Archive, Same<anim::Model> T>
 void describe(Archive& archive, T& model) {
   archive(model.skeleton, model.skins, model.meshes, model.mesh_lods, model.materials, model.images, model.morphs,
-          model.faces_backwards);
+          model.faces_backwards, model.parts);
 }
 
 /// Names all of a file but its models.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace throng::app {
+
+struct CrowdLayout;
+
+/// Says who walks with whom. Those who keep company come right behind their leader in the list of walkers.
+struct Company {
+  std::vector<std::uint32_t> leaders;  ///< [walker] beside whom it keeps; itself if it leads; empty: all are alone
+  std::vector<float> sides;            ///< [walker] metres of a person to the left of the leader; of leaders 0
+
+  std::size_t leader(std::size_t walker) const { return leaders.empty() ? walker : leaders[walker]; }
+  bool follows(std::size_t walker) const { return leader(walker) != walker; }
+  /// Returns the walker after the last of those who keep beside a leader.
+  std::size_t end_of(std::size_t leader) const {
+    std::size_t next = leader + 1;
+    while (next < leaders.size() && leaders[next] == leader) ++next;
+    return next;
+  }
+};
+
+/// Draws couples and families among walkers that come one after the other on a lane, and puts them beside each other.
+void draw_company(CrowdLayout& layout, std::uint32_t seed);
+
+}  // namespace throng::app

@@ -1,0 +1,258 @@
+#include "app/wardrobe/cast_rules.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "app/files/json_file.h"
+#include "app/files/nearest_names.h"
+#include "app/wardrobe/look_words.h"
+#include "engine/anim/base/plain_text.h"
+#include "engine/anim/import/json/json_object.h"
+
+namespace throng::app {
+namespace {
+
+constexpr int rules_version = 1;
+constexpr double most_weight = 1e6, least_size = 0.3, most_size = 2.0;
+
+using RuleComplaint = std::optional<std::string>;
+
+template <typename Rules, typename Member>
+auto named(const Rules& rules, Member member, std::string_view name) {
+  const auto found = std::ranges::find(rules, name, member);
+  return found == rules.end() ? nullptr : &*found;
+}
+
+/// Reads `#RRGGBB`.
+std::optional<std::uint32_t> color_of(const Json& json) {
+  constexpr std::size_t length = 7;
+  if (!json.is<std::string>()) return {};
+  const auto text = json.get<std::string>();
+  std::uint32_t value = 0;
+  if (text.size() != length || text.front() != '#') return {};
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + length, value, 16);
+  if (error != std::errc() || end != text.data() + length) return {};
+  return (value & 0xFFU) << 16U | (value & 0xFF00U) | value >> 16U;
+}
+
+/// Reads the parts of a rules file, and keeps the first complaint.
+class RulesReader {
+ public:
+  explicit RulesReader(const Json& json) : json_(json) {}
+
+  anim::Result<CastRules> read() {
+    const JsonObject all("", json_,
+                         {"version", "bodies", "skin", "colours", "clothes", "styles", "scenes", "weather", "teams"},
+                         complaint_);
+    all.version(rules_version);
+    all.need({"styles", "scenes"});
+    all.texts("skin", rules_.skin);
+    for (const Json::Member& body : json_["bodies"].members()) read_body(body);
+    for (const Json::Member& palette : json_["colours"].members()) read_palette(palette);
+    for (const Json::Member& cloth : json_["clothes"].members()) read_cloth(cloth);
+    for (const Json::Member& style : json_["styles"].members()) read_style(style);
+    for (const Json::Member& scene : json_["scenes"].members()) {
+      rules_.scenes.push_back({scene.key, weighed("scene " + anim::in_quotes(scene.key), scene.value)});
+    }
+    for (const Json::Member& weather : json_["weather"].members()) {
+      rules_.weather.push_back({weather.key, weighed("weather " + anim::in_quotes(weather.key), weather.value)});
+    }
+    for (const Json& team : all.elements("teams")) read_team(team);
+    if (!complaint_) check_names();
+    if (complaint_) return anim::Error{*complaint_};
+    return std::move(rules_);
+  }
+
+ private:
+  void complain(std::string text) {
+    if (!complaint_) complaint_ = std::move(text);
+  }
+
+  WeighedNames weighed(const std::string& owner, const Json& json) {
+    WeighedNames names;
+    if (!json.is_object()) complain(owner + " must be an object of names with weights");
+    for (const Json::Member& member : json.members()) {
+      const bool fits = member.value.is_number() && member.value.get<double>() >= 0.0 &&
+                        member.value.get<double>() <= most_weight;
+      if (fits) {
+        names.push_back({member.key, static_cast<float>(member.value.get<double>())});
+      } else {
+        complain(owner + ": the weight of " + anim::in_quotes(member.key) + " must be a number from 0 to 1000000");
+      }
+    }
+    return names;
+  }
+
+  void read_body(const Json::Member& member) {
+    const JsonObject object("body " + anim::in_quotes(member.key), member.value, {"share", "size"}, complaint_);
+    double share = 1.0, size = 1.0;
+    object.number("share", share, 0.0, most_weight);
+    object.number("size", size, least_size, most_size);
+    rules_.bodies.push_back({member.key, static_cast<float>(share), static_cast<float>(size)});
+  }
+
+  void read_palette(const Json::Member& member) {
+    Palette palette{member.key, {}};
+    for (const Json& json : member.value.elements()) {
+      if (const auto color = color_of(json)) palette.colors.push_back(*color);
+    }
+    if (palette.colors.empty() || palette.colors.size() != member.value.elements().size()) {
+      complain("colours " + anim::in_quotes(member.key) + " must be an array of colours like \"#2F4A63\"");
+    }
+    rules_.palettes.push_back(std::move(palette));
+  }
+
+  void read_cloth(const Json::Member& member) {
+    const std::string owner = "clothes " + anim::in_quotes(member.key);
+    const JsonObject object(owner, member.value, {"colours", "seconds", "patterns", "fabric"}, complaint_);
+    ClothRule cloth{.part = member.key, .colors = {}, .seconds = {}, .patterns = {}};
+    object.text("colours", cloth.colors);
+    object.text("seconds", cloth.seconds);
+    std::string fabric = fabric_name(cloth.fabric);
+    object.text("fabric", fabric);
+    if (const auto found = fabric_named(fabric)) {
+      cloth.fabric = *found;
+    } else {
+      complain(owner + ": no fabric is called " + anim::in_quotes(fabric) + "; there are " + known_fabrics());
+    }
+    if (object.has("patterns")) {
+      for (const WeighedName& pattern : weighed(owner + ", patterns", object["patterns"])) {
+        if (const auto found = pattern_named(pattern.name)) {
+          cloth.patterns.emplace_back(*found, pattern.weight);
+        } else {
+          complain(owner + ": no pattern is called " + anim::in_quotes(pattern.name) + "; there are " +
+                   known_patterns());
+        }
+      }
+    }
+    rules_.clothes.push_back(std::move(cloth));
+  }
+
+  void read_style(const Json::Member& member) {
+    const std::string owner = "style " + anim::in_quotes(member.key);
+    const JsonObject object(owner, member.value, {"bodies", "wears", "colours", "alike", "old"}, complaint_);
+    object.need({"wears"});
+    Style style;
+    style.name = member.key;
+    object.texts("bodies", style.bodies);
+    object.flag("alike", style.alike);
+    object.flag("old", style.old);
+    for (const Json::Member& slot : object["wears"].members()) {
+      style.wears.push_back({slot.key, weighed(owner + ", " + anim::in_quotes(slot.key), slot.value)});
+    }
+    for (const Json::Member& color : object["colours"].members()) {
+      if (!color.value.is<std::string>()) {
+        complain(owner + ": the colours of " + anim::in_quotes(color.key) + " must be the name of a palette");
+      } else {
+        style.colors.emplace_back(color.key, color.value.get<std::string>());
+      }
+    }
+    rules_.styles.push_back(std::move(style));
+  }
+
+  void read_team(const Json& json) {
+    const std::span<const Json> colors = json.elements();
+    const auto first = colors.size() == 2 ? color_of(colors[0]) : std::nullopt;
+    const auto second = colors.size() == 2 ? color_of(colors[1]) : std::nullopt;
+    if (!first || !second) return complain("\"teams\" must be an array of pairs like [\"#C8102E\", \"#FFFFFF\"]");
+    rules_.teams.push_back({*first, *second});
+  }
+
+  void check_names() {
+    if (rules_.scenes.empty() || rules_.scenes.front().styles.empty()) complain("\"scenes\" must name styles");
+    for (const SceneRule& scene : rules_.scenes) {
+      for (const WeighedName& style : scene.styles) {
+        if (rules_.style(style.name) == nullptr) {
+          complain("scene " + anim::in_quotes(scene.scene) + ": no style is called " + anim::in_quotes(style.name));
+        }
+      }
+    }
+    for (const ClothRule& cloth : rules_.clothes) {
+      for (const std::string* palette : {&cloth.colors, &cloth.seconds}) {
+        check_palette("clothes " + anim::in_quotes(cloth.part), *palette);
+      }
+    }
+    for (const Style& style : rules_.styles) {
+      for (const auto& [slot, palette] : style.colors) check_palette("style " + anim::in_quotes(style.name), palette);
+      for (const std::string& body : style.bodies) check_body("style " + anim::in_quotes(style.name), body);
+    }
+  }
+
+  void check_palette(const std::string& owner, const std::string& name) {
+    if (name.empty() || rules_.palette(name) != nullptr) return;
+    if (name == team_colors && !rules_.teams.empty()) return;
+    complain(owner + ": no colours are called " + anim::in_quotes(name));
+  }
+
+  void check_body(const std::string& owner, const std::string& name) {
+    if (named(rules_.bodies, &BodyRule::name, name) != nullptr) return;
+    complain(owner + ": no body is called " + anim::in_quotes(name));
+  }
+
+  const Json& json_;
+  CastRules rules_;
+  RuleComplaint complaint_;
+};
+
+}  // namespace
+
+const Palette* CastRules::palette(std::string_view name) const { return named(palettes, &Palette::name, name); }
+const ClothRule* CastRules::cloth(std::string_view part) const { return named(clothes, &ClothRule::part, part); }
+const Style* CastRules::style(std::string_view name) const { return named(styles, &Style::name, name); }
+
+const SceneRule* CastRules::scene(std::string_view name) const {
+  const SceneRule* const own = named(scenes, &SceneRule::scene, name);
+  return own == nullptr && !scenes.empty() ? &scenes.front() : own;
+}
+
+anim::Result<CastRules> cast_rules(const Json& json) { return RulesReader(json).read(); }
+
+anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
+  const JsonFile rules_file(file, {.unread = "give a file of rules like assets/cast.json",
+                                   .malformed = "mend it, or begin with a copy of assets/cast.json",
+                                   .wrong = "app/wardrobe/README.md says what rules hold"});
+  const auto json = rules_file.read();
+  if (!json) return json.error();
+  auto rules = cast_rules(*json);
+  if (!rules) return rules_file.wrong(rules.error().message);
+  return rules;
+}
+
+std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe) {
+  const std::vector<std::string> names = wardrobe.names();
+  for (const Style& style : rules.styles) {
+    for (const SlotRule& slot : style.wears) {
+      for (const WeighedName& part : slot.parts) {
+        if (part.name == nothing_worn || wardrobe.knows(part.name)) continue;
+        return "style " + anim::in_quotes(style.name) + " wears " + anim::in_quotes(part.name) +
+               ", which no part is called; the nearest are " + nearest_names(part.name, names);
+      }
+    }
+  }
+  const std::vector<std::string> bodies = wardrobe.bodies();
+  for (const BodyRule& body : rules.bodies) {
+    if (bodies.front().empty() || std::ranges::find(bodies, body.name) != bodies.end()) continue;
+    return "no part fits the body " + anim::in_quotes(body.name);
+  }
+  return {};
+}
+
+CastRules even_rules(const Wardrobe& wardrobe) {
+  CastRules rules;
+  for (const std::string& body : wardrobe.bodies()) rules.bodies.push_back({body});
+  Style style;
+  style.name = "any";
+  for (const WardrobePart& part : wardrobe.parts()) {
+    if (part.slot == anim::silhouette_slot || part.slot.empty()) continue;
+    auto slot = std::ranges::find(style.wears, part.slot, &SlotRule::slot);
+    if (slot == style.wears.end()) slot = style.wears.insert(slot, {part.slot, {}});
+    const bool is_listed = std::ranges::find(slot->parts, part.name, &WeighedName::name) != slot->parts.end();
+    if (!is_listed) slot->parts.push_back({part.name});
+  }
+  rules.styles.push_back(std::move(style));
+  rules.scenes.push_back({"any", {{"any"}}});
+  return rules;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/wardrobe/wardrobe.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
+#include "engine/render/agent_look.h"
+
+namespace throng::app {
+
+/// A name that is drawn as often as its weight says, beside others. The name "none" stands for nothing.
+struct WeighedName {
+  std::string name;
+  float weight = 1.0F;
+};
+using WeighedNames = std::vector<WeighedName>;
+inline constexpr std::string_view nothing_worn = "none";
+
+/// Colours, sRGB, red in the lowest byte.
+struct Palette {
+  std::string name;
+  std::vector<std::uint32_t> colors;
+};
+
+/// How a piece of clothing is made.
+struct ClothRule {
+  std::string part;
+  std::string colors, seconds;  ///< names of palettes; empty: as the style says, else white
+  std::vector<std::pair<render::Pattern, float>> patterns;  ///< with weights; empty: plain
+  render::Fabric fabric = render::Fabric::cotton;
+};
+
+/// What one fills a slot with.
+struct SlotRule {
+  std::string slot;
+  WeighedNames parts;
+};
+
+/// A way to dress. Slots are filled in this order; what is worn may cover others or keep them empty.
+struct Style {
+  std::string name;
+  std::vector<std::string> bodies;  ///< who dresses so; empty: everybody
+  std::vector<SlotRule> wears;
+  std::vector<std::pair<std::string, std::string>> colors;  ///< slot, palette: stronger than those of the clothes
+  bool alike = false;                                       ///< all have the same clothes and colours, as a uniform
+  bool old = false;                                         ///< grey hair, and a stoop
+};
+
+/// The styles of a scene, with weights.
+struct SceneRule {
+  std::string scene;
+  WeighedNames styles;
+};
+
+/// How often parts with a tag are worn in some weather, over how often they are otherwise.
+struct WeatherRule {
+  std::string weather;
+  WeighedNames tags;
+};
+
+struct BodyRule {
+  std::string name;
+  float share = 1.0F;
+  float size = 1.0F;  ///< over that of the file
+};
+
+/// Colours of a team, and its second ones.
+struct Team {
+  std::uint32_t color = 0, second = 0;
+};
+
+/// Says who wears what, as `assets/cast.json` and files of users do. app/wardrobe/README.md has an example.
+struct CastRules {
+  std::vector<BodyRule> bodies;
+  std::vector<std::string> skin;  ///< slots that everybody fills with the first part there is, unless it is covered
+  std::vector<Palette> palettes;
+  std::vector<ClothRule> clothes;
+  std::vector<Style> styles;
+  std::vector<SceneRule> scenes;  ///< the first is for scenes that have none of their own
+  std::vector<WeatherRule> weather;
+  std::vector<Team> teams;
+
+  const Palette* palette(std::string_view name) const;
+  const ClothRule* cloth(std::string_view part) const;
+  const Style* style(std::string_view name) const;
+  /// Returns the styles of a scene, or those of all that have none.
+  const SceneRule* scene(std::string_view name) const;
+};
+
+/// The palette of a style that stands for the colours of one's team.
+inline constexpr std::string_view team_colors = "team";
+
+/// Reads rules. The error names the file, the object and what to do.
+anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file);
+
+/// Returns rules out of JSON. The error is the end of a sentence that begins with the file's name.
+anim::Result<CastRules> cast_rules(const Json& json);
+
+/// Says what is wrong where rules name a part or body that a wardrobe lacks; an empty text if nothing is.
+std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe);
+
+/// Returns rules for a wardrobe that has none: everybody fills each slot with any part that fits, as often with each.
+CastRules even_rules(const Wardrobe& wardrobe);
+
+}  // namespace throng::app

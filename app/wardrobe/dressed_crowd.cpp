@@ -1,0 +1,96 @@
+#include "app/wardrobe/dressed_crowd.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "app/settings/choices.h"
+#include "app/wardrobe/dresser.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint32_t most_attempts = 12;
+constexpr float same_group = 2.2F;  // metres from one who stands to the next of the list
+constexpr std::uint32_t gray_hair[]{0xC9C5C0, 0xA8A4A0, 0xDCD9D6, 0x8E8A86};
+
+/// Finds who looks like whom.
+class Lookalikes {
+ public:
+  explicit Lookalikes(std::span<const glm::vec3> positions) : positions_(positions) {}
+
+  bool has_near(std::uint64_t looks_like, std::uint32_t agent) const {
+    const auto [first, last] = agents_.equal_range(looks_like);
+    return std::any_of(first, last, [&](const auto& other) {
+      return glm::distance(positions_[other.second], positions_[agent]) < alike_reach;
+    });
+  }
+  void add(std::uint64_t looks_like, std::uint32_t agent) { agents_.emplace(looks_like, agent); }
+
+ private:
+  std::span<const glm::vec3> positions_;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> agents_;
+};
+
+/// Numbers groups: who stands beside the one before is of its group.
+std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
+  std::vector<std::uint32_t> groups;
+  const std::span<const glm::vec3> places = crowd.positions();
+  for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
+    const bool stands = agent > crowd.walkers() + crowd.marchers();
+    const bool joins = stands && glm::distance(places[agent], places[agent - 1]) < same_group;
+    groups.push_back(joins ? groups.back() : agent);
+  }
+  return groups;
+}
+
+/// Teams have their sides of a scene.
+std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
+
+void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
+  constexpr std::uint64_t gray_stream = 25;
+  Random random(seed + agent, gray_stream);
+  const std::uint32_t gray = gray_hair[random.below(std::size(gray_hair))];
+  look.tints.at(static_cast<std::size_t>(render::Region::hair)) = render::tint_of(faded(gray, random));
+}
+
+}  // namespace
+
+DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning) {
+  const Occasion occasion{.scene = scene_words.at(static_cast<std::size_t>(tuning.scene)),
+                          .weather = weather_words.at(static_cast<std::size_t>(tuning.weather)),
+                          .seed = tuning.seed};
+  std::vector<std::optional<Dresser>> dressers(clothing.size());
+  for (std::size_t i = 0; i < clothing.size(); ++i) {
+    const bool dresses = !clothing[i].wardrobe.empty() && !clothing[i].rules.styles.empty();
+    if (dresses) dressers[i].emplace(clothing[i].rules, clothing[i].wardrobe, occasion);
+  }
+  DressedCrowd dressed{.looks = crowd.looks().drawn,
+                       .outfits = std::vector<render::Outfit>(crowd.size()),
+                       .in_hand = std::vector<const WardrobePart*>(crowd.size())};
+  const std::vector<std::uint32_t> groups = groups_of(crowd);
+  Lookalikes lookalikes(crowd.positions());
+  for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
+    const std::optional<Dresser>& dresser = dressers[crowd.characters()[agent]];
+    if (!dresser) continue;
+    const Person person{.agent = agent,
+                        .body = crowd.looks().bodies[agent],
+                        .group = groups[agent],
+                        .team = team_of(crowd.positions()[agent])};
+    Dressed worn;
+    for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
+      worn = dresser->dress(person, attempt, dressed.looks[agent]);
+      if (worn.style->alike || !lookalikes.has_near(worn.looks_like, agent)) break;
+    }
+    lookalikes.add(worn.looks_like, agent);
+    if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
+    dressed.outfits[agent] = worn.outfit;
+    dressed.in_hand[agent] = worn.in_hand;
+  }
+  return dressed;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "app/crowd/crowd.h"
+#include "app/wardrobe/clothing.h"
+
+namespace throng::app {
+
+/// Two who stand within this many metres of each other never have the same silhouette, patterns and colours, unless
+/// they wear a uniform or nothing else can be found.
+inline constexpr float alike_reach = 15.0F;
+
+/// What everybody of a crowd wears, [agent].
+struct DressedCrowd {
+  std::vector<render::AgentLook> looks;
+  std::vector<render::Outfit> outfits;
+  std::vector<const WardrobePart*> in_hand;  ///< null: nothing
+};
+
+/// Dresses a crowd where it stands now. `clothing` has one a character; agents of a character without parts stay as
+/// they are. The same crowd, rules and weather give the same clothes.
+DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning);
+
+}  // namespace throng::app

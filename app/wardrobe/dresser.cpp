@@ -1,0 +1,243 @@
+#include "app/wardrobe/dresser.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint64_t style_stream = 21, clothes_stream = 22, uniform_stream = 23, color_stream = 24;
+constexpr float share_of_alike_styles = 0.7F;  // of a group
+constexpr std::uint32_t white = 0xFFFFFF;
+
+/// The regions that the parts of a slot are coloured as.
+constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"top", render::Region::top},
+                                                                              {"bottom", render::Region::bottom},
+                                                                              {"outer", render::Region::outer},
+                                                                              {"shoes", render::Region::shoes},
+                                                                              {"headgear", render::Region::headgear},
+                                                                              {"back", render::Region::thing},
+                                                                              {"hand_left", render::Region::thing},
+                                                                              {"hand_right", render::Region::thing}}};
+
+std::optional<render::Region> region_of(std::string_view slot) {
+  const auto found = std::ranges::find(regions, slot, [](const auto& each) { return each.first; });
+  if (found == regions.end()) return {};
+  return found->second;
+}
+
+/// Draws by weight; null where nothing has any.
+template <typename Weighed, typename Weight>
+const Weighed* weighed_one(const std::vector<Weighed>& all, Weight weight, Random& random) {
+  float total = 0.0F;
+  for (const Weighed& each : all) total += weight(each);
+  float left = random.unit() * total;
+  const Weighed* last = nullptr;
+  for (const Weighed& each : all) {
+    if (weight(each) <= 0.0F) continue;
+    last = &each;
+    left -= weight(each);
+    if (left < 0.0F) break;
+  }
+  return last;
+}
+
+/// Draws for one agent or group, so that nobody else's draws change anything.
+Random draws_of(std::uint32_t seed, std::uint64_t number, std::uint64_t stream) {
+  constexpr std::uint64_t spread = 0x9E3779B97F4A7C15ULL;
+  return Random(seed + (number + 1) * spread, stream);
+}
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  constexpr std::uint64_t prime = 0x100000001B3ULL;
+  return (hash ^ value) * prime;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+/// What one has chosen so far.
+struct Dresser::Worn {
+  const Style* style = nullptr;
+  std::vector<const WardrobePart*> parts;
+
+  bool fills(std::string_view slot) const {
+    return std::ranges::any_of(parts, [&](const WardrobePart* part) { return part->slot == slot; });
+  }
+  bool keeps_out(std::string_view slot) const {
+    return std::ranges::any_of(parts, [&](const WardrobePart* part) { return contains(part->keeps_out, slot); });
+  }
+  bool covers(std::string_view slot) const {
+    return std::ranges::any_of(
+        parts, [&](const WardrobePart* part) { return part->slot != slot && contains(part->covers, slot); });
+  }
+  bool has_tag(std::string_view slot, std::string_view tag) const {
+    return std::ranges::any_of(parts, [&](const WardrobePart* part) {
+      return (slot.empty() || part->slot == slot) && part->has_tag(tag);
+    });
+  }
+  bool suits(const WardrobePart& part) const {
+    return std::ranges::none_of(part.keeps_out, [&](const std::string& slot) { return fills(slot); });
+  }
+};
+
+Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasion& occasion)
+    : rules_(rules), wardrobe_(wardrobe), seed_(occasion.seed) {
+  const SceneRule* const scene = rules.scene(occasion.scene);
+  const auto weather = std::ranges::find(rules.weather, occasion.weather, &WeatherRule::weather);
+  for (const WeighedName& named : scene->styles) {
+    const Style* const style = rules.style(named.name);
+    styles_.emplace_back(style, named.weight);
+    std::vector<std::vector<Options>>& by_body = options_.emplace_back();
+    for (const BodyRule& body : rules.bodies) {
+      std::vector<Options>& by_slot = by_body.emplace_back();
+      for (const SlotRule& slot : style->wears) {
+        by_slot.push_back(options_for(slot, body.name, weather == rules.weather.end() ? nullptr : &*weather));
+      }
+    }
+  }
+  for (const BodyRule& body : rules.bodies) {
+    std::vector<const WardrobePart*>& skin = skin_.emplace_back();
+    for (const WardrobePart& part : wardrobe.parts()) {
+      if (!part.fits(body.name)) continue;
+      const bool is_first = std::ranges::find(skin, part.slot, &WardrobePart::slot) == skin.end();
+      if (part.slot.empty() || (contains(rules.skin, part.slot) && is_first)) skin.push_back(&part);
+    }
+  }
+}
+
+Dresser::Options Dresser::options_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
+  Options options;
+  for (const WeighedName& named : slot.parts) {
+    const WardrobePart* const part = wardrobe_.find(body, named.name);
+    if (part == nullptr && named.name != nothing_worn) continue;
+    float weight = named.weight;
+    for (std::size_t i = 0; part != nullptr && weather != nullptr && i < weather->tags.size(); ++i) {
+      if (part->has_tag(weather->tags[i].name)) weight *= weather->tags[i].weight;
+    }
+    options.push_back({part, weight});
+  }
+  return options;
+}
+
+const Style* Dresser::style_of(const Person& person) const {
+  const std::string& body = rules_.bodies[person.body].name;
+  const auto weight = [&](const auto& style) {
+    return style.first->bodies.empty() || contains(style.first->bodies, body) ? style.second : 0.0F;
+  };
+  Random own = draws_of(seed_, person.agent, style_stream);
+  Random of_group = draws_of(seed_, person.group, style_stream + 16);
+  const bool as_group = own.chance(share_of_alike_styles);
+  const auto* const found = weighed_one(styles_, weight, as_group ? of_group : own);
+  return found == nullptr ? styles_.front().first : found->first;
+}
+
+void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const {
+  const auto style = static_cast<std::size_t>(
+      std::ranges::find(styles_, worn.style, [](const auto& each) { return each.first; }) - styles_.begin());
+  Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
+  Random uniform(seed_, uniform_stream);
+  const std::vector<Options>& by_slot = options_[style][person.body];
+  for (std::size_t slot = 0; slot < by_slot.size(); ++slot) {
+    const std::string& name = worn.style->wears[slot].slot;
+    if (worn.keeps_out(name)) continue;
+    const bool is_uniform = worn.style->alike && region_of(name).has_value();
+    const auto weight = [&](const Option& option) {
+      return option.part == nullptr || worn.suits(*option.part) ? option.weight : 0.0F;
+    };
+    const Option* const chosen = weighed_one(by_slot[slot], weight, is_uniform ? uniform : own);
+    if (chosen != nullptr && chosen->part != nullptr) worn.parts.push_back(chosen->part);
+  }
+}
+
+// What lies beneath is not drawn: neither skin nor hair under a helmet.
+void Dresser::cover(Worn& worn, const std::string& body) const {
+  const auto number = static_cast<std::size_t>(
+      std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
+  std::vector<const WardrobePart*> seen;
+  for (const WardrobePart* part : skin_[number]) {
+    if (part->slot.empty() || (!worn.covers(part->slot) && !worn.fills(part->slot))) seen.push_back(part);
+  }
+  for (const WardrobePart* part : worn.parts) {
+    if (!worn.covers(part->slot)) seen.push_back(part);
+  }
+  worn.parts = std::move(seen);
+}
+
+std::uint16_t Dresser::silhouette_of(const Worn& worn, const std::string& body) const {
+  const char* const bottom = worn.has_tag("", "long")     ? "long"
+                             : worn.has_tag("", "skirt")  ? "skirt"
+                             : worn.has_tag("", "shorts") ? "shorts"
+                                                          : "trousers";
+  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long_hair") ? "long" : "short";
+  const WardrobePart* const found =
+      wardrobe_.find(body, std::string(anim::silhouette_slot) + "/" + bottom + "/" + head);
+  return found == nullptr ? render::Outfit::no_silhouette : found->piece;
+}
+
+std::uint32_t Dresser::one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const {
+  if (palette == team_colors && !rules_.teams.empty()) {
+    const Team& team = rules_.teams[person.team % rules_.teams.size()];
+    return is_second ? team.second : team.color;
+  }
+  const Palette* const found = rules_.palette(palette);
+  if (found == nullptr) return white;
+  return found->colors[random.below(static_cast<std::uint32_t>(found->colors.size()))];
+}
+
+void Dresser::color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
+                         render::AgentLook& look, std::uint64_t& looks_like) const {
+  const auto region = region_of(part.slot);
+  if (!region) return;
+  const auto at = static_cast<std::size_t>(*region);
+  const ClothRule* const rule = rules_.cloth(part.name);
+  const auto stronger = std::ranges::find(style.colors, part.slot, [](const auto& each) { return each.first; });
+  const std::string_view first = stronger != style.colors.end() ? std::string_view(stronger->second)
+                                 : rule != nullptr              ? std::string_view(rule->colors)
+                                                                : std::string_view();
+  const std::string_view second = first == team_colors ? first
+                                  : rule != nullptr    ? std::string_view(rule->seconds)
+                                                       : std::string_view();
+  const std::uint32_t color = one_of(first, person, false, random);
+  std::uint32_t other = one_of(second.empty() ? first : second, person, true, random);
+  if (other == color) other = white;
+  render::Pattern pattern = render::Pattern::plain;
+  if (rule != nullptr && !rule->patterns.empty()) {
+    const auto* const drawn = weighed_one(rule->patterns, [](const auto& each) { return each.second; }, random);
+    if (drawn != nullptr) pattern = drawn->first;
+  }
+  constexpr std::uint32_t smallest = 90, sizes = 90;  // of patterns; 128 is the usual one
+  const std::uint32_t size = smallest + random.below(sizes);
+  look.tints.at(at) = render::tint_of(style.alike ? color : faded(color, random), pattern,
+                                      rule == nullptr ? render::Fabric::cotton : rule->fabric);
+  look.seconds.at(at) = render::second_of(other, size);
+  looks_like = mixed(mixed(looks_like, color), static_cast<std::uint64_t>(pattern));
+}
+
+Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const {
+  const std::string& body = rules_.bodies[person.body].name;
+  Worn worn{.style = style_of(person), .parts = {}};
+  fill_slots(person, attempt, worn);
+  cover(worn, body);
+  Dressed dressed{.outfit = {}, .style = worn.style};
+  Random own = draws_of(seed_ + attempt, person.agent, color_stream);
+  Random uniform(seed_ + person.team, color_stream + 16);
+  dressed.looks_like = mixed(0xCBF29CE484222325ULL, person.body);
+  for (const WardrobePart* part : worn.parts) {
+    if (dressed.outfit.count == render::Outfit::most_pieces) break;
+    dressed.outfit.pieces.at(dressed.outfit.count++) = part->piece;
+    if (part->slot == "hand_right" || (part->slot == "hand_left" && dressed.in_hand == nullptr)) dressed.in_hand = part;
+    if (!contains(rules_.skin, part->slot)) dressed.looks_like = mixed(dressed.looks_like, part->piece);
+    color_part(*part, *worn.style, person, worn.style->alike ? uniform : own, look, dressed.looks_like);
+  }
+  std::ranges::sort(std::span(dressed.outfit.pieces).first(dressed.outfit.count));
+  dressed.outfit.silhouette = silhouette_of(worn, body);
+  return dressed;
+}
+
+}  // namespace throng::app

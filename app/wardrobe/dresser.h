@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "app/crowd/character_look.h"
+#include "app/crowd/random.h"
+#include "app/wardrobe/cast_rules.h"
+#include "app/wardrobe/wardrobe.h"
+#include "engine/render/agent_look.h"
+
+namespace throng::app {
+
+/// Says what is known of somebody before they dress.
+struct Person {
+  std::uint32_t agent = 0;
+  std::uint8_t body = 0;    ///< index among CastRules::bodies
+  std::uint32_t group = 0;  ///< people of one group like the same styles
+  std::uint32_t team = 0;
+};
+
+/// What somebody wears, and all that others can tell it by.
+struct Dressed {
+  render::Outfit outfit;
+  const Style* style = nullptr;
+  const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left one; null: nothing
+  /// Equal for two who have the same silhouette, patterns and colours.
+  std::uint64_t looks_like = 0;
+};
+
+/// Where and when a crowd dresses.
+struct Occasion {
+  std::string_view scene, weather;
+  std::uint32_t seed = 0;
+};
+
+/// Draws what people wear, by rules. The same person, rules and occasion give the same clothes, whoever else is there.
+class Dresser {
+ public:
+  /// `rules` and `wardrobe` outlive the dresser, and unknown_in() finds nothing in them.
+  Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasion& occasion);
+
+  /// Dresses somebody, and sets the colours of what they wear. Each attempt is another choice.
+  Dressed dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const;
+
+ private:
+  struct Option {
+    const WardrobePart* part;  ///< null: nothing
+    float weight;
+  };
+  using Options = std::vector<Option>;
+  struct Worn;
+
+  Options options_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
+  const Style* style_of(const Person& person) const;
+  void fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const;
+  void cover(Worn& worn, const std::string& body) const;
+  std::uint16_t silhouette_of(const Worn& worn, const std::string& body) const;
+  void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
+                  render::AgentLook& look, std::uint64_t& looks_like) const;
+  std::uint32_t one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const;
+
+  const CastRules& rules_;
+  const Wardrobe& wardrobe_;
+  std::uint32_t seed_;
+  std::vector<std::pair<const Style*, float>> styles_;         // of the scene
+  std::vector<std::vector<std::vector<Options>>> options_;     // [style][body][slot]
+  std::vector<std::vector<const WardrobePart*>> skin_;         // [body]
+};
+
+}  // namespace throng::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/anim/asset/model.h"
+
+namespace throng::app {
+
+/// What rules know of a part (anim::ModelPart).
+struct WardrobePart {
+  std::string name, slot;
+  std::string body;  ///< empty: it fits everybody
+  std::vector<std::string> covers, keeps_out, tags;
+  std::uint16_t piece = 0;  ///< of the character's mesh
+
+  bool has_tag(std::string_view tag) const;
+  bool fits(std::string_view whose) const { return body.empty() || body == whose; }
+};
+
+/// Knows all parts of a character. A part is at most once in a list, in the order of the file.
+class Wardrobe {
+ public:
+  Wardrobe() = default;
+  explicit Wardrobe(std::span<const anim::ModelPart> parts);
+
+  bool empty() const { return parts_.empty(); }
+  std::span<const WardrobePart> parts() const { return parts_; }
+  /// Returns the part of that name that fits a body; null without one.
+  const WardrobePart* find(std::string_view body, std::string_view name) const;
+  /// Returns whether any body has a part of that name.
+  bool knows(std::string_view name) const;
+  /// Returns the names of all parts, each once.
+  std::vector<std::string> names() const;
+  /// Returns the bodies, in the order of the file; one without a name where no part has any.
+  std::vector<std::string> bodies() const;
+
+ private:
+  std::vector<WardrobePart> parts_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,7 @@
+#include "assets/wardrobe/part.h"
+
+namespace throng::wardrobe {
+
+std::vector<Part> headgear() { return {}; }
+
+}  // namespace throng::wardrobe

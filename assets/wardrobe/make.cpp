@@ -1,0 +1,163 @@
+#include "assets/wardrobe/make.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace throng::wardrobe {
+namespace {
+
+using glm::dvec3;
+using mannequin::Cage;
+using mannequin::Skin;
+using mannequin::Weights;
+
+constexpr int fitting_rounds = 4;
+
+/// The closest point of a triangle, as shares of its corners (Ericson, Real-Time Collision Detection, 5.1.5).
+dvec3 closest_shares(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
+  const dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+struct PieceTriangle {
+  std::array<std::size_t, 3> corners;
+  unsigned char piece;
+};
+
+std::vector<PieceTriangle> cut_pieces(const Skin& skin) {
+  std::vector<PieceTriangle> triangles;
+  for (const mannequin::SkinFace& face : skin.faces) {
+    for (std::size_t c = 1; c + 1 < face.corners.size(); ++c) {
+      triangles.push_back({{face.corners[0], face.corners[c], face.corners[c + 1]}, face.notes.piece});
+    }
+  }
+  return triangles;
+}
+
+dvec3 face_middle(const Cage& cage, const mannequin::CageFace& face) {
+  dvec3 sum(0);
+  for (const std::size_t corner : face.corners) sum += cage.vertices[corner].position;
+  return sum / static_cast<double>(face.corners.size());
+}
+
+/// Normals of a half cage's vertices; along x = 0 they have no x.
+std::vector<dvec3> cage_normals(const Cage& cage) {
+  std::vector<dvec3> normals(cage.vertices.size(), dvec3(0));
+  for (const mannequin::CageFace& face : cage.faces) {
+    dvec3 normal(0);
+    const std::size_t n = face.corners.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      normal += glm::cross(cage.vertices[face.corners[c]].position, cage.vertices[face.corners[(c + 1) % n]].position);
+    }
+    for (const std::size_t corner : face.corners) normals[corner] += normal;
+  }
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    if (std::abs(cage.vertices[v].position.x) < 1e-9) normals[v].x = 0;
+    if (normals[v] != dvec3(0)) normals[v] = glm::normalize(normals[v]);
+  }
+  return normals;
+}
+
+}  // namespace
+
+const Skin& man_skin() {
+  static const Skin skin = mirrored_surface(man_cage());
+  return skin;
+}
+
+Weights weights_at(dvec3 place) { return weights_at(place, {}); }
+
+Weights weights_at(dvec3 place, std::initializer_list<Slot> pieces) {
+  static const std::vector<PieceTriangle> triangles = cut_pieces(man_skin());
+  const auto& points = man_skin().points;
+  double nearest = std::numeric_limits<double>::infinity();
+  Weights best{};
+  for (const PieceTriangle& triangle : triangles) {
+    if (pieces.size() > 0 && std::find(pieces.begin(), pieces.end(), static_cast<Slot>(triangle.piece)) == pieces.end())
+      continue;
+    const auto& [a, b, c] = triangle.corners;
+    const dvec3 shares = closest_shares(place, points[a].position, points[b].position, points[c].position);
+    const dvec3 there = shares.x * points[a].position + shares.y * points[b].position + shares.z * points[c].position;
+    const double distance = glm::distance(there, place);
+    if (distance >= nearest - 1e-9) continue;
+    nearest = distance;
+    for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
+      best[j] = shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
+    }
+  }
+  return best;
+}
+
+Skin mirrored_surface(const Cage& half) { return whole_surface(mannequin::mirrored(half)); }
+
+Skin whole_surface(const Cage& cage) {
+  return mannequin::skin_of(mannequin::subdivide(mannequin::fit(cage, fitting_rounds)));
+}
+
+std::vector<std::size_t> add_ring(Cage& cage, std::size_t n, const std::function<dvec3(double)>& place,
+                                  const std::function<Weights(dvec3)>& weights) {
+  std::vector<std::size_t> ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    const dvec3 at = place(static_cast<double>(i) / static_cast<double>(n));
+    ring.push_back(cage.add(at, weights(at)));
+  }
+  return ring;
+}
+
+Cage shell(std::initializer_list<Slot> pieces, mannequin::Region region, const std::function<double(dvec3)>& lift,
+           const std::function<bool(dvec3)>& keep) {
+  const Cage& man = man_cage();
+  Cage cage;
+  std::map<std::size_t, std::size_t> copies;
+  const std::vector<dvec3> normals = cage_normals(man);
+  for (const mannequin::CageFace& face : man.faces) {
+    if (std::find(pieces.begin(), pieces.end(), static_cast<Slot>(face.notes.piece)) == pieces.end()) continue;
+    if (!keep(face_middle(man, face))) continue;
+    mannequin::CageFace copy = face;
+    copy.region = region;
+    copy.notes = {};
+    copy.paint.assign(face.corners.size(), dvec3(1));
+    for (std::size_t& corner : copy.corners) {
+      const auto [found, fresh] = copies.try_emplace(corner, cage.vertices.size());
+      if (fresh) {
+        mannequin::CageVertex vertex = man.vertices[corner];
+        vertex.position += normals[corner] * lift(vertex.position);
+        cage.vertices.push_back(vertex);
+      }
+      corner = found->second;
+    }
+    cage.faces.push_back(std::move(copy));
+  }
+  return cage;
+}
+
+void append(Skin& all, const Skin& more) {
+  const std::size_t first = all.points.size();
+  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+  for (mannequin::SkinFace face : more.faces) {
+    for (std::size_t& corner : face.corners) corner += first;
+    all.faces.push_back(std::move(face));
+  }
+}
+
+}  // namespace throng::wardrobe

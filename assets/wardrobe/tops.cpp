@@ -1,0 +1,25 @@
+#include "assets/wardrobe/clothes.h"
+#include "assets/wardrobe/part.h"
+
+namespace throng::wardrobe {
+
+std::vector<Part> tops() {
+  constexpr Slot top = Slot::top;
+  const std::vector<Slot> trunk{Slot::torso};
+  const std::vector<Slot> trunk_and_arms{Slot::torso, Slot::upper_arms, Slot::forearms};
+  return {
+      {"t_shirt", top, Fits::all, trunk, {"summer"}, {}, make_t_shirt},
+      {"polo", top, Fits::all, trunk, {"summer", "sport"}, {}, make_polo},
+      {"tank_top", top, Fits::all, {}, {"summer", "sport"}, {}, make_tank_top},
+      {"shirt", top, Fits::all, trunk_and_arms, {"formal"}, {}, make_shirt},
+      {"blouse", top, Fits::women_and_children, {Slot::upper_arms, Slot::forearms}, {"formal"}, {}, make_blouse},
+      {"jumper", top, Fits::all, trunk_and_arms, {"cold"}, {}, make_jumper},
+      {"hoodie", top, Fits::all, trunk_and_arms, {"cold", "sport"}, {Slot::outer}, make_hoodie},
+      {"puffer", top, Fits::all, trunk_and_arms, {"cold"}, {Slot::outer}, make_puffer},
+      {"rain_jacket", top, Fits::all, trunk_and_arms, {"rain"}, {Slot::outer}, make_rain_jacket},
+      {"summer_dress", top, Fits::women_and_children, {Slot::bottom}, {"summer"}, {Slot::bottom}, make_summer_dress},
+      {"evening_dress", top, Fits::woman, {Slot::thighs, Slot::bottom}, {"formal"}, {Slot::bottom}, make_evening_dress},
+  };
+}
+
+}  // namespace throng::wardrobe

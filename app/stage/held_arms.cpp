@@ -54,7 +54,7 @@ int HeldArms::mask_of(std::size_t character, Role arm) {
   if (mask != not_made) return mask;
   mask = anim::PlayRequest::no_mask;
   const anim::Skeleton& skeleton = characters_[character].character->skeleton;
-  const anim::RigMap map = anim::rig_map(skeleton);
+  const anim::RigMap map = anim::find_rig(skeleton);
   std::vector<anim::SubtreeWeight> arms;
   for (const BodyRole part : parts_of(arm)) {
     if (const int bone = bone_of(map, part); bone >= 0) arms.push_back({.bone = bone});

@@ -78,7 +78,7 @@ bool is_in_hand(Held held, Role role) {
   if (held == Held::nothing) return false;
   if (role == phone || role == call) return held == Held::phone;
   if (role == drink) return held == Held::cup;
-  if (role == take_picture) return held == Held::camera || held == Held::phone;
+  if (role == take_picture) return held == Held::camera;
   return arm_lies_over(held, role) || held == Held::flag || held == Held::balloon;
 }
 
@@ -90,7 +90,7 @@ bool can_do(Held held, Role role) {
     case drink:
       return held == Held::cup;
     case take_picture:
-      return held == Held::camera || held == Held::phone;
+      return held == Held::camera;
     case wave:
     case cheer:
       return !takes_the_right_hand(held) || held == Held::flag || held == Held::balloon;

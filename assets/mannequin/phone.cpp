@@ -93,12 +93,11 @@ Pose take_picture(double phase) {
     const double out = side == Side::left ? 1 : -1;
     const dvec3 aside = chest.way({out, 0, 0});
     place_arm(pose, side, {.shrug = 2 + 5 * late, .reach = 8});
-    place_hand(
-        pose, side,
-        {.grip = camera + aside * 0.050,
-         .rotation = palm_towards(side, -aside * 0.8 + facing * 0.6, upwards * 0.62 - facing * 0.55 - aside * 0.55),
-         .held = in_hand(0.090, 0.004, 0.034),
-         .elbow = dvec3(out * (0.45 + 0.05 * wave(phase, 0.3)), -1, 0.05)});
+    place_hand(pose, side,
+               {.grip = camera + aside * hand_from_camera,
+                .rotation = hand_at_camera(side, aside, facing, upwards),
+                .held = camera_in_hand(),
+                .elbow = dvec3(out * (0.45 + 0.05 * wave(phase, 0.3)), -1, 0.05)});
     curl_fingers(pose, side, [&](double lateness) { return 24 + 1.5 * wave(phase, 0.2 + 0.1 * lateness); });
   }
   curl_finger(pose, Side::right, 1, 20 + 16 * click);
@@ -107,6 +106,12 @@ Pose take_picture(double phase) {
 }
 
 }  // namespace
+
+dvec3 camera_in_hand() { return in_hand(0.090, 0.004, 0.034); }
+
+glm::dquat hand_at_camera(Side side, dvec3 out, dvec3 facing, dvec3 upwards) {
+  return palm_towards(side, -out * 0.8 + facing * 0.6, upwards * 0.62 - facing * 0.55 - out * 0.55);
+}
 
 dvec3 phone_in_hand() { return in_hand(0.088, 0.004, 0.023); }
 

@@ -54,10 +54,10 @@ TEST(MannequinPush, KeepsBothHandsOnABarThatRollsEvenly) {
 
 TEST(MannequinTakePicture, HoldsOneCameraInBothHands) {
   const Playback clip(file(), "take picture");
-  const dvec3 held = mannequin::in_hand(0.090, 0.004, 0.034);
+  const dvec3 held = mannequin::camera_in_hand();
   for (double time = 0; time < clip.duration(); time += 1.0 / 30) {
     const double apart = glm::distance(in_hand_at(clip, time, "hand.L", held), in_hand_at(clip, time, "hand.R", held));
-    EXPECT_NEAR(apart, 0.100, 0.002) << time;
+    EXPECT_NEAR(apart, 2 * mannequin::hand_from_camera, 0.002) << time;
   }
 }
 

@@ -13,7 +13,7 @@ layout(location = 1) uniform float reach;  // metres, of an agent of scale 1
 const float farthest_share = 0.5;  // of the way to the camera
 
 void main() {
-  InstanceRecord instance = drawn_instance();
+  InstanceRecord instance = instances[gl_BaseInstanceARB + gl_InstanceID];
   vec3 joint = to_world(instance, skinned(instance).position);
   vec3 way = camera_position.xyz - joint;
   float share = min(reach * instance.scale / max(length(way), 1e-6), farthest_share);

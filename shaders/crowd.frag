@@ -21,20 +21,37 @@ in vec2 passed_texture_coord;
 #ifdef DEBUG_COLORS
 in vec4 debug_color;
 #endif
+#ifdef DRESSED
+#include "patterned.glsl"
+#include "fabrics.glsl"
+#endif
 
 out vec4 color;
 
 void main() {
   vec3 normal = normalize(world_normal);
+#ifdef DRESSED
+  if (!gl_FrontFacing) normal = -normal;
+  vec3 albedo = base_color.rgb * patterned(passed_color);
+#else
   vec3 albedo = base_color.rgb * passed_color;
+#endif
 #ifdef TEXTURED
   albedo *= texture(base_color_texture, passed_texture_coord).rgb;
 #endif
-  float facing = sun_share(normal), lit = facing * facing;
+  float facing = sun_share(normal);
+#ifdef DRESSED
+  float lit = scattered_of_sun(facing);
+#else
+  float lit = facing * facing;
+#endif
 #ifdef SHADOWS
   lit *= sun_visibility(world_position, normal);
 #endif
   vec3 light = albedo * (sun_light() * lit + light_around.rgb) + light_around.rgb * light_around.a;
+#ifdef DRESSED
+  light += shine(normal, albedo, sun_light() * lit, light_around.rgb);
+#endif
 #ifdef DEBUG_COLORS
   light = below(debug_color, facing, light);
 #endif

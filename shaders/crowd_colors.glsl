@@ -1,11 +1,25 @@
 // Computes the colour of a vertex of the crowd. Include crowd_vertex.glsl and frame_uniforms.glsl before it.
 #include "color.glsl"
-
-const uint tint_regions = 5u;
+#include "cloth_patterns.glsl"
 
 vec4 tinted(const InstanceRecord instance) {
-  if (region >= tint_regions) return vec4(shaded(instance, color.rgb), color.a);
-  return vec4(color.rgb * to_linear(unpackUnorm4x8(instance.tints[region]).rgb), color.a);
+  if (region == untinted_region || region >= look_regions) {
+    vec3 own_color = shaded(instance, color.rgb);
+#ifdef DRESSED
+    lay_pattern(instance.agent, 0u, 0u);
+    second_color = own_color;
+#endif
+    return vec4(own_color, color.a);
+  }
+  uint tint = looks[instance.agent].tints[region], second = looks[instance.agent].seconds[region];
+  vec3 first_color = to_linear(unpackUnorm4x8(tint).rgb), other_color = to_linear(unpackUnorm4x8(second).rgb);
+#ifdef DRESSED
+  lay_pattern(instance.agent, tint, second);
+  second_color = color.rgb * other_color;
+  return vec4(color.rgb * first_color, color.a);
+#else
+  return vec4(color.rgb * mix(first_color, other_color, mean_share(pattern_of(tint))), color.a);
+#endif
 }
 
 // How much of the vertex follows the palette entries that are weighed: from blue over green to red.

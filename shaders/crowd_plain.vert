@@ -49,6 +49,9 @@ void main() {
   vec3 around = ambient_light(world_normal) * openness_on_body(place) + lamp_light(place, world_normal);
   light_around = vec4(around, rim_of(world_normal, direction));
   haze_before = haze_in_front(direction, metres / distance_scale);
+#ifdef DRESSED
+  way_to_eye = -direction;
+#endif
 #ifdef SHADOWS
   world_position = place;
 #endif

@@ -12,6 +12,8 @@ layout(location = 9) in vec2 metallic_roughness_coord;
 layout(location = 10) in vec2 normal_coord;
 layout(location = 11) in vec2 occlusion_coord;
 layout(location = 12) in vec4 tangent;  // w: the side of the bitangent
+layout(location = 13) in float trim;
+layout(location = 14) in vec4 face;
 
 layout(location = 0) uniform uint vertex_count;
 
@@ -23,13 +25,11 @@ uvec4 entries_at(uint bone_level) {
   return uvec4(pairs.x & 0xFFFFu, pairs.x >> 16, pairs.y & 0xFFFFu, pairs.y >> 16);
 }
 
-InstanceRecord drawn_instance() {
-#ifdef OF_A_LIST
-  return instances[casters[gl_BaseInstanceARB + gl_InstanceID]];
-#else
-  return instances[gl_BaseInstanceARB + gl_InstanceID];
-#endif
-}
+// The instances of a draw, by their numbers: a list of those who are drawn with a piece, or cast a shadow.
+layout(std430, binding = 8) readonly buffer Drawn { uint drawn[]; };
+
+uint drawn_number() { return drawn[gl_BaseInstanceARB + gl_InstanceID]; }
+InstanceRecord drawn_instance() { return instances[drawn_number()]; }
 
 SkinnedVertex skinned(const InstanceRecord instance) {
   vec3 own_position = position, own_normal = normal;
@@ -37,5 +37,8 @@ SkinnedVertex skinned(const InstanceRecord instance) {
   add_morphs(instance, uint(gl_VertexID), own_position, own_normal);
 #endif
   own_position = varied(instance, own_position, own_normal, shape, hair);
+#ifdef DRESSED
+  own_position += face_of(instance, own_normal, face);
+#endif
   return skin_vertex(instance, now, own_position, own_normal, tangent.xyz, entries_at(instance.bone_level), weights);
 }

@@ -1,4 +1,4 @@
-// Repeats the layout of engine/render/instance_record.h: 88 bytes, scalars only, so that std430 adds no gaps.
+// Repeats the layout of engine/render/instance_record.h: 60 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;
@@ -7,12 +7,9 @@ struct InstanceRecord {
   uint blend_start, blend_duration;
   uint agent;
   uint debug_color;
-  uint tints[5];
   uint bone_level;
-  uint shape;
-  uint hair;
+  uint weights;
   float contact_scale;
-  uint shade;
 };
 
 layout(std430, binding = 0) readonly buffer Instances { InstanceRecord instances[]; };

@@ -11,15 +11,12 @@ layout(std430, binding = 4) readonly buffer MorphFirsts { uint morph_firsts[]; }
 layout(std430, binding = 5) readonly buffer MorphEntries { MorphEntry morph_entries[]; };
 layout(std430, binding = 6) readonly buffer MorphWeights { float morph_weights[]; };
 
-const uint weights_a_place = 4u;
-
 void add_morphs(const InstanceRecord instance, uint vertex, inout vec3 position, inout vec3 normal) {
-  uint place = instance.hair >> 16;
-  if (place == 0u) return;
-  uint weights = (place - 1u) * weights_a_place;
+  if (instance.weights == 0u) return;
+  uint first = instance.weights - 1u;
   for (uint i = morph_firsts[vertex]; i < morph_firsts[vertex + 1u]; ++i) {
     MorphEntry entry = morph_entries[i];
-    float weight = morph_weights[weights + entry.morph];
+    float weight = morph_weights[first + entry.morph];
     position += weight * vec3(entry.position_x, entry.position_y, entry.position_z);
     normal += weight * vec3(entry.normal_x, entry.normal_y, entry.normal_z);
   }

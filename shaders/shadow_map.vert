@@ -7,7 +7,6 @@
 #ifdef MORPHED
 #include "morphs.glsl"
 #endif
-#include "casters.glsl"
 #include "skinning.glsl"
 #include "variants.glsl"
 #include "crowd_vertex.glsl"

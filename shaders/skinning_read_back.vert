@@ -13,7 +13,7 @@ out vec3 world_position;
 out vec3 world_normal;
 
 void main() {
-  InstanceRecord instance = drawn_instance();
+  InstanceRecord instance = instances[gl_BaseInstanceARB + gl_InstanceID];
   SkinnedVertex vertex = skinned(instance);
   world_position = to_world(instance, vertex.position);
   world_normal = turned(instance, vertex.normal);

@@ -94,6 +94,15 @@ std::uint32_t random_shade(Random& random) {
   return word(lightness * (1.0F + warmth)) | word(lightness) << 8U | word(lightness * (1.0F - warmth)) << 16U;
 }
 
+render::AgentLook look_of(const Tints& tints, const Variant& variant, std::uint32_t shade) {
+  render::AgentLook look = render::plain_look();
+  std::ranges::transform(tints, look.tints.begin(), [](std::uint32_t tint) { return render::tint_of(tint); });
+  look.shape = variant.shape();
+  look.hair = variant.hair();
+  look.shade = shade;
+  return look;
+}
+
 // A sum of four even draws is close to the bell curve, on every machine alike.
 float random_size(Random& random) {
   constexpr float deviation = 0.04F, most = 0.10F, deviation_of_sum = 0.57735F;

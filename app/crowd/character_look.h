@@ -5,13 +5,12 @@
 
 #include "app/crowd/random.h"
 #include "app/settings/settings.h"
-#include "engine/render/instance_record.h"
+#include "engine/render/agent_look.h"
 
 namespace throng::app {
 
-/// The colours of the tint regions (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha
-/// 255.
-using Tints = std::array<std::uint32_t, render::tint_regions>;
+/// The colours of skin, hair, shirt, trousers and shoes: RGBA8, sRGB, red in the lowest byte, alpha 255.
+using Tints = std::array<std::uint32_t, 5>;
 
 /// The most that agents differ in size, as a share, as they are drawn.
 inline constexpr float usual_size_variety = 0.1F;
@@ -43,8 +42,8 @@ struct Variant {
   float fullness = 0.0F;  ///< cropped hair to full hair
   float length = 0.0F;    ///< short hair to long hair
 
-  std::uint32_t shape() const;  ///< InstanceRecord::shape
-  std::uint32_t hair() const;   ///< InstanceRecord::hair
+  std::uint32_t shape() const;  ///< AgentLook::shape
+  std::uint32_t hair() const;   ///< AgentLook::hair
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };
@@ -52,7 +51,7 @@ struct Variant {
 /// Draws a woman or a man of any build; most are near the middle.
 Variant random_variant(Random& random);
 
-/// Draws InstanceRecord::shade for colours that are a file's own: up to 10% lighter or darker and 4% warmer or cooler,
+/// Draws AgentLook::shade for colours that are a file's own: up to 10% lighter or darker and 4% warmer or cooler,
 /// as the screen counts, so that they stay what they are.
 std::uint32_t random_shade(Random& random);
 
@@ -62,6 +61,9 @@ Tints between(const Tints& first, const Tints& own, float share);
 std::uint32_t weaker_shade(std::uint32_t shade, float share);
 /// Returns a size that was drawn, for agents that differ by `most` instead of the usual.
 float varied_size(float size, float most);
+
+/// Returns the look of somebody in plain clothes.
+render::AgentLook look_of(const Tints& tints, const Variant& variant, std::uint32_t shade);
 
 /// Draws the height over that of the file, of people as they differ: 4% in standard deviation, 10% at most.
 float random_size(Random& random);

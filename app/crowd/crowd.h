@@ -103,6 +103,8 @@ class Crowd {
   std::span<const Tints> tints() const { return looks_.tints; }
   std::span<const Variant> variants() const { return looks_.variants; }
   std::span<const std::uint32_t> shades() const { return looks_.shades; }
+  /// Returns what drawing reads of everybody's looks.
+  const CrowdLooks& looks() const { return looks_; }
   std::span<const Role> roles() const { return state_.minds.roles(); }
   std::span<const Habit> habits() const { return state_.minds.habits(); }
   std::span<const int> clips() const {

@@ -154,6 +154,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
   Bodies kinds(layout, seed, cast, variety);
   const std::vector<glm::dvec3> places = pattern ? places_of(layout) : std::vector<glm::dvec3>();
   CrowdLooks looks;
+  looks.number = render::new_looks_number();
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
     const CharacterRoles& character = cast.of(agent);
     const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
@@ -173,6 +174,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
     looks.tints.push_back(pattern ? pattern->at(places[agent], body.tints, clothes) : body.tints);
     looks.variants.push_back(body.variant);
     looks.shades.push_back(body.shade);
+    looks.drawn.push_back(look_of(looks.tints.back(), body.variant, body.shade));
     if (!marches) continue;
     const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
     const double ragged = in_step + static_cast<double>(out_of_step * phase);

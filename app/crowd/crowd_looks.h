@@ -21,7 +21,10 @@ struct CrowdLooks {
   std::vector<float> start_phases;  ///< 0 to below 1
   std::vector<Tints> tints;
   std::vector<Variant> variants;
-  std::vector<std::uint32_t> shades;  ///< InstanceRecord::shade
+  std::vector<std::uint32_t> shades;     ///< AgentLook::shade
+  std::vector<render::AgentLook> drawn;  ///< all that drawing reads of them
+  std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: nobody wears any
+  std::uint64_t number = 0;              ///< of `drawn`: no other crowd has it
 };
 
 /// Draws who holds what, of a stream of its own: a share of all agents hold something.

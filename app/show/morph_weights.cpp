@@ -14,22 +14,16 @@ double pixels_moved(const anim::Character& character, const anim::VisibleAgent& 
 
 }  // namespace
 
-std::size_t weights_taken_by(const Stage& stage, std::uint32_t agent) {
-  const std::size_t count = stage.character_of(agent).character->morph_bones.size();
-  return (count + render::weights_a_place - 1) / render::weights_a_place * render::weights_a_place;
-}
-
 std::uint32_t MorphWeights::add(const Stage& stage, const anim::VisibleAgent& agent) {
   const anim::Character& character = *stage.character_of(agent.agent).character;
   const std::size_t count = character.morph_bones.size();
   if (count == 0 || pixels_moved(character, agent) < least_pixels) return 0;
-  const std::size_t first = weights_.size(), place = first / render::weights_a_place;
-  if (place > render::largest_weight_place) return 0;
-  weights_.resize(first + weights_taken_by(stage, agent.agent), 0.0F);
+  const std::size_t first = weights_.size();
+  weights_.resize(first + count, 0.0F);
   const std::span<float> own(weights_.data() + first, count);
   const bool plays = stage.system().agent(agent.agent).motion().add_morph_weights(stage.system().clock(), own);
   if (plays && std::ranges::any_of(own, [](float weight) { return weight != 0.0F; })) {
-    return static_cast<std::uint32_t>(place + 1);
+    return static_cast<std::uint32_t>(first + 1);
   }
   weights_.resize(first);
   return 0;

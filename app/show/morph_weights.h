@@ -15,7 +15,7 @@ class MorphWeights {
  public:
   void clear() { weights_.clear(); }
 
-  /// Adds the weights of an agent. Returns 1 + their place, as InstanceRecord::hair names it; 0 where it has none.
+  /// Adds the weights of an agent. Returns 1 + the number of its first one; 0 where it has none.
   std::uint32_t add(const Stage& stage, const anim::VisibleAgent& agent);
 
   std::span<const float> all() const { return weights_; }
@@ -23,8 +23,5 @@ class MorphWeights {
  private:
   std::vector<float> weights_;
 };
-
-/// Returns how many floats the weights of an agent take.
-std::size_t weights_taken_by(const Stage& stage, std::uint32_t agent);
 
 }  // namespace throng::app

@@ -178,6 +178,10 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
                            .ground = scenery_.ground(),
                            .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
                            .scenery = stage.tuning().scenery,
+                           .looks = stage.crowd().looks().drawn,
+                           .looks_number = stage.crowd().looks().number,
+                           .drawn = picture.drawn(),
+                           .runs = picture.runs(),
                            .jobs = &jobs_};
   light_as_tuned(stage.tuning(), frame);
   return frame;

@@ -14,7 +14,6 @@ constexpr std::uint32_t lods = mesh_lod_steps;
 constexpr std::uint32_t not_drawn = UINT32_MAX;
 constexpr std::size_t agents_worth_a_job = 1024;
 constexpr std::size_t runs_a_line = 64 / sizeof(std::uint32_t);  // of the cache
-constexpr std::uint32_t bits_below_weights = 16;
 
 /// Calls visit(tile) for each tile, on the PUs of a stage.
 template <typename Tile, typename Visit>
@@ -34,6 +33,7 @@ struct Picture::Frame {
   std::uint32_t runs = static_cast<std::uint32_t>(stage.shown().slots().page_count()) * characters * lods;
   bool has_morphs = std::ranges::any_of(
       stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
+  std::span<const render::Outfit> outfits = stage.crowd().looks().outfits;
   bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
 
   std::uint32_t run_of(std::size_t at) const {
@@ -43,12 +43,23 @@ struct Picture::Frame {
     const std::uint32_t lod = poses == Poses::exact ? 0 : mesh_lods[at];
     return (pose.to.page * characters + stage.crowd().characters()[agent]) * lods + lod;
   }
+  std::uint32_t run_of(const render::CrowdBatch& batch) const {
+    return (batch.page * characters + batch.character) * lods + batch.mesh_lod;
+  }
   render::CrowdBatch batch(std::uint32_t run, std::uint32_t first, std::uint32_t count) const {
     return {.page = run / lods / characters,
             .character = static_cast<std::uint8_t>(run / lods % characters),
             .mesh_lod = static_cast<std::uint8_t>(run % lods),
-            .first_instance = first,
-            .instance_count = count};
+            .first = first,
+            .count = count};
+  }
+  /// Calls visit(piece) for all that an agent of a run is drawn with.
+  void for_each_piece(std::uint32_t agent, std::uint32_t run, const auto& visit) const {
+    const render::Outfit& outfit = outfits[agent];
+    if (outfit.count == 0) return visit(std::uint32_t{0});
+    const bool far = run % lods >= render::first_silhouette_lod;
+    if (far && outfit.silhouette != render::Outfit::no_silhouette) return visit(std::uint32_t{outfit.silhouette});
+    for (std::size_t i = 0; i < outfit.count; ++i) visit(std::uint32_t{outfit.pieces[i]});
   }
 };
 
@@ -58,17 +69,30 @@ void Picture::compose(const Stage& stage, Poses poses) {
   const std::span<Tile> tiles = cut_into_tiles(frame);
   visit_on_pus(stage, tiles, [&](Tile& tile) { choose_runs(frame, tile); });
   begin_runs(frame, tiles);
+  begin_lists(frame, tiles);
   visit_on_pus(stage, tiles, [&](Tile& tile) { write_records(frame, tile); });
-  weight_count_ = 0;
-  for (const Tile& tile : tiles) weight_count_ = std::max(weight_count_, tile.weights_end);
 }
 
 // There is room for the whole crowd from its first picture on, so that nothing is allocated when more come into view.
 void Picture::make_room(const Stage& stage) {
   const std::size_t agents = stage.crowd().size();
+  look_at_outfits(stage.crowd().looks());
   if (choices_.size() >= agents) return;
   choices_.resize(agents);
   records_.resize(agents);
+}
+
+void Picture::look_at_outfits(const CrowdLooks& looks) {
+  if (looks.number == looks_number_) return;
+  looks_number_ = looks.number;
+  std::size_t most_drawn = 0;
+  pieces_ = 0;
+  for (const render::Outfit& outfit : looks.outfits) {
+    most_drawn += std::max<std::size_t>(outfit.count, 1);
+    for (std::size_t i = 0; i < outfit.count; ++i) pieces_ = std::max(pieces_, outfit.pieces[i] + 1U);
+    if (outfit.silhouette != render::Outfit::no_silhouette) pieces_ = std::max(pieces_, outfit.silhouette + 1U);
+  }
+  if (drawn_.size() < most_drawn) drawn_.resize(most_drawn);
 }
 
 // All tiles together count no more runs than there are agents. They count on cache lines of their own.
@@ -78,65 +102,89 @@ std::span<Picture::Tile> Picture::cut_into_tiles(const Frame& frame) {
   const auto jobs = static_cast<std::size_t>(frame.stage.system().options().pus);
   const std::size_t worthwhile = agents / std::max(agents_worth_a_job, line);
   const std::size_t count = std::clamp<std::size_t>(std::min(worthwhile, jobs), 1, most_tiles);
+  const std::size_t list_line = (std::size_t{frame.runs} * pieces_ / runs_a_line + 1) * runs_a_line;
   run_counts_.assign(count * line, 0);
+  if (list_counts_.size() < count * list_line) list_counts_.resize(count * list_line);
   const std::span<Tile> tiles = std::span(tiles_).first(count);
   for (std::size_t i = 0; i < count; ++i) {
     tiles[i].first = agents * i / count;
     tiles[i].end = agents * (i + 1) / count;
     tiles[i].runs = run_counts_.data() + i * line;
+    tiles[i].lists = wears_outfits() ? list_counts_.data() + i * list_line : nullptr;
   }
   return tiles;
 }
 
 void Picture::choose_runs(const Frame& frame, Tile& tile) {
   tile.morphs.clear();
+  if (wears_outfits()) std::fill_n(tile.lists, std::size_t{frame.runs} * pieces_, 0U);
   for (std::size_t at = tile.first; at < tile.end; ++at) {
     Choice& choice = choices_[at] = {.run = frame.run_of(at), .weights = 0};
     if (choice.run == not_drawn) continue;
     ++tile.runs[choice.run];
+    if (wears_outfits()) {
+      frame.for_each_piece(frame.visible[at].agent, choice.run,
+                           [&](std::uint32_t piece) { ++tile.lists[choice.run * pieces_ + piece]; });
+    }
     if (frame.has_morphs) choice.weights = tile.morphs.add(frame.stage, frame.visible[at]);
   }
 }
 
 // The tiles follow each other within a run, so that the sort is stable, and equal frames give equal pictures.
 void Picture::begin_runs(const Frame& frame, std::span<Tile> tiles) {
-  batches_.clear();
+  runs_.clear();
   std::uint32_t next = 0;
   for (std::uint32_t run = 0; run < frame.runs; ++run) {
     const std::uint32_t first = next;
     for (Tile& tile : tiles) next += std::exchange(tile.runs[run], next);
-    if (next > first) batches_.push_back(frame.batch(run, first, next - first));
+    if (next > first) runs_.push_back(frame.batch(run, first, next - first));
   }
   instance_count_ = next;
-  std::size_t weights = 0;
+  weight_count_ = 0;
   for (Tile& tile : tiles) {
-    tile.first_weight = weights;
-    weights += tile.morphs.all().size();
+    tile.first_weight = weight_count_;
+    weight_count_ += tile.morphs.all().size();
   }
-  if (weights_.size() < weights) weights_.resize(weights);
+  if (weights_.size() < weight_count_) weights_.resize(weight_count_);
+}
+
+void Picture::begin_lists(const Frame& frame, std::span<Tile> tiles) {
+  lists_.clear();
+  std::uint32_t next = 0;
+  for (const render::CrowdBatch& batch : wears_outfits() ? std::span(runs_) : std::span<render::CrowdBatch>()) {
+    const std::size_t first_list = std::size_t{frame.run_of(batch)} * pieces_;
+    for (std::uint32_t piece = 0; piece < pieces_; ++piece) {
+      const std::uint32_t first = next;
+      for (Tile& tile : tiles) next += std::exchange(tile.lists[first_list + piece], next);
+      if (next == first) continue;
+      lists_.push_back(batch);
+      lists_.back().piece = static_cast<std::uint16_t>(piece);
+      lists_.back().first = first;
+      lists_.back().count = next - first;
+    }
+  }
+  drawn_count_ = next;
 }
 
 void Picture::write_records(const Frame& frame, Tile& tile) {
   std::ranges::copy(tile.morphs.all(), weights_.begin() + static_cast<std::ptrdiff_t>(tile.first_weight));
-  tile.weights_end = 0;
   for (std::size_t at = tile.first; at < tile.end; ++at) {
     const auto [run, weights] = choices_[at];
     if (run == not_drawn) continue;
     const anim::VisibleAgent& agent = frame.visible[at];
-    render::InstanceRecord& record = records_[tile.runs[run]++];
+    const std::uint32_t number = tile.runs[run]++;
+    if (wears_outfits()) {
+      frame.for_each_piece(agent.agent, run, [&, run = run](std::uint32_t piece) {
+        drawn_[tile.lists[run * pieces_ + piece]++] = number;
+      });
+    }
+    render::InstanceRecord& record = records_[number];
     frame.stage.record(agent, record, frame.poses);
     if (frame.lod_as_color && agent.agent != frame.stage.selected()) {
       record.debug_color = debug_color(frame.stage.tuning(), {.mesh_lod = static_cast<int>(run % lods)});
     }
-    if (weights > 0) name_weights(frame, tile, weights - 1, record);
+    if (weights > 0) record.weights = static_cast<std::uint32_t>(tile.first_weight) + weights;
   }
-}
-
-void Picture::name_weights(const Frame& frame, Tile& tile, std::uint32_t place, render::InstanceRecord& record) {
-  const std::size_t first = tile.first_weight + place * render::weights_a_place;
-  if (first / render::weights_a_place > render::largest_weight_place) return;
-  record.hair |= static_cast<std::uint32_t>(first / render::weights_a_place + 1) << bits_below_weights;
-  tile.weights_end = first + weights_taken_by(frame.stage, record.agent);
 }
 
 }  // namespace throng::app

@@ -224,13 +224,9 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
                                                                             .bone_level = pose.level(),
                                                                             .error_px = meter_.error_of(agent.agent),
                                                                             .measure = measures_.of(agent.agent)}),
-            .tints = {},
             .bone_level = pose.level(),
-            .shape = crowd().variants()[agent.agent].shape(),
-            .hair = crowd().variants()[agent.agent].hair(),
-            .contact_scale = contact_scale(character_of(agent.agent)),
-            .shade = crowd().shades()[agent.agent]};
-  std::ranges::copy(crowd().tints()[agent.agent], record.tints);
+            .weights = 0,
+            .contact_scale = contact_scale(character_of(agent.agent))};
   return true;
 }
 

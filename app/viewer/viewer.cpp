@@ -107,8 +107,8 @@ void Viewer::dress(const Stage& stage, std::optional<std::uint32_t> agent) {
   record_.contact_scale = static_cast<float>(viewed_->source().roles.size());
   if (!agent) return;
   const Crowd& crowd = stage.crowd();
-  std::ranges::copy(crowd.tints()[*agent], record_.tints);
-  record_.shade = crowd.shades()[*agent];
+  look_ = crowd.looks().drawn[*agent];
+  look_.shape = look_.hair = 0;
 }
 
 void Viewer::choose(const ViewerSettings& settings) {
@@ -189,17 +189,17 @@ render::CrowdFrame Viewer::frame(const render::CameraView& camera) {
   std::memcpy(slots_->memory(slot_), palette.data(), palette.size());
   record_.palette_from = record_.palette_to = slot_.first_line;
   record_.bone_level = static_cast<std::uint32_t>(settings_.bone_level);
-  record_.hair &= 0xFFFFU;
-  const std::size_t morphs = viewed_->character().morph_bones.size();
-  morph_weights_.assign((morphs + render::weights_a_place - 1) / render::weights_a_place * render::weights_a_place, 0);
-  if (viewed_->add_morph_weights(std::span(morph_weights_).first(morphs))) record_.hair |= 1U << 16U;
+  morph_weights_.assign(viewed_->character().morph_bones.size(), 0);
+  record_.weights = viewed_->add_morph_weights(morph_weights_) ? 1 : 0;
   batch_ = {.page = slot_.page,
             .character = static_cast<std::uint8_t>(character_),
             .mesh_lod = static_cast<std::uint8_t>(settings_.mesh_lod),
-            .first_instance = 0,
-            .instance_count = 1};
+            .first = 0,
+            .count = 1};
   frame.instances = {&record_, 1};
   frame.batches = {&batch_, 1};
+  frame.looks = {&look_, 1};
+  frame.looks_number = looks_number_;
   frame.morph_weights = morph_weights_;
   if (settings_.weighed_bone >= 0) frame.weighed = entries_of(viewed_->character().skeleton, settings_.weighed_bone);
   return frame;

@@ -67,6 +67,8 @@ class Viewer {
   double seconds_ = 0.0;
   render::CameraView drawn_from_;
   render::InstanceRecord record_{};
+  render::AgentLook look_ = render::plain_look();
+  std::uint64_t looks_number_ = render::new_looks_number();
   render::CrowdBatch batch_;
   std::vector<float> morph_weights_;
   std::vector<render::SceneLine> lines_;

@@ -108,9 +108,6 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
   record.heading_sine = std::sin(figure.heading);
   record.palette_from = record.palette_to = slot.first_line;
   record.bone_level = figure.bone_level;
-  record.shape = figure.variant.shape();
-  record.hair = figure.variant.hair();
-  std::ranges::copy(figure.tints, record.tints);
   return record;
 }
 
@@ -121,10 +118,14 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
                                                   palette_bytes_by_level(character_.model.skeleton));
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
+  std::vector<render::AgentLook> looks;
   for (const Figure& figure : figures) {
-    batches.push_back({0, 0, static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
-                       static_cast<std::uint32_t>(records.size()), 1});
+    batches.push_back({.mesh_lod = static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
+                       .first = static_cast<std::uint32_t>(records.size()),
+                       .count = 1});
     records.push_back(record_of(figure));
+    records.back().agent = static_cast<std::uint32_t>(looks.size());
+    looks.push_back(app::look_of(figure.tints, figure.variant, 0));
   }
   render::CrowdFrame frame;
   frame.camera = view_of(shot);
@@ -133,6 +134,8 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   const render::Image empty = renderer_->read_image();
   frame.instances = records;
   frame.batches = batches;
+  frame.looks = looks;
+  frame.looks_number = render::new_looks_number();
   renderer_->draw(frame);
   render::Image picture = renderer_->read_image();
   flatten_background(picture, empty);

@@ -26,7 +26,7 @@ struct ShoeCut {
   double heel_block = 0;  ///< Half its width, metres.
   double ball_height = 0.068, toe_height = 0.053;
   double sole_trim = 1, sole_paint = 1;
-  double toe_trim = 0;          ///< Of the toe cap.
+  double toe_trim = 0;               ///< Of the toe cap.
   std::vector<ShaftRow> shaft = {};  ///< From the instep up; the first closes the shoe.
 };
 void add_shoe(Cage& cage, const ShoeCut& cut);

@@ -44,7 +44,7 @@ dvec3 place_on(const TrunkRow& row, double angle) {
 }
 
 Weights trunk_weights(dvec3 place) {
-  return place.y < 0.975 ? hanging_weights(place) : weights_at(place, {Slot::torso, Slot::upper_arms});
+  return place.y < 0.975 ? hanging_weights(place) : weights_at(place, {Slot::torso, Slot::upper_arms, Slot::head});
 }
 
 /// The angle at which a row is `x` metres from the middle.
@@ -52,24 +52,33 @@ double angle_at(const TrunkRow& row, double x) {
   return std::asin(std::pow(std::clamp(x / row.half_width, 0.0, 1.0), 1 / row.squareness));
 }
 
-/// A row of a garment; with an opening it begins with a vertex that is turned in.
-Row add_row(Cage& cage, const TopCut& cut, const TrunkRow& row) {
+/// A row of a garment; with an opening it begins with a vertex that is turned in. It bends as the skin below it does,
+/// which `skin` describes.
+Row add_row(Cage& cage, const TopCut& cut, const TrunkRow& row, const TrunkRow& skin) {
   Row made;
   const double gap = cut.gap ? cut.gap(row.height - row.drop_front) : 0;
   const double first = cut.gap ? angle_at(row, gap) : 0;
   if (cut.gap) {
     const dvec3 edge = place_on(row, first);
-    const dvec3 turned(edge.x + 0.012, edge.y, edge.z - 0.012);
-    made.push_back(cage.add(turned, trunk_weights(turned)));
+    const double depth = std::min(0.012, 0.005 + 0.3 * gap);
+    const dvec3 turned(edge.x + depth, edge.y, edge.z - depth);
+    made.push_back(cage.add(turned, trunk_weights(place_on(skin, first))));
   }
   for (std::size_t c = 0; c < columns; ++c) {
     const double share = static_cast<double>(c) / (columns - 1);
     // The opening moves the columns before the side only, so that the armhole stays where it is.
     const double turn = share < 0.5 ? first + (std::numbers::pi / 2 - first) * 2 * share : std::numbers::pi * share;
-    const dvec3 place = place_on(row, turn);
-    made.push_back(cage.add(place, trunk_weights(place)));
+    made.push_back(cage.add(place_on(row, turn), trunk_weights(place_on(skin, turn))));
   }
   return made;
+}
+
+/// A row of the same heights on the skin.
+TrunkRow skin_row(const TrunkRow& row) {
+  TrunkRow skin = trunk_row(row.height, 0);
+  skin.drop_front = row.drop_front;
+  skin.drop_back = row.drop_back;
+  return skin;
 }
 
 /// A row that a deep neck pulls down; lower on the chest is further ahead.
@@ -126,19 +135,21 @@ TrunkRow trunk_row(double height, double ease) {
 }
 
 Weights hanging_weights(dvec3 place) {
-  const double hang = rise(0.93, 0.83, place.y);
+  // The crease between trunk and thighs lies lower in the lap and at the seat than at the sides.
+  const double crease = 0.905 - 0.045 * rise(0.02, 0.10, std::abs(place.z + 0.01));
+  const double hang = rise(crease + 0.02, crease - 0.09, place.y);
   const double left = rise(-0.09, 0.09, place.x);
-  const double shin = 0.65 * rise(0.52, 0.25, place.y);
+  const double shin = 0.85 * rise(0.53, 0.34, place.y);
   const double twist = (1 - shin) * rise(0.60, 0.80, place.y);
   const double thigh = 1 - shin - twist;
-  const Weights skin = weights_at(dvec3(place.x, std::max(place.y, 0.88), place.z), {Slot::torso});
+  const Weights skin = weights_at(dvec3(place.x, std::max(place.y, 0.86), place.z), {Slot::torso});
   Weights all = bind({{"thigh_twist.L", twist * left},
                       {"thigh_twist.R", twist * (1 - left)},
                       {"thigh.L", thigh * left},
                       {"thigh.R", thigh * (1 - left)},
                       {"shin.L", shin * left},
                       {"shin.R", shin * (1 - left)},
-                      {"hips", 0.12}});
+                      {"hips", 0.02 + 0.12 * rise(0.62, 0.84, place.y)}});
   for (std::size_t j = 0; j < all.size(); ++j) all[j] = hang * all[j] + (1 - hang) * skin[j];
   return all;
 }
@@ -161,7 +172,7 @@ void join(Cage& cage, const Row& lower, const Row& upper, bool closed, Region re
   cage.notes = before;
 }
 
-Row add_trunk_row(Cage& cage, const TrunkRow& row) { return add_row(cage, {}, row); }
+Row add_trunk_row(Cage& cage, const TrunkRow& row) { return add_row(cage, {}, row, skin_row(row)); }
 
 void turn_in(Cage& cage, const Row& edge, bool closed, Region region, double trim,
              const std::function<dvec3(dvec3)>& step) {
@@ -173,9 +184,12 @@ TopBorders add_top(Cage& cage, const TopCut& cut) {
   const std::size_t first = cut.gap ? 1 : 0;
   cage.notes.chart = mannequin::Chart::around_body;
   TopBorders made;
-  for (const TrunkRow& row : cut.rows) made.rows.push_back(add_row(cage, cut, row));
+  for (const TrunkRow& row : cut.rows) made.rows.push_back(add_row(cage, cut, row, skin_row(row)));
+  TopCut skin = cut;
+  skin.ease = -0.005;
+  skin.shoulder = 0;
   std::vector<Row> upper;
-  for (const TrunkRow& row : upper_rows(cut)) upper.push_back(add_row(cage, cut, row));
+  for (std::size_t r = 0; r < 3; ++r) upper.push_back(add_row(cage, cut, upper_rows(cut)[r], upper_rows(skin)[r]));
   sculpt(cage, upper, first);
 
   turn_in(cage, made.rows.front(), false, cut.region, cut.hem_trim, [&](dvec3 p) {
@@ -190,8 +204,13 @@ TopBorders add_top(Cage& cage, const TopCut& cut) {
   join_around_armhole(cage, upper[1], upper[2], first, cut.region);
   const double e = cut.ease;
   const TrunkRow slope_row{1.494 + e * 0.7, cut.slope_width, 0.048 + e, -0.092 - e, 0.022, -0.004, 0.95};
-  const Row slope = add_row(cage, cut, scooped(cut, slope_row, 0.85));
-  const Row neck = add_row(cage, cut, scooped(cut, cut.neck, 1));
+  TrunkRow slope_skin = slope_row;
+  slope_skin.height -= e * 0.7;
+  slope_skin.front -= e;
+  slope_skin.back += e;
+  const Row slope = add_row(cage, cut, scooped(cut, slope_row, 0.85), scooped(cut, slope_skin, 0.85));
+  const TrunkRow neck_row = scooped(cut, cut.neck, 1);
+  const Row neck = add_row(cage, cut, neck_row, neck_row);
   join(cage, upper[2], slope, false, cut.region, 1, 0, false);
   join(cage, slope, neck, false, cut.region, 1, 0, false);
   for (const Row& row : {upper[0], upper[1], upper[2], slope, neck}) made.rows.push_back(row);

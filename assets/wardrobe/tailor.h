@@ -32,8 +32,8 @@ TrunkRow trunk_row(double height, double ease);
 struct TopCut {
   Region region = Region::shirt;
   std::vector<TrunkRow> rows = {};  ///< From the hem to the breast.
-  double ease = 0.006;         ///< Above the breast, outside the skin.
-  double shoulder = 0;         ///< Makes the shoulders wider.
+  double ease = 0.006;              ///< Above the breast, outside the skin.
+  double shoulder = 0;              ///< Makes the shoulders wider.
   TrunkRow neck{1.514, 0.071, 0.046, -0.083, 0.030, 0.0, 1.0};
   double slope_width = 0.112;  ///< Half the width of the row between neck and shoulder.
   double scoop = 0;            ///< How much deeper the neck is in front than a collar's.

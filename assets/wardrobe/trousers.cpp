@@ -47,11 +47,21 @@ Row add_hip_row(Cage& cage, const HipRow& hip, const std::vector<double>& angles
   return row;
 }
 
+/// Bends where the skin does: the middle of the crease stays with the hips.
+void bind_crease(Cage& cage, const Row& crease) {
+  for (const std::size_t v : crease) {
+    const bool middle = std::abs(cage.vertices[v].position.x) < 1e-9;
+    cage.vertices[v].weights = middle ? mannequin::bind({{"hips", 1}})
+                                      : mannequin::bind({{"hips", 0.5}, {"thigh.L", 0.3}, {"thigh_twist.L", 0.2}});
+  }
+}
+
 Row add_leg_row(Cage& cage, const LegRow& leg, const std::vector<double>& angles, double crease, double shrink) {
   Row row;
   for (const double degrees : angles) {
     const double angle = degrees * half_turn / 180;
-    dvec3 place(leg.x + (leg.half_width - shrink) * std::sin(angle), leg.height,
+    const double height = leg.height + leg.lift_front * 0.5 * (1 + std::cos(angle));
+    dvec3 place(leg.x + (leg.half_width - shrink) * std::sin(angle), height,
                 leg.z + (leg.half_depth - shrink) * std::cos(angle));
     if (degrees == 0) place.z += crease;
     row.push_back(cage.add(place, weights_at(place, {Slot::thighs, Slot::shins})));
@@ -78,8 +88,8 @@ std::vector<LegRow> leg_rows(double thigh, double knee, double calf, double hem,
           {0.530, 0.098, 0.005, 0.057 + knee, 0.062 + knee},
           {0.460, 0.098, 0.000, 0.053 + knee, 0.057 + knee},
           {0.340, 0.100, -0.014, 0.053 + calf, 0.058 + calf},
-          {hem_height + 0.045, 0.102, -0.018, 0.037 + hem, 0.045 + hem},
-          {hem_height, 0.102, -0.018, 0.037 + hem, 0.045 + hem}};
+          {hem_height + 0.045, 0.102, -0.016, 0.038 + hem, 0.047 + hem, 0, 1, 0.020},
+          {hem_height, 0.102, -0.012, 0.039 + hem, 0.052 + hem, 0, 1, 0.030}};
 }
 
 void add_trousers(Cage& cage, const TrouserCut& cut) {
@@ -89,14 +99,15 @@ void add_trousers(Cage& cage, const TrouserCut& cut) {
   const bool striped = cut.stripe > 0;
   const Row inside = add_hip_row(cage, {cut.waist - 0.016, 0.146 + e, 0.088 + e, -0.100 - e, 0.006, 0}, around);
   const Row top = add_hip_row(cage, {cut.waist, 0.158 + e, 0.099 + e, -0.113 - e, 0.006, 0}, around);
-  const Row band = add_hip_row(cage, {cut.waist - 0.036, 0.165 + e, 0.101 + e, -0.127 - e, 0.006, 0}, around);
+  const Row band = add_hip_row(cage, {cut.waist - 0.038, 0.165 + e, 0.101 + e, -0.127 - e, 0.006, 0}, around);
   Row crease = add_hip_row(cage, {0.905, 0.167 + e, 0.098 + e, -0.126 - e, 0.046, 0.055}, around);
+  bind_crease(cage, crease);
   const auto move = [&](std::size_t v, dvec3 step) { cage.vertices[v].position += step; };
   move(crease[crease.size() - 2], {0.006, -0.006, -0.004});
   move(crease.back(), {0, 0, 0.018});
   join(cage, top, inside, false, cut.region, 0.75, cut.band_trim);
   join(cage, band, top, false, cut.region, 1, cut.band_trim);
-  join(cage, crease, band, false, cut.region, 1, 0, true);
+  join(cage, crease, band, false, cut.region, 1, 0, false);
   if (striped) {
     for (std::size_t f = cage.faces.size() - (around.size() - 1); f < cage.faces.size(); ++f) {
       if (f == cage.faces.size() - (around.size() - 1) + 3) cage.faces[f].notes.trim = 1;
@@ -135,7 +146,8 @@ Skin make_chinos() {
   Cage half;
   std::vector<LegRow> legs = leg_rows(0.009, 0.009, 0.007, 0.011, 0.085);
   LegRow& cuff = legs.back();
-  legs.insert(legs.end() - 1, {cuff.height + 0.030, cuff.x, cuff.z, cuff.half_width, cuff.half_depth});
+  legs.insert(legs.end() - 1,
+              {cuff.height + 0.030, cuff.x, cuff.z, cuff.half_width, cuff.half_depth, 0, 1, cuff.lift_front});
   for (std::size_t r = legs.size() - 1; r < legs.size(); ++r) {
     legs[r].half_width += 0.004;
     legs[r].half_depth += 0.004;
@@ -176,10 +188,7 @@ Skin make_leggings() {
 
 Skin make_cargo_trousers() {
   Cage half;
-  std::vector<LegRow> legs = leg_rows(0.018, 0.022, 0.022, 0.024, 0.110);
-  const LegRow last = legs.back();
-  legs.push_back({0.092, last.x, last.z, 0.043, 0.051, 0, 0.85});
-  legs.push_back({0.066, last.x, last.z, 0.043, 0.051, 0, 0.95});
+  std::vector<LegRow> legs = leg_rows(0.018, 0.022, 0.022, 0.020, 0.060);
   add_trousers(half, {.ease = 0.006, .legs = legs});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0034);

@@ -9,8 +9,9 @@ namespace throng::wardrobe {
 /// A horizontal cross-section of the left trouser leg, metres.
 struct LegRow {
   double height, x, z, half_width, half_depth;
-  double trim = 0;   ///< Of the band between this row and the one above.
-  double paint = 1;  ///< Of the same band.
+  double trim = 0;        ///< Of the band between this row and the one above.
+  double paint = 1;       ///< Of the same band.
+  double lift_front = 0;  ///< How much higher it is in front, where the shoe carries it.
 };
 
 /// How trousers are cut.
@@ -20,9 +21,9 @@ struct TrouserCut {
   double waist = 1.000;  ///< The height of the upper edge.
   double band_trim = 0;
   std::vector<LegRow> legs = {};  ///< From the thigh to the hem.
-  double crease = 0;         ///< How far the pressed crease stands out in front.
-  double stripe = 0;         ///< Half the width of a stripe along the side, metres.
-  bool turned_in = true;     ///< The hem; a leg that ends in a boot needs none.
+  double crease = 0;              ///< How far the pressed crease stands out in front.
+  double stripe = 0;              ///< Half the width of a stripe along the side, metres.
+  bool turned_in = true;          ///< The hem; a leg that ends in a boot needs none.
 };
 void add_trousers(Cage& cage, const TrouserCut& cut);
 

@@ -7,6 +7,7 @@
 namespace throng::render {
 
 inline constexpr std::size_t look_regions = 9;
+inline constexpr float shade_reach = 0.35F;  ///< see AgentLook; shaders/agent_look.glsl repeats it
 
 /// The parts of a surface that take a colour of an agent's look. A vertex of any other region keeps its own.
 enum class Region : std::uint8_t { skin, hair, top, bottom, shoes, untinted, outer, headgear, thing };
@@ -71,6 +72,17 @@ constexpr std::uint32_t tint_of(std::uint32_t color, Pattern pattern = Pattern::
 constexpr std::uint32_t second_of(std::uint32_t color, std::uint32_t pattern_size = usual_pattern_size) {
   return (color & 0xFFFFFFU) | pattern_size << 24U;
 }
+
+/// Returns a look in which nothing differs from how the surface was made.
+constexpr AgentLook plain_look() {
+  AgentLook look{};
+  look.tints.fill(tint_of(0xFFFFFF));
+  look.seconds.fill(second_of(0xFFFFFF));
+  return look;
+}
+
+/// Returns a number for CrowdFrame::looks_number that none had before.
+std::uint64_t new_looks_number();
 
 /// Names the pieces of a character's mesh that an agent wears, and the one that stands for all of them far away.
 /// It is read on the processor alone.

@@ -14,14 +14,15 @@
 
 namespace throng::render {
 
-/// A run of instances that share a palette page, a character and a mesh LOD.
+/// A run of CrowdFrame::drawn whose instances share a palette page and a character, and are drawn with the same piece
+/// of its mesh at the same mesh LOD.
 struct CrowdBatch {
   std::uint32_t page = 0;
   std::uint8_t character = 0;  ///< its index in the order of loading
   std::uint8_t mesh_lod = 0;   ///< 0 is the full mesh
   std::uint16_t piece = 0;     ///< of the character's mesh; 0 is all of it
-  std::uint32_t first_instance = 0;
-  std::uint32_t instance_count = 0;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
 };
 
 struct CameraView {
@@ -46,11 +47,8 @@ struct WeighedEntries {
 /// Holds everything that one picture needs, as plain data that is valid during the call.
 struct CrowdFrame {
   CameraView camera;
-  std::span<const InstanceRecord> instances;
-  std::span<const CrowdBatch> batches;           ///< in ascending order of page, then character
-  std::span<const std::uint32_t> drawn = {};     ///< [place in a batch] an index of `instances`
-  std::span<const AgentLook> looks = {};         ///< [agent]
-  std::uint64_t looks_number = 0;                ///< differs from that of any other looks
+  std::span<const InstanceRecord> instances;     ///< one a drawn agent, in ascending order of page, then character
+  std::span<const CrowdBatch> batches;           ///< in the same order
   std::uint32_t now = 0;                         ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;                   ///< the bones are drawn over the characters
   bool fill_pixels = true;                       ///< false: everything is drawn, but no pixel is filled
@@ -65,8 +63,19 @@ struct CrowdFrame {
   bool shadows = true;            ///< everything casts shadows on everything
   bool crowd_shade = true;        ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};    ///< each vertex shows as a colour how much it follows these; none: no vertex does
-  JobRunner* jobs = nullptr;      ///< does parts of the work at once; null: the calling thread does all
+  std::span<const AgentLook> looks = {};  ///< [agent]
+  std::uint64_t looks_number = 0;         ///< of these looks alone (new_looks_number)
+  /// Has the indices of the instances of each batch, in ascending order; empty: batches are runs of `instances`.
+  std::span<const std::uint32_t> drawn = {};
+  /// Has the runs of `instances` that share a page and a character; read where `drawn` is not empty.
+  std::span<const CrowdBatch> runs = {};
+  JobRunner* jobs = nullptr;  ///< does parts of the work at once; null: the calling thread does all
 };
+
+/// Returns the runs of a frame's instances that share a page and a character; some may follow each other.
+inline std::span<const CrowdBatch> runs_of_instances(const CrowdFrame& frame) {
+  return frame.drawn.empty() ? frame.batches : frame.runs;
+}
 
 /// The difference of two pictures is shown so many times as bright.
 inline constexpr float difference_amplification = 8.0F;

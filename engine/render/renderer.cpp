@@ -99,8 +99,9 @@ void Renderer::reset_palette_pages() {
 
 void Renderer::upload(const CrowdFrame& frame) {
   const std::size_t limit = context_->limits().storage_block;
-  if (frame.instances.size_bytes() > limit || frame.morph_weights.size_bytes() > limit) {
-    trouble_ = Error{"the graphics device takes at most " + std::to_string(limit / sizeof(InstanceRecord)) +
+  if (frame.instances.size_bytes() > limit || frame.looks.size_bytes() > limit ||
+      frame.morph_weights.size_bytes() > limit) {
+    trouble_ = Error{"the graphics device takes at most " + std::to_string(limit / sizeof(AgentLook)) +
                      " agents in a picture, or " + std::to_string(limit / sizeof(float)) + " weights of their morphs"};
   }
   frame_data_.upload(frame);
@@ -177,6 +178,7 @@ DrawCounts Renderer::draw_light(const CrowdFrame& frame) {
     };
     add(counts, shadows_.draw(frame, meshes_, palettes_, {sky_.uniforms().to_sun, depths, in_turns}, draw_scenery));
     shadows_.describe(frame, uniforms);
+    frame_data_.bind_drawn();
   }
   if (frame.crowd_shade) {
     add(counts, crowd_shade_.draw(frame, depths.farthest));

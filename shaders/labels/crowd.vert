@@ -41,7 +41,7 @@ void main() {
 #endif
   gl_Position = view_projection * vec4(to_world(instance, skinned(instance).position), 1.0);
 #ifdef ALONE
-  Cell own = cells[uint(gl_BaseInstanceARB + gl_InstanceID) - first_instance];
+  Cell own = cells[drawn_number() - first_instance];
   cell = own.place;
   vec2 corner = 2.0 * vec2(own.shift) / target_pixels - 1.0;
   gl_Position.xy = (gl_Position.xy + gl_Position.w) / target_per_picture + corner * gl_Position.w;

@@ -31,12 +31,15 @@ class BodySize : public render::test::SoftwareGlTest {
     render::InstanceRecord record{};
     record.scale = static_cast<float>(1.0 / scale);
     record.heading_cosine = 1.0F;
-    record.shape = 0x7F7F7FU;
-    record.hair = 0x7F7FU;
-    const render::CrowdBatch batch{.instance_count = 1};
+    render::AgentLook look = render::plain_look();
+    look.shape = 0x7F7F7FU;
+    look.hair = 0x7F7FU;
+    const render::CrowdBatch batch{.count = 1};
     render::CrowdFrame frame;
     frame.instances = {&record, 1};
     frame.batches = {&batch, 1};
+    frame.looks = {&look, 1};
+    frame.looks_number = render::new_looks_number();
     return render::test::SkinningReadBack(**renderer).read(frame, {});
   }
 

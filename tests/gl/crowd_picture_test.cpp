@@ -52,12 +52,23 @@ TEST_F(CrowdPicture, ShowsAMissingAgent) {
 }
 
 TEST_F(CrowdPicture, ShowsSwappedTintRegions) {
-  for (InstanceRecord& record : crowd().instances) std::swap(record.tints[2], record.tints[3]);
+  for (AgentLook& look : crowd().looks) std::swap(look.tints[2], look.tints[3]);
   EXPECT_FALSE(looks_the_same(difference_now()));
 }
 
+TEST_F(CrowdPicture, HasNewLooksOnlyWithANewNumber) {
+  CrowdFrame frame = crowd().frame();
+  crowd().renderer().draw(frame);
+  for (AgentLook& look : crowd().looks) std::swap(look.tints[2], look.tints[3]);
+  crowd().renderer().draw(frame);
+  EXPECT_EQ(measure_difference(meant(), crowd().renderer().read_image())->worst_block, 0.0);
+  frame.looks_number = new_looks_number();
+  crowd().renderer().draw(frame);
+  EXPECT_FALSE(looks_the_same(*measure_difference(meant(), crowd().renderer().read_image())));
+}
+
 TEST_F(CrowdPicture, ShowsNoShadeOnWhatATintColours) {
-  for (InstanceRecord& record : crowd().instances) record.shade = 0x7F7F7FU;
+  for (AgentLook& look : crowd().looks) look.shade = 0x7F7F7FU;
   EXPECT_EQ(difference_now().worst_block, 0.0);
 }
 
@@ -117,7 +128,7 @@ std::size_t red_pixels(const Image& image) {
 }
 
 TEST_F(CrowdPicture, ShowsInRedWhatFollowsAWeighedEntry) {
-  for (InstanceRecord& record : crowd().instances) std::ranges::fill(record.tints, 0xFFFFFFFFU);
+  for (AgentLook& look : crowd().looks) look = plain_look();
   const auto red_with = [&](WeighedEntries weighed) {
     CrowdFrame frame = crowd().frame();
     frame.weighed = weighed;

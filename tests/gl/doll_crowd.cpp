@@ -9,11 +9,14 @@ namespace throng::render::test {
 namespace {
 
 constexpr std::size_t row_length = 5;
-constexpr std::uint32_t opaque = 0xFF000000U;
 
-std::uint32_t tint_of(std::size_t agent, std::size_t region) {
-  const auto hash = static_cast<std::uint32_t>((agent * 5 + region + 1) * 2654435761U);
-  return (hash >> 4U) | 0x00404040U | opaque;
+AgentLook look_of(std::size_t agent) {
+  AgentLook look = plain_look();
+  for (std::size_t region = 0; region < 5; ++region) {
+    const auto hash = static_cast<std::uint32_t>((agent * 5 + region + 1) * 2654435761U);
+    look.tints.at(region) = tint_of((hash >> 4U) | 0x00404040U);
+  }
+  return look;
 }
 
 InstanceRecord record_of(std::size_t agent) {
@@ -27,7 +30,6 @@ InstanceRecord record_of(std::size_t agent) {
   record.heading_cosine = std::cos(0.3F * column - 0.5F);
   record.heading_sine = std::sin(0.3F * column - 0.5F);
   record.agent = static_cast<std::uint32_t>(agent);
-  for (std::size_t region = 0; region < tint_regions; ++region) record.tints[region] = tint_of(agent, region);
   // The blend is a third of the way from one slot to the other.
   record.blend_start = DollCrowd::now - 10'000;
   record.blend_duration = 30'000;
@@ -58,6 +60,7 @@ DollCrowd::DollCrowd(gl::Context& context, int samples, int longest_tile) {
 void DollCrowd::stand(std::size_t count) {
   for (std::size_t agent = 0; agent < count; ++agent) {
     instances.push_back(record_of(agent));
+    looks.push_back(look_of(agent));
     from.push_back(doll_pose(0.2F + 0.1F * static_cast<float>(agent % 7)));
     to.push_back(doll_pose(1.3F - 0.1F * static_cast<float>(agent % 9)));
   }
@@ -82,13 +85,15 @@ CrowdFrame DollCrowd::frame() {
   const std::uint32_t half = count / 2;
   batches_.clear();
   const auto run_of = [](std::uint8_t character, std::uint32_t first, std::uint32_t size) {
-    return CrowdBatch{.character = character, .first_instance = first, .instance_count = size};
+    return CrowdBatch{.character = character, .first = first, .count = size};
   };
   if (count > 0) batches_ = {run_of(0, 0, half), run_of(0, half, count - half)};
   CrowdFrame frame;
   frame.camera = view_of(camera, static_cast<float>(width) / height);
   frame.instances = instances;
   frame.batches = batches_;
+  frame.looks = looks;
+  frame.looks_number = new_looks_number();  // tests change them
   frame.now = now;
   return frame;
 }

@@ -40,6 +40,7 @@ class DollCrowd {
   const Doll& doll() const { return doll_; }
 
   std::vector<InstanceRecord> instances;
+  std::vector<AgentLook> looks;   ///< one an agent
   std::vector<DollPalette> from;  ///< one an agent
   std::vector<DollPalette> to;    ///< one an agent
   Camera camera;

@@ -60,8 +60,8 @@ class DrawCallsOfDolls : public SoftwareGlTest {
       batches.push_back({.page = run / crowd.lods / crowd.characters,
                          .character = static_cast<std::uint8_t>(run / crowd.lods % crowd.characters),
                          .mesh_lod = static_cast<std::uint8_t>(run % crowd.lods),
-                         .first_instance = first,
-                         .instance_count = agents * (run + 1) / runs - first});
+                         .first = first,
+                         .count = agents * (run + 1) / runs - first});
     }
     CrowdFrame frame = crowd_->frame();
     frame.batches = batches;

@@ -57,7 +57,9 @@ class LabelledCrowd {
             .batches = picture.batches(),
             .now = stage().now(),
             .shadows = false,
-            .crowd_shade = false};
+            .crowd_shade = false,
+            .looks = stage().crowd().looks().drawn,
+            .looks_number = stage().crowd().looks().number};
   }
 
  private:
@@ -229,10 +231,10 @@ TEST_F(LabelsOfFifty, HaveSharesThatAgreeWithDrawingEachAlone) {
     const auto instance = static_cast<std::uint32_t>(
         std::ranges::find(instances, person.agent, &render::InstanceRecord::agent) - instances.begin());
     render::CrowdBatch batch = *std::ranges::find_if(frame.batches, [&](const render::CrowdBatch& each) {
-      return instance >= each.first_instance && instance < each.first_instance + each.instance_count;
+      return instance >= each.first && instance < each.first + each.count;
     });
-    batch.first_instance = instance;
-    batch.instance_count = 1;
+    batch.first = instance;
+    batch.count = 1;
     frame.batches = {&batch, 1};
     LabelPicture alone;
     crowd.renderer().upload(frame);

@@ -141,7 +141,7 @@ TEST_F(Material, WithoutATintIsAsBrightAsTheShadeOfItsAgentSays) {
   MaterialData material;
   material.unlit = true;
   for (int i = 0; i < 3; ++i) material.base_color[i] = 0.2159F;
-  for (InstanceRecord& record : crowd().instances) record.shade = 0x810000U | 0x7FU;  // red 1.35, blue 0.65 times
+  for (AgentLook& look : crowd().looks) look.shade = 0x810000U | 0x7FU;  // red 1.35, blue 0.65 times
   const auto color = middle(picture(material));
   EXPECT_NEAR(color[0], 147, 2);
   EXPECT_NEAR(color[1], 128, 2);

@@ -48,7 +48,7 @@ class Morphs : public SoftwareGlTest {
     crowd_ = std::make_unique<DollCrowd>(context());
     crowd_->stand(15);
     crowd_->write_palettes();
-    // The first place has other weights, so that places are told apart.
+    // The first four are of somebody else.
     weights_ = {9, 9, 9, 9, share, 9, 9, 9, other_share, 0, 0, 0};
   }
   void TearDown() override {
@@ -61,7 +61,7 @@ class Morphs : public SoftwareGlTest {
     const std::vector<CrowdMeshData> dolls(2, doll);
     EXPECT_TRUE(crowd().renderer().load_characters(dolls));
   }
-  void let_morph(InstanceRecord& record) const { record.hair |= 2U << 16U; }
+  void let_morph(InstanceRecord& record) const { record.weights = 5; }
   CrowdFrame frame() {
     CrowdFrame frame = crowd().frame();
     frame.morph_weights = weights_;
@@ -123,7 +123,7 @@ TEST_F(Morphs, AreDrawnInEveryKindOfMaterial) {
     const Image rest = picture();
     for (InstanceRecord& record : crowd().instances) let_morph(record);
     const Image morphed = picture();
-    for (InstanceRecord& record : crowd().instances) record.hair = 0;
+    for (InstanceRecord& record : crowd().instances) record.weights = 0;
     EXPECT_TRUE(looks_the_same(*measure_difference(expected, morphed)));
     EXPECT_FALSE(looks_the_same(*measure_difference(rest, morphed)));
   }

@@ -24,6 +24,7 @@ Sheet::Sheet(gl::Context& context) : crowd_(context) {
   record.scale = 1.0F;
   record.heading_cosine = 1.0F;
   crowd_.instances = {record};
+  crowd_.looks = {plain_look()};
   crowd_.from = crowd_.to = {palette_of(false)};
   crowd_.write_palettes();
   face({0, 0, 1});
@@ -41,6 +42,13 @@ void Sheet::turn_upside_down() {
 
 std::vector<float> Sheet::all_at(float u, float v) { return {u, v, u, v, u, v, u, v}; }
 
+void Sheet::dress(std::uint32_t tint, std::uint32_t second) {
+  is_dressed_ = true;
+  regions_.assign(4, static_cast<std::uint8_t>(Region::top));
+  crowd_.looks.front().tints.fill(tint);
+  crowd_.looks.front().seconds.fill(second);
+}
+
 Image Sheet::picture() {
   CrowdMeshData data;
   data.parts = {{.positions = positions,
@@ -52,18 +60,28 @@ Image Sheet::picture() {
                  .occlusion_coords = occlusion_coords,
                  .tangents = tangents,
                  .colors = colors,
-                 .regions = {},
+                 .regions = regions_,
                  .shapes = {},
                  .hair = {},
+                 .trims = trims,
+                 .faces = faces,
                  .palette_entries = entries,
                  .weights = weights,
                  .indices = triangles_}};
+  if (is_dressed_) data.pieces = {{.levels = {{data.parts, 0.0F}, {data.parts, 0.0F}}}};
   data.materials = {material};
   data.images = images;
   data.entry_at_level = {{0, 1, 2, 3, 4, 5}};
   const std::vector<CrowdMeshData> characters(2, data);
   EXPECT_TRUE(crowd_.renderer().load_characters(characters));
   CrowdFrame frame = crowd_.frame();
+  const CrowdBatch run{.count = 1}, worn{.mesh_lod = mesh_lod, .piece = 1, .count = 1};
+  constexpr std::uint32_t only = 0;
+  if (is_dressed_) {
+    frame.batches = {&worn, 1};
+    frame.runs = {&run, 1};
+    frame.drawn = {&only, 1};
+  }
   frame.light = light;
   frame.shadows = frame.crowd_shade = false;
   crowd_.renderer().draw(frame);

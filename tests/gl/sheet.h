@@ -37,16 +37,24 @@ class Sheet {
   void turn_around() { triangles_ = {0, 1, 2, 1, 3, 2}; }
   void turn_back() { triangles_ = {0, 2, 1, 1, 2, 3}; }
 
+  /// Makes it a piece that somebody wears, with a tint and a second colour of this look.
+  void dress(std::uint32_t tint, std::uint32_t second);
+  /// Lets its pattern lie so: `coords` are metres then.
+  void lay_out(float metres) { coords = {0, metres, metres, metres, 0, 0, metres, 0}; }
+
   MaterialData material;
   std::vector<ImageData> images;
   SceneLight light{.sun_elevation = 45.0F, .sun_azimuth = 0.0F, .clouds = 0.0F};
   std::vector<float> coords{0, 0, 1, 0, 0, 1, 1, 1};  ///< as an image lies: the top left corner comes first
   std::vector<float> metallic_roughness_coords, normal_coords, occlusion_coords;
   std::vector<float> colors;
-  std::vector<float> tangents;
+  std::vector<float> tangents, trims, faces;
+  std::uint8_t mesh_lod = 0;  ///< of a piece
 
  private:
   DollCrowd crowd_;
+  bool is_dressed_ = false;
+  std::vector<std::uint8_t> regions_;
   std::vector<float> normals_;
   std::array<std::uint32_t, 6> triangles_{0, 2, 1, 1, 2, 3};
 };

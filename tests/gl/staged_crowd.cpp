@@ -74,6 +74,8 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   // Everybody gets the coarsest mesh, which is the quickest to draw.
   stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()), {});
   moments_.resize(stage_->crowd().size());
+  // The reference knows poses, but no builds of bodies.
+  looks_.resize(stage_->crowd().size(), render::plain_look());
   camera_ = camera_at({.x = 0, .y = 15.5F, .z = 8.5F, .yaw = 0, .pitch = -64, .field_of_view = 50});
 }
 
@@ -90,8 +92,6 @@ void StagedCrowd::pass_frame() {
   note_moments();
   picture_.compose(*stage_);
   instances_.assign(picture_.instances().begin(), picture_.instances().end());
-  // The reference knows poses, but no builds of bodies.
-  for (render::InstanceRecord& record : instances_) record.shape = record.hair = 0;
 }
 
 // With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
@@ -117,7 +117,9 @@ render::CrowdFrame StagedCrowd::frame() const {
           .now = stage_->now(),
           .bones_as_lines = false,
           .shadows = false,
-          .crowd_shade = false};
+          .crowd_shade = false,
+          .looks = looks_,
+          .looks_number = looks_number_};
 }
 
 std::uint32_t StagedCrowd::instance_of(std::uint32_t agent) const {
@@ -156,7 +158,7 @@ std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) cons
 std::vector<render::test::ReadBackVertex> StagedCrowd::surface_on_device(std::uint32_t agent) {
   const std::uint32_t instance = instance_of(agent);
   const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
-    return instance - candidate.first_instance < candidate.instance_count;
+    return instance - candidate.first < candidate.count;
   });
   return read_back_->read(frame(), {instance, batch->page});
 }

@@ -84,6 +84,8 @@ class StagedCrowd {
   render::Camera camera_;
   Picture picture_;
   std::vector<render::InstanceRecord> instances_;
+  std::vector<render::AgentLook> looks_;
+  std::uint64_t looks_number_ = render::new_looks_number();
   std::vector<Slots> moments_;  // [agent]
 };
 

@@ -59,10 +59,10 @@ class CastersOfACrowd : public testing::Test {
   }
 
   std::vector<InstanceRecord> instances_;
-  const std::vector<CrowdBatch> batches_{{.first_instance = 0, .instance_count = 70'000},
-                                         {.mesh_lod = 1, .first_instance = 70'000, .instance_count = 10},
-                                         {.page = 1, .first_instance = 70'010, .instance_count = 79'990}};
-  const std::vector<float> reaches_{of_first, of_others, of_others};
+  const std::vector<CrowdBatch> batches_{{.first = 0, .count = 70'000},
+                                         {.character = 1, .mesh_lod = 1, .first = 70'000, .count = 10},
+                                         {.page = 1, .character = 1, .first = 70'010, .count = 79'990}};
+  const std::vector<float> reaches_{of_first, of_others};
   CrowdFrame frame_;
   const SunAxes axes_ = sun_axes(glm::normalize(glm::vec3(0.5F, 0.4F, 0.3F)));
   std::array<Cascade, cascade_count> cascades_{};
@@ -75,11 +75,12 @@ TEST_F(CastersOfACrowd, AreAllWhoseBallsReachOverTheMapOfACascade) {
   for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
     for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
       std::vector<std::uint32_t> expected;
-      const std::uint32_t first = batches_[batch].first_instance;
-      for (std::uint32_t i = first; i < first + batches_[batch].instance_count; ++i) {
+      const std::uint32_t first = batches_[batch].first;
+      for (std::uint32_t i = first; i < first + batches_[batch].count; ++i) {
         const float* const at = instances_[i].position;
         const glm::vec3 place = axes_.along({at[0], at[1], at[2]});
-        if (may_cast(limits, place, reaches_[batch] * instances_[i].scale)[cascade] != 0) expected.push_back(i);
+        if (may_cast(limits, place, reaches_[batches_[batch].character] * instances_[i].scale)[cascade] != 0)
+          expected.push_back(i);
       }
       ASSERT_EQ(casters.count(cascade, batch), expected.size()) << cascade << ", " << batch;
       const auto found = casters.all().subspan(next, expected.size());
@@ -104,6 +105,53 @@ TEST_F(CastersOfACrowd, AreTheSameForAnyNumberOfJobs) {
     for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
       for (std::size_t i = 0; i < cascade_count; ++i) EXPECT_EQ(casters.count(i, batch), alone.count(i, batch));
     }
+  }
+}
+
+// Everybody wears two pieces of three, so each batch is cut into three lists.
+TEST_F(CastersOfACrowd, OfListsAreThoseOfTheirBatchesForAnyNumberOfJobs) {
+  constexpr std::uint32_t pieces = 3;
+  const Casters of_runs = chosen(nullptr);
+  std::vector<std::uint8_t> casts(instances_.size());
+  std::size_t next = 0;
+  for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
+    for (std::size_t batch = 0; batch < batches_.size(); next += of_runs.count(cascade, batch++)) {
+      for (const std::uint32_t i : of_runs.all().subspan(next, of_runs.count(cascade, batch)))
+        casts[i] |= 1U << cascade;
+    }
+  }
+  std::vector<CrowdBatch> lists;
+  std::vector<std::uint32_t> drawn;
+  for (const CrowdBatch& batch : batches_) {
+    for (std::uint32_t piece = 0; piece < pieces; ++piece) {
+      lists.push_back(batch);
+      lists.back().first = static_cast<std::uint32_t>(drawn.size());
+      for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+        if (i % pieces != piece) drawn.push_back(i);
+      }
+      lists.back().count = static_cast<std::uint32_t>(drawn.size()) - lists.back().first;
+    }
+  }
+  frame_.batches = lists;
+  frame_.drawn = drawn;
+  frame_.runs = batches_;
+  for (const int at_once : {1, 2, 8}) {
+    Threads threads(at_once);
+    const Casters casters = chosen(&threads);
+    EXPECT_EQ(casters.largest_scale(), of_runs.largest_scale());
+    std::size_t at = 0;
+    for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
+      for (std::size_t list = 0; list < lists.size(); ++list) {
+        std::vector<std::uint32_t> expected;
+        for (const std::uint32_t i : std::span(drawn).subspan(lists[list].first, lists[list].count)) {
+          if ((casts[i] >> cascade & 1U) != 0) expected.push_back(i);
+        }
+        ASSERT_EQ(casters.count(cascade, list), expected.size()) << at_once;
+        ASSERT_TRUE(std::ranges::equal(casters.all().subspan(at, expected.size()), expected)) << at_once;
+        at += expected.size();
+      }
+    }
+    EXPECT_EQ(at, casters.all().size());
   }
 }
 

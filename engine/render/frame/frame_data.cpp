@@ -1,5 +1,10 @@
 #include "engine/render/frame/frame_data.h"
 
+#include <bit>
+#include <cassert>
+#include <numeric>
+#include <vector>
+
 #include <glm/matrix.hpp>
 
 namespace throng::render {
@@ -34,12 +39,38 @@ void FrameData::upload_view(const CrowdFrame& frame) {
   glNamedBufferSubData(uniforms_.id(), 0, sizeof(uniforms), &uniforms);
 }
 
+void FrameData::upload_looks(const CrowdFrame& frame) {
+  assert(frame.instances.empty() || frame.looks_number != 0);
+  if (frame.looks_number != looks_number_) looks_.upload(frame.looks);
+  looks_number_ = frame.looks_number;
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, looks_binding, looks_.id());
+}
+
+void FrameData::upload_drawn(const CrowdFrame& frame) {
+  draws_lists_ = !frame.drawn.empty();
+  if (draws_lists_) {
+    drawn_[turn_].upload(frame.drawn);
+  } else if (frame.instances.size() >= counted_) {
+    counted_ = std::bit_ceil(frame.instances.size() + 1);
+    std::vector<std::uint32_t> numbers(counted_);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    all_.upload(numbers);
+  }
+  bind_drawn();
+}
+
+void FrameData::bind_drawn() const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, drawn_binding, draws_lists_ ? drawn_[turn_].id() : all_.id());
+}
+
 void FrameData::upload(const CrowdFrame& frame) {
   upload_view(frame);
+  upload_looks(frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, uniforms_.id());
   turn_ = (turn_ + 1) % instances_.size();
   instances_[turn_].upload(frame.instances);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, instances_binding, instances_[turn_].id());
+  upload_drawn(frame);
   if (frame.morph_weights.empty()) return;
   morph_weights_[turn_].upload(frame.morph_weights);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_weights_binding, morph_weights_[turn_].id());

@@ -23,8 +23,9 @@ enum StorageBinding : unsigned {
   morph_entries_binding = 5,
   morph_weights_binding = 6,
   scenery_binding = 7,
-  casters_binding = 8,
-  cells_binding = 9
+  drawn_binding = 8,
+  cells_binding = 9,
+  looks_binding = 10
 };
 /// The texture units of the light, which are the same in every program; materials have those before.
 enum LightUnit : unsigned {
@@ -64,7 +65,8 @@ static_assert(offsetof(FrameUniforms, now) == 128);
 static_assert(offsetof(FrameUniforms, ground_shape) == 144);
 
 /// Carries the camera, the time, the instance records and the weights of morphs of each frame to the device. Records
-/// and weights take turns with several buffers, so that copying never waits for an earlier frame.
+/// and weights take turns with several buffers, so that copying never waits for an earlier frame. Looks are copied when
+/// their number changes.
 class FrameData {
  public:
   /// Copies the data of a frame and binds it for every program.
@@ -73,12 +75,24 @@ class FrameData {
   /// Copies a frame's camera and time alone, for another view of the same instances.
   void upload_view(const CrowdFrame& frame);
 
+  /// Binds the instances of the batches, by their numbers, after shadows have bound their own.
+  void bind_drawn() const;
+
  private:
   static constexpr std::size_t frames_in_flight = 3;
+
+  void upload_looks(const CrowdFrame& frame);
+  void upload_drawn(const CrowdFrame& frame);
 
   gl::Buffer uniforms_ = gl::create_buffer(nullptr, sizeof(FrameUniforms), GL_DYNAMIC_STORAGE_BIT);
   std::array<gl::GrowingBuffer<InstanceRecord>, frames_in_flight> instances_;
   std::array<gl::GrowingBuffer<float>, frames_in_flight> morph_weights_;
+  std::array<gl::GrowingBuffer<std::uint32_t>, frames_in_flight> drawn_;
+  gl::GrowingBuffer<std::uint32_t> all_;  // 0, 1, 2 ...: for frames whose batches are runs of instances
+  std::size_t counted_ = 0;               // of all_
+  bool draws_lists_ = false;
+  gl::GrowingBuffer<AgentLook> looks_;
+  std::uint64_t looks_number_ = 0;  // of those that were copied last; 0: none were
   std::size_t turn_ = 0;
 };
 

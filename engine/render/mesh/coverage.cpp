@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/render/mesh/mesh_parts.h"
+
 namespace throng::render {
 namespace {
 
@@ -25,8 +27,7 @@ float least_alpha(const CrowdMeshData& data, int material) {
   const auto add_part = [&](const MeshPartData& part) {
     if (part.material == material) of_colors = std::min(of_colors, least_alpha_of(part));
   };
-  std::ranges::for_each(data.parts, add_part);
-  for (const BakedLodData& lod : data.baked_lods) std::ranges::for_each(lod.parts, add_part);
+  for_each_part(data, add_part);
   const int image = used.base_color_texture.image;
   const float of_texture = image < 0 ? 1.0F : least_alpha_of(data.images[static_cast<std::size_t>(image)]);
   return used.base_color[3] * of_colors * of_texture;

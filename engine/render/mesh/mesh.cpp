@@ -27,6 +27,7 @@ constexpr GLuint region_attribute = 7;
 constexpr GLuint first_detail_coord_attribute = 8;  // in the order of DetailCoords
 constexpr GLuint detail_coord_count = sizeof(DetailCoords) / sizeof(TextureCoord);
 constexpr GLuint tangent_attribute = first_detail_coord_attribute + detail_coord_count;
+constexpr GLuint trim_attribute = tangent_attribute + 1, face_attribute = tangent_attribute + 2;
 
 /// Describes coordinates of textures over the base colour, which have a buffer of their own, or else are those of the
 /// base colour.
@@ -57,6 +58,13 @@ gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& 
   glVertexArrayAttribIFormat(array.id(), region_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
   glVertexArrayAttribBinding(array.id(), region_attribute, 0);
   glEnableVertexArrayAttrib(array.id(), region_attribute);
+  const auto describe = [&](GLuint attribute, GLint count, GLenum type, std::size_t offset) {
+    glVertexArrayAttribFormat(array.id(), attribute, count, type, GL_TRUE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(array.id(), attribute, 0);
+    glEnableVertexArrayAttrib(array.id(), attribute);
+  };
+  describe(trim_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, trim));
+  describe(face_attribute, 4, GL_BYTE, offsetof(SurfaceVertex, face));
   glVertexArrayElementBuffer(array.id(), indices.id());
   return array;
 }

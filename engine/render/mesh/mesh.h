@@ -20,11 +20,25 @@ class CrowdMesh {
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   std::size_t lod_count() const { return parts_.runs_by_lod.size(); }
+  /// Counts the triangles of piece 0.
   std::span<const std::uint32_t> triangles_by_lod() const { return parts_.triangles_by_lod; }
+  /// Gives the largest errors of all pieces that are drawn at a mesh LOD.
   std::span<const MeshError> error_by_lod() const { return parts_.error_by_lod; }
 
-  /// Gives the runs that draw mesh LOD `lod`, one a material.
-  std::span<const MaterialRun> runs(std::size_t lod) const { return parts_.runs_by_lod[lod]; }
+  /// Gives the runs that draw a piece at a mesh LOD, one a material.
+  std::span<const MaterialRun> runs(std::size_t piece, std::size_t lod) const {
+    if (piece == 0) return parts_.runs_by_lod[lod];
+    const SurfacePiece& of_outfits = parts_.pieces[piece - 1];
+    return of_outfits.runs_by_level[of_outfits.level_at(lod)];
+  }
+  /// Counts its triangles.
+  std::uint32_t triangles(std::size_t piece, std::size_t lod) const {
+    if (piece == 0) return parts_.triangles_by_lod[lod];
+    const SurfacePiece& of_outfits = parts_.pieces[piece - 1];
+    return of_outfits.triangles_by_level[of_outfits.level_at(lod)];
+  }
+  /// Counts its pieces, all of the character among them.
+  std::size_t piece_count() const { return parts_.pieces.size() + 1; }
   const MaterialSet& materials() const { return materials_; }
 
   /// Says whether morphs move some of its vertices.

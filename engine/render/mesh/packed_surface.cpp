@@ -48,16 +48,44 @@ class ArrayReader {
 
 std::uint32_t count_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
-/// Deals out the runs of all LODs. Returns false if they are not as many as there should be.
-bool deal_runs(std::span<const MaterialRun> runs, std::span<const PackedSurfaceLod> lods, SurfaceParts& parts) {
-  for (const PackedSurfaceLod& lod : lods) {
-    if (lod.runs > runs.size()) return false;
-    parts.runs_by_lod.emplace_back(runs.begin(), runs.begin() + lod.runs);
-    parts.triangles_by_lod.push_back(lod.triangles);
-    parts.error_by_lod.push_back(lod.error);
-    runs = runs.subspan(lod.runs);
+/// Deals out the runs of all LODs and levels. A run that is not there leaves `failed` true.
+class RunDealer {
+ public:
+  RunDealer(std::span<const MaterialRun> runs, std::span<const PackedSurfaceLod> lods) : runs_(runs), lods_(lods) {}
+
+  /// Gives the next `count` LODs out; none where there are not so many.
+  void deal(std::size_t count, std::vector<std::vector<MaterialRun>>& runs, std::vector<std::uint32_t>& triangles,
+            std::vector<MeshError>& errors) {
+    if (count > lods_.size()) failed_ = true, count = 0;
+    for (const PackedSurfaceLod& lod : lods_.first(count)) {
+      if (lod.runs > runs_.size()) failed_ = true;
+      if (failed_) return;
+      runs.emplace_back(runs_.begin(), runs_.begin() + lod.runs);
+      triangles.push_back(lod.triangles);
+      errors.push_back(lod.error);
+      runs_ = runs_.subspan(lod.runs);
+    }
+    lods_ = lods_.subspan(count);
   }
-  return runs.empty() && !lods.empty() && lods.size() <= largest_mesh_lod_count;
+  bool dealt_all() const { return !failed_ && runs_.empty() && lods_.empty(); }
+
+ private:
+  std::span<const MaterialRun> runs_;
+  std::span<const PackedSurfaceLod> lods_;
+  bool failed_ = false;
+};
+
+/// Returns false if there are not as many of anything as there should be.
+bool deal_runs(RunDealer dealer, std::size_t lods, std::span<const PackedSurfacePiece> pieces, SurfaceParts& parts) {
+  if (lods == 0 || lods > largest_mesh_lod_count) return false;
+  dealer.deal(lods, parts.runs_by_lod, parts.triangles_by_lod, parts.error_by_lod);
+  for (const PackedSurfacePiece& packed : pieces) {
+    if (packed.levels == 0 || packed.levels > largest_mesh_lod_count) return false;
+    SurfacePiece& piece = parts.pieces.emplace_back();
+    piece.first_lod = packed.first_lod;
+    dealer.deal(packed.levels, piece.runs_by_level, piece.triangles_by_level, piece.error_by_level);
+  }
+  return dealer.dealt_all();
 }
 
 bool lies_within(const MaterialRun& run, std::size_t indices) {
@@ -69,10 +97,19 @@ bool lies_within(const MaterialRun& run, std::size_t indices) {
 std::vector<std::byte> pack_surface(const SurfaceView& surface) {
   std::vector<MaterialRun> runs;
   std::vector<PackedSurfaceLod> lods;
-  for (std::size_t lod = 0; lod < surface.runs_by_lod.size(); ++lod) {
-    const std::vector<MaterialRun>& of_lod = surface.runs_by_lod[lod];
+  std::vector<PackedSurfacePiece> pieces;
+  const auto add = [&](const std::vector<MaterialRun>& of_lod, std::uint32_t triangles, const MeshError& error) {
     runs.insert(runs.end(), of_lod.begin(), of_lod.end());
-    lods.push_back({count_of(of_lod.size()), surface.triangles_by_lod[lod], surface.error_by_lod[lod]});
+    lods.push_back({count_of(of_lod.size()), triangles, error});
+  };
+  for (std::size_t lod = 0; lod < surface.runs_by_lod.size(); ++lod) {
+    add(surface.runs_by_lod[lod], surface.triangles_by_lod[lod], surface.error_by_lod[lod]);
+  }
+  for (const SurfacePiece& piece : surface.pieces) {
+    pieces.push_back({piece.first_lod, count_of(piece.runs_by_level.size())});
+    for (std::size_t level = 0; level < piece.runs_by_level.size(); ++level) {
+      add(piece.runs_by_level[level], piece.triangles_by_level[level], piece.error_by_level[level]);
+    }
   }
   const std::size_t levels = surface.vertices.empty() ? 0 : surface.entries.size() / surface.vertices.size();
   const PackedSurface header{.layout = packed_surface_layout,
@@ -81,12 +118,12 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
                              .indices = count_of(surface.indices.size()),
                              .runs = count_of(runs.size()),
                              .vertices = count_of(surface.vertices.size()),
-                             .lods = count_of(lods.size()),
+                             .lods = count_of(surface.runs_by_lod.size()),
                              .vertex_count = surface.vertex_count,
                              .first_bone_end = surface.first_bone_end,
                              .bone_end_count = surface.bone_end_count,
                              .tangents = count_of(surface.tangents.size()),
-                             .unused = 0};
+                             .pieces = count_of(pieces.size())};
   ArrayWriter writer;
   writer.add(std::span(&header, 1));
   writer.add(surface.vertices);
@@ -95,6 +132,7 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
   writer.add(surface.entries);
   writer.add(surface.indices);
   writer.add(std::span<const MaterialRun>(runs));
+  writer.add(std::span<const PackedSurfacePiece>(pieces));
   writer.add(std::span<const PackedSurfaceLod>(lods));
   return writer.take();
 }
@@ -115,12 +153,16 @@ Result<SurfaceView> view_packed_surface(std::span<const std::byte> packed) {
   surface.entries = reader.take<PaletteEntries>(std::size_t{header.levels} * header.vertices);
   surface.indices = reader.take<std::uint32_t>(header.indices);
   const auto runs = reader.take<MaterialRun>(header.runs);
-  const auto lods = reader.take<PackedSurfaceLod>(header.lods);
+  const auto pieces = reader.take<PackedSurfacePiece>(header.pieces);
+  std::size_t lods = header.lods;
+  for (const PackedSurfacePiece& piece : pieces) lods += piece.levels;
+  const RunDealer dealer(runs, reader.take<PackedSurfaceLod>(lods));
   surface.vertex_count = header.vertex_count;
   surface.first_bone_end = header.first_bone_end;
   surface.bone_end_count = header.bone_end_count;
   const auto fits = [&](const MaterialRun& run) { return lies_within(run, surface.indices.size()); };
-  if (!reader.read_all() || !deal_runs(runs, lods, surface) || !std::ranges::all_of(runs, fits)) return damaged;
+  if (!reader.read_all() || !deal_runs(dealer, header.lods, pieces, surface) || !std::ranges::all_of(runs, fits))
+    return damaged;
   return surface;
 }
 

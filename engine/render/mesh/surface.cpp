@@ -9,7 +9,9 @@
 #include <meshoptimizer.h>
 
 #include "engine/render/mesh/mesh_lod.h"
+#include "engine/render/mesh/mesh_parts.h"
 #include "engine/render/mesh/surface_details.h"
+#include "engine/render/mesh/surface_pieces.h"
 
 namespace throng::render {
 namespace {
@@ -51,6 +53,8 @@ SurfaceVertex vertex_of(const MeshPartData& part, std::size_t i) {
   vertex.region = part.regions.empty() ? untinted_region : part.regions[i];
   store_shares(part.shapes, i, vertex.shape);
   store_shares(part.hair, i, vertex.hair);
+  store_shares(part.faces, i, vertex.face);
+  if (!part.trims.empty()) vertex.trim = static_cast<std::uint8_t>(to_unorm16(part.trims[i]) >> 8U);
   return vertex;
 }
 
@@ -167,10 +171,9 @@ void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materia
 /// Appends the vertices of baked LODs, and returns the mesh LODs with their errors.
 std::vector<MeshLod> baked_lods(const CrowdMeshData& data, Surface& surface, Merged& merged) {
   std::vector<MeshLod> lods;
-  constexpr std::size_t most_baked = largest_mesh_lod_count - 1;
   const std::size_t full_count = merged.indices.size();
   lods.push_back({.indices = merged.indices});
-  for (const BakedLodData& baked : std::span(data.baked_lods).first(std::min(data.baked_lods.size(), most_baked))) {
+  for (const BakedLodData& baked : used_baked_lods(data)) {
     const auto first = static_cast<std::ptrdiff_t>(merged.indices.size());
     for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
     lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});
@@ -189,6 +192,68 @@ std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& s
     merged.colors.push_back(paint.look({.vertices = {vertex, vertex, vertex}}).color);
   }
   return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
+}
+
+void append_lods(const std::vector<MeshLod>& lods, const Merged& merged, const CrowdMeshData& data, Surface& surface) {
+  for (const MeshLod& lod : lods) {
+    append_lod(lod.indices, merged.materials, static_cast<int>(data.materials.size()), surface);
+    surface.error_by_lod.push_back(lod.error);
+  }
+}
+
+/// Returns what the levels of a piece are stated to be off; on faces too, where it lies on one.
+MeshError stated_error(float error, const Merged& merged) {
+  const bool face_is_known = !merged.face.empty();
+  const bool on_face = std::ranges::find(merged.face, 1) != merged.face.end();
+  return {error, !face_is_known || on_face ? error : 0.0F};
+}
+
+/// Merges all levels of a piece as they are stated.
+std::vector<MeshLod> stated_lods(const CrowdMeshData& data, const MeshPieceData& piece, Surface& surface,
+                                 Merged& merged) {
+  std::vector<MeshLod> lods;
+  for (std::size_t level = 0; level < piece.levels.size(); ++level) {
+    if (repeats_the_level_before(piece, level)) {
+      lods.push_back({.indices = lods.back().indices});
+      continue;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(merged.indices.size());
+    for (const MeshPartData& part : piece.levels[level].parts) append_part(part, surface, merged);
+    lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});
+  }
+  find_faces(data, merged);
+  for (std::size_t level = 0; level < lods.size(); ++level) {
+    lods[level].error = stated_error(piece.levels[level].error, merged);
+  }
+  return lods;
+}
+
+std::vector<MeshLod> lods_of_piece(const CrowdMeshData& data, const MeshPieceData& piece, Surface& surface,
+                                   Merged& merged) {
+  if (piece.levels.size() > 1 || piece.is_silhouette) return stated_lods(data, piece, surface, merged);
+  for (const MeshPartData& part : piece.levels.front().parts) append_part(part, surface, merged);
+  merged.texture_coords = texture_coords_of(surface.vertices);  // of patterns, too
+  return simplified_lods(data, surface, merged);
+}
+
+/// Builds a piece apart, and appends its vertices and indices to those of all others.
+SurfacePiece append_piece(const CrowdMeshData& data, const MeshPieceData& piece, Surface& surface, Merged& merged) {
+  Surface own;
+  Merged of_own;
+  append_lods(lods_of_piece(data, piece, own, of_own), of_own, data, own);
+  const auto first_vertex = static_cast<std::uint32_t>(surface.vertices.size());
+  const auto first_index = static_cast<std::uint32_t>(surface.indices.size());
+  surface.vertices.insert(surface.vertices.end(), own.vertices.begin(), own.vertices.end());
+  for (const std::uint32_t index : own.indices) surface.indices.push_back(first_vertex + index);
+  const std::vector<PaletteEntries>& entries = of_own.palette_entries;
+  merged.palette_entries.insert(merged.palette_entries.end(), entries.begin(), entries.end());
+  for (std::vector<MaterialRun>& runs : own.runs_by_lod) {
+    for (MaterialRun& run : runs) run.first_index += first_index;
+  }
+  return {.first_lod = piece.is_silhouette ? static_cast<std::uint32_t>(first_silhouette_lod) : 0U,
+          .runs_by_level = std::move(own.runs_by_lod),
+          .triangles_by_level = std::move(own.triangles_by_lod),
+          .error_by_level = std::move(own.error_by_lod)};
 }
 
 /// Appends the entries that the vertices read at one bone level.
@@ -225,12 +290,10 @@ Surface build_surface(const CrowdMeshData& data) {
   if (std::ranges::any_of(data.materials, shows_an_image)) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
-  const std::vector<MeshLod> lods =
-      data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged);
-  for (const MeshLod& lod : lods) {
-    append_lod(lod.indices, merged.materials, static_cast<int>(data.materials.size()), surface);
-    surface.error_by_lod.push_back(lod.error);
-  }
+  append_lods(data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged),
+              merged, data, surface);
+  for (const MeshPieceData& piece : data.pieces) surface.pieces.push_back(append_piece(data, piece, surface, merged));
+  take_errors_of_pieces(surface);
   append_bone_ends(data.bone_ends, surface, merged);
   if (!surface.detail_coords.empty()) surface.detail_coords.resize(surface.vertices.size());
   if (!surface.tangents.empty()) surface.tangents.resize(surface.vertices.size());

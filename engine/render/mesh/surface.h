@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,9 +21,12 @@ inline constexpr std::uint8_t untinted_region = 255;
 ///     24  texture coordinates u v
 ///     32  color r g b a     linear, 1 is 65535
 ///     40  weights           four, sum 65535
-///     48  tint region       0..4; any other is untinted
-///     49  shape             shares of the instance's build, frame and posture (InstanceRecord); 1 is 127
+///     48  region            Region; any other is untinted
+///     49  shape             shares of the look's build, frame and posture (AgentLook); 1 is 127
 ///     52  hair              shares of its fullness and length; 1 is 127
+///     54  trim              share of the second colour in Pattern::trim; 1 is 255
+///     55  unused
+///     56  face              shares of the look's jaw, nose, brow and eyes; 1 is 127
 struct SurfaceVertex {
   float position[3];
   float normal[3];
@@ -32,11 +36,15 @@ struct SurfaceVertex {
   std::uint8_t region;
   std::int8_t shape[3];
   std::int8_t hair[2];
-  std::uint8_t unused[2];
+  std::uint8_t trim;
+  std::uint8_t unused;
+  std::int8_t face[4];
 };
-static_assert(sizeof(SurfaceVertex) == 56);
+static_assert(sizeof(SurfaceVertex) == 60);
 static_assert(offsetof(SurfaceVertex, region) == 48);
 static_assert(offsetof(SurfaceVertex, hair) == 52);
+static_assert(offsetof(SurfaceVertex, trim) == 54);
+static_assert(offsetof(SurfaceVertex, face) == 56);
 
 using TextureCoord = std::array<float, 2>;
 
@@ -61,12 +69,27 @@ struct MaterialRun {
   std::uint32_t index_count = 0;
 };
 
+/// The meshes of a piece that some agents wear, finest first.
+struct SurfacePiece {
+  std::uint32_t first_lod = 0;                          ///< the mesh LOD that the finest stands for
+  std::vector<std::vector<MaterialRun>> runs_by_level;  ///< at most one run a material
+  std::vector<std::uint32_t> triangles_by_level;
+  std::vector<MeshError> error_by_level;
+
+  /// Returns the level that stands for a mesh LOD.
+  std::size_t level_at(std::size_t lod) const {
+    return std::min(lod - std::min<std::size_t>(lod, first_lod), runs_by_level.size() - 1);
+  }
+};
+
 /// Says which vertices and indices of a surface are what.
 struct SurfaceParts {
-  std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< at most one run a material
-  std::vector<std::uint32_t> triangles_by_lod;
-  std::vector<MeshError> error_by_lod;
-  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; those of baked LODs follow
+  std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< of piece 0; at most one run a material
+  std::vector<std::uint32_t> triangles_by_lod;        ///< of piece 0
+  std::vector<MeshError> error_by_lod;                ///< the largest of all pieces that are drawn at a mesh LOD
+  std::vector<SurfacePiece> pieces;                   ///< pieces 1, 2 ...
+  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; those of baked LODs and
+                                   ///< of pieces follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/render/mesh/mesh_parts.h"
+
 namespace throng::render {
 namespace {
 
@@ -14,17 +16,10 @@ bool has_detail_coords(const MeshPartData& part) {
 
 bool has_tangents(const MeshPartData& part) { return !part.tangents.empty(); }
 
-template <typename Predicate>
-bool any_part(const CrowdMeshData& data, const Predicate& is_so) {
-  return std::ranges::any_of(data.parts, is_so) || std::ranges::any_of(data.baked_lods, [&](const BakedLodData& baked) {
-           return std::ranges::any_of(baked.parts, is_so);
-         });
-}
-
-template <typename Action>
-void for_each_part(const CrowdMeshData& data, const Action& action) {
-  std::ranges::for_each(data.parts, action);
-  for (const BakedLodData& baked : data.baked_lods) std::ranges::for_each(baked.parts, action);
+bool any_part(const CrowdMeshData& data, const auto& is_so) {
+  bool any = false;
+  for_each_part(data, [&](const MeshPartData& part) { any = any || is_so(part); });
+  return any;
 }
 
 std::size_t vertex_count(const MeshPartData& part) { return part.positions.size() / 3; }

@@ -6,7 +6,7 @@
 namespace throng::render {
 
 /// Appends what only some characters have: coordinates of textures that differ from those of the base colour, and
-/// tangents. `surface` has none yet. One a vertex is added, of the parts and then of the baked LODs; none where no part
+/// tangents. `surface` has none yet. One a vertex is added, in the order of for_each_part(); none where no part
 /// has any.
 void append_details(const CrowdMeshData& data, Surface& surface);
 

@@ -17,14 +17,14 @@ constexpr float reach_share = 0.25F;
 std::uint32_t draw_bones_of_runs(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
                                  const PaletteBuffer& palettes) {
   std::uint32_t calls = 0;
-  for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
+  for_each_run(runs_of_instances(frame), [&](std::span<const CrowdBatch> run) {
     const CrowdMesh& mesh = meshes[run.front().character];
     if (mesh.bone_end_count() == 0) return;
     mesh.bind();
     palettes.bind(run.front().page, palette_binding);
     glUniform1f(reach_of_bones, reach_share * mesh.longest_side_of_bones());
-    const std::uint32_t first = run.front().first_instance;
-    const std::uint32_t end = run.back().first_instance + run.back().instance_count;
+    const std::uint32_t first = run.front().first;
+    const std::uint32_t end = run.back().first + run.back().count;
     glDrawArraysInstancedBaseInstance(GL_LINES, static_cast<GLint>(mesh.first_bone_end()),
                                       static_cast<GLsizei>(mesh.bone_end_count()), static_cast<GLsizei>(end - first),
                                       first);

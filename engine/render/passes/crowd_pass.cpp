@@ -15,8 +15,9 @@ enum Location : GLint { emission_location = 3, unlit_location = 4, factors_locat
 
 enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 
-// Switches of the crowd, after those of the light; the last is of crowd.frag alone.
-constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit = 2U << light_part_count;
+// Switches of the crowd, after those of the light; the last two are of crowd.frag alone.
+constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit = 2U << light_part_count,
+                        dressed_bit = 4U << light_part_count;
 
 // Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
 constexpr float solid_alpha = 0.9F;
@@ -56,7 +57,7 @@ void test_depth() {
 
 CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::vector<std::string>& always)
     : plain(shaders, {.vertex = "crowd_plain.vert", .fragment = "crowd.frag", .switches = always},
-            light_switches({"DEBUG_COLORS", "TEXTURED"})),
+            light_switches({"DEBUG_COLORS", "TEXTURED", "DRESSED"})),
       material(shaders, {.vertex = "crowd.vert", .fragment = "crowd_material.frag", .switches = always},
                light_switches({"DEBUG_COLORS"})),
       cut_out(shaders, {.vertex = "crowd.vert", .fragment = "crowd_cut_out.frag", .switches = always},
@@ -83,11 +84,11 @@ void CrowdPass::begin(const CrowdFrame& frame, std::uint32_t light) {
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
   compose_surfaces(frame.batches, meshes, blended_, is_blended);
-  compose_surfaces(frame.batches, meshes, surfaces_, is_any);
+  compose_dressed_surfaces(frame.batches, meshes, surfaces_);
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
     const CrowdMesh& mesh = meshes[group.character];
-    use_material(mesh, group.material);
+    use_material(mesh, group);
     mesh.bind();
     palettes.bind(group.page, palette_binding);
     surfaces_.draw(group);
@@ -97,13 +98,12 @@ DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> m
   return surfaces_.counts();
 }
 
-void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) {
-  const CrowdMaterial& material = mesh.materials()[of_mesh];
+void CrowdPass::use_material(const CrowdMesh& mesh, const IndirectDraws::Group& group) {
+  const CrowdMaterial& material = mesh.materials()[group.material];
   Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    const std::uint32_t textured = material.is_textured ? textured_bit : 0U;
-    glUseProgram(
-        (material.is_plain ? programs.plain.with(switches_ | textured) : programs.material.with(switches_)).id());
+    const std::uint32_t kind = material.is_textured ? textured_bit : group.is_dressed ? dressed_bit : 0U;
+    glUseProgram((material.is_plain ? programs.plain.with(switches_ | kind) : programs.material.with(switches_)).id());
   } else {
     glUseProgram(programs.cut_out.with(switches_).id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);

@@ -54,7 +54,7 @@ class CrowdPass {
 
   /// Returns the programs for a mesh; those that morph cost more.
   Programs& programs_for(const CrowdMesh& mesh) { return morphs_ && mesh.has_morphs() ? *morphed_ : plain_; }
-  void use_material(const CrowdMesh& mesh, int material);
+  void use_material(const CrowdMesh& mesh, const IndirectDraws::Group& group);
 
   ShaderLibrary* shaders_;
   Programs plain_;

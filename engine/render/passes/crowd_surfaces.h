@@ -13,6 +13,20 @@ namespace throng::render {
 /// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
 enum SurfaceLocation : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
 
+/// Says whether a batch shows patterns, fabrics and faces: near pieces of outfits do.
+inline bool is_dressed(const CrowdBatch& batch) { return batch.piece != 0 && batch.mesh_lod < first_silhouette_lod; }
+
+/// Adds the commands of a group, which has begun: those of all batches that `are_wanted`.
+void add_commands(std::span<const CrowdBatch> run, const CrowdMesh& mesh, int material, IndirectDraws& draws,
+                  const auto& are_wanted) {
+  for (const CrowdBatch& batch : run) {
+    if (!are_wanted(batch)) continue;
+    for (const MaterialRun& triangles : mesh.runs(batch.piece, batch.mesh_lod)) {
+      if (triangles.material == material) draws.add(triangles, batch);
+    }
+  }
+}
+
 /// Makes a group of each material of the crowd that `is_wanted`.
 void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws,
                       const auto& is_wanted) {
@@ -22,10 +36,22 @@ void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const Crowd
     for (int material = 0; material < mesh.materials().size(); ++material) {
       if (!is_wanted(mesh.materials()[material])) continue;
       draws.begin_group(run[0].page, run[0].character, material);
-      for (const CrowdBatch& batch : run) {
-        for (const MaterialRun& triangles : mesh.runs(batch.mesh_lod)) {
-          if (triangles.material == material) draws.add(triangles, batch);
-        }
+      add_commands(run, mesh, material, draws, [](const CrowdBatch&) { return true; });
+    }
+  });
+}
+
+/// Makes a group of each material of the crowd, and one more of what is dressed.
+inline void compose_dressed_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes,
+                                     IndirectDraws& draws) {
+  draws.clear();
+  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
+    const CrowdMesh& mesh = meshes[run[0].character];
+    for (int material = 0; material < mesh.materials().size(); ++material) {
+      for (const bool dressed : {true, false}) {
+        draws.begin_group(run[0].page, run[0].character, material, dressed);
+        add_commands(run, mesh, material, draws,
+                     [dressed](const CrowdBatch& batch) { return is_dressed(batch) == dressed; });
       }
     }
   });

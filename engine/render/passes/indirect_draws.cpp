@@ -25,12 +25,12 @@ void IndirectDraws::clear() {
   groups_.clear();
 }
 
-void IndirectDraws::begin_group(std::uint32_t page, std::uint8_t character, int material) {
-  groups_.push_back({page, character, material, static_cast<std::uint32_t>(commands_.size()), 0});
+void IndirectDraws::begin_group(std::uint32_t page, std::uint8_t character, int material, bool is_dressed) {
+  groups_.push_back({page, character, material, static_cast<std::uint32_t>(commands_.size()), 0, is_dressed});
 }
 
 void IndirectDraws::add(const MaterialRun& run, const CrowdBatch& batch) {
-  commands_.push_back({run.index_count, batch.instance_count, run.first_index, 0, batch.first_instance});
+  commands_.push_back({run.index_count, batch.count, run.first_index, 0, batch.first});
   ++groups_.back().command_count;
 }
 

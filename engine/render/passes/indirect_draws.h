@@ -43,7 +43,7 @@ class IndirectDraws {
 
   void clear();
   /// Starts a group; add() adds to the last one.
-  void begin_group(std::uint32_t page, std::uint8_t character, int material);
+  void begin_group(std::uint32_t page, std::uint8_t character, int material, bool is_dressed = false);
   void add(const MaterialRun& run, const CrowdBatch& batch);
 
   /// Copies the commands to the device and binds them.
@@ -55,6 +55,7 @@ class IndirectDraws {
     int material;
     std::uint32_t first_command;
     std::uint32_t command_count;
+    bool is_dressed;
   };
   std::span<const Group> groups() const { return groups_; }
 

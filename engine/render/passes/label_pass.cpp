@@ -48,6 +48,19 @@ void set_label_material(const CrowdMaterial& material) {
   glBindSampler(0, material.base_color_texture.sampler);
 }
 
+/// Returns the part of a batch whose instances have a number of at least `first` and below `end`.
+CrowdBatch part_of(const CrowdFrame& frame, CrowdBatch batch, std::uint32_t first, std::uint32_t end) {
+  std::uint32_t from = std::max(batch.first, first), to = std::min(batch.first + batch.count, end);
+  if (!frame.drawn.empty()) {
+    const auto begin = frame.drawn.begin(), of_batch = begin + batch.first;
+    from = static_cast<std::uint32_t>(std::lower_bound(of_batch, of_batch + batch.count, first) - begin);
+    to = static_cast<std::uint32_t>(std::lower_bound(of_batch, of_batch + batch.count, end) - begin);
+  }
+  batch.first = from;
+  batch.count = to - std::min(from, to);
+  return batch;
+}
+
 /// Turns rows round: the device's first row is the last one of a picture.
 template <typename Number>
 void turn_rows(std::vector<Number>& numbers, const LabelPicture& picture, glm::ivec2 corner, glm::ivec2 size) {
@@ -201,13 +214,9 @@ void LabelPass::draw_parts(const CrowdFrame& frame, std::span<const CrowdMesh> m
   cell_buffer_.upload(cells_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, cells_binding, cell_buffer_.id());
   batches_.clear();
-  for (CrowdBatch batch : frame.batches) {
-    const std::uint32_t from = std::max(batch.first_instance, first);
-    const std::uint32_t to = std::min(batch.first_instance + batch.instance_count, end);
-    if (from >= to) continue;
-    batch.first_instance = from;
-    batch.instance_count = to - from;
-    batches_.push_back(batch);
+  for (const CrowdBatch& batch : frame.batches) {
+    const CrowdBatch part = part_of(frame, batch, first, end);
+    if (part.count > 0) batches_.push_back(part);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, cells_target_.id());
   glViewport(0, 0, cells_size_.x, cells_size_.y);

@@ -96,7 +96,7 @@ DrawCounts ShadowPass::draw_crowd(const CrowdFrame& frame, std::span<const Crowd
   gather(frame, meshes);
   set_state();
   caster_buffer_.upload(casters_.all());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, casters_binding, caster_buffer_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, drawn_binding, caster_buffer_.id());
   draws_.upload();
   for (int i = 0; i < cascade_count; ++i) {
     if (drawn_now_.at(static_cast<std::size_t>(i))) draw_cascade(i, meshes, palettes);
@@ -112,7 +112,7 @@ void ShadowPass::end() {
 
 void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes) {
   reaches_.clear();
-  for (const CrowdBatch& batch : frame.batches) reaches_.push_back(meshes[batch.character].reach());
+  for (const CrowdMesh& mesh : meshes) reaches_.push_back(mesh.reach());
   casters_.choose(frame, reaches_, axes_, cast_limits(cascades_, axes_, drawn_now_));
   draws_.clear();
   std::uint32_t first_caster = 0;
@@ -135,15 +135,15 @@ void ShadowPass::gather_run(std::span<const CrowdBatch> run, CastersOfRun of, co
   caster_batches_.clear();
   for (CrowdBatch batch : run) {
     batch.mesh_lod = static_cast<std::uint8_t>(std::max<int>(batch.mesh_lod, coarse));
-    batch.first_instance = first_caster;
-    batch.instance_count = casters_.count(of.cascade, of.first_batch++);
-    first_caster += batch.instance_count;
-    if (batch.instance_count > 0) caster_batches_.push_back(batch);
+    batch.first = first_caster;
+    batch.count = casters_.count(of.cascade, of.first_batch++);
+    first_caster += batch.count;
+    if (batch.count > 0) caster_batches_.push_back(batch);
   }
   const auto add_group = [&](int group, const auto& is_wanted) {
     draws_.begin_group(run[0].page, run[0].character, group);
     for (const CrowdBatch& batch : caster_batches_) {
-      for (const MaterialRun& triangles : mesh.runs(batch.mesh_lod)) {
+      for (const MaterialRun& triangles : mesh.runs(batch.piece, batch.mesh_lod)) {
         if (is_wanted(triangles.material)) draws_.add(triangles, batch);
       }
     }

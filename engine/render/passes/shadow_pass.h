@@ -89,7 +89,7 @@ class ShadowPass {
   std::array<std::uint32_t, cascade_count + 1> first_group_{};
   std::uint32_t turn_ = 0;
   Casters casters_;
-  std::vector<float> reaches_;              // [batch] of the frame
+  std::vector<float> reaches_;              // [character]
   std::vector<CrowdBatch> caster_batches_;  // of the run that is gathered
   gl::GrowingBuffer<std::uint32_t> caster_buffer_;
   IndirectDraws draws_;

@@ -69,6 +69,19 @@ TEST(Variety, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_FALSE(std::ranges::equal(one.shades(), other.shades()));
 }
 
+TEST(Variety, HasLooksToDrawWhoseNumberNoOtherCrowdHas) {
+  const Crowd one = crowd_of(person()), again = crowd_of(person());
+  ASSERT_EQ(one.looks().drawn.size(), one.size());
+  for (std::size_t agent = 0; agent < one.size(); ++agent) {
+    const render::AgentLook& look = one.looks().drawn[agent];
+    EXPECT_EQ(look.tints[2], one.tints()[agent][2] & 0xFFFFFFU) << "in plain cotton";
+    EXPECT_EQ(look.shape, one.variants()[agent].shape());
+    EXPECT_EQ(look.hair, one.variants()[agent].hair());
+  }
+  EXPECT_EQ(one.looks().drawn, again.looks().drawn);
+  EXPECT_NE(one.looks().number, again.looks().number) << "who has drawn one copies the other all the same";
+}
+
 TEST(Variety, LeavesTheFirstOfEachPaintedCharacterAsItsFileHasIt) {
   const std::vector cast{painted(), painted()};
   const Crowd crowd(Scene::grid, 40, 3, cast);

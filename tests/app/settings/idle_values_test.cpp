@@ -161,6 +161,12 @@ class Seen {
     add(stage_->error_meter().figures().max);
   }
 
+  void add_words(const auto& plain) {
+    std::array<std::uint32_t, sizeof(plain) / 4> words{};
+    std::memcpy(words.data(), &plain, sizeof(plain));
+    for (const std::uint32_t word : words) add(word);
+  }
+
   void add_picture(const Tuning& tuning) {
     add(tuning.bones_as_lines);
     add(tuning.scenery);
@@ -175,9 +181,8 @@ class Seen {
       render::InstanceRecord record{};
       if (!stage_->record(agent, record)) continue;
       if (tuning.taken_away.upload) record.debug_color = 0;
-      std::array<std::uint32_t, sizeof(record) / 4> words{};
-      std::memcpy(words.data(), &record, sizeof(record));
-      for (const std::uint32_t word : words) add(word);
+      add_words(record);
+      add_words(stage_->crowd().looks().drawn[agent.agent]);
     }
   }
 

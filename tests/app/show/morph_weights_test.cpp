@@ -51,7 +51,7 @@ class PictureOfMorphs : public testing::Test {
     picture_.compose(*stage_);
     ASSERT_FALSE(picture_.instances().empty());
   }
-  static std::uint32_t place_of(const render::InstanceRecord& record) { return record.hair >> 16U; }
+  static std::uint32_t place_of(const render::InstanceRecord& record) { return record.weights; }
   std::size_t morphing() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(picture_.instances(), [](const auto& record) { return place_of(record) > 0; }));
@@ -72,7 +72,7 @@ TEST_F(PictureOfMorphs, HasTheWeightsOfEveryAgentWhoseCharacterMorphs) {
     EXPECT_EQ(place_of(record) > 0, morphs);
     if (!morphs || place_of(record) == 0) continue;
     places.insert(place_of(record));
-    const std::size_t first = (place_of(record) - 1) * render::weights_a_place;
+    const std::size_t first = place_of(record) - 1;
     ASSERT_LT(first + 4, picture_.morph_weights().size());
     EXPECT_EQ(picture_.morph_weights()[first + 4], 0.5F);
     EXPECT_EQ(picture_.morph_weights()[first + 3], 0.0F);

@@ -88,8 +88,8 @@ TEST_F(MixedStage, ThePictureHasRunsOfOneCharacterInAscendingOrder) {
   picture.compose(*stage_);
   ASSERT_EQ(picture.batches().size(), 2U);
   for (const render::CrowdBatch& batch : picture.batches()) {
-    for (std::uint32_t i = 0; i < batch.instance_count; ++i) {
-      const std::uint32_t agent = picture.instances()[batch.first_instance + i].agent;
+    for (std::uint32_t i = 0; i < batch.count; ++i) {
+      const std::uint32_t agent = picture.instances()[batch.first + i].agent;
       EXPECT_EQ(stage_->crowd().characters()[agent], batch.character);
     }
   }

@@ -53,7 +53,7 @@ class Subject {
     jobs_.use(stage_->system());
     render::CrowdFrame frame = this->frame();
     frame.jobs = &jobs_;
-    reaches_.assign(frame.batches.size(), reach);
+    reaches_.assign(1, reach);
     casters_.choose(frame, reaches_, axes_, render::cast_limits(cascades_, axes_, all_cascades));
   }
   /// Does the same in the plain way: a pass over all instances for each cascade, on one thread.

@@ -78,6 +78,7 @@ class AnimatedCrowd {
   void hold_things(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> mesh_lods) {
     held_arms_->show(*crowd_, visible, mesh_lods);
   }
+  const HeldArms& held_arms() const { return *held_arms_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 

@@ -77,9 +77,12 @@ struct Dresser::Worn {
         parts, [&](const WardrobePart* part) { return part->slot != slot && contains(part->covers, slot); });
   }
   bool has_tag(std::string_view slot, std::string_view tag) const {
-    return std::ranges::any_of(parts, [&](const WardrobePart* part) {
-      return (slot.empty() || part->slot == slot) && part->has_tag(tag);
-    });
+    return std::ranges::any_of(
+        parts, [&](const WardrobePart* part) { return part->slot == slot && part->has_tag(tag); });
+  }
+  /// Says of what hangs around the legs whether it has this cut.
+  bool is_cut(std::string_view tag) const {
+    return has_tag("bottom", tag) || has_tag("top", tag) || has_tag("outer", tag);
   }
   bool suits(const WardrobePart& part) const {
     return std::ranges::none_of(part.keeps_out, [&](const std::string& slot) { return fills(slot); });
@@ -170,11 +173,11 @@ void Dresser::cover(Worn& worn, const std::string& body) const {
 }
 
 std::uint16_t Dresser::silhouette_of(const Worn& worn, const std::string& body) const {
-  const char* const bottom = worn.has_tag("", "long")     ? "long"
-                             : worn.has_tag("", "skirt")  ? "skirt"
-                             : worn.has_tag("", "shorts") ? "shorts"
-                                                          : "trousers";
-  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long_hair") ? "long" : "short";
+  const char* const bottom = worn.is_cut("long")     ? "long"
+                             : worn.is_cut("skirt")  ? "skirt"
+                             : worn.is_cut("shorts") ? "shorts"
+                                                     : "trousers";
+  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long") ? "long" : "short";
   const WardrobePart* const found =
       wardrobe_.find(body, std::string(anim::silhouette_slot) + "/" + bottom + "/" + head);
   return found == nullptr ? render::Outfit::no_silhouette : found->piece;

@@ -93,7 +93,8 @@ class RulesReader {
   }
 
   void read_body(const Json::Member& member) {
-    const JsonObject object("body " + anim::in_quotes(member.key), member.value, {"share", "size", "wears"}, complaint_);
+    const JsonObject object("body " + anim::in_quotes(member.key), member.value, {"share", "size", "wears"},
+                            complaint_);
     double share = 1.0, size = 1.0;
     object.number("share", share, 0.0, most_weight);
     object.number("size", size, least_size, most_size);

@@ -69,7 +69,7 @@ struct WeatherRule {
 struct BodyRule {
   std::string name;
   float share = 1.0F;
-  float size = 1.0F;  ///< over that of the file
+  float size = 1.0F;                 ///< over that of the file
   std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, as hair
 };
 

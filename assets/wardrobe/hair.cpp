@@ -19,13 +19,13 @@ using mannequin::Region;
 using mannequin::Skin;
 
 std::size_t add_hair_point(Skin& skin, dvec3 place) {
-  skin.points.push_back({.position = place, .weights = weights_of_hair(place)});
+  skin.points.push_back({.position = place, .weights = hair_weights(place)});
   return skin.points.size() - 1;
 }
 
 }  // namespace
 
-mannequin::Weights weights_of_hair(dvec3 place) {
+mannequin::Weights hair_weights(dvec3 place) {
   const double on_head = glm::smoothstep(1.46, 1.60, place.y);
   const double on_chest = (1 - glm::smoothstep(1.42, 1.55, place.y)) * (1 - on_head);
   return mannequin::bind({{"head", on_head}, {"neck", 1 - on_head - on_chest}, {"upper_chest", on_chest}});

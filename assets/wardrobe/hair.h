@@ -39,6 +39,6 @@ mannequin::Skin hair_tube(const std::vector<glm::dvec3>& places, const std::vect
 glm::dvec3 strand_paint(double angle, double along);
 
 /// Weights of hair that hangs: of the head above, of the neck and the chest where it lies on the back.
-mannequin::Weights weights_of_hair(glm::dvec3 place);
+mannequin::Weights hair_weights(glm::dvec3 place);
 
 }  // namespace throng::wardrobe

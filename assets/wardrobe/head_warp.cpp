@@ -61,6 +61,8 @@ dvec3 child(dvec3 p) {
   there.x *= 1 - 0.24 * on_both_sides(p, {0, 1.640, 0.11}, {0.03, 0.020, 0.05}) -
              0.16 * on_both_sides(p, {0, 1.606, 0.09}, {0.05, 0.016, 0.05});
   there.z -= 0.011 * on_both_sides(p, {0, 1.645, 0.118}, {0.022, 0.022, 0.03});
+  there.z -= 0.0055 * on_both_sides(p, {0, 1.672, 0.105}, {0.012, 0.020, 0.03});
+  there.z += 0.0030 * on_both_sides(p, {0.038, 1.628, 0.085}, {0.020, 0.018, 0.05});
   there.z -= 0.004 * on_both_sides(p, {0, 1.565, 0.09}, {0.03, 0.02, 0.04});
   return head_joint + (there - head_joint) * scale;
 }

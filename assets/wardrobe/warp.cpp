@@ -166,7 +166,8 @@ dvec3 limb_warped(Body body, const Build& build, Limb limb, dvec3 p) {
 }  // namespace
 
 dvec3 warped(Body body, dvec3 place, const Weights& weights) {
-  if (body == Body::man) return place;
+  const bool is_on_the_ground = weights[mannequin::joint_index("root")] > 0.5;
+  if (body == Body::man || is_on_the_ground) return place;
   const Build& build = body == Body::woman ? woman_build : child_build;
   std::array<double, limb_count> shares{};
   double sum = 0;

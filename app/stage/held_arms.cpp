@@ -129,14 +129,13 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   return true;
 }
 
-void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible,
-                    std::span<const std::uint8_t> mesh_lods) {
+void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
   if (arms_.empty()) return;
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
-  for (std::size_t place = 0; place < visible.size(); ++place) {
-    const std::uint32_t agent = visible[place].agent;
-    if (arm_of_[agent] == none || mesh_lods[place] > last_mesh_lod_with_things) continue;
+  for (const anim::VisibleAgent& seen : visible) {
+    const std::uint32_t agent = seen.agent;
+    if (arm_of_[agent] == none || seen.pixels_tall < least_pixels) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
     arm.near_in = frame_;

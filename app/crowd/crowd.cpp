@@ -69,8 +69,7 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
   for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
     paces.push_back(looks.paces[walker] * looks.scales[walker]);
   }
-  return {cast,   layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.company,
-          layout.obstacles};
+  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.company, layout.obstacles};
 }
 
 }  // namespace

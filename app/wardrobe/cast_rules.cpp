@@ -73,8 +73,8 @@ class RulesReader {
     WeighedNames names;
     if (!json.is_object()) complain(owner + " must be an object of names with weights");
     for (const Json::Member& member : json.members()) {
-      const bool fits = member.value.is_number() && member.value.get<double>() >= 0.0 &&
-                        member.value.get<double>() <= most_weight;
+      const bool fits =
+          member.value.is_number() && member.value.get<double>() >= 0.0 && member.value.get<double>() <= most_weight;
       if (fits) {
         names.push_back({member.key, static_cast<float>(member.value.get<double>())});
       } else {

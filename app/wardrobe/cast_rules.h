@@ -32,7 +32,7 @@ struct Palette {
 /// How a piece of clothing is made.
 struct ClothRule {
   std::string part;
-  std::string colors, seconds;  ///< names of palettes; empty: as the style says, else white
+  std::string colors, seconds;                              ///< names of palettes; empty: as the style says, else white
   std::vector<std::pair<render::Pattern, float>> patterns;  ///< with weights; empty: plain
   render::Fabric fabric = render::Fabric::cotton;
 };

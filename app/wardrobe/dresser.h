@@ -65,9 +65,9 @@ class Dresser {
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  std::vector<std::pair<const Style*, float>> styles_;         // of the scene
-  std::vector<std::vector<std::vector<Options>>> options_;     // [style][body][slot]
-  std::vector<std::vector<const WardrobePart*>> skin_;         // [body]
+  std::vector<std::pair<const Style*, float>> styles_;      // of the scene
+  std::vector<std::vector<std::vector<Options>>> options_;  // [style][body][slot]
+  std::vector<std::vector<const WardrobePart*>> skin_;      // [body]
 };
 
 }  // namespace throng::app

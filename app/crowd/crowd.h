@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -117,6 +118,8 @@ class Crowd {
  private:
   friend glm::vec3 middle_of(const Crowd& crowd);
   friend const Followers* followers_of(const Crowd& crowd);
+  friend void give(Crowd& crowd, std::vector<Held> things) { crowd.state_.minds.give(std::move(things)); }
+  friend std::span<const Held> things_of(const Crowd& crowd) { return crowd.state_.minds.things(); }
   friend const TrackClock& track_clock_of(const Crowd& crowd);
   friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
@@ -149,6 +152,11 @@ class Crowd {
 
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
+
+/// Puts things into everybody's hands, [agent]; empty: nothing. It decides what they do from then on.
+void give(Crowd& crowd, std::vector<Held> things);
+/// Returns [agent] what everybody holds; empty: nothing.
+std::span<const Held> things_of(const Crowd& crowd);
 
 /// Returns the people of a recorded crowd; null in the other scenes.
 inline const Followers* followers_of(const Crowd& crowd) { return crowd.followers_ ? &*crowd.followers_ : nullptr; }

@@ -9,6 +9,7 @@
 #include "app/place/plan_mesh.h"
 #include "app/place/props.h"
 #include "app/show/contexts.h"
+#include "app/show/worn_pieces.h"
 
 namespace throng::app {
 namespace {
@@ -142,12 +143,10 @@ anim::Status Painter::load_meshes(Stage& stage) {
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     std::vector<render::MeshError> shares;
-    std::vector<std::uint32_t> triangles;
     for (const MeshLevel& level : mesh_levels(i)) {
       shares.push_back(shares_of(level.error, stage.characters()[i].character->bounds.height));
-      triangles.push_back(level.triangles);
     }
-    stage.mesh_lods().set(i, std::move(shares), std::move(triangles));
+    stage.mesh_lods().set(i, std::move(shares), triangles_of_worn(stage, i, renderer_->meshes()[i]));
   }
   return anim::Done{};
 }

@@ -14,6 +14,13 @@ anim::SystemOptions on_this_machine(anim::SystemOptions options) {
   return options;
 }
 
+namespace {
+
+/// The share of a crowd that holds something, where nobody says what.
+constexpr float share_that_holds = 0.0F;
+
+}  // namespace
+
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters) {
   std::vector<CharacterRoles> roles;
   for (const CharacterSource& character : characters) roles.push_back(character.roles);
@@ -51,6 +58,7 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
   feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
   gazes_ = std::make_unique<Gazes>(std::move(gazes), *system_);
+  held_arms_ = std::make_unique<HeldArms>(characters_, *system_);
   return anim::Done{};
 }
 
@@ -77,6 +85,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
       std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning), tracks);
   ++number_;
   held_clip_.reset();
+  held_arms_->reset(*crowd_);
   fallen_->reset();
   mark_fallen();
   feet_->reset(agents);
@@ -99,6 +108,12 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   if (event_sums_) event_sums_->reset(agents);
+  if (share_that_holds > 0.0F) give_things(things_by_lot(agents, tuning.seed, share_that_holds));
+}
+
+void AnimatedCrowd::give_things(std::vector<Held> things) {
+  give(*crowd_, std::move(things));
+  held_arms_->reset(*crowd_);
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.

@@ -65,10 +65,12 @@ struct WeatherRule {
   WeighedNames tags;
 };
 
+/// A kind of body, and what it wears whatever its style.
 struct BodyRule {
   std::string name;
   float share = 1.0F;
-  float size = 1.0F;  ///< over that of the file
+  float size = 1.0F;                 ///< over that of the file
+  std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, as hair
 };
 
 /// Colours of a team, and its second ones.

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/wardrobe/body_skin.h"
+
 namespace throng::wardrobe {
 namespace {
 
@@ -81,8 +83,7 @@ std::vector<dvec3> cage_normals(const Cage& cage) {
 }  // namespace
 
 const Skin& man_skin() {
-  static const Skin skin = mirrored_surface(man_cage());
-  return skin;
+  return body_skin();
 }
 
 Weights weights_at(dvec3 place) { return weights_at(place, {}); }

@@ -211,13 +211,15 @@ Cage build() {
   sculpt(cage, trunk);
   bridge_trunk(cage, trunk);
   const Weights yoke = bind({{"upper_chest", 0.65}, {"shoulder.L", 0.25}, {"neck", 0.10}});
+  const Weights low_neck = bind({{"upper_chest", 0.65}, {"shoulder.L", 0.1}, {"neck", 0.25}});
   const Weights throat = bind({{"upper_chest", 0.55}, {"neck", 0.45}});
-  const HalfRing slope = add_trunk_section(cage, {1.488, 0.108, 0.043, -0.088, 0.022, -0.004, 0.95}, all_of(yoke));
+  const HalfRing slope = add_trunk_section(cage, {1.485, 0.112, 0.043, -0.092, 0.022, -0.004, 0.95}, all_of(yoke));
   cage.bridge(trunk.shoulder, slope, false, Region::skin);
-  const HalfRing neck = add_trunk_section(cage, {1.510, 0.060, 0.037, -0.075, 0.030, 0.0, 1.0}, all_of(throat));
+  const HalfRing neck = add_trunk_section(cage, {1.516, 0.0585, 0.036, -0.0775, 0.030, -0.008, 1.0}, all_of(throat));
+  const HalfRing nape = add_trunk_section(cage, {1.499, 0.0770, 0.0405, -0.0835, 0.026, -0.006, 0.98}, all_of(low_neck));
   set_piece(cage, Slot::head);
-  cage.bridge(slope, neck, false, Region::skin);
-  mannequin::add_head(cage, neck);
+  cage.bridge(slope, nape, false, Region::skin);
+  cage.bridge(nape, neck, false, Region::skin);
 
   const HalfRing& low = trunk.armpit;
   const HalfRing& mid = trunk.blade;

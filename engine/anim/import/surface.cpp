@@ -285,9 +285,9 @@ class SurfaceReader {
 
   /// Reads what an instance may vary. Drawing stores it in bytes, so values are clamped to -1..1.
   void read_variations() {
-    mesh_.shapes = read_attribute<glm::vec3>("_SHAPE", TINYGLTF_TYPE_VEC3, float_alone);
+    mesh_.shapes = read_attribute<glm::vec3>("_SHAPE", TINYGLTF_TYPE_VEC3, float_or_small);
     for (glm::vec3& shape : mesh_.shapes) shape = glm::clamp(shape, -1.0F, 1.0F);
-    mesh_.hair = read_attribute<glm::vec2>("_HAIR", TINYGLTF_TYPE_VEC2, float_alone);
+    mesh_.hair = read_attribute<glm::vec2>("_HAIR", TINYGLTF_TYPE_VEC2, float_or_small);
     for (glm::vec2& hair : mesh_.hair) hair = glm::clamp(hair, -1.0F, 1.0F);
     mesh_.faces = read_attribute<glm::vec4>("_FACE", TINYGLTF_TYPE_VEC4, float_or_small);
     for (glm::vec4& face : mesh_.faces) face = glm::clamp(face, -1.0F, 1.0F);

@@ -21,8 +21,7 @@ class HeldArms {
   static constexpr std::uint8_t last_mesh_lod_with_things = 3;
 
   /// `characters` and `system` outlive this.
-  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system)
-      : characters_(characters), system_(&system), masks_(characters.size()) {}
+  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
 
   /// Gives the channel of an arm to everybody who holds something. Call it when agents were made anew and play
   /// something, or when things went into other hands.

@@ -22,8 +22,7 @@ class HeldArms {
   static constexpr float least_pixels = 12.0F;
 
   /// `characters` and `system` outlive this.
-  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system)
-      : characters_(characters), system_(&system), masks_(characters.size()) {}
+  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
 
   /// Gives the channel of an arm to everybody who holds something. Call it when agents were made anew and play
   /// something, or when things went into other hands.

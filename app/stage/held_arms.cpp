@@ -145,6 +145,7 @@ void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visi
     if (arm_of_[agent] == none || mesh_lods[place] > last_mesh_lod_with_things) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
+    if (visible[place].pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
     arm.near_in = frame_;
     if (arm_lies_over(things[agent], crowd.roles()[agent])) {
       turn_on(agent, arm, !was_near);

@@ -19,6 +19,8 @@ class HeldArms {
  public:
   /// The coarsest mesh LOD with which things are drawn; beyond it an outfit is one silhouette.
   static constexpr std::uint8_t last_mesh_lod_with_things = 3;
+  /// The least height in the picture of somebody who begins to hold a thing, and of somebody who goes on.
+  static constexpr float pixels_to_begin = 22.0F, pixels_to_go_on = 18.0F;
 
   /// `characters` and `system` outlive this.
   HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
@@ -34,6 +36,11 @@ class HeldArms {
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();
 
+  /// Returns whether the thing of an agent is to be drawn: its arm holds it now, or the whole body does in its role.
+  bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
+    return agent < arm_of_.size() && arm_of_[agent] != none && arms_[arm_of_[agent]].near_in == frame_ &&
+           is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
+  }
   /// Returns how many arms hold something now.
   std::size_t shown() const { return shown_.size(); }
 

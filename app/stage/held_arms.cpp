@@ -135,17 +135,16 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   return true;
 }
 
-void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible,
-                    std::span<const std::uint8_t> mesh_lods) {
+void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
   if (arms_.empty()) return;
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
-  for (std::size_t place = 0; place < visible.size(); ++place) {
-    const std::uint32_t agent = visible[place].agent;
-    if (arm_of_[agent] == none || mesh_lods[place] > last_mesh_lod_with_things) continue;
+  for (const anim::VisibleAgent& seen : visible) {
+    const std::uint32_t agent = seen.agent;
+    if (arm_of_[agent] == none) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
-    if (visible[place].pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
+    if (seen.pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
     arm.near_in = frame_;
     if (arm_lies_over(things[agent], crowd.roles()[agent])) {
       turn_on(agent, arm, !was_near);

@@ -105,6 +105,19 @@ const std::vector<RoleWords>& vocabulary() {
        not_steady_nor({"left", "l", "back", "bwd"}),
        {"right", "r"}},
       {Role::talk, {"talk", "speak", "convers", "chat"}, {"sit", "walk", "run", "phone"}},
+      {Role::phone, {"phone", "texting"}, {"hold", "talk", "call", "walk", "run", "sit"}},
+      {Role::call, {"call", "phone"}, {"walk", "run", "sit"}, {"call", "talk"}},
+      {Role::drink, {"drink", "sip"}, {"walk", "run", "sit"}},
+      {Role::take_picture, {"picture", "photo"}, {"walk", "run", "sit"}},
+      {Role::lean, {"lean"}, {"start", "stop", "walk", "run", "left", "right"}},
+      {Role::sit_on_step, {"sit"}, {"down", "up", "pose", "stand", "start", "stop"}, {"step", "stair", "ground"}},
+      {Role::carry, {"carry"}, {"walk", "run", "jump"}},
+      {Role::hold_up, {"hold"}, {"walk", "run"}, {"up", "umbrella"}},
+      {Role::hold_phone, {"hold"}, {"walk", "run"}, {"phone"}},
+      {Role::lead, {"lead"}, {"walk", "run"}},
+      {Role::led, {"led"}, {}},
+      {Role::push, {"push"}, {"up", "down", "pushed", "attack", "button"}},
+      {Role::stick, {"stick", "cane"}, {"attack", "fight", "hit"}},
   };
   return words;
 }

@@ -33,14 +33,29 @@ enum class Role : std::uint8_t {
   veer_left,
   veer_right,
   talk,
+  phone,  // from here on for people who hold something, or rest
+  call,
+  drink,
+  take_picture,
+  lean,
+  sit_on_step,
+  carry,  // from here on for an arm, over what the rest of the body does
+  hold_up,
+  hold_phone,
+  lead,
+  led,
+  push,
+  stick,
   other
 };
-inline constexpr std::size_t role_count = 17;  ///< roles that one clip fills; `other` is any clip
+inline constexpr std::size_t role_count = 30;  ///< roles that one clip fills; `other` is any clip
 
 /// The names that `--clips`, the role file and the overlay use, in the order of Role.
 inline constexpr std::array<const char*, role_count> role_names = {
-    "stand",     "look_around", "walk",       "jog",     "run",           "wave",      "cheer",      "clap", "sit",
-    "walk_back", "step_left",   "step_right", "shuffle", "step_in_place", "veer_left", "veer_right", "talk"};
+    "stand",   "look_around", "walk",      "jog",        "run",          "wave",          "cheer",       "clap",
+    "sit",     "walk_back",   "step_left", "step_right", "shuffle",      "step_in_place", "veer_left",   "veer_right",
+    "talk",    "phone",       "call",      "drink",      "take_picture", "lean",          "sit_on_step", "carry",
+    "hold_up", "hold_phone",  "lead",      "led",        "push",         "stick"};
 std::optional<Role> role_named(std::string_view name);
 std::string known_roles();  ///< "stand, look_around, ... and talk"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }

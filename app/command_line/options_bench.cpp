@@ -59,6 +59,8 @@ void declare_measured(OptionReader& reader, BenchOptions& options) {
       ->excludes("MODEL");
   reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
+  reader.value("--sockets", "N", "Measure too what N things in hands cost, each in that of another agent, 1 to 100000",
+               whole_number(options.sockets, 1, 100'000));
   reader.value("--seconds", "S", "With --draw: what each number of agents may take at most (20)",
                number_between(options.seconds, 1, 86400));
   reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
@@ -117,7 +119,8 @@ std::optional<std::string> contradiction_in_bench(const OptionReader& reader, co
     if (!options.draws && reader.given(name)) return std::string(name) + ": goes with --draw";
   }
   if (!options.draws) return {};
-  for (const char* const name : {"--schedule", "--stream", "--local-store", "--tile", "--double-buffer", "--palette"}) {
+  for (const char* const name :
+       {"--sockets", "--schedule", "--stream", "--local-store", "--tile", "--double-buffer", "--palette"}) {
     if (reader.given(name)) return std::string(name) + ": --draw measures what a run does by itself; leave it out";
   }
   return options.pus.size() > 1 ? std::optional<std::string>("--pus: one number goes with --draw") : std::nullopt;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t company_stream = 26;
 constexpr float share_with_company = 0.35F, share_of_threes = 0.3F;  // of those who lead
-constexpr float to_the_side = 0.68F;                                      // metres
+constexpr float to_the_side = 0.68F;                                 // metres
 
 }  // namespace
 
@@ -30,7 +30,8 @@ void draw_company(CrowdLayout& layout, std::uint32_t seed) {
     std::size_t next = leader + 1;
     for (std::size_t other = 0; other < others && on_lane_of(leader, next); ++other, ++next) {
       company.leaders[next] = static_cast<std::uint32_t>(leader);
-      company.sides[next] = other == 0 ? -to_the_side : to_the_side;  // the first on the right, where a hand leads a child
+      company.sides[next] =
+          other == 0 ? to_the_side : -to_the_side;  // the first on the left, where a hand leads a child
       layout.walkers[next].distance = layout.walkers[leader].distance;
     }
     leader = next;

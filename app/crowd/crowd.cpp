@@ -69,11 +69,15 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
   for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
     paces.push_back(looks.paces[walker] * looks.scales[walker]);
   }
-  return {cast,   layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.company,
-          layout.obstacles};
+  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces), layout.company, layout.obstacles};
 }
 
 }  // namespace
+
+bool is_child(const Crowd& crowd, std::size_t agent) {
+  const std::vector<BodyKind>& kinds = crowd.cast_.of(agent).bodies;
+  return !kinds.empty() && kinds[crowd.looks_.bodies[agent]].is_child();
+}
 
 void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits) {
   assert(looks.size() == crowd.size() && outfits.size() == crowd.size());

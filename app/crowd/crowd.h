@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -117,10 +118,13 @@ class Crowd {
  private:
   friend glm::vec3 middle_of(const Crowd& crowd);
   friend const Followers* followers_of(const Crowd& crowd);
+  friend void give(Crowd& crowd, std::vector<Held> things) { crowd.state_.minds.give(std::move(things)); }
+  friend std::span<const Held> things_of(const Crowd& crowd) { return crowd.state_.minds.things(); }
   friend const TrackClock& track_clock_of(const Crowd& crowd);
   friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
+  friend bool is_child(const Crowd& crowd, std::size_t agent);
   friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
@@ -150,6 +154,11 @@ class Crowd {
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
 
+/// Puts things into everybody's hands, [agent]; empty: nothing. It decides what they do from then on.
+void give(Crowd& crowd, std::vector<Held> things);
+/// Returns [agent] what everybody holds; empty: nothing.
+std::span<const Held> things_of(const Crowd& crowd);
+
 /// Returns the people of a recorded crowd; null in the other scenes.
 inline const Followers* followers_of(const Crowd& crowd) { return crowd.followers_ ? &*crowd.followers_ : nullptr; }
 /// Returns the time of the recorded crowd.
@@ -158,6 +167,8 @@ inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state
 void set_track_clock(Crowd& crowd, const TrackClock& clock);
 /// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
 void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
+/// Returns whether the body of an agent is that of a child.
+bool is_child(const Crowd& crowd, std::size_t agent);
 /// Dresses everybody: how they look, and the pieces of their character's mesh that they wear.
 void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
 /// Returns [agent] 1 for people who are not there now; empty where everybody is.

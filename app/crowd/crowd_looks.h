@@ -13,11 +13,11 @@ namespace throng::app {
 
 /// The properties of each agent that never change.
 struct CrowdLooks {
-  std::vector<float> scales;        ///< 0.9 to 1.1, times the size of the body
-  std::vector<std::uint8_t> bodies; ///< index among CharacterRoles::bodies; 0 without any
-  std::vector<float> radii;         ///< metres
-  std::vector<float> paces;         ///< playback speed of what is done in place; of walkers, speed over the clip's
-  std::vector<float> start_phases;  ///< 0 to below 1
+  std::vector<float> scales;         ///< 0.9 to 1.1, times the size of the body
+  std::vector<std::uint8_t> bodies;  ///< index among CharacterRoles::bodies; 0 without any
+  std::vector<float> radii;          ///< metres
+  std::vector<float> paces;          ///< playback speed of what is done in place; of walkers, speed over the clip's
+  std::vector<float> start_phases;   ///< 0 to below 1
   std::vector<Tints> tints;
   std::vector<Variant> variants;
   std::vector<std::uint32_t> shades;     ///< AgentLook::shade

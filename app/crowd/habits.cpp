@@ -21,6 +21,16 @@ constexpr Transition all_transitions[] = {
     {Habit::stroll, jog, run, 1.0F},
     {Habit::stroll, run, jog, 1.0F},
     {Habit::stroll, run, walk, 1.0F},
+    // Whoever holds something stops for it: a phone, a cup, a camera.
+    {Habit::stroll, walk, phone, 0.7F},
+    {Habit::stroll, walk, call, 0.4F},
+    {Habit::stroll, walk, drink, 0.7F},
+    {Habit::stroll, walk, take_picture, 1.0F},
+    {Habit::stroll, phone, walk, 1.0F},
+    {Habit::stroll, call, walk, 1.0F},
+    {Habit::stroll, drink, walk, 1.0F},
+    {Habit::stroll, take_picture, walk, 2.0F},
+    {Habit::stroll, take_picture, look_around, 1.0F},
     // Those who stand about talk with their hands, and rest in between.
     {Habit::stand_about, stand, look_around, 1.0F},
     {Habit::stand_about, stand, wave, 1.0F},
@@ -30,6 +40,14 @@ constexpr Transition all_transitions[] = {
     {Habit::stand_about, wave, stand, 1.0F},
     {Habit::stand_about, cheer, stand, 1.0F},
     {Habit::stand_about, clap, stand, 1.0F},
+    {Habit::stand_about, stand, phone, 2.0F},
+    {Habit::stand_about, stand, call, 0.7F},
+    {Habit::stand_about, stand, drink, 2.0F},
+    {Habit::stand_about, stand, take_picture, 1.5F},
+    {Habit::stand_about, phone, stand, 1.0F},
+    {Habit::stand_about, call, stand, 1.0F},
+    {Habit::stand_about, drink, stand, 1.0F},
+    {Habit::stand_about, take_picture, stand, 1.0F},
     // A parade's spectators are rarely still.
     {Habit::watch, stand, cheer, 2.0F},
     {Habit::watch, stand, wave, 2.0F},
@@ -41,6 +59,10 @@ constexpr Transition all_transitions[] = {
     {Habit::watch, wave, stand, 2.0F},
     {Habit::watch, clap, cheer, 1.0F},
     {Habit::watch, clap, stand, 2.0F},
+    {Habit::watch, stand, take_picture, 3.0F},
+    {Habit::watch, stand, drink, 1.0F},
+    {Habit::watch, take_picture, stand, 1.0F},
+    {Habit::watch, drink, stand, 1.0F},
     // A stadium sits, and applauds; the wave that runs round makes it cheer besides.
     {Habit::sit, sit, clap, 2.0F},
     {Habit::sit, sit, wave, 1.0F},
@@ -79,6 +101,19 @@ constexpr Stay stays[] = {
     {8.0F, 24.0F},  // veer_left
     {8.0F, 24.0F},  // veer_right
     {4.0F, 14.0F},  // talk
+    {8.0F, 24.0F},  // phone
+    {8.0F, 24.0F},  // call
+    {8.0F, 16.0F},  // drink
+    {6.0F, 12.0F},  // take_picture
+    {8.0F, 24.0F},  // lean
+    {8.0F, 24.0F},  // sit_on_step
+    {4.0F, 14.0F},  // carry
+    {4.0F, 14.0F},  // hold_up
+    {4.0F, 14.0F},  // hold_phone
+    {4.0F, 14.0F},  // lead
+    {4.0F, 14.0F},  // led
+    {4.0F, 14.0F},  // push
+    {4.0F, 14.0F},  // stick
     {4.0F, 14.0F},  // other
 };
 static_assert(std::size(stays) == role_count + 1);
@@ -107,16 +142,17 @@ std::span<const Transition> transitions() { return all_transitions; }
 
 Stay stay_in(Role role) { return stays[index_of(role)]; }
 
-Role first_role(Habit habit, const CharacterRoles& character, Random& whim) {
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held) {
   const Role rest = resting_role(habit);
   if (!character.playable(rest)) return Role::other;
   const bool acts = !is_gait(rest) && whim.chance(share_acting_at_first);
-  return acts ? next_role(habit, rest, character, whim) : rest;
+  return acts ? next_role(habit, rest, character, whim, held) : rest;
 }
 
-Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim) {
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, Held held) {
   const auto is_open = [&](const Transition& transition) {
-    return transition.habit == habit && transition.from == from && character.playable(transition.to);
+    return transition.habit == habit && transition.from == from && can_do(held, transition.to) &&
+           character.playable(transition.to);
   };
   float total = 0.0F;
   for (const Transition& transition : all_transitions) total += is_open(transition) ? transition.weight : 0.0F;

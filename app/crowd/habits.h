@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "app/character/held.h"
 #include "app/character/roles.h"
 #include "app/crowd/random.h"
 
@@ -23,7 +24,7 @@ enum class Habit : std::uint8_t {
 };
 
 /// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and
-/// does so in proportion to `weight`.
+/// does so in proportion to `weight`, if what it holds lets it.
 struct Transition {
   Habit habit;
   Role from, to;
@@ -40,10 +41,11 @@ struct Stay {
 Stay stay_in(Role role);
 
 /// Returns the role that an agent of `habit` begins with, as far as the character has a clip for it.
-Role first_role(Habit habit, const CharacterRoles& character, Random& whim);
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
 
-/// Returns the role that follows `from`, by a transition whose role the character can play; `from` if there is none.
-Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim);
+/// Returns the role that follows `from`, by a transition whose role the character can play, and somebody can do who
+/// holds the thing; `from` if there is none.
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
 
 constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }
 

@@ -40,7 +40,7 @@ CrowdMinds::CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::ui
 void CrowdMinds::begin(std::size_t agent) {
   Random& whim = whims_[agent];
   const CharacterRoles& character = cast_->of(agent);
-  intentions_[agent] = first_role(habits_[agent], character, whim);
+  intentions_[agent] = first_role(habits_[agent], character, whim, thing_of(agent));
   roles_[agent] = Role::other;
   clips_[agent] = no_clip;
   const std::vector<int>& others = character.others;
@@ -107,7 +107,7 @@ void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
   if (intentions_[agent] == Role::other) {
     play_next_other(agent);
   } else {
-    const Role next = next_role(habits_[agent], intentions_[agent], cast_->of(agent), whim);
+    const Role next = next_role(habits_[agent], intentions_[agent], cast_->of(agent), whim, thing_of(agent));
     intentions_[agent] = next;
     changed_.push_back(static_cast<std::uint32_t>(agent));
     if (!is_gait(next)) show(agent, next);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/character/roles.h"
@@ -58,6 +59,10 @@ class CrowdMinds {
   std::span<const Role> intentions() const { return intentions_; }
   std::span<const Role> roles() const { return roles_; }  ///< shown
   std::span<const int> clips() const { return clips_; }   ///< index, or no_clip for a character that has none
+  /// Tells what everybody holds, from now on; empty: nothing. It decides which roles they go over to.
+  void give(std::vector<Held> things) { things_ = std::move(things); }
+  /// Returns [agent] what everybody holds; empty: nothing.
+  std::span<const Held> things() const { return things_; }
   Random& whim(std::size_t agent) { return whims_[agent]; }
 
   /// Returns the requests of this frame, at most one an agent.
@@ -67,6 +72,7 @@ class CrowdMinds {
 
  private:
   void begin(std::size_t agent);
+  Held thing_of(std::size_t agent) const { return things_.empty() ? Held::nothing : things_[agent]; }
   bool is_on_its_way(std::size_t agent) const;
   void take_new_clip(std::size_t agent);
   void change_role(std::size_t agent, anim::Ticks now);
@@ -93,6 +99,7 @@ class CrowdMinds {
   std::vector<anim::Ticks> next_changes_;
   std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> held_;
+  std::vector<Held> things_;
   std::vector<Random> whims_;  // each agent's own chance
   std::vector<ClipRequest> requests_;
   std::vector<std::uint32_t> changed_;

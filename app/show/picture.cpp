@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/settings/agent_colors.h"
+#include "app/show/worn_pieces.h"
 #include "engine/anim/base/run_jobs.h"
 
 namespace throng::app {
@@ -53,13 +54,9 @@ struct Picture::Frame {
             .first = first,
             .count = count};
   }
-  /// Calls visit(piece) for all that an agent of a run is drawn with.
-  void for_each_piece(std::uint32_t agent, std::uint32_t run, const auto& visit) const {
-    const render::Outfit& outfit = outfits[agent];
-    if (outfit.count == 0) return visit(std::uint32_t{0});
-    const bool far = run % lods >= render::first_silhouette_lod;
-    if (far && outfit.silhouette != render::Outfit::no_silhouette) return visit(std::uint32_t{outfit.silhouette});
-    for (std::size_t i = 0; i < outfit.count; ++i) visit(std::uint32_t{outfit.pieces[i]});
+  /// Calls visit(list) for each list, counted through all runs, on which an agent of a run is.
+  void for_each_list(std::uint32_t agent, std::uint32_t run, std::uint32_t pieces, const auto& visit) const {
+    for_each_worn(outfits[agent], run % lods, [&](std::uint32_t piece) { visit(std::size_t{run} * pieces + piece); });
   }
 };
 
@@ -123,8 +120,7 @@ void Picture::choose_runs(const Frame& frame, Tile& tile) {
     if (choice.run == not_drawn) continue;
     ++tile.runs[choice.run];
     if (wears_outfits()) {
-      frame.for_each_piece(frame.visible[at].agent, choice.run,
-                           [&](std::uint32_t piece) { ++tile.lists[choice.run * pieces_ + piece]; });
+      frame.for_each_list(frame.visible[at].agent, choice.run, pieces_, [&](std::size_t list) { ++tile.lists[list]; });
     }
     if (frame.has_morphs) choice.weights = tile.morphs.add(frame.stage, frame.visible[at]);
   }
@@ -174,9 +170,7 @@ void Picture::write_records(const Frame& frame, Tile& tile) {
     const anim::VisibleAgent& agent = frame.visible[at];
     const std::uint32_t number = tile.runs[run]++;
     if (wears_outfits()) {
-      frame.for_each_piece(agent.agent, run, [&, run = run](std::uint32_t piece) {
-        drawn_[tile.lists[run * pieces_ + piece]++] = number;
-      });
+      frame.for_each_list(agent.agent, run, pieces_, [&](std::size_t list) { drawn_[tile.lists[list]++] = number; });
     }
     render::InstanceRecord& record = records_[number];
     frame.stage.record(agent, record, frame.poses);

@@ -51,6 +51,7 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
   feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
   gazes_ = std::make_unique<Gazes>(std::move(gazes), *system_);
+  held_arms_ = std::make_unique<HeldArms>(characters_, *system_);
   return anim::Done{};
 }
 
@@ -77,6 +78,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
       std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning), tracks);
   ++number_;
   held_clip_.reset();
+  held_arms_->reset(*crowd_);
   fallen_->reset();
   mark_fallen();
   feet_->reset(agents);
@@ -99,6 +101,11 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   if (event_sums_) event_sums_->reset(agents);
+}
+
+void AnimatedCrowd::give_things(std::vector<Held> things) {
+  give(*crowd_, std::move(things));
+  held_arms_->reset(*crowd_);
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.
@@ -180,6 +187,7 @@ void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tu
   if (!tuning.wardrobe) return;
   DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
   wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits));
+  animated.give_things(std::move(dressed.things));
 }
 
 }  // namespace throng::app

@@ -16,6 +16,7 @@
 #include "app/stage/event_sums.h"
 #include "app/stage/fallen_agents.h"
 #include "app/stage/gazes.h"
+#include "app/stage/held_arms.h"
 #include "app/stage/picking.h"
 #include "app/stage/placed_feet.h"
 #include "app/stage/track_players.h"
@@ -70,6 +71,11 @@ class AnimatedCrowd {
     if (updates.size() > 1) std::as_const(*system_).agent(updates[1].agent.number).prefetch();
     track_players_->set(updates[0].agent.number, updates[0].look_ahead);
   }
+  /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
+  void give_things(std::vector<Held> things);
+  /// Lets arms hold their things where these can be seen. Call it before an update.
+  void hold_things(std::span<const anim::VisibleAgent> visible) { held_arms_->show(*crowd_, visible); }
+  const HeldArms& held_arms() const { return *held_arms_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
@@ -152,6 +158,7 @@ class AnimatedCrowd {
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
   std::unique_ptr<Gazes> gazes_;
+  std::unique_ptr<HeldArms> held_arms_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes

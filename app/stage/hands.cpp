@@ -122,6 +122,7 @@ anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);
   gazes_->go_back_to(moment.gazes);
+  held_arms_->find_shown();
   played_speeds_ = moment.played_speeds;
   mark_fallen();
   held_clip_.reset();

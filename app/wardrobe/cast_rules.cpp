@@ -73,8 +73,8 @@ class RulesReader {
     WeighedNames names;
     if (!json.is_object()) complain(owner + " must be an object of names with weights");
     for (const Json::Member& member : json.members()) {
-      const bool fits = member.value.is_number() && member.value.get<double>() >= 0.0 &&
-                        member.value.get<double>() <= most_weight;
+      const bool fits =
+          member.value.is_number() && member.value.get<double>() >= 0.0 && member.value.get<double>() <= most_weight;
       if (fits) {
         names.push_back({member.key, static_cast<float>(member.value.get<double>())});
       } else {
@@ -84,12 +84,22 @@ class RulesReader {
     return names;
   }
 
+  std::vector<SlotRule> slots(const std::string& owner, const Json& json) {
+    std::vector<SlotRule> slots;
+    for (const Json::Member& slot : json.members()) {
+      slots.push_back({slot.key, weighed(owner + ", " + anim::in_quotes(slot.key), slot.value)});
+    }
+    return slots;
+  }
+
   void read_body(const Json::Member& member) {
-    const JsonObject object("body " + anim::in_quotes(member.key), member.value, {"share", "size"}, complaint_);
+    const JsonObject object("body " + anim::in_quotes(member.key), member.value, {"share", "size", "wears"},
+                            complaint_);
     double share = 1.0, size = 1.0;
     object.number("share", share, 0.0, most_weight);
     object.number("size", size, least_size, most_size);
-    rules_.bodies.push_back({member.key, static_cast<float>(share), static_cast<float>(size)});
+    rules_.bodies.push_back({member.key, static_cast<float>(share), static_cast<float>(size),
+                             slots("body " + anim::in_quotes(member.key), object["wears"])});
   }
 
   void read_palette(const Json::Member& member) {
@@ -138,9 +148,7 @@ class RulesReader {
     object.texts("bodies", style.bodies);
     object.flag("alike", style.alike);
     object.flag("old", style.old);
-    for (const Json::Member& slot : object["wears"].members()) {
-      style.wears.push_back({slot.key, weighed(owner + ", " + anim::in_quotes(slot.key), slot.value)});
-    }
+    style.wears = slots(owner, object["wears"]);
     for (const Json::Member& color : object["colours"].members()) {
       if (!color.value.is<std::string>()) {
         complain(owner + ": the colours of " + anim::in_quotes(color.key) + " must be the name of a palette");
@@ -209,9 +217,9 @@ const SceneRule* CastRules::scene(std::string_view name) const {
 anim::Result<CastRules> cast_rules(const Json& json) { return RulesReader(json).read(); }
 
 anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
-  const JsonFile rules_file(file, {.unread = "give a file of rules like assets/cast.json",
-                                   .malformed = "mend it, or begin with a copy of assets/cast.json",
-                                   .wrong = "app/wardrobe/README.md says what rules hold"});
+  const JsonFile rules_file(file, {.unread = "; give a file of rules like assets/cast.json",
+                                   .malformed = "; mend it, or begin with a copy of assets/cast.json",
+                                   .wrong = "; app/wardrobe/README.md says what rules hold"});
   const auto json = rules_file.read();
   if (!json) return json.error();
   auto rules = cast_rules(*json);
@@ -219,16 +227,29 @@ anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
   return rules;
 }
 
-std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe) {
-  const std::vector<std::string> names = wardrobe.names();
-  for (const Style& style : rules.styles) {
-    for (const SlotRule& slot : style.wears) {
-      for (const WeighedName& part : slot.parts) {
-        if (part.name == nothing_worn || wardrobe.knows(part.name)) continue;
-        return "style " + anim::in_quotes(style.name) + " wears " + anim::in_quotes(part.name) +
-               ", which no part is called; the nearest are " + nearest_names(part.name, names);
-      }
+namespace {
+
+std::string unknown_among(const std::vector<SlotRule>& slots, const std::string& owner, const Wardrobe& wardrobe) {
+  for (const SlotRule& slot : slots) {
+    for (const WeighedName& part : slot.parts) {
+      if (part.name == nothing_worn || wardrobe.knows(part.name)) continue;
+      return owner + " wears " + anim::in_quotes(part.name) + ", which no part is called; the nearest are " +
+             nearest_names(part.name, wardrobe.names());
     }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe) {
+  for (const Style& style : rules.styles) {
+    std::string unknown = unknown_among(style.wears, "style " + anim::in_quotes(style.name), wardrobe);
+    if (!unknown.empty()) return unknown;
+  }
+  for (const BodyRule& body : rules.bodies) {
+    std::string unknown = unknown_among(body.wears, "body " + anim::in_quotes(body.name), wardrobe);
+    if (!unknown.empty()) return unknown;
   }
   const std::vector<std::string> bodies = wardrobe.bodies();
   for (const BodyRule& body : rules.bodies) {

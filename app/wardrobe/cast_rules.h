@@ -32,7 +32,7 @@ struct Palette {
 /// How a piece of clothing is made.
 struct ClothRule {
   std::string part;
-  std::string colors, seconds;  ///< names of palettes; empty: as the style says, else white
+  std::string colors, seconds;                              ///< names of palettes; empty: as the style says, else white
   std::vector<std::pair<render::Pattern, float>> patterns;  ///< with weights; empty: plain
   render::Fabric fabric = render::Fabric::cotton;
 };
@@ -65,10 +65,12 @@ struct WeatherRule {
   WeighedNames tags;
 };
 
+/// A kind of body, and what it wears whatever its style.
 struct BodyRule {
   std::string name;
   float share = 1.0F;
-  float size = 1.0F;  ///< over that of the file
+  float size = 1.0F;                 ///< over that of the file
+  std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, as hair
 };
 
 /// Colours of a team, and its second ones.

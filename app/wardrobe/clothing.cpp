@@ -24,7 +24,8 @@ std::filesystem::path rules_beside(const CharacterSource& source) {
 
 anim::Result<Clothing> clothing_of(const CharacterSource& source) {
   Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}};
-  const std::filesystem::path file = source.cast_rules.empty() ? rules_beside(source) : std::filesystem::path(source.cast_rules);
+  const std::filesystem::path file =
+      source.cast_rules.empty() ? rules_beside(source) : std::filesystem::path(source.cast_rules);
   if (file.empty()) {
     if (!clothing.wardrobe.empty()) clothing.rules = even_rules(clothing.wardrobe);
     return clothing;

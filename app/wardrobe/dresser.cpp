@@ -77,9 +77,12 @@ struct Dresser::Worn {
         parts, [&](const WardrobePart* part) { return part->slot != slot && contains(part->covers, slot); });
   }
   bool has_tag(std::string_view slot, std::string_view tag) const {
-    return std::ranges::any_of(parts, [&](const WardrobePart* part) {
-      return (slot.empty() || part->slot == slot) && part->has_tag(tag);
-    });
+    return std::ranges::any_of(parts,
+                               [&](const WardrobePart* part) { return part->slot == slot && part->has_tag(tag); });
+  }
+  /// Says of what hangs around the legs whether it has this cut.
+  bool is_cut(std::string_view tag) const {
+    return has_tag("bottom", tag) || has_tag("top", tag) || has_tag("outer", tag);
   }
   bool suits(const WardrobePart& part) const {
     return std::ranges::none_of(part.keeps_out, [&](const std::string& slot) { return fills(slot); });
@@ -93,11 +96,14 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   for (const WeighedName& named : scene->styles) {
     const Style* const style = rules.style(named.name);
     styles_.emplace_back(style, named.weight);
-    std::vector<std::vector<Options>>& by_body = options_.emplace_back();
+    std::vector<std::vector<Slot>>& by_body = slots_.emplace_back();
     for (const BodyRule& body : rules.bodies) {
-      std::vector<Options>& by_slot = by_body.emplace_back();
-      for (const SlotRule& slot : style->wears) {
-        by_slot.push_back(options_for(slot, body.name, weather == rules.weather.end() ? nullptr : &*weather));
+      std::vector<Slot>& slots = by_body.emplace_back();
+      const WeatherRule* const factors = weather == rules.weather.end() ? nullptr : &*weather;
+      for (const SlotRule& slot : style->wears) slots.push_back(slot_for(slot, body.name, factors));
+      for (const SlotRule& slot : body.wears) {
+        const bool is_said = std::ranges::find(style->wears, slot.slot, &SlotRule::slot) != style->wears.end();
+        if (!is_said) slots.push_back(slot_for(slot, body.name, factors));
       }
     }
   }
@@ -111,8 +117,8 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   }
 }
 
-Dresser::Options Dresser::options_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
-  Options options;
+Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
+  Slot filled{.name = slot.slot, .options = {}};
   for (const WeighedName& named : slot.parts) {
     const WardrobePart* const part = wardrobe_.find(body, named.name);
     if (part == nullptr && named.name != nothing_worn) continue;
@@ -120,9 +126,9 @@ Dresser::Options Dresser::options_for(const SlotRule& slot, const std::string& b
     for (std::size_t i = 0; part != nullptr && weather != nullptr && i < weather->tags.size(); ++i) {
       if (part->has_tag(weather->tags[i].name)) weight *= weather->tags[i].weight;
     }
-    options.push_back({part, weight});
+    filled.options.push_back({part, weight});
   }
-  return options;
+  return filled;
 }
 
 const Style* Dresser::style_of(const Person& person) const {
@@ -142,23 +148,21 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
       std::ranges::find(styles_, worn.style, [](const auto& each) { return each.first; }) - styles_.begin());
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
-  const std::vector<Options>& by_slot = options_[style][person.body];
-  for (std::size_t slot = 0; slot < by_slot.size(); ++slot) {
-    const std::string& name = worn.style->wears[slot].slot;
-    if (worn.keeps_out(name)) continue;
-    const bool is_uniform = worn.style->alike && region_of(name).has_value();
+  for (const Slot& slot : slots_[style][person.body]) {
+    if (worn.keeps_out(slot.name) || (person.hand_is_taken && slot.name.starts_with("hand_"))) continue;
+    const bool is_uniform = worn.style->alike && region_of(slot.name).has_value();
     const auto weight = [&](const Option& option) {
       return option.part == nullptr || worn.suits(*option.part) ? option.weight : 0.0F;
     };
-    const Option* const chosen = weighed_one(by_slot[slot], weight, is_uniform ? uniform : own);
+    const Option* const chosen = weighed_one(slot.options, weight, is_uniform ? uniform : own);
     if (chosen != nullptr && chosen->part != nullptr) worn.parts.push_back(chosen->part);
   }
 }
 
 // What lies beneath is not drawn: neither skin nor hair under a helmet.
 void Dresser::cover(Worn& worn, const std::string& body) const {
-  const auto number = static_cast<std::size_t>(
-      std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
+  const auto number =
+      static_cast<std::size_t>(std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
   std::vector<const WardrobePart*> seen;
   for (const WardrobePart* part : skin_[number]) {
     if (part->slot.empty() || (!worn.covers(part->slot) && !worn.fills(part->slot))) seen.push_back(part);
@@ -170,11 +174,11 @@ void Dresser::cover(Worn& worn, const std::string& body) const {
 }
 
 std::uint16_t Dresser::silhouette_of(const Worn& worn, const std::string& body) const {
-  const char* const bottom = worn.has_tag("", "long")     ? "long"
-                             : worn.has_tag("", "skirt")  ? "skirt"
-                             : worn.has_tag("", "shorts") ? "shorts"
-                                                          : "trousers";
-  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long_hair") ? "long" : "short";
+  const char* const bottom = worn.is_cut("long")     ? "long"
+                             : worn.is_cut("skirt")  ? "skirt"
+                             : worn.is_cut("shorts") ? "shorts"
+                                                     : "trousers";
+  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long") ? "long" : "short";
   const WardrobePart* const found =
       wardrobe_.find(body, std::string(anim::silhouette_slot) + "/" + bottom + "/" + head);
   return found == nullptr ? render::Outfit::no_silhouette : found->piece;
@@ -208,7 +212,8 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   if (other == color) other = white;
   render::Pattern pattern = render::Pattern::plain;
   if (rule != nullptr && !rule->patterns.empty()) {
-    const auto* const drawn = weighed_one(rule->patterns, [](const auto& each) { return each.second; }, random);
+    const auto* const drawn = weighed_one(
+        rule->patterns, [](const auto& each) { return each.second; }, random);
     if (drawn != nullptr) pattern = drawn->first;
   }
   constexpr std::uint32_t smallest = 90, sizes = 90;  // of patterns; 128 is the usual one

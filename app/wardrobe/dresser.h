@@ -19,6 +19,7 @@ struct Person {
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
+  bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
 };
 
 /// What somebody wears, and all that others can tell it by.
@@ -50,10 +51,13 @@ class Dresser {
     const WardrobePart* part;  ///< null: nothing
     float weight;
   };
-  using Options = std::vector<Option>;
+  struct Slot {
+    std::string name;
+    std::vector<Option> options;
+  };
   struct Worn;
 
-  Options options_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
+  Slot slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
   const Style* style_of(const Person& person) const;
   void fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const;
   void cover(Worn& worn, const std::string& body) const;
@@ -65,9 +69,9 @@ class Dresser {
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  std::vector<std::pair<const Style*, float>> styles_;         // of the scene
-  std::vector<std::vector<std::vector<Options>>> options_;     // [style][body][slot]
-  std::vector<std::vector<const WardrobePart*>> skin_;         // [body]
+  std::vector<std::pair<const Style*, float>> styles_;  // of the scene
+  std::vector<std::vector<std::vector<Slot>>> slots_;   // [style][body]
+  std::vector<std::vector<const WardrobePart*>> skin_;  // [body]
 };
 
 }  // namespace throng::app

@@ -10,9 +10,9 @@ namespace throng::app {
 namespace {
 
 // In the order of the enumerators.
-constexpr std::array<const char*, 13> pattern_names{
-    "plain", "stripes_across", "stripes_along", "checks",  "tartan",     "dots",       "denim",
-    "print", "trim",           "blocks",        "flowers", "camouflage", "herringbone"};
+constexpr std::array<const char*, 13> pattern_names{"plain",   "stripes_across", "stripes_along", "checks", "tartan",
+                                                    "dots",    "denim",          "print",         "trim",   "blocks",
+                                                    "flowers", "camouflage",     "herringbone"};
 constexpr std::array<const char*, 8> fabric_names{"cotton",  "denim", "wool", "satin",
                                                   "leather", "nylon", "skin", "plastic"};
 static_assert(pattern_names.size() == static_cast<std::size_t>(render::Pattern::herringbone) + 1);

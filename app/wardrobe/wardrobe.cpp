@@ -20,8 +20,8 @@ Wardrobe::Wardrobe(std::span<const anim::ModelPart> parts) {
 }
 
 const WardrobePart* Wardrobe::find(std::string_view body, std::string_view name) const {
-  const auto found = std::ranges::find_if(
-      parts_, [&](const WardrobePart& part) { return part.name == name && part.fits(body); });
+  const auto found =
+      std::ranges::find_if(parts_, [&](const WardrobePart& part) { return part.name == name && part.fits(body); });
   return found == parts_.end() ? nullptr : &*found;
 }
 

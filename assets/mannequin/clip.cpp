@@ -37,7 +37,20 @@ std::vector<Motion> make_motions() {
           make_shuffle(),
           make_step_in_place(),
           make_veer(Side::left),
-          make_veer(Side::right)};
+          make_veer(Side::right),
+          make_phone(),
+          make_call(),
+          make_drink(),
+          make_take_picture(),
+          make_lean(),
+          make_sit_on_step(),
+          make_carry(),
+          make_hold_up(),
+          make_hold_phone(),
+          make_lead(),
+          make_led(),
+          make_push(),
+          make_stick()};
 }
 
 std::vector<Clip> make_clips() {

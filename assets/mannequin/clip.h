@@ -62,5 +62,20 @@ Motion make_clap();
 Motion make_sit_down();
 Motion make_sit();
 Motion make_stand_up();
+Motion make_phone();
+Motion make_call();
+Motion make_drink();
+Motion make_take_picture();
+Motion make_lean();
+Motion make_sit_on_step();
+
+// What an arm does while the rest of the body does something else. They are played on the joints of the arm alone.
+Motion make_carry();
+Motion make_hold_up();
+Motion make_hold_phone();
+Motion make_lead();
+Motion make_led();
+Motion make_push();
+Motion make_stick();
 
 }  // namespace throng::mannequin

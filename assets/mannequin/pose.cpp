@@ -48,6 +48,14 @@ glm::dmat3 frame(dvec3 along, dvec3 across) {
   return {x, y, glm::cross(x, y)};
 }
 
+void bend_finger(Pose& pose, Side side, const Finger& finger, int bone, double curl) {
+  const dvec3 across_palm = glm::normalize(left_arm().thumbwards * -0.8 - left_arm().backwards * 0.6);
+  const bool thumb = finger.name == "thumb";
+  const dvec3 axis = thumb ? glm::normalize(glm::cross(finger.directions[1], across_palm)) : -axis_z;
+  const double share = thumb ? (bone == 1 ? 0.3 : 0.6) : (bone == 3 ? 0.7 : 1.0);
+  pose[on_side(std::string(finger.name) + "." + std::to_string(bone), side)] = sided(about(axis, curl * share), side);
+}
+
 }  // namespace
 
 dquat turned(double pitch, double yaw, double roll) {
@@ -127,19 +135,15 @@ ArmAngles mix(const ArmAngles& from, const ArmAngles& to, double share) {
 }
 
 void curl_fingers(Pose& pose, Side side, const std::function<double(double late)>& curl) {
-  const dvec3 across_palm = glm::normalize(left_arm().thumbwards * -0.8 - left_arm().backwards * 0.6);
-  double finger_late = 0;
-  for (const Finger& finger : left_fingers()) {
-    const bool thumb = finger.name == "thumb";
-    const dvec3 axis = thumb ? glm::normalize(glm::cross(finger.directions[1], across_palm)) : -axis_z;
+  for (std::size_t finger = 0; finger < finger_count; ++finger) {
     for (int bone = 1; bone <= 3; ++bone) {
-      const double share = thumb ? (bone == 1 ? 0.3 : 0.6) : (bone == 3 ? 0.7 : 1.0);
-      const double late = finger_late + 0.1 * (bone - 1);
-      pose[on_side(std::string(finger.name) + "." + std::to_string(bone), side)] =
-          sided(about(axis, curl(late) * share), side);
+      bend_finger(pose, side, left_fingers()[finger], bone, curl(0.2 * static_cast<double>(finger) + 0.1 * (bone - 1)));
     }
-    finger_late += 0.2;
   }
+}
+
+void curl_finger(Pose& pose, Side side, std::size_t finger, double degrees_per_joint) {
+  for (int bone = 1; bone <= 3; ++bone) bend_finger(pose, side, left_fingers()[finger], bone, degrees_per_joint);
 }
 
 void steady_head(Pose& pose, const dquat& facing) {

@@ -65,6 +65,8 @@ ArmAngles mix(const ArmAngles& from, const ArmAngles& to, double share);
 /// Bends all fingers by so many degrees per joint beyond rest; negative opens the hand. `curl` is asked how late each
 /// finger shall be, from 0 for the thumb's root to 1 for the tip of the little finger.
 void curl_fingers(Pose& pose, Side side, const std::function<double(double late)>& curl);
+/// The same for one finger, from 0 for the thumb to 4 for the little finger; all its joints bend at once.
+void curl_finger(Pose& pose, Side side, std::size_t finger, double degrees_per_joint);
 
 /// Turns neck and head so that the head faces `facing` in the world, whatever the trunk does.
 void steady_head(Pose& pose, const glm::dquat& facing);

@@ -89,7 +89,7 @@ constexpr std::array<CurveKey, 6> child_leg{
 constexpr Build woman_build{woman_width, woman_front, woman_back, woman_arm, woman_leg, 0.014,
                             0.008,       0.88,        0.88,       0.90,      0.84};
 constexpr Build child_build{child_width, child_front, child_back, child_arm, child_leg, 0.016,
-                            0.0,         1.04, 1.02, 0.96, 0.86};
+                            0.0,         1.04,        1.02,       0.96,      0.86};
 
 /// A soft bump around a place, the same on both sides; 1 in its middle.
 double bump(dvec3 place, dvec3 centre, dvec3 radius) {
@@ -166,7 +166,8 @@ dvec3 limb_warped(Body body, const Build& build, Limb limb, dvec3 p) {
 }  // namespace
 
 dvec3 warped(Body body, dvec3 place, const Weights& weights) {
-  if (body == Body::man) return place;
+  const bool is_on_the_ground = weights[mannequin::joint_index("root")] > 0.5;
+  if (body == Body::man || is_on_the_ground) return place;
   const Build& build = body == Body::woman ? woman_build : child_build;
   std::array<double, limb_count> shares{};
   double sum = 0;

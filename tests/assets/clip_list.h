@@ -9,15 +9,17 @@
 namespace throng::test {
 
 /// The built-in character's clips in the order of its file.
-inline constexpr std::array<const char*, 22> clip_list{
-    "idle",      "walk",       "cheer",   "wave",          "clap",      "jog",       "run",     "look around",
-    "turn left", "turn right", "talk",    "sit down",      "sit",       "stand up",  "stumble", "walk back",
-    "step left", "step right", "shuffle", "step in place", "veer left", "veer right"};
+inline constexpr std::array<const char*, 35> clip_list{
+    "idle",        "walk",      "cheer",      "wave",       "clap",         "jog",           "run",
+    "look around", "turn left", "turn right", "talk",       "sit down",     "sit",           "stand up",
+    "stumble",     "walk back", "step left",  "step right", "shuffle",      "step in place", "veer left",
+    "veer right",  "phone",     "call",       "drink",      "take picture", "lean",          "sit on step",
+    "carry",       "hold up",   "hold phone", "lead",       "led",          "push",          "stick"};
 
 /// The gaits: they travel, loop, and mark where their feet come down.
 inline bool is_gait(const std::string& clip) {
   return clip == "walk" || clip == "jog" || clip == "run" || clip == "walk back" || clip.starts_with("step ") ||
-         clip.starts_with("veer ") || clip == "shuffle";
+         clip.starts_with("veer ") || clip == "shuffle" || clip == "push" || clip == "stick";
 }
 
 inline bool plays_once(const std::string& clip) {

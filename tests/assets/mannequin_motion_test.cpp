@@ -87,11 +87,11 @@ struct Travel {
 };
 
 TEST(MannequinGaits, TravelEvenlyWhereTheyGoAtTheirSpeed) {
-  const std::vector<Travel> gaits{{"walk", {0, 0, 1.35}},       {"jog", {0, 0, 2.4}},
-                                  {"run", {0, 0, 3.6}},         {"walk back", {0, 0, -0.8}},
-                                  {"step left", {0.45, 0, 0}},  {"step right", {-0.45, 0, 0}},
-                                  {"shuffle", {0, 0, 0.45}},    {"step in place", {0, 0, 0}},
-                                  {"veer left", {0.4, 0, 1.2}}, {"veer right", {-0.4, 0, 1.2}}};
+  const std::vector<Travel> gaits{
+      {"walk", {0, 0, 1.35}},         {"jog", {0, 0, 2.4}},         {"run", {0, 0, 3.6}},
+      {"walk back", {0, 0, -0.8}},    {"step left", {0.45, 0, 0}},  {"step right", {-0.45, 0, 0}},
+      {"shuffle", {0, 0, 0.45}},      {"step in place", {0, 0, 0}}, {"veer left", {0.4, 0, 1.2}},
+      {"veer right", {-0.4, 0, 1.2}}, {"push", {0, 0, 1.35}},       {"stick", {0, 0, 1.35}}};
   for (const Travel& gait : gaits) {
     const Playback clip(CharacterFile::committed(), gait.clip);
     for (std::size_t key = 0; key < clip.key_count(); ++key) {

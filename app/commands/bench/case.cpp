@@ -10,6 +10,7 @@
 #include "app/commands/bench/held.h"
 #include "app/commands/bench/joints.h"
 #include "app/commands/bench/rounds.h"
+#include "app/commands/bench/sockets.h"
 #include "app/figures/statistics.h"
 #include "app/settings/choices.h"
 #include "app/stage/stage.h"
@@ -28,7 +29,7 @@ bool all_sampled(const anim::Character& character) {
 class CaseBench {
  public:
   /// Everything that can be refused is refused here, before the first round.
-  anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents);
+  anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents, int sockets);
   const BenchTimes& run(int rounds, const std::string& label) {
     rounds_.run(rounds, label);
     return rounds_.times();
@@ -45,6 +46,7 @@ class CaseBench {
   void add_updates();
   void add_held(const anim::Model& model);
   void add_joints();
+  void add_sockets(int things);
 
   std::shared_ptr<const anim::Character> character_;
   anim::SystemOptions options_;
@@ -57,6 +59,7 @@ class CaseBench {
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
   std::unique_ptr<HeldSubject> held_;
   std::unique_ptr<JointSubject> joints_, joint_matrices_, few_joints_;
+  std::unique_ptr<SocketSubject> sockets_;
   BenchRounds rounds_;
 };
 
@@ -130,7 +133,18 @@ void CaseBench::add_joints() {
   add("few joints", few_joints_, three_joints(skeleton), anim::JointFormat::matrices);
 }
 
-anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents) {
+// On one PU.
+void CaseBench::add_sockets(int things) {
+  if (things == 0) return;
+  anim::SystemOptions one_pu = options_;
+  one_pu.pus = 1;
+  const std::size_t carried = std::min(static_cast<std::size_t>(things), agents_.size());
+  sockets_ = SocketSubject::create(character_, one_pu, agents_, *palettes_, carried);
+  if (sockets_ != nullptr) rounds_.add({"sockets", [this] { sockets_->run(); }});
+}
+
+anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents,
+                                int sockets) {
   character_ = whom.character;
   options_ = options;
   agents_ = bench_agents(*character_, agents);
@@ -159,6 +173,7 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   add_kernels();
   add_held(whom.model);
   add_joints();
+  add_sockets(sockets);
   add_updates();
   return anim::Done{};
 }
@@ -217,6 +232,7 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
+  if (times.has("sockets")) json["sockets_over_palettes"] = times.median_ratio("sockets", "one pu");
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);
   json["agents_per_60hz_frame"] = static_cast<std::int64_t>(agents * (1e9 / 60.0) / times.median("update"));
@@ -251,7 +267,8 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
 anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
                                   const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace) {
   CaseBench work;
-  const anim::Status prepared = work.prepare(character, bench_system_options(options, bench), bench.agents);
+  const anim::Status prepared =
+      work.prepare(character, bench_system_options(options, bench), bench.agents, options.sockets);
   if (!prepared) return prepared.error();
   times.append(work.run(pass.rounds, pass.label));
   if (!pass.is_last) return Json(nullptr);

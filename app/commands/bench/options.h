@@ -28,6 +28,7 @@ struct BenchOptions {
   Tuning tuning;  ///< its `system` has what all combinations share: local store, tile, double buffering, palettes
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
+  int sockets = 0;  ///< agents of each case that carry a thing in a hand, which is then measured too; 0: it is not
   Sweep sweep = Sweep::none;
   bool draws = false;         ///< whole frames are measured, crowd logic, level of detail and drawing included
   DemoOptions shown;          ///< what they show, from where, on which device

@@ -159,7 +159,6 @@ std::string CharacterAgents::bound_to_clips(const Character& other) {
 }
 
 std::string CharacterAgents::bound_to_bone_order() const {
-  if (!masks.empty()) return "masks of bones";
   if (!selections.empty()) return "selections of bones";
   if (!joint_programs.empty()) return "a list of joints";
   return {};
@@ -187,6 +186,17 @@ int CharacterAgents::add_mask(BoneMask mask) {
   mask_ranges.push_back({.least = *std::ranges::min_element(weights), .most = *std::ranges::max_element(weights)});
   masks.push_back(std::move(mask));
   return static_cast<int>(masks.size()) - 1;
+}
+
+void CharacterAgents::reorder_masks(std::span<const int> places) {
+  for (std::size_t i = 0; i < masks.size(); ++i) {
+    std::vector<SubtreeWeight> weights;
+    for (int bone = 0; bone < skeleton().bone_count(); ++bone) {
+      weights.push_back({.bone = places[static_cast<std::size_t>(bone)], .weight = masks[i].weight(bone)});
+    }
+    masks[i] = BoneMask(masks[i].name(), skeleton(), weights);
+    mask_weights[i] = masks[i].packet(0);
+  }
 }
 
 std::uint32_t CharacterAgents::add_selection(BoneSelection selection) {

@@ -54,15 +54,17 @@ struct CharacterAgents {
   std::string bound_to_clips(const Character& other);
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
-  /// Does what AgentGraphs::reorder_bones does, for all graphs.
+  /// Does what AgentGraphs::reorder_bones does, for all graphs; masks weigh the same bones as before.
   void reorder_bones(std::span<const int> places) {
     agents.reorder_bones(places);
     shared.reorder_bones(places);
+    reorder_masks(places);
   }
   /// Returns the name of something that depends on the order of the bones, in words; empty if nothing does.
   std::string bound_to_bone_order() const;
 
   int add_mask(BoneMask mask);
+  void reorder_masks(std::span<const int> places);
   std::uint32_t add_selection(BoneSelection selection);
 
   void set_residency(Residency residency);

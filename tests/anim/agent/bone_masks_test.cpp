@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -149,6 +150,24 @@ TEST(MaskedBlend, IsTheSamePoseUnderBothSchedules) {
   unmasked.step(20);
   EXPECT_EQ(levels.system->figures().pose_hash(), fused.system->figures().pose_hash());
   EXPECT_NE(levels.system->figures().pose_hash(), unmasked.system->figures().pose_hash());
+}
+
+TEST(MaskedBlend, WeighsTheSameBonesWhenTheyGetAnotherOrder) {
+  Solo solo;
+  const int mask = solo.system->characters().add_mask(arm());
+  int inside = bones - 1, outside = bones - 1;
+  while (arm().weight(inside) == 0.0F) --inside;
+  while (arm().weight(outside) > 0.0F) --outside;
+  std::vector<int> places(bones);
+  std::iota(places.begin(), places.end(), 0);
+  std::swap(places[static_cast<std::size_t>(inside)], places[static_cast<std::size_t>(outside)]);
+  ASSERT_TRUE(solo.system->characters().replace(0, character(), places));
+  solo.system->agent(0).play({.clip = under});
+  solo.system->agent(0).play({.clip = over, .held_fraction = 1.0F, .mask = mask});
+  solo.step(2);
+  EXPECT_EQ(solo.bone(bones / 4), playing(over, 2).bone(bones / 4));
+  EXPECT_EQ(solo.bone(outside), playing(over, 2).bone(outside)) << "the bone of the arm is there now";
+  EXPECT_EQ(solo.bone(inside), playing(under, 2).bone(inside));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/simple_channel.h"
+#include "engine/anim/asset/bone_priorities.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/heard_misuses.h"
 
@@ -53,10 +54,10 @@ TEST(Characters, CountTheirMasksApart) {
   EXPECT_EQ(add(1), 0);
 }
 
-TEST(Characters, KeepTheirOrderOfBonesWhileAMaskDependsOnIt) {
+TEST(Characters, KeepTheirOrderOfBonesWhileASelectionDependsOnIt) {
   const auto system = two_characters();
-  const SubtreeWeight all{.bone = 0};
-  system->characters().add_mask(BoneMask("all", system->characters()[1].skeleton, {&all, 1}), 1);
+  const std::vector<std::uint8_t> priorities(12, 1);
+  system->characters().add_bone_selection(BoneSelection(system->characters()[1].skeleton, priorities, 1), 1);
   std::vector<int> places(12);
   std::iota(places.begin(), places.end(), 0);
   const std::shared_ptr<const Character> again = character_of(12);
@@ -64,7 +65,7 @@ TEST(Characters, KeepTheirOrderOfBonesWhileAMaskDependsOnIt) {
   std::swap(places[10], places[11]);
   const Status refused = system->characters().replace(1, again, places);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("masks of bones"), std::string::npos);
+  EXPECT_NE(refused.error().message.find("selections of bones"), std::string::npos);
   EXPECT_EQ(&system->characters()[1], again.get());
 }
 

@@ -186,6 +186,28 @@ TEST(ListedJoints, AreWrittenAtEveryBoneLevel) {
   }
 }
 
+// What a hand holds is where the skin of the hand is, with all bones and with few, also while clips fade.
+TEST(ListedJoints, CarryAThingWithinATenthOfAMillimetreOfTheSkinAtEveryBoneLevel) {
+  const auto levels = static_cast<std::uint8_t>(skeleton().level_bone_counts.size());
+  for (std::uint8_t level = 0; level < levels; ++level) {
+    JointCrowd crowd({}, true);
+    ASSERT_TRUE(crowd.list(all_joints(skeleton()), JointFormat::transforms));
+    for (int frame = 0; frame < 12; ++frame) {
+      crowd.step(1, true, level);
+      for (int bone = 0; bone < skeleton().bone_count(); ++bone) {
+        const int shown = nearest_kept_bone(skeleton(), bone, skeleton().level_bone_counts[level]);
+        const glm::vec3 rest(joint_place(skeleton(), bone).position);
+        const auto& rows = crowd.palette(5)[joint_place(skeleton(), shown).entry].rows;
+        const float* const at = crowd.joints<JointTransform>(5)[bone].position;
+        for (int axis = 0; axis < 3; ++axis) {
+          const float skin = rows[axis][0] * rest.x + rows[axis][1] * rest.y + rows[axis][2] * rest.z + rows[axis][3];
+          EXPECT_NEAR(at[axis], skin, 1e-4F) << "bone " << bone << " of level " << int{level};
+        }
+      }
+    }
+  }
+}
+
 TEST(ListedJoints, OfSomeAgentsDoNotDisturbTheOthers) {
   JointCrowd crowd;
   ASSERT_TRUE(crowd.list(all_joints(skeleton()), JointFormat::transforms));

@@ -109,7 +109,23 @@ TEST(RolesByName, HaveNamesOfTheirOwn) {
   EXPECT_EQ(role_named("other"), std::nullopt);
   EXPECT_EQ(known_roles(),
             "stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, shuffle, "
-            "step_in_place, veer_left, veer_right and talk");
+            "step_in_place, veer_left, veer_right, talk, phone, call, drink, take_picture, lean, sit_on_step, carry, "
+            "hold_up, hold_phone, lead, led, push and stick");
+}
+
+TEST(RolesByName, OfThingsInHandsAreKnownToo) {
+  const Names names{"Idle",         "Phone",     "Call", "Talking_On_Phone", "Drink",
+                    "Take_Picture", "Lean_Wall", "Sit",  "Sit_Ground",       "Walk_Carry",
+                    "Carry",        "Hold_Up",   "Push", "Push_Up",          "Stick"};
+  EXPECT_EQ(clip_for(Role::phone, names), "Phone");
+  EXPECT_EQ(clip_for(Role::call, names), "Call");
+  EXPECT_EQ(clip_for(Role::call, {"Idle", "Talking_On_Phone"}), "Talking_On_Phone");
+  EXPECT_EQ(clip_for(Role::take_picture, names), "Take_Picture");
+  EXPECT_EQ(clip_for(Role::sit, names), "Sit");
+  EXPECT_EQ(clip_for(Role::sit_on_step, names), "Sit_Ground");
+  EXPECT_EQ(clip_for(Role::carry, names), "Carry");
+  EXPECT_EQ(clip_for(Role::hold_up, names), "Hold_Up");
+  EXPECT_EQ(clip_for(Role::push, {"Idle", "Push_Up"}), "none");
 }
 
 TEST(PlayableRole, IsTheNearestThatTheCharacterHasAClipFor) {

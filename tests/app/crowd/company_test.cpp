@@ -80,7 +80,9 @@ TEST_F(CompanyOfAPlaza, HasChildrenBesideGrownUpsAlone) {
     if (crowd_.looks().bodies[agent] != 1) continue;
     ++children;
     ASSERT_GT(agent, 0U);
-    if (agent < crowd_.walkers()) EXPECT_EQ(crowd_.habits()[agent], Habit::accompany);
+    if (agent < crowd_.walkers()) {
+      EXPECT_EQ(crowd_.habits()[agent], Habit::accompany);
+    }
     EXPECT_EQ(crowd_.looks().bodies[agent - 1], 0) << "a grown-up stands or walks beside it";
     EXPECT_LT(glm::distance(crowd_.positions()[agent], crowd_.positions()[agent - 1]), 2.5F);
   }

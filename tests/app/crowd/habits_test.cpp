@@ -60,6 +60,20 @@ TEST(Transitions, AreChosenByWeight) {
   EXPECT_NEAR(static_cast<double>(walks_on) / stops, 3.0, 0.5);
 }
 
+TEST(Transitions, ToWhatAThingIsForAreForWhoHoldsIt) {
+  const CharacterRoles able = character_with({Role::stand, Role::phone, Role::call, Role::drink, Role::wave});
+  Random whim(1, 1);
+  std::set<Role> of_nobody, of_phone, of_cup;
+  for (int i = 0; i < 300; ++i) {
+    of_nobody.insert(next_role(Habit::stand_about, Role::stand, able, whim));
+    of_phone.insert(next_role(Habit::stand_about, Role::stand, able, whim, Held::phone));
+    of_cup.insert(next_role(Habit::stand_about, Role::stand, able, whim, Held::cup));
+  }
+  EXPECT_EQ(of_nobody, std::set{Role::wave});
+  EXPECT_EQ(of_phone, (std::set{Role::phone, Role::call}));
+  EXPECT_EQ(of_cup, std::set{Role::drink});
+}
+
 TEST(CrowdMinds, ShowWhatTheCharacterCanPlayOfWhatTheyHaveInMind) {
   const CharacterRoles seatless = character_with({Role::stand});
   const CrowdCast cast = standing(seatless, 1);

@@ -1,6 +1,7 @@
 // How a picture is composed in tiles.
 #include "app/show/picture.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <set>
@@ -65,17 +66,48 @@ class PictureInTiles : public testing::Test {
     picture.compose(*stage_);
     return picture;
   }
+  /// Dresses most: each wears some of twelve pieces, and two of three have one of four silhouettes.
+  void dress() {
+    std::vector<render::Outfit> outfits(stage_->crowd().size());
+    for (std::uint32_t agent = 0; agent < outfits.size(); ++agent) {
+      render::Outfit& outfit = outfits[agent];
+      if (agent % 7 == 0) continue;
+      for (std::uint16_t piece = 1; piece <= 12; ++piece) {
+        if ((agent * 2654435761U >> piece & 1U) != 0) outfit.pieces.at(outfit.count++) = piece;
+      }
+      if (agent % 3 != 0) outfit.silhouette = static_cast<std::uint16_t>(13 + agent % 4);
+    }
+    const auto looks = stage_->crowd().looks().drawn;
+    wear(const_cast<Crowd&>(stage_->crowd()), looks, std::move(outfits));  // NOLINT(*-const-cast)
+    for (std::size_t each = 0; each < 2; ++each) {
+      std::vector<render::MeshError> errors(1);
+      while (errors.size() < render::largest_mesh_lod_count) {
+        errors.push_back({0.02F * static_cast<float>(errors.size()), 0.0F});
+      }
+      stage_->mesh_lods().set(each, errors, std::vector<std::uint32_t>(errors.size(), 100));
+    }
+    pass();
+  }
+  /// Returns what an agent is drawn with at a mesh LOD.
+  std::set<std::uint32_t> worn(std::uint32_t agent, int mesh_lod) const {
+    const render::Outfit& outfit = stage_->crowd().looks().outfits[agent];
+    if (outfit.count == 0) return {0};
+    const bool far = mesh_lod >= static_cast<int>(render::first_silhouette_lod);
+    if (far && outfit.silhouette != render::Outfit::no_silhouette) return {outfit.silhouette};
+    return {outfit.pieces.begin(), outfit.pieces.begin() + outfit.count};
+  }
   static void expect_same(const Picture& picture, const Picture& other, int pus) {
     const auto same = [](const auto& a, const auto& b) {
       return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
     };
     EXPECT_TRUE(same(picture.instances(), other.instances())) << pus;
     EXPECT_TRUE(same(picture.morph_weights(), other.morph_weights())) << pus;
+    EXPECT_TRUE(same(picture.drawn(), other.drawn())) << pus;
     ASSERT_EQ(picture.batches().size(), other.batches().size()) << pus;
     for (std::size_t i = 0; i < picture.batches().size(); ++i) {
       const render::CrowdBatch &a = picture.batches()[i], &b = other.batches()[i];
-      EXPECT_EQ(std::tie(a.page, a.character, a.mesh_lod, a.first, a.count),
-                std::tie(b.page, b.character, b.mesh_lod, b.first, b.count))
+      EXPECT_EQ(std::tie(a.page, a.character, a.piece, a.mesh_lod, a.first, a.count),
+                std::tie(b.page, b.character, b.piece, b.mesh_lod, b.first, b.count))
           << pus << " PUs, batch " << i;
     }
   }
@@ -119,6 +151,37 @@ TEST_F(PictureInTiles, HasEverybodyOnceInRunsOfOnePageCharacterAndMesh) {
   EXPECT_EQ(drawn.size(), stage_->selection().visible.size());
 }
 
+TEST_F(PictureInTiles, HasOnEachListThoseWhoWearThePiece) {
+  open(5);
+  EXPECT_TRUE(composed_on(2).drawn().empty()) << "nobody wears any";
+  dress();
+  const Picture picture = composed_on(3);
+  std::vector<std::set<std::uint32_t>> drawn(picture.instances().size());
+  std::size_t next = 0, of_silhouettes = 0;
+  for (const render::CrowdBatch& list : picture.batches()) {
+    ASSERT_EQ(list.first, next);
+    next += list.count;
+    const auto numbers = picture.drawn().subspan(list.first, list.count);
+    EXPECT_TRUE(std::ranges::is_sorted(numbers));
+    of_silhouettes += list.piece > 12 ? list.count : 0;
+    for (const std::uint32_t number : numbers) {
+      const std::uint32_t agent = picture.instances()[number].agent;
+      EXPECT_TRUE(drawn[number].insert(list.piece).second) << "once";
+      ASSERT_TRUE(worn(agent, list.mesh_lod).contains(list.piece));
+      ASSERT_EQ(stage_->pose_of(agent, Poses::shown).to.page, list.page);
+      ASSERT_EQ(stage_->crowd().characters()[agent], list.character);
+    }
+  }
+  EXPECT_EQ(next, picture.drawn().size());
+  EXPECT_GT(of_silhouettes, 1000U);
+  for (const render::CrowdBatch& run : picture.runs()) {
+    for (std::uint32_t number = run.first; number < run.first + run.count; ++number) {
+      ASSERT_EQ(drawn[number], worn(picture.instances()[number].agent, run.mesh_lod));
+    }
+  }
+  for (const int pus : {1, 2, 8}) expect_same(picture, composed_on(pus), pus);
+}
+
 TEST_F(PictureInTiles, HasWeightsOfAllWhoMorphHoweverManyForAnyNumberOfPus) {
   open(100);
   const Picture alone = composed_on(1);
@@ -132,6 +195,7 @@ TEST_F(PictureInTiles, HasWeightsOfAllWhoMorphHoweverManyForAnyNumberOfPus) {
 TEST_F(PictureInTiles, AllocatesNothingOnceItHasRoom) {
   tuning_.system.pus = 2;
   open(5);
+  dress();
   Picture picture;
   for (int i = 0; i < 10; ++i) {  // until there are as many pages as there will be
     pass();

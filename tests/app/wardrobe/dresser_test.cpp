@@ -36,7 +36,8 @@ class Dressing : public testing::Test {
     const std::string text = R"({"version": 1, "bodies": {"man": {}, "woman": {}}, "skin": ["head", "torso"],
       "colours": {"red": ["#FF0000"], "blue": ["#0000FF"]}, "teams": [["#111111", "#222222"], ["#333333", "#444444"]],
       "clothes": {"t_shirt": {"colours": "red", "seconds": "blue", "patterns": {"dots": 1}, "fabric": "wool"}},
-      )" + more + R"("styles": {)" + styles + R"(}, "scenes": {"any": {"a": 1}}})";
+      )" + more + R"("styles": {)" +
+                             styles + R"(}, "scenes": {"any": {"a": 1}}})";
     auto rules = cast_rules(*parse_json(text));
     ASSERT_TRUE(rules) << rules.error().message;
     rules_ = std::move(*rules);
@@ -134,7 +135,8 @@ TEST_F(Dressing, GivesAllTheSameUniformButTheirOwnHair) {
 }
 
 TEST_F(Dressing, GoesByTheWeather) {
-  read_rules(R"("a": {"wears": {"hand_right": {"umbrella": 1, "none": 1}}})", R"("weather": {"rain": {"rain": 1000}},)");
+  read_rules(R"("a": {"wears": {"hand_right": {"umbrella": 1, "none": 1}}})",
+             R"("weather": {"rain": {"rain": 1000}},)");
   weather_ = "rain";
   int umbrellas = 0;
   for (std::uint32_t agent = 0; agent < 100; ++agent) umbrellas += dress({.agent = agent}).in_hand != nullptr ? 1 : 0;

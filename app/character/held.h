@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "app/character/roles.h"
+
+namespace throng::app {
+
+/// The thing that an agent has in its hands.
+enum class Held : std::uint8_t {
+  nothing,
+  bag,  ///< a handbag, a tote, a shopping bag
+  briefcase,
+  umbrella,
+  phone,
+  cup,
+  stick,
+  balloon,
+  flag,
+  camera,
+  child,     ///< the hand of a child
+  grown_up,  ///< the hand of a grown-up, who holds a child
+  pushchair
+};
+inline constexpr std::size_t held_count = 13;
+
+/// Returns what is held by whoever has a part of this name in a hand; nothing for a name that is none.
+Held held_named(std::string_view part);
+
+/// Returns the role whose clip an arm plays while it holds something; nothing where no arm does.
+std::optional<Role> arm_of(Held held);
+/// Returns whether that clip lies over what the whole body does in a role. It does not where the hand has another way
+/// to hold the thing, or puts it away.
+bool arm_lies_over(Held held, Role role);
+/// Returns whether the thing is in the hand in a role, or else is put away.
+bool is_in_hand(Held held, Role role);
+/// Returns whether somebody who holds the thing may go over to a role.
+bool can_do(Held held, Role role);
+
+}  // namespace throng::app

@@ -141,14 +141,23 @@ anim::Status Painter::load_meshes(Stage& stage) {
   for (const CharacterSource& character : stage.characters()) loaded_.emplace_back(character.character);
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
+  looks_number_ = 0;
+  follow_outfits(stage);
+  return anim::Done{};
+}
+
+void Painter::follow_outfits(Stage& stage) {
+  if (renderer_ == nullptr || looks_number_ == stage.crowd().looks().number) return;
+  looks_number_ = stage.crowd().looks().number;
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     std::vector<render::MeshError> shares;
-    for (const MeshLevel& level : mesh_levels(i)) {
+    std::vector<std::uint32_t> triangles;
+    for (const MeshLevel& level : worn_levels(stage, i, renderer_->meshes()[i])) {
       shares.push_back(shares_of(level.error, stage.characters()[i].character->bounds.height));
+      triangles.push_back(level.triangles);
     }
-    stage.mesh_lods().set(i, std::move(shares), triangles_of_worn(stage, i, renderer_->meshes()[i]));
+    stage.mesh_lods().set(i, std::move(shares), std::move(triangles));
   }
-  return anim::Done{};
 }
 
 std::vector<MeshLevel> Painter::mesh_levels(std::size_t character) const {

@@ -59,6 +59,8 @@ class Painter {
   /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs. Characters that were
   /// loaded before, and have not changed since, keep theirs.
   anim::Status load_meshes(Stage& stage);
+  /// Tells a stage whose crowd was dressed anew the errors of its mesh LODs.
+  void follow_outfits(Stage& stage);
   /// Returns nothing where nothing is drawn.
   std::vector<MeshLevel> mesh_levels(std::size_t character) const;
   /// Returns the newest frame of the stage that nothing reads any more.
@@ -106,6 +108,7 @@ class Painter {
   ThresholdsInView thresholds_;
   Spared spared_;
   std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] whose it is
+  std::uint64_t looks_number_ = 0;                            // of the looks whose mesh LODs the stage knows
   float distance_scale_ = 1.0F;                               // of the characters whose meshes are loaded
   render::DrawCounts draw_counts_;
 };

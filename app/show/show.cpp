@@ -272,6 +272,7 @@ void Show::animate_as(const RecordedFrame& frame) {
 void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (viewer_ != nullptr) return viewer_->advance(delta);
   const anim::Ticks step = stage_->tuning().taken_away.animation ? anim::Ticks{} : delta;
+  painter_->follow_outfits(*stage_);
   const std::uint64_t completed = painter_->completed_frame(*stage_);
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = RunFigures::Clock::now();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/lod/lod_export.h"
 #include "app/stage/stage.h"
 #include "engine/render/agent_look.h"
 #include "engine/render/mesh/mesh.h"
@@ -18,7 +19,8 @@ void for_each_worn(const render::Outfit& outfit, std::uint32_t mesh_lod, const a
   for (std::size_t i = 0; i < outfit.count; ++i) visit(std::uint32_t{outfit.pieces[i]});
 }
 
-/// Returns, for each mesh LOD, how many triangles an agent of a stage's character is drawn with on average.
-std::vector<std::uint32_t> triangles_of_worn(const Stage& stage, std::size_t character, const render::CrowdMesh& mesh);
+/// Returns the mesh LODs of a stage's character as its agents wear it: the largest error of any piece at each, and how
+/// many triangles an agent is drawn with on average. An agent changes all of its pieces at once.
+std::vector<MeshLevel> worn_levels(const Stage& stage, std::size_t character, const render::CrowdMesh& mesh);
 
 }  // namespace throng::app

@@ -47,6 +47,18 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
   return groups;
 }
 
+/// Grown-ups who walk with a child at their left lead it by the hand.
+std::vector<Held> hands_of(const Crowd& crowd) {
+  std::vector<Held> hands(crowd.size());
+  for (std::size_t walker = 1; walker < crowd.walkers(); ++walker) {
+    const bool is_first = crowd.habits()[walker] == Habit::accompany && crowd.habits()[walker - 1] != Habit::accompany;
+    if (!is_first || !is_child(crowd, walker)) continue;
+    hands[walker - 1] = Held::child;
+    hands[walker] = Held::grown_up;
+  }
+  return hands;
+}
+
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
@@ -68,9 +80,8 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const bool dresses = !clothing[i].wardrobe.empty() && !clothing[i].rules.styles.empty();
     if (dresses) dressers[i].emplace(clothing[i].rules, clothing[i].wardrobe, occasion);
   }
-  DressedCrowd dressed{.looks = crowd.looks().drawn,
-                       .outfits = std::vector<render::Outfit>(crowd.size()),
-                       .in_hand = std::vector<const WardrobePart*>(crowd.size())};
+  DressedCrowd dressed{
+      .looks = crowd.looks().drawn, .outfits = std::vector<render::Outfit>(crowd.size()), .things = hands_of(crowd)};
   const std::vector<std::uint32_t> groups = groups_of(crowd);
   Lookalikes lookalikes(crowd.positions());
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
@@ -79,7 +90,8 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const Person person{.agent = agent,
                         .body = crowd.looks().bodies[agent],
                         .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent])};
+                        .team = team_of(crowd.positions()[agent]),
+                        .hand_is_taken = dressed.things[agent] != Held::nothing};
     Dressed worn;
     for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
       worn = dresser->dress(person, attempt, dressed.looks[agent]);
@@ -88,7 +100,7 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     lookalikes.add(worn.looks_like, agent);
     if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
     dressed.outfits[agent] = worn.outfit;
-    dressed.in_hand[agent] = worn.in_hand;
+    if (worn.in_hand != nullptr) dressed.things[agent] = held_named(worn.in_hand->name);
   }
   return dressed;
 }

@@ -115,7 +115,7 @@ TEST_F(Patterns, OfBlocksBeginAtTheWaist) {
 
 TEST_F(Patterns, OfAPrintLieOnTheMiddleOfTheChest) {
   sheet().dress(tint_of(black, Pattern::print), second_of(white));
-  sheet().coords = {-0.25F, 1.55F, 0.25F, 1.55F, -0.25F, 1.05F, 0.25F, 1.05F};
+  sheet().coords = {-1.0F, 2.3F, 1.0F, 2.3F, -1.0F, 0.3F, 1.0F, 0.3F};
   const Image image = sheet().picture();
   int brightest = 0, at_edge = 0;
   for (int i = -image.height / 8; i < image.height / 8; ++i) {

@@ -103,26 +103,32 @@ TEST(SurfacePieces, AloneAreSimplified) {
   EXPECT_LT(piece.triangles_by_level.back(), wardrobe.fine.triangles() / 4) << "it is flat";
 }
 
-TEST(SurfacePieces, GiveTheMeshLodsTheLargestErrorOfWhatIsDrawnAtThem) {
+TEST(SurfacePieces, StandForMeshLodsThatFollowTheirLastLevel) {
   Wardrobe wardrobe;
-  const MeshPartData any = wardrobe.fine.part(), other = wardrobe.middle.part();
-  const auto piece = [&](std::vector<float> errors, bool silhouette) {
-    MeshPieceData made{.levels = {}, .is_silhouette = silhouette};
-    for (const float error : errors) made.levels.push_back({{made.levels.size() % 2 == 0 ? any : other}, error});
-    return made;
-  };
-  wardrobe.data.pieces = {piece({0.0F, 0.006F, 0.016F, 0.040F}, false), piece({0.0F, 0.008F}, false),
-                          piece({0.075F, 0.120F, 0.200F}, true)};
+  const MeshPartData fine = wardrobe.fine.part(), middle = wardrobe.middle.part(), coarse = wardrobe.coarse.part();
+  wardrobe.data.pieces = {{.levels = {{{fine}, 0.0F}, {{middle}, 0.008F}}},
+                          {.levels = {{{fine}, 0.075F}, {{middle}, 0.12F}, {{coarse}, 0.2F}}, .is_silhouette = true}};
   const Surface surface = build_surface(wardrobe.data);
-  ASSERT_EQ(surface.error_by_lod.size(), largest_mesh_lod_count);
-  const float expected[] = {0.0F, 0.008F, 0.016F, 0.040F, 0.075F, 0.120F, 0.200F};
-  for (std::size_t lod = 0; lod < largest_mesh_lod_count; ++lod) {
-    EXPECT_FLOAT_EQ(surface.error_by_lod[lod].surface, expected[lod]) << lod;
+  const SurfacePiece &piece = surface.pieces[0], &silhouette = surface.pieces[1];
+  EXPECT_EQ(piece.level_at(0), 0U);
+  EXPECT_EQ(piece.level_at(3), 1U);
+  EXPECT_EQ(piece.lod_count(), 2U);
+  EXPECT_EQ(silhouette.level_at(first_silhouette_lod), 0U);
+  EXPECT_EQ(silhouette.level_at(5), 1U);
+  EXPECT_EQ(silhouette.lod_count(), 7U);
+  EXPECT_FLOAT_EQ(piece.error_by_level[1].surface, 0.008F);
+  EXPECT_FLOAT_EQ(silhouette.error_by_level[2].surface, 0.2F);
+}
+
+TEST(SurfacePieces, AreOffOnAFaceOnlyWhereTheyLieOnOne) {
+  Wardrobe wardrobe;
+  const MeshPartData fine = wardrobe.fine.part(), middle = wardrobe.middle.part();
+  wardrobe.data.pieces = {{.levels = {{{fine}, 0.0F}, {{middle}, 0.008F}}}};
+  for (const std::uint8_t on_face : {0, 1}) {
+    wardrobe.data.face_entries = {on_face};
+    const Surface surface = build_surface(wardrobe.data);
+    EXPECT_FLOAT_EQ(surface.pieces[0].error_by_level[1].face, on_face == 1 ? 0.008F : 0.0F);
   }
-  EXPECT_EQ(surface.runs_by_lod.size(), largest_mesh_lod_count) << "all of the character is drawn at each";
-  EXPECT_EQ(surface.pieces[1].level_at(3), 1U) << "the last one stands for all that follow";
-  EXPECT_EQ(surface.pieces[2].level_at(first_silhouette_lod), 0U);
-  EXPECT_EQ(surface.pieces[2].level_at(5), 1U);
 }
 
 }  // namespace

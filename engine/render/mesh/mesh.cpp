@@ -7,6 +7,7 @@
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/gl/device_limits.h"
+#include "engine/render/mesh/mesh_lod.h"
 #include "engine/render/mesh/morph_table.h"
 #include "engine/render/mesh/packed_surface.h"
 
@@ -148,6 +149,11 @@ void CrowdMesh::create_morphs(std::span<const MorphDeltaData> deltas, std::size_
   const MorphTable table = build_morph_table(deltas, vertex_count);
   morph_firsts_ = create_buffer_of(std::span<const std::uint32_t>(table.firsts));
   morph_entries_ = create_buffer_of(std::span<const MorphEntry>(table.entries));
+}
+
+int CrowdMesh::coarsest_lod(std::size_t piece, float metres) const {
+  if (piece == 0) return pick_mesh_lod(parts_.error_by_lod, {metres, metres});
+  return static_cast<int>(worn(piece).first_lod) + pick_mesh_lod(worn(piece).error_by_level, {metres, metres});
 }
 
 void CrowdMesh::bind() const {

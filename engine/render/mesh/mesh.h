@@ -19,26 +19,30 @@ class CrowdMesh {
   /// Makes a mesh on the device. Errors: an image is larger than the device takes, or a packed surface is damaged.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
+  /// These three functions tell of piece 0: all of the character.
   std::size_t lod_count() const { return parts_.runs_by_lod.size(); }
-  /// Counts the triangles of piece 0.
   std::span<const std::uint32_t> triangles_by_lod() const { return parts_.triangles_by_lod; }
-  /// Gives the largest errors of all pieces that are drawn at a mesh LOD.
   std::span<const MeshError> error_by_lod() const { return parts_.error_by_lod; }
 
-  /// Gives the runs that draw a piece at a mesh LOD, one a material.
-  std::span<const MaterialRun> runs(std::size_t piece, std::size_t lod) const {
-    if (piece == 0) return parts_.runs_by_lod[lod];
-    const SurfacePiece& of_outfits = parts_.pieces[piece - 1];
-    return of_outfits.runs_by_level[of_outfits.level_at(lod)];
-  }
-  /// Counts its triangles.
-  std::uint32_t triangles(std::size_t piece, std::size_t lod) const {
-    if (piece == 0) return parts_.triangles_by_lod[lod];
-    const SurfacePiece& of_outfits = parts_.pieces[piece - 1];
-    return of_outfits.triangles_by_level[of_outfits.level_at(lod)];
-  }
   /// Counts its pieces, all of the character among them.
   std::size_t piece_count() const { return parts_.pieces.size() + 1; }
+  /// Counts the mesh LODs of a piece. Its coarsest mesh stands for all that follow.
+  std::size_t lod_count(std::size_t piece) const {
+    return piece == 0 ? parts_.runs_by_lod.size() : worn(piece).lod_count();
+  }
+  /// Gives the runs that draw a piece at a mesh LOD, one a material.
+  std::span<const MaterialRun> runs(std::size_t piece, std::size_t lod) const {
+    return piece == 0 ? parts_.runs_by_lod[of_all(lod)] : worn(piece).runs_by_level[worn(piece).level_at(lod)];
+  }
+  std::uint32_t triangles(std::size_t piece, std::size_t lod) const {
+    return piece == 0 ? parts_.triangles_by_lod[of_all(lod)]
+                      : worn(piece).triangles_by_level[worn(piece).level_at(lod)];
+  }
+  const MeshError& error(std::size_t piece, std::size_t lod) const {
+    return piece == 0 ? parts_.error_by_lod[of_all(lod)] : worn(piece).error_by_level[worn(piece).level_at(lod)];
+  }
+  /// Returns the coarsest mesh LOD of a piece that is off by at most so many metres, or its finest.
+  int coarsest_lod(std::size_t piece, float metres) const;
   const MaterialSet& materials() const { return materials_; }
 
   /// Says whether morphs move some of its vertices.
@@ -63,6 +67,8 @@ class CrowdMesh {
 
  private:
   CrowdMesh() = default;
+  const SurfacePiece& worn(std::size_t piece) const { return parts_.pieces[piece - 1]; }
+  std::size_t of_all(std::size_t lod) const { return std::min(lod, parts_.runs_by_lod.size() - 1); }
   void copy_to_device(const SurfaceView& surface, std::span<const MorphDeltaData> morph_deltas);
   void create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count);
 

@@ -11,7 +11,6 @@
 #include "engine/render/mesh/mesh_lod.h"
 #include "engine/render/mesh/mesh_parts.h"
 #include "engine/render/mesh/surface_details.h"
-#include "engine/render/mesh/surface_pieces.h"
 
 namespace throng::render {
 namespace {
@@ -293,7 +292,6 @@ Surface build_surface(const CrowdMeshData& data) {
   append_lods(data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged),
               merged, data, surface);
   for (const MeshPieceData& piece : data.pieces) surface.pieces.push_back(append_piece(data, piece, surface, merged));
-  take_errors_of_pieces(surface);
   append_bone_ends(data.bone_ends, surface, merged);
   if (!surface.detail_coords.empty()) surface.detail_coords.resize(surface.vertices.size());
   if (!surface.tangents.empty()) surface.tangents.resize(surface.vertices.size());

@@ -80,13 +80,15 @@ struct SurfacePiece {
   std::size_t level_at(std::size_t lod) const {
     return std::min(lod - std::min<std::size_t>(lod, first_lod), runs_by_level.size() - 1);
   }
+  /// Counts the mesh LODs up to the one that its coarsest level stands for.
+  std::size_t lod_count() const { return std::min(first_lod + runs_by_level.size(), largest_mesh_lod_count); }
 };
 
 /// Says which vertices and indices of a surface are what.
 struct SurfaceParts {
   std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< of piece 0; at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;        ///< of piece 0
-  std::vector<MeshError> error_by_lod;                ///< the largest of all pieces that are drawn at a mesh LOD
+  std::vector<MeshError> error_by_lod;                ///< of piece 0
   std::vector<SurfacePiece> pieces;                   ///< pieces 1, 2 ...
   std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; those of baked LODs and
                                    ///< of pieces follow

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/render/frame/frame_data.h"
-#include "engine/render/mesh/mesh_lod.h"
 #include "engine/render/passes/crowd_runs.h"
 
 namespace throng::render {
@@ -131,10 +130,9 @@ void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> mesh
 void ShadowPass::gather_run(std::span<const CrowdBatch> run, CastersOfRun of, const CrowdMesh& mesh,
                             std::uint32_t& first_caster) {
   const float texel = cascades_.at(of.cascade).texel / std::max(casters_.largest_scale(), 1e-6F);
-  const int coarse = pick_mesh_lod(mesh.error_by_lod(), {texel, texel});
   caster_batches_.clear();
   for (CrowdBatch batch : run) {
-    batch.mesh_lod = static_cast<std::uint8_t>(std::max<int>(batch.mesh_lod, coarse));
+    batch.mesh_lod = static_cast<std::uint8_t>(std::max<int>(batch.mesh_lod, mesh.coarsest_lod(batch.piece, texel)));
     batch.first = first_caster;
     batch.count = casters_.count(of.cascade, of.first_batch++);
     first_caster += batch.count;

@@ -92,12 +92,12 @@ void add_box_ring(Skin& skin, const std::vector<std::array<dvec3, 4>>& sections,
   }
 }
 
-struct Frame {
+struct GlassesFrame {
   double half_width, half_height, bar;  ///< Metres.
   double boxy;                          ///< 1 is round, less is a rectangle.
 };
 
-dvec3 rim_place(const Frame& frame, double share, double grow) {
+dvec3 rim_place(const GlassesFrame& frame, double share, double grow) {
   const double turn = 2 * std::numbers::pi * share;
   const auto power = [&](double value) { return std::copysign(std::pow(std::abs(value), frame.boxy), value); };
   const double x = 0.0335 + frame.half_width * grow * power(std::cos(turn));
@@ -105,7 +105,7 @@ dvec3 rim_place(const Frame& frame, double share, double grow) {
   return {x, y, 0.1035 - 4.5 * (x - 0.012) * (x - 0.012)};
 }
 
-Skin glasses_of(const Frame& frame, bool dark) {
+Skin glasses_of(const GlassesFrame& frame, bool dark) {
   Skin skin;
   const mannequin::Weights head = mannequin::bind({{"head", 1}});
   constexpr std::size_t around = 16;

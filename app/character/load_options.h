@@ -25,7 +25,7 @@ struct LoadOptions {
   anim::PlacementChoice placement{};         ///< size and place; what it leaves open is guessed
   std::vector<ModelPlacement> placements{};  ///< of single models, over that of all
   std::vector<std::string> clips_from{};     ///< files whose clips every character plays too
-  bool wardrobe = false;                     ///< the built-in character gets its parts, which drawing alone needs
+  bool wardrobe = false;                     ///< the built-in character gets its parts
 };
 
 }  // namespace throng::app

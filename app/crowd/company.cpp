@@ -31,7 +31,7 @@ void draw_company(CrowdLayout& layout, std::uint32_t seed) {
     for (std::size_t other = 0; other < others && on_lane_of(leader, next); ++other, ++next) {
       company.leaders[next] = static_cast<std::uint32_t>(leader);
       company.sides[next] =
-          other == 0 ? -to_the_side : to_the_side;  // the first on the right, where a hand leads a child
+          other == 0 ? to_the_side : -to_the_side;  // the first on the left, where a hand leads a child
       layout.walkers[next].distance = layout.walkers[leader].distance;
     }
     leader = next;

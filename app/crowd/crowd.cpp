@@ -74,6 +74,11 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 
 }  // namespace
 
+bool is_child(const Crowd& crowd, std::size_t agent) {
+  const std::vector<BodyKind>& kinds = crowd.cast_.of(agent).bodies;
+  return !kinds.empty() && kinds[crowd.looks_.bodies[agent]].is_child();
+}
+
 void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits) {
   assert(looks.size() == crowd.size() && outfits.size() == crowd.size());
   crowd.looks_.drawn = std::move(looks);

@@ -124,6 +124,7 @@ class Crowd {
   friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
+  friend bool is_child(const Crowd& crowd, std::size_t agent);
   friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
@@ -166,6 +167,8 @@ inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state
 void set_track_clock(Crowd& crowd, const TrackClock& clock);
 /// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
 void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
+/// Returns whether the body of an agent is that of a child.
+bool is_child(const Crowd& crowd, std::size_t agent);
 /// Dresses everybody: how they look, and the pieces of their character's mesh that they wear.
 void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
 /// Returns [agent] 1 for people who are not there now; empty where everybody is.

@@ -27,7 +27,6 @@ constexpr std::uint64_t variants_stream = 9;
 constexpr std::uint64_t painted_stream = 11;
 constexpr std::uint64_t clothes_stream = 14;
 constexpr std::uint64_t bodies_stream = 20;
-constexpr std::uint64_t things_stream = 15;
 constexpr double beside_grown_ups = 2.2;  // metres, of a person, from a child to whom it belongs
 
 /// The size and the colours of a body, and the shape of one that was made for it.
@@ -121,19 +120,6 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
 }
 
 }  // namespace
-
-std::vector<Held> things_by_lot(std::size_t agents, std::uint32_t seed, float share) {
-  using enum Held;
-  constexpr std::array as_often = {bag, bag, bag, briefcase, phone, phone, phone, cup, balloon, camera, camera, umbrella, stick};
-  std::vector<Held> things(agents, nothing);
-  Random random(seed, things_stream);
-  for (Held& thing : things) {
-    const bool holds = random.chance(share);
-    const Held drawn = as_often[random.below(as_often.size())];
-    if (holds) thing = drawn;
-  }
-  return things;
-}
 
 std::vector<Habit> habits_of(const CrowdLayout& layout) {
   std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);

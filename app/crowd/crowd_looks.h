@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/character/held.h"
 #include "app/character/roles.h"
 #include "app/crowd/cast.h"
 #include "app/crowd/character_look.h"
@@ -26,9 +25,6 @@ struct CrowdLooks {
   std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: nobody wears any
   std::uint64_t number = 0;              ///< of `drawn`: no other crowd has it
 };
-
-/// Draws who holds what, of a stream of its own: a share of all agents hold something.
-std::vector<Held> things_by_lot(std::size_t agents, std::uint32_t seed, float share);
 
 /// Returns [agent] what everybody of a layout is there for.
 std::vector<Habit> habits_of(const CrowdLayout& layout);

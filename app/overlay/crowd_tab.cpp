@@ -70,7 +70,8 @@ void show_who(const TabContext& context) {
               {.what = "People wear what rules draw for them out of the parts of their character: women, men and "
                        "children, each in an outfit. Off: all wear what the file shows.",
                .cost = "Changing it places all agents anew."});
-  context.row("weather", {.what = "What people dress for. Rules say which clothes are for it."});
+  context.row("weather", {.what = "What people dress for, and hold in their hands. Rules say which clothes are for it.",
+                          .cost = "Changing it places all agents anew."});
   context.row("placed_feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",

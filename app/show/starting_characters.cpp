@@ -69,7 +69,7 @@ LoadOptions load_options(const DemoOptions& options) {
           .placement = options.placement,
           .placements = options.placements,
           .clips_from = options.clips_from,
-          .wardrobe = options.context != ContextKind::none};
+          .wardrobe = true};
 }
 
 bool fail(StartError& error, int status, std::string message) {

@@ -14,13 +14,6 @@ anim::SystemOptions on_this_machine(anim::SystemOptions options) {
   return options;
 }
 
-namespace {
-
-/// The share of a crowd that holds something, where nobody says what.
-constexpr float share_that_holds = 0.0F;
-
-}  // namespace
-
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters) {
   std::vector<CharacterRoles> roles;
   for (const CharacterSource& character : characters) roles.push_back(character.roles);
@@ -108,7 +101,6 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   if (event_sums_) event_sums_->reset(agents);
-  if (share_that_holds > 0.0F) give_things(things_by_lot(agents, tuning.seed, share_that_holds));
 }
 
 void AnimatedCrowd::give_things(std::vector<Held> things) {
@@ -195,6 +187,7 @@ void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tu
   if (!tuning.wardrobe) return;
   DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
   wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits));
+  animated.give_things(std::move(dressed.things));
 }
 
 }  // namespace throng::app

@@ -73,11 +73,8 @@ class AnimatedCrowd {
   }
   /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
   void give_things(std::vector<Held> things);
-  /// Lets arms hold their things where these are drawn. `mesh_lods` has one for each of `visible`. Call it before an
-  /// update.
-  void hold_things(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> mesh_lods) {
-    held_arms_->show(*crowd_, visible, mesh_lods);
-  }
+  /// Lets arms hold their things where these can be seen. Call it before an update.
+  void hold_things(std::span<const anim::VisibleAgent> visible) { held_arms_->show(*crowd_, visible); }
   const HeldArms& held_arms() const { return *held_arms_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();

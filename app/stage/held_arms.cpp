@@ -49,6 +49,11 @@ ArmClip clip_of_arm(const CharacterRoles& roles, Role arm) {
 
 }  // namespace
 
+HeldArms::HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system)
+    : characters_(characters), system_(&system), masks_(characters.size()) {
+  for (auto& masks : masks_) masks.fill(not_made);
+}
+
 int HeldArms::mask_of(std::size_t character, Role arm) {
   int& mask = masks_[character][index_of(arm)];
   if (mask != not_made) return mask;
@@ -66,12 +71,13 @@ int HeldArms::mask_of(std::size_t character, Role arm) {
 }
 
 void HeldArms::reset(const Crowd& crowd) {
+  for (std::uint32_t agent = 0; agent < arm_of_.size(); ++agent) {
+    anim::Agent had = system_->agent(agent);
+    if (arm_of_[agent] != none && had.exists()) had.remove_channel(arms_[arm_of_[agent]].channel);
+  }
   arm_of_.assign(crowd.size(), none);
   arms_.clear();
   shown_.clear();
-  if (masks_.front().front() == 0) {
-    for (auto& masks : masks_) masks.fill(not_made);
-  }
   const std::span<const Held> things = things_of(crowd);
   for (std::uint32_t agent = 0; agent < things.size(); ++agent) give(crowd, agent, things[agent]);
   shown_.reserve(arms_.size());
@@ -129,16 +135,16 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   return true;
 }
 
-void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible,
-                    std::span<const std::uint8_t> mesh_lods) {
+void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
   if (arms_.empty()) return;
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
-  for (std::size_t place = 0; place < visible.size(); ++place) {
-    const std::uint32_t agent = visible[place].agent;
-    if (arm_of_[agent] == none || mesh_lods[place] > last_mesh_lod_with_things) continue;
+  for (const anim::VisibleAgent& seen : visible) {
+    const std::uint32_t agent = seen.agent;
+    if (arm_of_[agent] == none) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
+    if (seen.pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
     arm.near_in = frame_;
     if (arm_lies_over(things[agent], crowd.roles()[agent])) {
       turn_on(agent, arm, !was_near);

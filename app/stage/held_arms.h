@@ -14,27 +14,31 @@
 namespace throng::app {
 
 /// Arms that hold something: each plays its clip over what the whole body plays, on the joints of that arm. Only agents
-/// whose things are drawn have the layer, so the many far away are posed without.
+/// whose things can be seen have the layer, so the many far away are posed without.
 class HeldArms {
  public:
-  /// The coarsest mesh LOD with which things are drawn; beyond it an outfit is one silhouette.
-  static constexpr std::uint8_t last_mesh_lod_with_things = 3;
+  /// Who is smaller on the screen, in pixels, is posed without, once they hold nothing yet and once they do: an outfit
+  /// is then about one silhouette. Poses do not depend on meshes, which a run that draws nothing does not have.
+  static constexpr float pixels_to_begin = 16.0F, pixels_to_go_on = 13.0F;
 
   /// `characters` and `system` outlive this.
-  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system)
-      : characters_(characters), system_(&system), masks_(characters.size()) {}
+  HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
 
   /// Gives the channel of an arm to everybody who holds something. Call it when agents were made anew and play
   /// something, or when things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Lets arms hold their things where these are drawn. `mesh_lods` has one for each of `visible`. Call it before an
-  /// update.
-  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> mesh_lods);
+  /// Lets arms hold their things where these are large enough to be seen. Call it before an update.
+  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible);
 
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();
 
+  /// Returns whether the thing of an agent is to be drawn: its arm holds it now, or the whole body does in its role.
+  bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
+    return agent < arm_of_.size() && arm_of_[agent] != none && arms_[arm_of_[agent]].near_in == frame_ &&
+           is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
+  }
   /// Returns how many arms hold something now.
   std::size_t shown() const { return shown_.size(); }
 

@@ -41,7 +41,9 @@ anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
-  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && variety_of(a) == variety_of(b);
+  const bool same_clothes = !a.wardrobe || a.weather == b.weather;  // and things in hands
+  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && variety_of(a) == variety_of(b) &&
+         same_clothes;
 }
 
 }  // namespace
@@ -107,11 +109,10 @@ anim::Status Stage::apply(const Tuning& asked) {
   if (anim::Status shown = can_show(tuning); !shown) return shown;
   if (anim::Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
-  const bool keeps_crowd = same_crowd(tuning, tuning_), keeps_clothes = tuning.weather == tuning_.weather;
+  const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
   if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
-  if (keeps_crowd && !keeps_clothes) dress(*animated_, clothing_, tuning_);
   return anim::Done{};
 }
 

@@ -47,6 +47,18 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
   return groups;
 }
 
+/// Grown-ups who walk with a child at their left lead it by the hand.
+std::vector<Held> hands_of(const Crowd& crowd) {
+  std::vector<Held> hands(crowd.size());
+  for (std::size_t walker = 1; walker < crowd.walkers(); ++walker) {
+    const bool is_first = crowd.habits()[walker] == Habit::accompany && crowd.habits()[walker - 1] != Habit::accompany;
+    if (!is_first || !is_child(crowd, walker)) continue;
+    hands[walker - 1] = Held::child;
+    hands[walker] = Held::grown_up;
+  }
+  return hands;
+}
+
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
@@ -55,6 +67,15 @@ void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed)
   Random random(seed + agent, gray_stream);
   const std::uint32_t gray = gray_hair[random.below(std::size(gray_hair))];
   look.tints.at(static_cast<std::size_t>(render::Region::hair)) = render::tint_of(faded(gray, random));
+}
+
+/// Gives clothes the colours of a shape that is seen from above, whatever their cut.
+void wear_pattern(render::AgentLook& look, const Tints& tints) {
+  using enum render::Region;
+  for (const render::Region upper : {top, outer, headgear}) {
+    look.tints.at(static_cast<std::size_t>(upper)) = render::tint_of(tints[2]);
+  }
+  look.tints.at(static_cast<std::size_t>(bottom)) = render::tint_of(tints[3]);
 }
 
 }  // namespace
@@ -68,9 +89,8 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const bool dresses = !clothing[i].wardrobe.empty() && !clothing[i].rules.styles.empty();
     if (dresses) dressers[i].emplace(clothing[i].rules, clothing[i].wardrobe, occasion);
   }
-  DressedCrowd dressed{.looks = crowd.looks().drawn,
-                       .outfits = std::vector<render::Outfit>(crowd.size()),
-                       .in_hand = std::vector<const WardrobePart*>(crowd.size())};
+  DressedCrowd dressed{
+      .looks = crowd.looks().drawn, .outfits = std::vector<render::Outfit>(crowd.size()), .things = hands_of(crowd)};
   const std::vector<std::uint32_t> groups = groups_of(crowd);
   Lookalikes lookalikes(crowd.positions());
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
@@ -79,16 +99,18 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const Person person{.agent = agent,
                         .body = crowd.looks().bodies[agent],
                         .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent])};
+                        .team = team_of(crowd.positions()[agent]),
+                        .hand_is_taken = dressed.things[agent] != Held::nothing};
     Dressed worn;
     for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
       worn = dresser->dress(person, attempt, dressed.looks[agent]);
       if (worn.style->alike || !lookalikes.has_near(worn.looks_like, agent)) break;
     }
     lookalikes.add(worn.looks_like, agent);
+    if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
     if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
     dressed.outfits[agent] = worn.outfit;
-    dressed.in_hand[agent] = worn.in_hand;
+    if (worn.in_hand != nullptr) dressed.things[agent] = held_named(worn.in_hand->name);
   }
   return dressed;
 }

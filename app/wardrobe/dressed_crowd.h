@@ -17,7 +17,7 @@ inline constexpr float alike_reach = 15.0F;
 struct DressedCrowd {
   std::vector<render::AgentLook> looks;
   std::vector<render::Outfit> outfits;
-  std::vector<const WardrobePart*> in_hand;  ///< null: nothing
+  std::vector<Held> things;  ///< in their hands
 };
 
 /// Dresses a crowd where it stands now. `clothing` has one a character; agents of a character without parts stay as

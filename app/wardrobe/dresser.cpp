@@ -77,8 +77,8 @@ struct Dresser::Worn {
         parts, [&](const WardrobePart* part) { return part->slot != slot && contains(part->covers, slot); });
   }
   bool has_tag(std::string_view slot, std::string_view tag) const {
-    return std::ranges::any_of(
-        parts, [&](const WardrobePart* part) { return part->slot == slot && part->has_tag(tag); });
+    return std::ranges::any_of(parts,
+                               [&](const WardrobePart* part) { return part->slot == slot && part->has_tag(tag); });
   }
   /// Says of what hangs around the legs whether it has this cut.
   bool is_cut(std::string_view tag) const {
@@ -149,7 +149,7 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
   for (const Slot& slot : slots_[style][person.body]) {
-    if (worn.keeps_out(slot.name)) continue;
+    if (worn.keeps_out(slot.name) || (person.hand_is_taken && slot.name.starts_with("hand_"))) continue;
     const bool is_uniform = worn.style->alike && region_of(slot.name).has_value();
     const auto weight = [&](const Option& option) {
       return option.part == nullptr || worn.suits(*option.part) ? option.weight : 0.0F;
@@ -161,8 +161,8 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
 
 // What lies beneath is not drawn: neither skin nor hair under a helmet.
 void Dresser::cover(Worn& worn, const std::string& body) const {
-  const auto number = static_cast<std::size_t>(
-      std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
+  const auto number =
+      static_cast<std::size_t>(std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
   std::vector<const WardrobePart*> seen;
   for (const WardrobePart* part : skin_[number]) {
     if (part->slot.empty() || (!worn.covers(part->slot) && !worn.fills(part->slot))) seen.push_back(part);
@@ -212,7 +212,8 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   if (other == color) other = white;
   render::Pattern pattern = render::Pattern::plain;
   if (rule != nullptr && !rule->patterns.empty()) {
-    const auto* const drawn = weighed_one(rule->patterns, [](const auto& each) { return each.second; }, random);
+    const auto* const drawn = weighed_one(
+        rule->patterns, [](const auto& each) { return each.second; }, random);
     if (drawn != nullptr) pattern = drawn->first;
   }
   constexpr std::uint32_t smallest = 90, sizes = 90;  // of patterns; 128 is the usual one

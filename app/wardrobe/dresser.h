@@ -19,6 +19,7 @@ struct Person {
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
+  bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
 };
 
 /// What somebody wears, and all that others can tell it by.
@@ -68,9 +69,9 @@ class Dresser {
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  std::vector<std::pair<const Style*, float>> styles_;         // of the scene
-  std::vector<std::vector<std::vector<Slot>>> slots_;          // [style][body]
-  std::vector<std::vector<const WardrobePart*>> skin_;         // [body]
+  std::vector<std::pair<const Style*, float>> styles_;  // of the scene
+  std::vector<std::vector<std::vector<Slot>>> slots_;   // [style][body]
+  std::vector<std::vector<const WardrobePart*>> skin_;  // [body]
 };
 
 }  // namespace throng::app

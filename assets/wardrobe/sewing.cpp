@@ -211,7 +211,7 @@ void crumple(Skin& cloth, double depth) {
     cloth.points[p].position += cloth.points[p].normal * (wave * depth);
   }
   for (SkinFace& face : cloth.faces) {
-    for (std::size_t c = 0; c < face.corners.size(); ++c) face.paint[c] *= 1 - 0.10 * hollow[face.corners[c]];
+    for (std::size_t c = 0; c < face.corners.size(); ++c) face.paint[c] *= 1 - 0.06 * hollow[face.corners[c]];
   }
 }
 

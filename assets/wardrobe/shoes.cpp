@@ -24,7 +24,7 @@ Skin make_trainers() {
       shoe({.sole = 0.024,
             .sole_grow = 1.07,
             .upper_grow = 1.03,
-            .ball_height = 0.071,
+            .ball_height = 0.068,
             .toe_height = 0.060,
             .toe_trim = 0,
             .shaft = {{0.088, 0.042, 0.050, -0.021, 0.004}, {0.096, 0.041, 0.048, -0.021, 0.004, 1, 0.95}}});

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,11 +19,15 @@ struct SkirtRow {
 };
 
 constexpr double skirt_squareness = 0.9;
+/// Degrees of a plain skirt's columns, closer where one leg passes the other.
+constexpr std::array<double, 9> dense_columns{0, 15, 30, 60, 90, 120, 150, 165, 180};
 
 Row add_skirt_row(Cage& cage, const SkirtRow& row, std::size_t columns, double pleat) {
   Row made;
   for (std::size_t c = 0; c < columns; ++c) {
-    const double angle = std::numbers::pi * static_cast<double>(c) / static_cast<double>(columns - 1);
+    const double angle = columns == dense_columns.size()
+                             ? std::numbers::pi * dense_columns[c] / 180
+                             : std::numbers::pi * static_cast<double>(c) / static_cast<double>(columns - 1);
     const bool middle = c == 0 || c + 1 == columns;
     const double out = c % 2 == 0 ? pleat : -pleat;
     const double sine = middle ? 0 : std::pow(std::sin(angle), skirt_squareness);
@@ -79,11 +84,12 @@ Skin make_knee_skirt() {
             {{1.000, 0.160, 0.102, -0.114},
              {0.965, 0.168, 0.104, -0.130},
              {0.900, 0.174, 0.108, -0.142},
-             {0.790, 0.187, 0.110, -0.134},
-             {0.680, 0.189, 0.106, -0.122},
-             {0.560, 0.186, 0.108, -0.118},
-             {0.455, 0.183, 0.110, -0.120}},
-            7, 0, 0);
+             {0.845, 0.181, 0.110, -0.141},
+             {0.790, 0.185, 0.104, -0.134},
+             {0.680, 0.186, 0.098, -0.122},
+             {0.560, 0.184, 0.100, -0.118},
+             {0.455, 0.182, 0.104, -0.120}},
+            dense_columns.size(), 0, 0);
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0015);
   return cloth;
@@ -95,9 +101,10 @@ Skin make_long_skirt() {
             {{1.000, 0.160, 0.102, -0.114},
              {0.965, 0.168, 0.104, -0.130},
              {0.900, 0.174, 0.108, -0.142},
-             {0.750, 0.194, 0.122, -0.150},
-             {0.620, 0.200, 0.130, -0.154},
-             {0.480, 0.212, 0.142, -0.164},
+             {0.845, 0.181, 0.109, -0.145},
+             {0.750, 0.187, 0.105, -0.144},
+             {0.620, 0.193, 0.107, -0.148},
+             {0.480, 0.210, 0.120, -0.162},
              {0.330, 0.234, 0.158, -0.186},
              {0.220, 0.252, 0.172, -0.204},
              {0.175, 0.258, 0.176, -0.208}},
@@ -111,9 +118,10 @@ Skin make_pleated_skirt() {
             {{1.000, 0.160, 0.102, -0.114},
              {0.965, 0.168, 0.104, -0.130},
              {0.905, 0.174, 0.108, -0.142},
-             {0.800, 0.192, 0.122, -0.150},
-             {0.680, 0.201, 0.134, -0.158},
-             {0.580, 0.212, 0.148, -0.170}},
+             {0.850, 0.183, 0.114, -0.147},
+             {0.800, 0.187, 0.106, -0.144},
+             {0.680, 0.195, 0.107, -0.152},
+             {0.580, 0.204, 0.116, -0.162}},
             15, 0.012, 0);
   Skin cloth = mirrored_surface(half);
   return cloth;

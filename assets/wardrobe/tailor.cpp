@@ -16,8 +16,15 @@ using glm::dvec3;
 using mannequin::bind;
 using mannequin::Weights;
 
-constexpr std::size_t columns = 7;  ///< From the front to the back.
-constexpr std::size_t side = 3;     ///< The column at the side.
+/// Where the columns of a row are, in degrees from the front to the back.
+std::vector<double> columns_of(const TopCut& cut) {
+  if (cut.dense) return {0, 15, 30, 60, 90, 120, 150, 165, 180};
+  return {0, 30, 60, 90, 120, 150, 180};
+}
+
+/// The column at the side.
+std::size_t side_of(const TopCut& cut) { return cut.dense ? 4 : 3; }
+
 constexpr double fold_shade = 0.80;
 
 /// The man's own trunk and thighs, from below.
@@ -64,8 +71,8 @@ Row add_row(Cage& cage, const TopCut& cut, const TrunkRow& row, const TrunkRow& 
     const dvec3 turned(edge.x + depth, edge.y, edge.z - depth);
     made.push_back(cage.add(turned, trunk_weights(place_on(skin, first))));
   }
-  for (std::size_t c = 0; c < columns; ++c) {
-    const double share = static_cast<double>(c) / (columns - 1);
+  for (const double degrees : columns_of(cut)) {
+    const double share = degrees / 180;
     // The opening moves the columns before the side only, so that the armhole stays where it is.
     const double turn = share < 0.5 ? first + (std::numbers::pi / 2 - first) * 2 * share : std::numbers::pi * share;
     made.push_back(cage.add(place_on(row, turn), trunk_weights(place_on(skin, turn))));
@@ -86,7 +93,7 @@ TrunkRow scooped(const TopCut& cut, TrunkRow row, double share) {
   row.drop_front += share * cut.scoop;
   row.front += 0.5 * share * cut.scoop;
   row.drop_back += share * cut.scoop_back;
-  row.back -= 0.35 * share * cut.scoop_back;
+  row.back -= 0.60 * share * cut.scoop_back;
   return row;
 }
 
@@ -104,18 +111,18 @@ void nudge(Cage& cage, std::size_t vertex, dvec3 step) {
 }
 
 /// The hollows of the back and the corners of the shoulder.
-void sculpt(Cage& cage, const std::vector<Row>& upper, std::size_t first) {
+void sculpt(Cage& cage, const std::vector<Row>& upper, std::size_t at_side) {
   for (std::size_t r = 0; r < 2; ++r) nudge(cage, upper[r].back(), {0, 0, 0.012});
-  nudge(cage, upper[0][first + side], {-0.004, 0.004, 0});
-  nudge(cage, upper[1][first + side - 1], {-0.004, 0, 0});
-  nudge(cage, upper[2][first + side - 1], {-0.004, -0.008, 0});
-  nudge(cage, upper[2][first + side + 1], {-0.004, -0.008, 0});
+  nudge(cage, upper[0][at_side], {-0.004, 0.004, 0});
+  nudge(cage, upper[1][at_side - 1], {-0.004, 0, 0});
+  nudge(cage, upper[2][at_side - 1], {-0.004, -0.008, 0});
+  nudge(cage, upper[2][at_side + 1], {-0.004, -0.008, 0});
 }
 
 /// All but the two faces where the arm goes on.
-void join_around_armhole(Cage& cage, const Row& lower, const Row& upper, std::size_t first, Region region) {
+void join_around_armhole(Cage& cage, const Row& lower, const Row& upper, std::size_t at_side, Region region) {
   for (std::size_t c = 0; c + 1 < lower.size(); ++c) {
-    if (c == first + side - 1 || c == first + side) continue;
+    if (c + 1 == at_side || c == at_side) continue;
     cage.add_face({lower[c], lower[c + 1], upper[c + 1], upper[c]}, region);
   }
 }
@@ -136,10 +143,11 @@ TrunkRow trunk_row(double height, double ease) {
 
 Weights hanging_weights(dvec3 place) {
   // The crease between trunk and thighs lies lower in the lap and at the seat than at the sides.
-  const double crease = 0.905 - 0.045 * rise(0.02, 0.10, std::abs(place.z + 0.01));
+  const double crease =
+      0.905 - 0.045 * rise(0.02, 0.10, std::abs(place.z + 0.01)) - 0.025 * rise(0.06, 0.0, std::abs(place.x));
   const double hang = rise(crease + 0.02, crease - 0.09, place.y);
-  const double left = rise(-0.09, 0.09, place.x);
-  const double shin = 0.85 * rise(0.53, 0.34, place.y);
+  const double left = rise(-0.065, 0.065, place.x);
+  const double shin = 0.92 * rise(0.53, 0.34, place.y);
   const double twist = (1 - shin) * rise(0.60, 0.80, place.y);
   const double thigh = 1 - shin - twist;
   const Weights skin = weights_at(dvec3(place.x, std::max(place.y, 0.86), place.z), {Slot::torso});
@@ -172,7 +180,25 @@ void join(Cage& cage, const Row& lower, const Row& upper, bool closed, Region re
   cage.notes = before;
 }
 
-Row add_trunk_row(Cage& cage, const TrunkRow& row) { return add_row(cage, {}, row, skin_row(row)); }
+Row add_trunk_row(Cage& cage, const TrunkRow& row, bool dense) {
+  TopCut cut;
+  cut.dense = dense;
+  return add_row(cage, cut, row, skin_row(row));
+}
+
+void line_below(Cage& cage, const TopCut& cut, double top) {
+  std::vector<Row> rows;
+  for (const TrunkRow& row : cut.rows) {
+    if (row.height > top) break;
+    TrunkRow in = row;
+    const double less = rows.empty() ? 0.001 : 0.012;
+    in.half_width -= less;
+    in.front -= less;
+    in.back += less;
+    rows.push_back(add_trunk_row(cage, in, cut.dense));
+  }
+  for (std::size_t r = 0; r + 1 < rows.size(); ++r) join(cage, rows[r + 1], rows[r], false, cut.region, 0.5, 0);
+}
 
 void turn_in(Cage& cage, const Row& edge, bool closed, Region region, double trim,
              const std::function<dvec3(dvec3)>& step) {
@@ -181,7 +207,7 @@ void turn_in(Cage& cage, const Row& edge, bool closed, Region region, double tri
 }
 
 TopBorders add_top(Cage& cage, const TopCut& cut) {
-  const std::size_t first = cut.gap ? 1 : 0;
+  const std::size_t s = side_of(cut) + (cut.gap ? 1 : 0);
   cage.notes.chart = mannequin::Chart::around_body;
   TopBorders made;
   for (const TrunkRow& row : cut.rows) made.rows.push_back(add_row(cage, cut, row, skin_row(row)));
@@ -190,7 +216,7 @@ TopBorders add_top(Cage& cage, const TopCut& cut) {
   skin.shoulder = 0;
   std::vector<Row> upper;
   for (std::size_t r = 0; r < 3; ++r) upper.push_back(add_row(cage, cut, upper_rows(cut)[r], upper_rows(skin)[r]));
-  sculpt(cage, upper, first);
+  sculpt(cage, upper, s);
 
   turn_in(cage, made.rows.front(), false, cut.region, cut.hem_trim, [&](dvec3 p) {
     const dvec3 in = glm::normalize(dvec3(-p.x, 0, -p.z)) * 0.012;
@@ -200,8 +226,8 @@ TopBorders add_top(Cage& cage, const TopCut& cut) {
     join(cage, made.rows[r], made.rows[r + 1], false, cut.region, 1, r == 0 ? cut.hem_trim : 0);
   }
   join(cage, made.rows.back(), upper[0], false, cut.region, 1, 0);
-  join_around_armhole(cage, upper[0], upper[1], first, cut.region);
-  join_around_armhole(cage, upper[1], upper[2], first, cut.region);
+  join_around_armhole(cage, upper[0], upper[1], s, cut.region);
+  join_around_armhole(cage, upper[1], upper[2], s, cut.region);
   const double e = cut.ease;
   const TrunkRow slope_row{1.494 + e * 0.7, cut.slope_width, 0.048 + e, -0.092 - e, 0.022, -0.004, 0.95};
   TrunkRow slope_skin = slope_row;
@@ -215,10 +241,20 @@ TopBorders add_top(Cage& cage, const TopCut& cut) {
   join(cage, slope, neck, false, cut.region, 1, 0, false);
   for (const Row& row : {upper[0], upper[1], upper[2], slope, neck}) made.rows.push_back(row);
   made.neck = neck;
-  const std::size_t s = first + side;
   made.armhole = {upper[0][s], upper[0][s + 1], upper[1][s + 1], upper[2][s + 1],
                   upper[2][s], upper[2][s - 1], upper[1][s - 1], upper[0][s - 1]};
   return made;
+}
+
+/// Hanging arms press the inner side of a sleeve flat against the trunk.
+SleeveRow pressed(SleeveRow row, Region region) {
+  const double room = (region == Region::outer ? 0.047 : 0.041) - 0.065 * std::max(0.0, row.along - 0.30);
+  const double outer = row.half_height + row.out;
+  const double inner = row.half_height - row.out;
+  const double excess = std::max(0.0, inner - room) * rise(0.14, 0.26, row.along);
+  row.half_height = 0.5 * (outer + inner - excess);
+  row.out = 0.5 * (outer - inner + excess);
+  return row;
 }
 
 Row add_sleeve(Cage& cage, const Row& armhole, Region region, const std::vector<SleeveRow>& rows, double turned_in) {
@@ -234,12 +270,13 @@ Row add_sleeve(Cage& cage, const Row& armhole, Region region, const std::vector<
     }
     return ring;
   };
-  for (const SleeveRow& row : rows) {
+  for (const SleeveRow& loose : rows) {
+    const SleeveRow row = pressed(loose, region);
     const Row ring = ring_of(row, row.along, 0);
     join(cage, before, ring, true, region, row.paint, row.trim, !row.smooth);
     before = ring;
   }
-  const Row inside = ring_of(rows.back(), rows.back().along - turned_in, 0.009);
+  const Row inside = ring_of(pressed(rows.back(), region), rows.back().along - turned_in, 0.009);
   join(cage, moved(cage, before, [](dvec3) { return dvec3(0); }), inside, true, region, fold_shade, rows.back().trim);
   return before;
 }

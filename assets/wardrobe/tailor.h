@@ -41,7 +41,8 @@ struct TopCut {
   double armhole_in = 0;                          ///< Moves the armhole towards the neck, for straps.
   double hem_depth = 0.012;                       ///< How far the hem is turned in, upwards.
   std::function<double(double height)> gap = {};  ///< Half the opening in front; none is closed.
-  double hem_trim = 0;                            ///< Of the band between the first two rows.
+  bool dense = false;   ///< More columns in front and behind, for what hangs down to the knee.
+  double hem_trim = 0;  ///< Of the band between the first two rows.
 };
 
 struct TopBorders {
@@ -51,7 +52,10 @@ struct TopBorders {
 };
 TopBorders add_top(Cage& cage, const TopCut& cut);
 /// A row around trunk or legs alone, from the front to the back.
-Row add_trunk_row(Cage& cage, const TrunkRow& row);
+Row add_trunk_row(Cage& cage, const TrunkRow& row, bool dense);
+
+/// The inside of what hangs from the hips, from the hem up to a height, a little narrower.
+void line_below(Cage& cage, const TopCut& cut, double top);
 
 /// A cross-section of a sleeve: along the arm from the shoulder joint, its half sizes, and how far its middle lies
 /// towards the thumb and outwards.

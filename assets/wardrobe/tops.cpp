@@ -18,7 +18,13 @@ std::vector<Part> tops() {
       {"puffer", top, Fits::all, trunk_and_arms, {"cold"}, {Slot::outer}, make_puffer},
       {"rain_jacket", top, Fits::all, trunk_and_arms, {"rain"}, {Slot::outer}, make_rain_jacket},
       {"summer_dress", top, Fits::women_and_children, {Slot::bottom}, {"summer"}, {Slot::bottom}, make_summer_dress},
-      {"evening_dress", top, Fits::woman, {Slot::thighs, Slot::bottom}, {"formal"}, {Slot::bottom}, make_evening_dress},
+      {"evening_dress",
+       top,
+       Fits::woman,
+       {Slot::thighs, Slot::shins, Slot::bottom},
+       {"formal"},
+       {Slot::bottom},
+       make_evening_dress},
   };
 }
 

@@ -168,10 +168,10 @@ Skin make_suit_trousers() {
 
 Skin make_shorts() {
   Cage half;
-  std::vector<LegRow> legs{{0.790, 0.098, -0.004, 0.094, 0.104},
-                           {0.680, 0.100, 0.001, 0.087, 0.096},
-                           {0.600, 0.101, 0.003, 0.083, 0.092},
-                           {0.570, 0.101, 0.003, 0.083, 0.092, 1}};
+  std::vector<LegRow> legs{{0.790, 0.096, -0.006, 0.089, 0.098},
+                           {0.680, 0.098, 0.000, 0.083, 0.089},
+                           {0.600, 0.099, 0.002, 0.080, 0.086},
+                           {0.570, 0.099, 0.002, 0.080, 0.086, 1}};
   add_trousers(half, {.ease = 0.006, .legs = legs});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0025);
@@ -193,11 +193,11 @@ Skin make_cargo_trousers() {
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0034);
   for (const bool flap : {false, true}) {
-    sew_on(cloth, {.rows = flap ? rectangle({0.066, 0.690}, {-0.066, 0.725}, 1, 2)
-                                : rectangle({0.060, 0.560}, {-0.060, 0.712}, 2, 2),
+    sew_on(cloth, {.rows = flap ? rectangle({0.028, 0.690}, {-0.060, 0.725}, 1, 2)
+                                : rectangle({0.026, 0.560}, {-0.056, 0.712}, 2, 2),
                    .from = LaidFrom::left,
                    .region = Region::trousers,
-                   .lift = flap ? 0.016 : 0.011,
+                   .lift = flap ? 0.011 : 0.008,
                    .paint = flap ? 0.94 : 1,
                    .both_sides = true});
   }

@@ -1,0 +1,156 @@
+#include "app/wardrobe/dressed_crowd.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "app/character/files.h"
+#include "app/wardrobe/clothing.h"
+
+namespace throng::app::dressed_crowd_test {
+namespace {
+
+/// A crowd of the built-in character, dressed by the rules that come with the program.
+class DressedCrowdTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto source = load_built_in("", {.wardrobe = true});
+    ASSERT_TRUE(source) << source.error().message;
+    auto clothing = clothing_of(*source);
+    ASSERT_TRUE(clothing) << clothing.error().message;
+    roles_ = source->roles;
+    roles_.bodies = body_kinds(clothing->rules);
+    clothing_ = std::move(*clothing);
+  }
+
+  static Tuning tuning_of(Scene scene, int agents, Weather weather = Weather::mild) {
+    Tuning tuning;
+    tuning.scene = scene;
+    tuning.agents = agents;
+    tuning.wardrobe = true;
+    tuning.weather = weather;
+    return tuning;
+  }
+
+  static Crowd crowd_of(const Tuning& tuning) {
+    return Crowd(tuning.scene, static_cast<std::size_t>(tuning.agents), tuning.seed, std::span(&roles_, 1),
+                 variety_of(tuning));
+  }
+
+  /// Returns the names of what an agent wears over skin, hair and face.
+  static std::set<std::string> clothes(const DressedCrowd& dressed, std::size_t agent) {
+    std::set<std::string> names;
+    const render::Outfit& outfit = dressed.outfits[agent];
+    for (std::size_t i = 0; i < outfit.count; ++i) {
+      const WardrobePart& part = clothing_.wardrobe.parts()[outfit.pieces.at(i) - 1U];
+      const bool is_skin = std::ranges::find(clothing_.rules.skin, part.slot) != clothing_.rules.skin.end();
+      if (!is_skin && part.slot != "hair" && part.slot != "face") names.insert(part.name);
+    }
+    return names;
+  }
+
+  /// Says whether two who wear the same have the same patterns in colours that one cannot tell apart.
+  static bool same_colors(const render::AgentLook& one, const render::AgentLook& other) {
+    constexpr int told_apart = 10;  // of 255, in one channel
+    for (const render::Region region : {render::Region::top, render::Region::bottom, render::Region::outer}) {
+      const auto at = static_cast<std::size_t>(region);
+      if ((one.tints[at] ^ other.tints[at]) >> 24U != 0) return false;
+      for (const unsigned shift : {0U, 8U, 16U}) {
+        const int a = static_cast<int>(one.tints[at] >> shift & 0xFFU);
+        const int b = static_cast<int>(other.tints[at] >> shift & 0xFFU);
+        if (std::abs(a - b) > told_apart) return false;
+      }
+    }
+    return true;
+  }
+
+  static CharacterRoles roles_;
+  static Clothing clothing_;
+};
+CharacterRoles DressedCrowdTest::roles_;
+Clothing DressedCrowdTest::clothing_;
+
+TEST_F(DressedCrowdTest, ShowsNoTwoAlikeNearEachOther) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  int alike = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    for (std::size_t other = agent + 1; other < crowd.size(); ++other) {
+      if (glm::distance(crowd.positions()[agent], crowd.positions()[other]) >= alike_reach) continue;
+      const bool same = clothes(dressed, agent) == clothes(dressed, other) &&
+                        crowd.looks().bodies[agent] == crowd.looks().bodies[other] &&
+                        same_colors(dressed.looks[agent], dressed.looks[other]);
+      alike += same ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(alike, 0);
+}
+
+TEST_F(DressedCrowdTest, HasManySilhouettes) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  std::map<std::set<std::string>, int> outfits;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) ++outfits[clothes(dressed, agent)];
+  EXPECT_GT(outfits.size(), 300U) << "of a thousand people";
+  for (const auto& [names, people] : outfits) EXPECT_LT(people, 40);
+}
+
+TEST_F(DressedCrowdTest, LeavesNobodyWithoutClothes) {
+  for (const Weather weather : {Weather::mild, Weather::warm, Weather::cold, Weather::rain}) {
+    for (const Scene scene : {Scene::plaza, Scene::stadium, Scene::parade}) {
+      const Tuning tuning = tuning_of(scene, 500, weather);
+      const Crowd crowd = crowd_of(tuning);
+      const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+      for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+        std::set<std::string> slots;
+        for (const std::string& name : clothes(dressed, agent)) {
+          for (const WardrobePart& part : clothing_.wardrobe.parts()) {
+            if (part.name == name) slots.insert(part.slot);
+          }
+        }
+        EXPECT_TRUE(slots.contains("top"));
+        EXPECT_TRUE(slots.contains("shoes"));
+        const bool is_dress = std::ranges::any_of(clothing_.wardrobe.parts(), [&](const WardrobePart& part) {
+          return clothes(dressed, agent).contains(part.name) &&
+                 std::ranges::find(part.keeps_out, "bottom") != part.keeps_out.end();
+        });
+        EXPECT_TRUE(is_dress || slots.contains("bottom"));
+      }
+    }
+  }
+}
+
+TEST_F(DressedCrowdTest, LeadsChildrenByTheHand) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  int led = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    if (dressed.things[agent] != Held::grown_up) continue;
+    ++led;
+    EXPECT_TRUE(is_child(crowd, agent));
+    EXPECT_EQ(dressed.things[agent - 1], Held::child);
+    EXPECT_LT(glm::distance(crowd.positions()[agent], crowd.positions()[agent - 1]), 1.0F);
+  }
+  EXPECT_GT(led, 5);
+}
+
+TEST_F(DressedCrowdTest, IsTheSameForTheSameSeed) {
+  const Tuning tuning = tuning_of(Scene::plaza, 300);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd one = dress_crowd(crowd, {&clothing_, 1}, tuning),
+                     two = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  EXPECT_EQ(one.looks, two.looks);
+  EXPECT_EQ(one.outfits, two.outfits);
+  EXPECT_EQ(one.things, two.things);
+}
+
+}  // namespace
+}  // namespace throng::app::dressed_crowd_test

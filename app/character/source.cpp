@@ -263,7 +263,7 @@ render::PieceLevelData level_data(const std::vector<anim::SkinnedMesh>& meshes, 
 
 render::MeshPieceData piece_data(const anim::ModelPart& part, const auto& part_of) {
   render::MeshPieceData piece{.levels = {}, .is_silhouette = part.slot == anim::silhouette_slot};
-  piece.levels.push_back(level_data(part.meshes, 0.0, part_of));
+  piece.levels.push_back(level_data(part.meshes, part.error, part_of));
   for (const anim::BakedMeshLod& lod : part.lods) piece.levels.push_back(level_data(lod.meshes, lod.error, part_of));
   return piece;
 }

@@ -103,7 +103,7 @@ inline constexpr std::size_t first_silhouette_lod = 4;
 /// A mesh of a piece at one level.
 struct PieceLevelData {
   std::vector<MeshPartData> parts;
-  float error = 0.0F;  ///< metres that it is off; 0 for the finest
+  float error = 0.0F;  ///< metres that it is off; 0 for the finest of a usual piece
 };
 
 /// A piece of a wardrobe, which some agents wear (Outfit).

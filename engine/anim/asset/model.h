@@ -133,6 +133,7 @@ struct ModelPart {
   std::vector<std::string> tags;       ///< what rules know it by, as "warm"
   std::vector<SkinnedMesh> meshes;     ///< without morphs
   std::vector<BakedMeshLod> lods;      ///< finest first; may be empty
+  double error = 0.0;                  ///< metres that a silhouette is off the outfit it stands for
 };
 
 /// The slot of parts that show a whole outfit from afar.

@@ -99,7 +99,8 @@ std::map<int, PartNode> take_parts(json& document) {
                     .body = anim::plain_text(said->value("body", "")),
                     .covers = plain_texts(said->value("covers", json::array())),
                     .keeps_out = plain_texts(said->value("keeps_out", json::array())),
-                    .tags = plain_texts(said->value("tags", json::array()))};
+                    .tags = plain_texts(said->value("tags", json::array())),
+                    .error = said->value("error", 0.0)};
     node.erase(part_property);
   }
   return parts;

@@ -35,6 +35,7 @@ struct MeshLodNode {
 struct PartNode {
   std::string slot, body;
   std::vector<std::string> covers, keeps_out, tags;
+  double error = 0.0;  ///< metres
 };
 
 /// A checked glTF document. `gltf` is tinygltf's form of the JSON; buffers and images are our own, because tinygltf

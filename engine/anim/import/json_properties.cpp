@@ -56,6 +56,7 @@ constexpr auto properties = std::to_array<Property>({
     {"part", "covers", Kind::texts},
     {"part", "keeps_out", Kind::texts},
     {"part", "tags", Kind::texts},
+    {"part", "error", Kind::number},
 
     {"mesh", "name", Kind::text},
     {"mesh", "weights", Kind::numbers},

@@ -217,7 +217,8 @@ class MeshReader {
                          .keeps_out = said.keeps_out,
                          .tags = said.tags,
                          .meshes = std::exchange(meshes_, {}),
-                         .lods = {}};
+                         .lods = {},
+                         .error = said.error};
     if (part.name.empty()) part.name = node_label(node);
     for (std::size_t lod = 0; source(node).skin >= 0 && lod < lods_of(node).size(); ++lod) {
       drawn_.clear();

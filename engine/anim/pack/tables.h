@@ -122,7 +122,7 @@ void describe(Archive& archive, T& lod) {
 
 template <typename Archive, Same<anim::ModelPart> T>
 void describe(Archive& archive, T& part) {
-  archive(part.name, part.slot, part.body, part.covers, part.keeps_out, part.tags, part.meshes, part.lods);
+  archive(part.name, part.slot, part.body, part.covers, part.keeps_out, part.tags, part.meshes, part.lods, part.error);
 }
 
 /// Names all of a model but its clips, which have a section of their own.

@@ -101,8 +101,6 @@ class Crowd {
   std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
   std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among the characters
   std::span<const Tints> tints() const { return looks_.tints; }
-  std::span<const Variant> variants() const { return looks_.variants; }
-  std::span<const std::uint32_t> shades() const { return looks_.shades; }
   /// Returns what drawing reads of everybody's looks.
   const CrowdLooks& looks() const { return looks_; }
   std::span<const Role> roles() const { return state_.minds.roles(); }

@@ -9,6 +9,7 @@
 
 #include "assets/making/glb_container.h"
 #include "assets/mannequin/glb.h"
+#include "assets/wardrobe/silhouettes.h"
 
 namespace throng::wardrobe {
 namespace {
@@ -167,6 +168,7 @@ Json names_of(const std::vector<Slot>& slots) {
 
 Json extras_of(const MadePart& made, Body body) {
   Json extras{{"slot", name_of(made.slot)}, {"body", name_of(body)}};
+  if (made.slot == Slot::silhouette) extras["error"] = made.levels.front().error;
   if (made.part == nullptr) return extras;
   if (!made.part->covers.empty()) extras["covers"] = names_of(made.part->covers);
   if (!made.part->tags.empty()) extras["tags"] = made.part->tags;
@@ -261,6 +263,10 @@ std::vector<std::byte> write_wardrobe(std::span<const Finished> parts) {
   return writer.finish();
 }
 
-std::vector<std::byte> make_wardrobe() { return write_wardrobe(finish_wardrobe({}, true)); }
+std::vector<std::byte> make_wardrobe() {
+  std::vector<Finished> parts = finish_wardrobe({}, true);
+  for (Finished& silhouette : make_silhouettes(parts)) parts.push_back(std::move(silhouette));
+  return write_wardrobe(parts);
+}
 
 }  // namespace throng::wardrobe

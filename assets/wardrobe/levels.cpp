@@ -119,7 +119,7 @@ Level whole_level(const Mesh& mesh) {
 }
 
 std::vector<Level> coarser_levels(const Mesh& mesh, std::span<const double> bounds) {
-  constexpr double shrink = 0.75;
+  constexpr double shrink = 0.85;
   constexpr std::size_t fewest = 12;
   const Measured measured(mesh);
   render::SurfaceSimplifier simplifier(measured.view());

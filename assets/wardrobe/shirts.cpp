@@ -121,7 +121,7 @@ Skin make_shirt() {
 
 Skin make_blouse() {
   Cage half;
-  const TopBorders top = add_top(half, {.rows = {{0.885, 0.188, 0.120, -0.152, 0.0, 0.004},
+  const TopBorders top = add_top(half, {.rows = {{0.885, 0.188, 0.116, -0.151, 0.0, 0.004},
                                                  {0.935, 0.181, 0.115, -0.147},
                                                  {0.990, 0.170, 0.110, -0.135},
                                                  {1.060, 0.155, 0.106, -0.108},

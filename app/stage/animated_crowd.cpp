@@ -186,7 +186,7 @@ void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
 void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning) {
   if (!tuning.wardrobe) return;
   DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
-  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits));
+  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
   give_things(animated, std::move(dressed.things));
 }
 

@@ -48,7 +48,9 @@ void zip(Skin& skin, const std::vector<std::size_t>& lower, const std::vector<st
     std::vector<std::size_t> corners{lower[l % lower.size()], 0, upper[u % upper.size()]};
     corners[1] = advance_lower ? lower[(l + 1) % lower.size()] : upper[(u + 1) % upper.size()];
     (advance_lower ? l : u) += 1;
-    skin.faces.push_back({std::move(corners), mannequin::Region::skin, std::vector<dvec3>(3, dvec3(1)),
+    skin.faces.push_back({std::move(corners),
+                          mannequin::Region::skin,
+                          std::vector<dvec3>(3, dvec3(1)),
                           {.piece = static_cast<unsigned char>(Slot::head)}});
   }
 }

@@ -32,7 +32,8 @@ Skin beard_patch(double reach, std::size_t columns, const std::function<double(d
     for (int ring = 0; ring <= rings; ++ring) {
       const double share = static_cast<double>(ring) / rings;
       const double row = glm::mix(low(angle), high(angle), share);
-      const double swell = ring == 0 || ring == rings ? -0.0015 : thick * end * std::sin(std::numbers::pi * (0.15 + 0.7 * share));
+      const double swell =
+          ring == 0 || ring == rings ? -0.0015 : thick * end * std::sin(std::numbers::pi * (0.15 + 0.7 * share));
       points.push_back({head_point(angle, row) + head_normal(angle, row) * swell, strand_paint(angle * 2, share)});
     }
     return points;
@@ -46,32 +47,33 @@ Skin beard_patch(double reach, std::size_t columns, const std::function<double(d
 }
 
 Skin moustache() {
-  return beard_patch(19, 10, [](double angle) { return 7.24 - 0.16 * std::pow(std::abs(angle) / 19, 2.0); },
-                     [](double angle) { return 7.88 - 0.42 * std::pow(std::abs(angle) / 19, 2.0); }, 0.0065);
+  return beard_patch(
+      19, 10, [](double angle) { return 7.24 - 0.16 * std::pow(std::abs(angle) / 19, 2.0); },
+      [](double angle) { return 7.88 - 0.42 * std::pow(std::abs(angle) / 19, 2.0); }, 0.0065);
 }
 
 Skin full_beard() {
-  Skin skin = beard_patch(80, 22,
-                          [](double angle) { return 2.9 + 0.5 * glm::smoothstep(30.0, 80.0, std::abs(angle)); },
-                          [](double angle) {
-                            const double side = std::abs(angle);
-                            return glm::mix(6.45, 8.1, glm::smoothstep(14.0, 24.0, side)) +
-                                   2.0 * glm::smoothstep(52.0, 80.0, side);
-                          },
-                          0.0095);
+  Skin skin = beard_patch(
+      80, 22, [](double angle) { return 2.9 + 0.5 * glm::smoothstep(30.0, 80.0, std::abs(angle)); },
+      [](double angle) {
+        const double side = std::abs(angle);
+        return glm::mix(6.45, 8.1, glm::smoothstep(14.0, 24.0, side)) + 2.0 * glm::smoothstep(52.0, 80.0, side);
+      },
+      0.0095);
   append(skin, moustache());
   return skin;
 }
 
 Skin goatee() {
-  Skin skin = beard_patch(24, 10, [](double) { return 3.5; },
-                          [](double angle) { return glm::mix(6.4, 7.3, glm::smoothstep(12.0, 22.0, std::abs(angle))); },
-                          0.008);
+  Skin skin = beard_patch(
+      24, 10, [](double) { return 3.5; },
+      [](double angle) { return glm::mix(6.4, 7.3, glm::smoothstep(12.0, 22.0, std::abs(angle))); }, 0.008);
   append(skin, moustache());
   return skin;
 }
 
-void add_box_ring(Skin& skin, const std::vector<std::array<dvec3, 4>>& sections, bool closed, Region region, dvec3 paint) {
+void add_box_ring(Skin& skin, const std::vector<std::array<dvec3, 4>>& sections, bool closed, Region region,
+                  dvec3 paint) {
   const mannequin::Weights head = mannequin::bind({{"head", 1}});
   std::vector<std::array<std::size_t, 4>> rings;
   for (const auto& section : sections) {
@@ -92,12 +94,12 @@ void add_box_ring(Skin& skin, const std::vector<std::array<dvec3, 4>>& sections,
   }
 }
 
-struct GlassesFrame {
+struct LensFrame {
   double half_width, half_height, bar;  ///< Metres.
   double boxy;                          ///< 1 is round, less is a rectangle.
 };
 
-dvec3 rim_place(const GlassesFrame& frame, double share, double grow) {
+dvec3 rim_place(const LensFrame& frame, double share, double grow) {
   const double turn = 2 * std::numbers::pi * share;
   const auto power = [&](double value) { return std::copysign(std::pow(std::abs(value), frame.boxy), value); };
   const double x = 0.0335 + frame.half_width * grow * power(std::cos(turn));
@@ -105,7 +107,7 @@ dvec3 rim_place(const GlassesFrame& frame, double share, double grow) {
   return {x, y, 0.1035 - 4.5 * (x - 0.012) * (x - 0.012)};
 }
 
-Skin glasses_of(const GlassesFrame& frame, bool dark) {
+Skin glasses_of(const LensFrame& frame, bool dark) {
   Skin skin;
   const mannequin::Weights head = mannequin::bind({{"head", 1}});
   constexpr std::size_t around = 16;
@@ -128,8 +130,8 @@ Skin glasses_of(const GlassesFrame& frame, bool dark) {
     const double y = 1.6745 + 0.5 * frame.half_height;
     const dvec3 hinge = rim_place(frame, 0.06, 1 + frame.bar / frame.half_height);
     std::vector<std::array<dvec3, 4>> temple;
-    for (const dvec3& at : {dvec3(hinge.x, y, hinge.z), dvec3(0.0745, y + 0.004, 0.050), dvec3(0.0805, y + 0.006, -0.008),
-                            dvec3(0.0800, y - 0.012, -0.030)}) {
+    for (const dvec3& at : {dvec3(hinge.x, y, hinge.z), dvec3(0.0745, y + 0.004, 0.050),
+                            dvec3(0.0805, y + 0.006, -0.008), dvec3(0.0800, y - 0.012, -0.030)}) {
       temple.push_back({mirror(at + dvec3(0.0012, 0.002, 0)), mirror(at + dvec3(0.0012, -0.002, 0)),
                         mirror(at + dvec3(-0.0012, -0.002, 0)), mirror(at + dvec3(-0.0012, 0.002, 0))});
     }

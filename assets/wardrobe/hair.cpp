@@ -32,7 +32,8 @@ mannequin::Weights hair_weights(dvec3 place) {
 }
 
 dvec3 strand_paint(double angle, double along) {
-  const double wave = std::sin(angle * 0.42 + 1.7 * std::sin(angle * 0.11)) + 0.7 * std::sin(angle * 0.93 + 2.0 * along);
+  const double wave =
+      std::sin(angle * 0.42 + 1.7 * std::sin(angle * 0.11)) + 0.7 * std::sin(angle * 0.93 + 2.0 * along);
   return dvec3(0.88 + 0.10 * wave);
 }
 
@@ -94,9 +95,7 @@ Skin hair_cap(const std::function<double(double)>& low, const std::function<doub
   plan.column = [&, rings](double angle) {
     std::vector<HairPoint> points;
     const double from = low(angle);
-    const auto place = [&](double row, double out) {
-      return head_point(angle, row) + head_normal(angle, row) * out;
-    };
+    const auto place = [&](double row, double out) { return head_point(angle, row) + head_normal(angle, row) * out; };
     points.push_back({place(from, -0.003), dvec3(0.55)});
     points.push_back({place(from, 0.45 * thick(angle, from)), strand_paint(angle, 0) * 0.8});
     for (std::size_t ring = 1; ring < rings; ++ring) {
@@ -114,8 +113,7 @@ Skin hair_tube(const std::vector<dvec3>& places, const std::vector<double>& radi
   Skin skin;
   std::vector<std::size_t> last;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const dvec3 along =
-        glm::normalize(places[std::min(i + 1, places.size() - 1)] - places[i > 0 ? i - 1 : 0]);
+    const dvec3 along = glm::normalize(places[std::min(i + 1, places.size() - 1)] - places[i > 0 ? i - 1 : 0]);
     const dvec3 across = glm::normalize(glm::cross(std::abs(along.z) > 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, 1), along));
     const dvec3 up = glm::cross(along, across);
     std::vector<std::size_t> ring;

@@ -18,12 +18,12 @@ using glm::dvec3;
 using mannequin::Region;
 using mannequin::Skin;
 
-constexpr std::array<double, 17> columns{0,  3.2, 5.8, 8.6, 14,  21,  28,  36, 46,
-                                         58, 72,  88,  104, 122, 140, 160, 180};
+constexpr std::array<double, 17> columns{0, 3.2, 5.8, 8.6, 14, 21, 28, 36, 46, 58, 72, 88, 104, 122, 140, 160, 180};
 /// Rows of the face are where its features are; the neck and the skull have few.
-constexpr std::array<double, 37> grid_rows{1.0,  2.0,  3.0,  4.0,  4.6,  5.3,  6.0,  6.33, 6.62, 6.82, 6.97, 7.10, 7.27,
-                                           7.50, 7.78, 8.02, 8.17, 8.33, 8.50, 8.72, 9.05, 9.40, 9.70, 9.98, 10.27, 10.62,
-                                           10.92, 11.3, 11.8, 12.4, 13.0, 13.6, 14.2, 14.8, 15.3, 15.65, 15.9};
+constexpr std::array<double, 37> grid_rows{1.0,  2.0,  3.0,  4.0,  4.6,   5.3,   6.0,   6.33, 6.62, 6.82,
+                                           6.97, 7.10, 7.27, 7.50, 7.78,  8.02,  8.17,  8.33, 8.50, 8.72,
+                                           9.05, 9.40, 9.70, 9.98, 10.27, 10.62, 10.92, 11.3, 11.8, 12.4,
+                                           13.0, 13.6, 14.2, 14.8, 15.3,  15.65, 15.9};
 constexpr std::size_t eye_first_column = 2, eye_last_column = 8, eye_first_row = 21, eye_last_row = 25;
 constexpr std::size_t lid_count = 20;
 

@@ -34,8 +34,8 @@ void add_feature_face(Skin& skin, std::vector<std::size_t> corners, Region regio
   skin.faces.push_back({std::move(corners), region, std::move(paints), on_head});
 }
 
-void bridge_feature(Skin& skin, const std::vector<std::size_t>& outer, const std::vector<std::size_t>& inner, Region region,
-                    dvec3 paint) {
+void bridge_feature(Skin& skin, const std::vector<std::size_t>& outer, const std::vector<std::size_t>& inner,
+                    Region region, dvec3 paint) {
   for (std::size_t i = 0; i < outer.size(); ++i) {
     const std::size_t next = (i + 1) % outer.size();
     add_feature_face(skin, {outer[i], outer[next], inner[next], inner[i]}, region, paint);
@@ -131,10 +131,10 @@ void add_ear(Skin& half) {
   };
   constexpr dvec3 plain(1.0, 0.92, 0.91);
   constexpr std::array<Ring, 5> ear_rings{{{0.62, -0.013, plain},
-                                       {0.97, 0.003, plain},
-                                       {1.00, 0.0075, plain},
-                                       {0.80, 0.0078, {0.90, 0.76, 0.74}},
-                                       {0.55, 0.0005, {0.62, 0.46, 0.44}}}};
+                                           {0.97, 0.003, plain},
+                                           {1.00, 0.0075, plain},
+                                           {0.80, 0.0078, {0.90, 0.76, 0.74}},
+                                           {0.55, 0.0005, {0.62, 0.46, 0.44}}}};
   std::vector<std::size_t> outer;
   for (const Ring& ring : ear_rings) {
     std::vector<std::size_t> inner;
@@ -144,7 +144,8 @@ void add_ear(Skin& half) {
       const double behind = std::sin(angle);
       const double width = glm::mix(0.0105, 0.0165, glm::smoothstep(-1.0, 0.5, high)) * (behind < 0 ? 0.72 : 1.0);
       inner.push_back(add_feature_point(
-          half, centre + up * (0.0310 * high * ring.size) + back * (0.003 + width * behind * ring.size) + out * ring.out,
+          half,
+          centre + up * (0.0310 * high * ring.size) + back * (0.003 + width * behind * ring.size) + out * ring.out,
           weights));
     }
     if (!outer.empty()) bridge_feature(half, outer, inner, Region::skin, ring.paint);

@@ -101,20 +101,18 @@ dvec3 sculpted(dvec3 p) {
   const double front = glm::smoothstep(0.0, 0.035, p.z);
   if (front <= 0) return p;
   double out = nose(p) + lips(p);
-  out -= 0.0065 * face_bump(p, 0.0270, 1.6830, 0.0170, 0.0130);   // sockets
-  out -= 0.0030 * face_bump(p, 0.0150, 1.6780, 0.0075, 0.0120);   // beside the root of the nose
-  out += 0.0030 * face_bump(p, 0.0270, 1.7060, 0.0220, 0.0085);   // brows
-  out += 0.0035 * face_bump(p, 0.0420, 1.6450, 0.0170, 0.0170);   // cheeks
-  out += 0.0040 * face_bump(p, 0.0000, 1.5720, 0.0190, 0.0100);   // chin
+  out -= 0.0065 * face_bump(p, 0.0270, 1.6830, 0.0170, 0.0130);  // sockets
+  out -= 0.0030 * face_bump(p, 0.0150, 1.6780, 0.0075, 0.0120);  // beside the root of the nose
+  out += 0.0030 * face_bump(p, 0.0270, 1.7060, 0.0220, 0.0085);  // brows
+  out += 0.0035 * face_bump(p, 0.0420, 1.6450, 0.0170, 0.0170);  // cheeks
+  out += 0.0040 * face_bump(p, 0.0000, 1.5720, 0.0190, 0.0100);  // chin
   out -= 0.0042 * face_bump(p, 0.0000, 1.5895, 0.0190, 0.0058);
   p.z += front * out;
   p.x += std::copysign(front * 0.0020, p.x) * face_bump(p, 0.0520, 1.6480, 0.0150, 0.0180);
   return p;
 }
 
-double signed_power(double value, double exponent) {
-  return std::copysign(std::pow(std::abs(value), exponent), value);
-}
+double signed_power(double value, double exponent) { return std::copysign(std::pow(std::abs(value), exponent), value); }
 
 }  // namespace
 
@@ -131,8 +129,8 @@ dvec3 head_point(double angle, double row) {
   const double fore = std::pow(std::abs(cosine), box);
   const double across = signed_power(sine, glm::mix(side_box, box, std::abs(cosine)));
   const double tilt = fore * fore * (1.5 - 0.5 * fore);
-  const dvec3 left = sculpted({along_rows(&HeadRow::half_width, row) * across, glm::mix(side_y, end_y, tilt),
-                               glm::mix(side_z, end_z, fore)});
+  const dvec3 left = sculpted(
+      {along_rows(&HeadRow::half_width, row) * across, glm::mix(side_y, end_y, tilt), glm::mix(side_z, end_z, fore)});
   return {angle < 0 ? -left.x : left.x, left.y, left.z};
 }
 

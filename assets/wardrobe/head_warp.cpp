@@ -38,7 +38,8 @@ dvec3 woman(dvec3 p) {
   const double factor = glm::mix(0.95, open_curve(width, p.y), front);
   dvec3 there(p.x * factor, p.y, head_joint.z + (p.z - head_joint.z) * 0.965);
   there = grown(p, there, eye, 0.026, 0.13);
-  there = grown(p, there, {0, 1.606, 0.092}, 0.020, 0.12) - dvec3(0.10 * p.x * on_both_sides(p, {0, 1.606, 0.092}, dvec3(0.024)), 0, 0);
+  there = grown(p, there, {0, 1.606, 0.092}, 0.020, 0.12) -
+          dvec3(0.10 * p.x * on_both_sides(p, {0, 1.606, 0.092}, dvec3(0.024)), 0, 0);
   there.x -= 0.20 * p.x * on_both_sides(p, {0, 1.640, 0.108}, {0.03, 0.022, 0.04});
   there.y += 0.003 * on_both_sides(p, {0.035, 1.703, 0.09}, {0.04, 0.010, 0.04});
   there.y += 0.004 * on_both_sides(p, {0, 1.565, 0.08}, {0.04, 0.03, 0.05});

@@ -20,9 +20,7 @@ using mannequin::CurveKey;
 using mannequin::Region;
 using mannequin::Skin;
 
-dvec3 off_head(double angle, double row, double out) {
-  return head_point(angle, row) + head_normal(angle, row) * out;
-}
+dvec3 off_head(double angle, double row, double out) { return head_point(angle, row) + head_normal(angle, row) * out; }
 
 double in_front(double angle) { return 0.5 + 0.5 * std::cos(angle * std::numbers::pi / 180); }
 
@@ -59,7 +57,8 @@ Skin close_hat(const std::function<double(double)>& low, const std::function<dou
                                   {off_head(angle, from, thick(angle, from)), hem_paint}};
     if (hem_rows > 0) {
       points.push_back({off_head(angle, from + hem_rows, thick(angle, from) + 0.001), hem_paint});
-      points.push_back({off_head(angle, from + hem_rows + 0.08, thick(angle, from + hem_rows) - 0.003), hem_paint * 0.8});
+      points.push_back(
+          {off_head(angle, from + hem_rows + 0.08, thick(angle, from + hem_rows) - 0.003), hem_paint * 0.8});
     }
     const double first = from + hem_rows + 0.3;
     constexpr int rings = 6;
@@ -94,17 +93,19 @@ Skin brim(double from, double to, std::size_t columns, const std::function<dvec3
 double cap_edge(double angle) { return glm::mix(11.0, 12.25, in_front(angle)); }
 
 Skin baseball_cap() {
-  Skin skin = close_hat(cap_edge,
-                        [](double angle, double row) {
-                          const double tall = glm::smoothstep(12.5, 14.5, row) * in_front(angle);
-                          return 0.010 + 0.010 * glm::smoothstep(12.0, 14.0, row) + 0.006 * tall;
-                        },
-                        0, dvec3(0.95));
+  Skin skin = close_hat(
+      cap_edge,
+      [](double angle, double row) {
+        const double tall = glm::smoothstep(12.5, 14.5, row) * in_front(angle);
+        return 0.010 + 0.010 * glm::smoothstep(12.0, 14.0, row) + 0.006 * tall;
+      },
+      0, dvec3(0.95));
   append(skin, brim(-62, 62, 14, [](double angle, double share) {
            const dvec3 root = off_head(angle, cap_edge(angle) + 0.12, 0.006);
            const double turn = angle / 62;
            const double reach = 0.072 * share * std::sqrt(std::max(0.0, 1 - std::pow(std::abs(turn), 3.0)));
-           return root + dvec3(0.02 * share * turn * (1 - turn * turn), -0.012 * share - 0.010 * share * turn * turn, reach);
+           return root +
+                  dvec3(0.02 * share * turn * (1 - turn * turn), -0.012 * share - 0.010 * share * turn * turn, reach);
          }));
   append(skin, hair_tube({{0, 1.806, -0.018}, {0, 1.812, -0.018}}, {0.006, 0.004}, 6, Region::headgear));
   append(skin, hair_below(12.4));
@@ -115,27 +116,30 @@ double beanie_edge(double angle) { return glm::mix(9.7, 12.0, in_front(angle)); 
 
 Skin beanie() {
   const auto ribs = [](double angle) { return 1 + 0.05 * std::sin(angle * 1.4); };
-  Skin skin = close_hat(beanie_edge,
-                        [&](double angle, double row) {
-                          const double top = glm::smoothstep(13.0, 15.5, row);
-                          return (0.012 + 0.012 * top) * ribs(angle);
-                        },
-                        1.3, dvec3(0.84));
+  Skin skin = close_hat(
+      beanie_edge,
+      [&](double angle, double row) {
+        const double top = glm::smoothstep(13.0, 15.5, row);
+        return (0.012 + 0.012 * top) * ribs(angle);
+      },
+      1.3, dvec3(0.84));
   append(skin, hair_below(11.6));
   return skin;
 }
 
 Skin beanie_with_bobble() {
   Skin skin = beanie();
-  append(skin, hair_tube({{0, 1.805, -0.020}, {0, 1.814, -0.020}, {0, 1.832, -0.020}, {0, 1.850, -0.020}, {0, 1.860, -0.020}},
-                         {0.008, 0.024, 0.030, 0.024, 0.006}, 10, Region::headgear));
+  append(skin,
+         hair_tube({{0, 1.805, -0.020}, {0, 1.814, -0.020}, {0, 1.832, -0.020}, {0, 1.850, -0.020}, {0, 1.860, -0.020}},
+                   {0.008, 0.024, 0.030, 0.024, 0.006}, 10, Region::headgear));
   return skin;
 }
 
 Skin sun_hat() {
   const auto edge = [](double angle) { return glm::mix(11.0, 12.4, in_front(angle)); };
-  Skin skin = close_hat(edge, [](double, double row) { return 0.012 + 0.022 * glm::smoothstep(12.5, 14.5, row); }, 0.5,
-                        dvec3(0.55, 0.5, 0.5));
+  Skin skin = close_hat(
+      edge, [](double, double row) { return 0.012 + 0.022 * glm::smoothstep(12.5, 14.5, row); }, 0.5,
+      dvec3(0.55, 0.5, 0.5));
   append(skin, brim(-180, 180, 28, [&](double angle, double share) {
            const double turn = angle * std::numbers::pi / 180;
            const dvec3 root = off_head(angle, edge(angle), 0.010);
@@ -148,13 +152,14 @@ Skin sun_hat() {
 }
 
 Skin flat_cap() {
-  Skin skin = close_hat(cap_edge,
-                        [](double angle, double row) {
-                          const double side = 1 - std::abs(std::cos(angle * std::numbers::pi / 180));
-                          return 0.011 + (0.013 + 0.004 * side) * glm::smoothstep(11.8, 13.2, row) -
-                                 0.012 * glm::smoothstep(14.2, 16.0, row);
-                        },
-                        0, dvec3(0.9));
+  Skin skin = close_hat(
+      cap_edge,
+      [](double angle, double row) {
+        const double side = 1 - std::abs(std::cos(angle * std::numbers::pi / 180));
+        return 0.011 + (0.013 + 0.004 * side) * glm::smoothstep(11.8, 13.2, row) -
+               0.012 * glm::smoothstep(14.2, 16.0, row);
+      },
+      0, dvec3(0.9));
   append(skin, brim(-55, 55, 12, [](double angle, double share) {
            const dvec3 root = off_head(angle, cap_edge(angle) + 0.15, 0.008);
            const double turn = angle / 55;
@@ -166,15 +171,16 @@ Skin flat_cap() {
 
 Skin helmet() {
   const auto edge = [](double angle) { return glm::mix(10.2, 12.3, in_front(angle)); };
-  Skin skin = close_hat(edge,
-                        [](double angle, double row) {
-                          const double groove = std::pow(std::abs(std::cos(angle * 0.07854)), 8.0);
-                          return 0.024 + 0.008 * glm::smoothstep(12.0, 14.0, row) - 0.004 * groove;
-                        },
-                        0.35, dvec3(0.25));
+  Skin skin = close_hat(
+      edge,
+      [](double angle, double row) {
+        const double groove = std::pow(std::abs(std::cos(angle * 0.07854)), 8.0);
+        return 0.024 + 0.008 * glm::smoothstep(12.0, 14.0, row) - 0.004 * groove;
+      },
+      0.35, dvec3(0.25));
   for (const double side : {1.0, -1.0}) {
-    append(skin, hair_tube({off_head(side * 78, 10.9, 0.012), off_head(side * 72, 8.5, 0.004), off_head(side * 50, 5.2, 0.004),
-                            off_head(side * 18, 3.6, 0.005), off_head(0, 3.5, 0.005)},
+    append(skin, hair_tube({off_head(side * 78, 10.9, 0.012), off_head(side * 72, 8.5, 0.004),
+                            off_head(side * 50, 5.2, 0.004), off_head(side * 18, 3.6, 0.005), off_head(0, 3.5, 0.005)},
                            {0.004, 0.004, 0.004, 0.004, 0.004}, 6, Region::headgear));
   }
   append(skin, hair_below(12.2));
@@ -207,9 +213,12 @@ Skin headscarf() {
   cowl.region = Region::headgear;
   cowl.closed_top = false;
   cowl.column = [](double angle) {
-    constexpr std::array<CurveKey, 5> width{{{1.43, 0.150}, {1.47, 0.112}, {1.51, 0.080}, {1.56, 0.074}, {1.60, 0.070}}};
-    constexpr std::array<CurveKey, 5> front{{{1.43, 0.128}, {1.47, 0.104}, {1.51, 0.078}, {1.56, 0.074}, {1.60, 0.060}}};
-    constexpr std::array<CurveKey, 5> behind{{{1.43, 0.146}, {1.47, 0.132}, {1.51, 0.112}, {1.56, 0.104}, {1.60, 0.090}}};
+    constexpr std::array<CurveKey, 5> width{
+        {{1.43, 0.150}, {1.47, 0.112}, {1.51, 0.080}, {1.56, 0.074}, {1.60, 0.070}}};
+    constexpr std::array<CurveKey, 5> front{
+        {{1.43, 0.128}, {1.47, 0.104}, {1.51, 0.078}, {1.56, 0.074}, {1.60, 0.060}}};
+    constexpr std::array<CurveKey, 5> behind{
+        {{1.43, 0.146}, {1.47, 0.132}, {1.51, 0.112}, {1.56, 0.104}, {1.60, 0.090}}};
     const double turn = angle * std::numbers::pi / 180;
     std::vector<HairPoint> points;
     for (int ring = 0; ring < 8; ++ring) {
@@ -233,7 +242,12 @@ std::vector<Part> headgear() {
   return {{"cap", Slot::headgear, Fits::all, {Slot::hair}, {"sun", "casual", "short"}, {}, baseball_cap},
           {"flat_cap", Slot::headgear, Fits::man, {Slot::hair}, {"formal", "old", "short"}, {}, flat_cap},
           {"beanie", Slot::headgear, Fits::all, {Slot::hair}, {"cold", "casual", "short"}, {}, beanie},
-          {"beanie_with_bobble", Slot::headgear, Fits::women_and_children, {Slot::hair}, {"cold", "short"}, {},
+          {"beanie_with_bobble",
+           Slot::headgear,
+           Fits::women_and_children,
+           {Slot::hair},
+           {"cold", "short"},
+           {},
            beanie_with_bobble},
           {"sun_hat", Slot::headgear, Fits::all, {Slot::hair}, {"sun", "short"}, {}, sun_hat},
           {"helmet", Slot::headgear, Fits::all, {Slot::hair}, {"safety", "short"}, {}, helmet},

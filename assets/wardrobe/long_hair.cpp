@@ -20,11 +20,11 @@ using mannequin::Skin;
 
 /// Hair that hangs: a cap with a parting, and below the ears a curtain down to `bottom`.
 struct Curtain {
-  double bottom;        ///< Height where it ends at the back.
-  double side_bottom;   ///< The same at the sides, where it is open in front.
-  double fringe;        ///< Row where it ends over the forehead; beyond the hairline there is none.
-  double flare;         ///< Metres that its end stands further out.
-  double opens;         ///< Degrees from the front where the curtain begins.
+  double bottom;       ///< Height where it ends at the back.
+  double side_bottom;  ///< The same at the sides, where it is open in front.
+  double fringe;       ///< Row where it ends over the forehead; beyond the hairline there is none.
+  double flare;        ///< Metres that its end stands further out.
+  double opens;        ///< Degrees from the front where the curtain begins.
 };
 
 std::vector<HairPoint> curtain_column(const Curtain& curtain, double angle) {
@@ -34,9 +34,7 @@ std::vector<HairPoint> curtain_column(const Curtain& curtain, double angle) {
   const double back = glm::smoothstep(80.0, 135.0, side);
   const double bottom = glm::mix(curtain.side_bottom, curtain.bottom, back);
   std::vector<HairPoint> points;
-  const auto on_head = [&](double row, double out) {
-    return head_point(angle, row) + head_normal(angle, row) * out;
-  };
+  const auto on_head = [&](double row, double out) { return head_point(angle, row) + head_normal(angle, row) * out; };
   constexpr int hanging_rings = 7;
   const double over_ear = 0.007 * std::exp(-std::pow((side - 98) / 20, 2.0));
   const dvec3 top = on_head(root_row, 0.015 + over_ear);
@@ -69,7 +67,8 @@ std::vector<HairPoint> curtain_column(const Curtain& curtain, double angle) {
   for (int ring = 0; ring < cap_rings; ++ring) {
     const double row = glm::mix(root_row, head_row::crown, static_cast<double>(ring) / cap_rings);
     const double parting = std::exp(-std::pow(angle / 9, 2.0)) * glm::smoothstep(12.0, 13.0, row);
-    const double out = 0.015 + over_ear * glm::smoothstep(14.0, 11.0, row) + 0.004 * glm::smoothstep(11.0, 13.5, row) - 0.008 * parting;
+    const double out = 0.015 + over_ear * glm::smoothstep(14.0, 11.0, row) + 0.004 * glm::smoothstep(11.0, 13.5, row) -
+                       0.008 * parting;
     points.push_back({on_head(row, out), strand_paint(angle, 1) * (1 - 0.25 * parting)});
   }
   points.push_back({head_point(0, head_row::crown) + dvec3(0, 0.014, 0), dvec3(0.85)});
@@ -91,15 +90,21 @@ Skin long_straight() { return curtain_hair({1.360, 1.500, 12.7, 0.004, 66}); }
 Skin combed_back() {
   return hair_cap([](double angle) { return hairline(angle); },
                   [](double angle, double row) {
-                    return glm::mix(0.006, 0.011, glm::smoothstep(10.0, 13.0, row)) * (1 + 0.08 * std::sin(angle * 0.6));
+                    return glm::mix(0.006, 0.011, glm::smoothstep(10.0, 13.0, row)) *
+                           (1 + 0.08 * std::sin(angle * 0.6));
                   },
                   6, 28);
 }
 
 Skin ponytail() {
   Skin skin = combed_back();
-  append(skin, hair_tube({{0, 1.722, -0.108}, {0, 1.725, -0.133}, {0, 1.704, -0.153}, {0, 1.655, -0.158},
-                          {0, 1.600, -0.157}, {0, 1.545, -0.150}, {0, 1.500, -0.148}},
+  append(skin, hair_tube({{0, 1.722, -0.108},
+                          {0, 1.725, -0.133},
+                          {0, 1.704, -0.153},
+                          {0, 1.655, -0.158},
+                          {0, 1.600, -0.157},
+                          {0, 1.545, -0.150},
+                          {0, 1.500, -0.148}},
                          {0.016, 0.019, 0.025, 0.029, 0.026, 0.018, 0.004}));
   return skin;
 }
@@ -121,8 +126,12 @@ Skin bun() {
 Skin pigtails() {
   Skin skin = combed_back();
   for (const double side : {1.0, -1.0}) {
-    append(skin, hair_tube({{side * 0.062, 1.700, -0.055}, {side * 0.088, 1.705, -0.062}, {side * 0.106, 1.680, -0.064},
-                            {side * 0.112, 1.640, -0.060}, {side * 0.110, 1.600, -0.054}, {side * 0.106, 1.572, -0.050}},
+    append(skin, hair_tube({{side * 0.062, 1.700, -0.055},
+                            {side * 0.088, 1.705, -0.062},
+                            {side * 0.106, 1.680, -0.064},
+                            {side * 0.112, 1.640, -0.060},
+                            {side * 0.110, 1.600, -0.054},
+                            {side * 0.106, 1.572, -0.050}},
                            {0.010, 0.014, 0.022, 0.025, 0.019, 0.004}, 8));
   }
   return skin;
@@ -131,7 +140,8 @@ Skin pigtails() {
 /// A plait down the back: beads that grow smaller.
 Skin plait() {
   Skin skin = combed_back();
-  constexpr std::array<CurveKey, 5> depth{{{1.36, -0.142}, {1.45, -0.142}, {1.55, -0.136}, {1.62, -0.142}, {1.68, -0.128}}};
+  constexpr std::array<CurveKey, 5> depth{
+      {{1.36, -0.142}, {1.45, -0.142}, {1.55, -0.136}, {1.62, -0.142}, {1.68, -0.128}}};
   std::vector<dvec3> places;
   std::vector<double> radii;
   constexpr int beads = 8;

@@ -82,9 +82,7 @@ std::vector<dvec3> cage_normals(const Cage& cage) {
 
 }  // namespace
 
-const Skin& man_skin() {
-  return body_skin();
-}
+const Skin& man_skin() { return body_skin(); }
 
 Weights weights_at(dvec3 place) { return weights_at(place, {}); }
 

@@ -10,7 +10,8 @@ namespace throng::wardrobe {
 
 // What makers of parts use. All places are metres on the naked man at rest (assets/README.md, "The wardrobe").
 
-/// The left half of the naked man's cage below the middle of the neck, where it is open; `notes.piece` of a face is its piece (a Slot).
+/// The left half of the naked man's cage below the middle of the neck, where it is open; `notes.piece` of a face is its
+/// piece (a Slot).
 const mannequin::Cage& man_cage();
 
 /// The smooth surface of the naked man, whole, with his head.

@@ -216,7 +216,8 @@ Cage build() {
   const HalfRing slope = add_trunk_section(cage, {1.485, 0.112, 0.043, -0.092, 0.022, -0.004, 0.95}, all_of(yoke));
   cage.bridge(trunk.shoulder, slope, false, Region::skin);
   const HalfRing neck = add_trunk_section(cage, {1.516, 0.0585, 0.036, -0.0775, 0.030, -0.008, 1.0}, all_of(throat));
-  const HalfRing nape = add_trunk_section(cage, {1.499, 0.0770, 0.0405, -0.0835, 0.026, -0.006, 0.98}, all_of(low_neck));
+  const HalfRing nape =
+      add_trunk_section(cage, {1.499, 0.0770, 0.0405, -0.0835, 0.026, -0.006, 0.98}, all_of(low_neck));
   set_piece(cage, Slot::head);
   cage.bridge(slope, nape, false, Region::skin);
   cage.bridge(nape, neck, false, Region::skin);

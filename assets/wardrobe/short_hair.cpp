@@ -22,18 +22,17 @@ double strands(double angle, double row) {
 }
 
 Skin cropped() {
-  return hair_cap(hairline, [](double, double row) { return glm::mix(0.0025, 0.0055, glm::smoothstep(8.0, 13.0, row)); }, 6,
-                  26);
+  return hair_cap(
+      hairline, [](double, double row) { return glm::mix(0.0025, 0.0055, glm::smoothstep(8.0, 13.0, row)); }, 6, 26);
 }
 
 Skin short_cut() {
-  return hair_cap(
-      [](double angle) { return hairline(angle) - 0.25 * front_share(angle); },
-      [](double angle, double row) {
-        const double top = glm::smoothstep(11.0, 13.5, row);
-        return glm::mix(0.007, 0.016, top) * strands(angle, row) +
-               0.012 * front_share(angle) * glm::smoothstep(14.8, 13.2, row);
-      });
+  return hair_cap([](double angle) { return hairline(angle) - 0.25 * front_share(angle); },
+                  [](double angle, double row) {
+                    const double top = glm::smoothstep(11.0, 13.5, row);
+                    return glm::mix(0.007, 0.016, top) * strands(angle, row) +
+                           0.012 * front_share(angle) * glm::smoothstep(14.8, 13.2, row);
+                  });
 }
 
 Skin side_parting() {
@@ -43,31 +42,31 @@ Skin side_parting() {
         const double top = glm::smoothstep(10.8, 13.0, row);
         const double parting = std::exp(-std::pow((angle - 38) / 9, 2.0)) * top * glm::smoothstep(15.6, 14.6, row);
         const double swept = glm::smoothstep(40.0, -40.0, angle) * front_share(angle);
-        return (glm::mix(0.008, 0.019, top) + 0.011 * swept * top * glm::smoothstep(15.9, 14.6, row)) * strands(angle, row) - 0.013 * parting;
+        return (glm::mix(0.008, 0.019, top) + 0.011 * swept * top * glm::smoothstep(15.9, 14.6, row)) *
+                   strands(angle, row) -
+               0.013 * parting;
       },
       8, 32);
 }
 
 Skin swept_back() {
-  return hair_cap(
-      [](double angle) { return hairline(angle) + 0.15 * front_share(angle); },
-      [](double angle, double row) {
-        const double top = glm::smoothstep(11.2, 13.2, row);
-        const double comb = 1 + 0.10 * std::sin(angle * 0.7) * top;
-        return glm::mix(0.005, 0.022, top) * comb;
-      },
-      8, 32);
+  return hair_cap([](double angle) { return hairline(angle) + 0.15 * front_share(angle); },
+                  [](double angle, double row) {
+                    const double top = glm::smoothstep(11.2, 13.2, row);
+                    const double comb = 1 + 0.10 * std::sin(angle * 0.7) * top;
+                    return glm::mix(0.005, 0.022, top) * comb;
+                  },
+                  8, 32);
 }
 
 Skin curly() {
-  return hair_cap(
-      [](double angle) { return hairline(angle) - 0.15; },
-      [](double angle, double row) {
-        const double top = glm::smoothstep(8.5, 12.5, row);
-        const double curls = std::sin(angle * 0.21 + 2.4 * row) * std::sin(angle * 0.17 - 3.1 * row + 1);
-        return glm::mix(0.014, 0.034, top) + 0.006 * curls;
-      },
-      9, 34);
+  return hair_cap([](double angle) { return hairline(angle) - 0.15; },
+                  [](double angle, double row) {
+                    const double top = glm::smoothstep(8.5, 12.5, row);
+                    const double curls = std::sin(angle * 0.21 + 2.4 * row) * std::sin(angle * 0.17 - 3.1 * row + 1);
+                    return glm::mix(0.014, 0.034, top) + 0.006 * curls;
+                  },
+                  9, 34);
 }
 
 Skin afro() {

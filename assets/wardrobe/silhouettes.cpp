@@ -36,8 +36,7 @@ const std::array<Kind, 4>& kinds_of_bottom() {
 }
 
 const std::array<Kind, 3>& kinds_of_hair() {
-  static const std::array<Kind, 3> kinds{
-      {{"short", {"short_cut"}}, {"long", {"long_straight"}}, {"hat", {"sun_hat"}}}};
+  static const std::array<Kind, 3> kinds{{{"short", {"short_cut"}}, {"long", {"long_straight"}}, {"hat", {"sun_hat"}}}};
   return kinds;
 }
 
@@ -139,8 +138,8 @@ Finished finish_silhouette(const std::string& name, Mesh mesh) {
     vertex.pattern = glm::vec2(0);
     vertex.hair = glm::vec2(0);
   }
-  Finished finished{std::make_shared<MadePart>(MadePart{name, Slot::silhouette, nullptr, std::move(mesh), std::move(levels)}),
-                    {}};
+  Finished finished{
+      std::make_shared<MadePart>(MadePart{name, Slot::silhouette, nullptr, std::move(mesh), std::move(levels)}), {}};
   for (const Body body : all_bodies) {
     Fitted& fitted = finished.bodies.emplace_back(Fitted{body, {}, {}, {}});
     for (const MeshVertex& vertex : finished.made->mesh.vertices) {

@@ -89,7 +89,7 @@ constexpr std::array<CurveKey, 6> child_leg{
 constexpr Build woman_build{woman_width, woman_front, woman_back, woman_arm, woman_leg, 0.014,
                             0.008,       0.88,        0.88,       0.90,      0.84};
 constexpr Build child_build{child_width, child_front, child_back, child_arm, child_leg, 0.016,
-                            0.0,         1.04, 1.02, 0.96, 0.86};
+                            0.0,         1.04,        1.02,       0.96,      0.86};
 
 /// A soft bump around a place, the same on both sides; 1 in its middle.
 double bump(dvec3 place, dvec3 centre, dvec3 radius) {

@@ -52,7 +52,8 @@ std::set<std::size_t> border(const Finished& piece, std::size_t level) {
   return open;
 }
 
-double nearest(const Finished& piece, std::size_t v, std::size_t body, std::size_t level, const mannequin::WorldPose& pose,
+double nearest(const Finished& piece, std::size_t v, std::size_t body, std::size_t level,
+               const mannequin::WorldPose& pose,
                const std::vector<std::pair<const Finished*, std::set<std::size_t>>>& borders) {
   static_cast<void>(level);
   const dvec3 here = posed(piece, body, v, pose);
@@ -95,7 +96,9 @@ TEST(WardrobeBody, AWomanIsNarrowInTheWaistAndAChildHasALargeHead) {
   };
   const auto torso = static_cast<std::size_t>(wardrobe::Slot::torso);
   const auto head = static_cast<std::size_t>(wardrobe::Slot::head);
-  const auto of_hips = [&](std::size_t body) { return width(body, torso, 1.03, 1.10) / width(body, torso, 0.93, 0.98); };
+  const auto of_hips = [&](std::size_t body) {
+    return width(body, torso, 1.03, 1.10) / width(body, torso, 0.93, 0.98);
+  };
   EXPECT_LT(of_hips(1), 0.88 * of_hips(0));
   EXPECT_GT(width(2, head, 1.62, 1.90), 1.4 * width(0, head, 1.62, 1.80));
 }

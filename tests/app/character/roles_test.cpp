@@ -114,8 +114,9 @@ TEST(RolesByName, HaveNamesOfTheirOwn) {
 }
 
 TEST(RolesByName, OfThingsInHandsAreKnownToo) {
-  const Names names{"Idle",       "Phone",       "Call",  "Talking_On_Phone", "Drink", "Take_Picture", "Lean_Wall", "Sit",
-                    "Sit_Ground", "Walk_Carry", "Carry", "Hold_Up",          "Push",  "Push_Up",      "Stick"};
+  const Names names{"Idle",         "Phone",     "Call", "Talking_On_Phone", "Drink",
+                    "Take_Picture", "Lean_Wall", "Sit",  "Sit_Ground",       "Walk_Carry",
+                    "Carry",        "Hold_Up",   "Push", "Push_Up",          "Stick"};
   EXPECT_EQ(clip_for(Role::phone, names), "Phone");
   EXPECT_EQ(clip_for(Role::call, names), "Call");
   EXPECT_EQ(clip_for(Role::call, {"Idle", "Talking_On_Phone"}), "Talking_On_Phone");

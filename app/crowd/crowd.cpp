@@ -11,10 +11,10 @@
 #include <glm/geometric.hpp>
 
 #include "app/crowd/cut_scene_layout.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
 #include "app/crowd/tiles.h"
-#include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {

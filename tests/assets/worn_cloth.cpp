@@ -79,11 +79,29 @@ dvec3 posed(const MeshVertex& vertex, dvec3 value, bool direction, const mannequ
   return sum;
 }
 
-using Corners = std::array<dvec3, 3>;
-
 dvec3 normal_of(const Corners& t) { return glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]) + dvec3(0, 1e-20, 0)); }
 
-/// The shares of a triangle's corners at its point that is nearest (Ericson, Real-Time Collision Detection, 5.1.5).
+/// How far along a direction a triangle is that looks the same way; nothing if it is not met.
+std::optional<double> met(dvec3 origin, dvec3 direction, const Corners& t) {
+  if (glm::dot(normal_of(t), direction) < facing) return std::nullopt;
+  const dvec3 b = t[1] - t[0], c = t[2] - t[0], offset = origin - t[0];
+  const dvec3 p = glm::cross(direction, c);
+  const double determinant = glm::dot(b, p);
+  if (std::abs(determinant) < 1e-14) return std::nullopt;
+  const double u = glm::dot(offset, p) / determinant;
+  const dvec3 q = glm::cross(offset, b);
+  const double v = glm::dot(direction, q) / determinant;
+  if (u < 0 || v < 0 || u + v > 1) return std::nullopt;
+  return glm::dot(c, q) / determinant;
+}
+
+Corners corners_of(const std::array<std::uint16_t, 3>& triangle, const std::vector<dvec3>& places) {
+  return {places[triangle[0]], places[triangle[1]], places[triangle[2]]};
+}
+
+}  // namespace
+
+/// Ericson, Real-Time Collision Detection, 5.1.5.
 dvec3 nearest_shares(dvec3 p, const Corners& t) {
   const dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1], cp = p - t[2];
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
@@ -104,31 +122,11 @@ dvec3 nearest_shares(dvec3 p, const Corners& t) {
   return dvec3(va, vb, vc) / (va + vb + vc);
 }
 
-/// How far along a direction a triangle is that looks the same way; nothing if it is not met.
-std::optional<double> met(dvec3 origin, dvec3 direction, const Corners& t) {
-  if (glm::dot(normal_of(t), direction) < facing) return std::nullopt;
-  const dvec3 b = t[1] - t[0], c = t[2] - t[0], offset = origin - t[0];
-  const dvec3 p = glm::cross(direction, c);
-  const double determinant = glm::dot(b, p);
-  if (std::abs(determinant) < 1e-14) return std::nullopt;
-  const double u = glm::dot(offset, p) / determinant;
-  const dvec3 q = glm::cross(offset, b);
-  const double v = glm::dot(direction, q) / determinant;
-  if (u < 0 || v < 0 || u + v > 1) return std::nullopt;
-  return glm::dot(c, q) / determinant;
-}
-
-Corners corners_of(const std::array<std::uint16_t, 3>& triangle, const std::vector<dvec3>& places) {
-  return {places[triangle[0]], places[triangle[1]], places[triangle[2]]};
-}
-
 std::vector<dvec3> places_of(const Mesh& mesh, const mannequin::WorldPose& pose) {
   std::vector<dvec3> places;
   for (const MeshVertex& vertex : mesh.vertices) places.push_back(posed(vertex, vertex.position, false, pose));
   return places;
 }
-
-}  // namespace
 
 WornCloth worn_part(const wardrobe::Part& part, Body body) {
   return worn(part.name, layer_of(part.slot), part.make(), body);

@@ -34,6 +34,12 @@ struct ClipMoment {
 };
 const std::vector<ClipMoment>& clip_moments();
 
+using Corners = std::array<glm::dvec3, 3>;
+/// The shares of a triangle's corners at its point that is nearest to a place.
+glm::dvec3 nearest_shares(glm::dvec3 place, const Corners& triangle);
+/// Where the vertices of a mesh are in a pose.
+std::vector<glm::dvec3> places_of(const mannequin::Mesh& mesh, const mannequin::WorldPose& pose);
+
 /// Which vertices of an inner part lie below an outer one at rest, and how far they come out of it.
 class CoveredCloth {
  public:

@@ -6,7 +6,7 @@ uint fabric_of(uint tint) { return tint >> 29; }
 
 // The share of the second colour in all of a pattern, for those so far away that it is too small to be seen.
 const float mean_of_pattern[13] = float[](0.0, 0.5, 0.14, 0.5, 0.45, 0.23, 0.27, 0.04, 0.0, 0.0, 0.24, 0.5, 0.35);
-const uint print_pattern = 7u, trim_pattern = 8u, blocks_pattern = 9u;
+const uint denim_pattern = 6u, print_pattern = 7u, trim_pattern = 8u, blocks_pattern = 9u;
 const float middle_of_chest = 1.30, lower_end_of_block = 1.20;  // metres
 
 float mean_share(uint pattern) {
@@ -27,13 +27,13 @@ const vec4 waves_of_pattern[13] = vec4[](
 const vec4 kind_of_pattern[13] = vec4[](
     vec4(0.0, 0.0, 1.0, 0.0), vec4(0.0, 1.0, 1.0, 0.0), vec4(1.0, 0.0, 1.0, 0.0), vec4(0.5, 0.5, 1.0, 0.0),
     vec4(0.5, 0.5, 1.0, 7.0), vec4(0.0, 0.0, 22.0, 1.0), vec4(0.0, 0.22, 7.0, 4.0), vec4(0.0, 0.0, 5.0, 5.0),
-    vec4(0.0, 0.0, 1.0, 6.0), vec4(0.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 13.0, 2.0), vec4(0.0, 0.0, 8.0, 3.0),
+    vec4(0.0, 0.0, 1.0, 6.0), vec4(0.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 13.0, 2.0), vec4(0.0, 0.0, 13.0, 3.0),
     vec4(0.0, 0.7, 1.0, 0.0));
 // How the edge shines softly; how much it mirrors; how tightly; how little its light depends on the sun's direction.
-const vec4 light_of_fabric[8] = vec4[](vec4(0.0, 0.0, 1.0, 0.0), vec4(0.12, 0.0, 1.0, 0.45), vec4(0.6, 0.0, 1.0, 0.3),
-                                       vec4(0.1, 0.5, 26.0, 0.0), vec4(0.0, 0.32, 42.0, 0.0),
-                                       vec4(0.05, 0.24, 15.0, 0.0), vec4(0.06, 0.08, 12.0, 0.1),
-                                       vec4(0.0, 0.5, 80.0, 0.0));
+const vec4 light_of_fabric[8] = vec4[](vec4(0.0, 0.0, 1.0, 0.0), vec4(0.2, 0.0, 1.0, 0.45), vec4(1.0, 0.0, 1.0, 0.3),
+                                       vec4(0.15, 0.42, 8.0, 0.0), vec4(0.0, 0.34, 13.0, 0.0),
+                                       vec4(0.05, 0.22, 6.0, 0.0), vec4(0.06, 0.07, 5.0, 0.1),
+                                       vec4(0.0, 0.55, 24.0, 0.0));
 
 out vec3 second_color;
 out vec3 pattern_place;  // u and v in metres; the share of trim
@@ -63,7 +63,7 @@ void lay_pattern(uint agent, uint tint, uint second) {
   } else if (pattern == blocks_pattern) {
     pattern_place.y -= lower_end_of_block;
     size = 1.0;
-  } else {
+  } else if (pattern != denim_pattern) {
     pattern_place.xy += 4.0 * chances.xy;
   }
   pattern_waves.xy /= size;

@@ -36,6 +36,12 @@ float five_fold(vec2 place, float length_of_place) {
   return c * ((16.0 * squared - 20.0) * squared + 5.0);
 }
 
+// Jeans fade at the front of the thighs.
+float worn_at_thigh(vec2 place) {
+  vec2 off = (place - vec2(0.0, 0.66)) / vec2(0.055, 0.17);
+  return exp2(-dot(off, off));
+}
+
 float covered(float inside, float width) { return clamp(inside / width + 0.5, 0.0, 1.0); }
 
 vec3 patterned(vec3 first_color) {
@@ -57,12 +63,14 @@ vec3 patterned(vec3 first_color) {
   float radius = (kind == dots ? 0.27 : kind == print ? 0.42 : 0.38) * (1.0 - depth * petals);
   float spot = covered(radius - reach, pixel);
   if (kind == print && fract(5.0 * chance) > 0.5) spot -= covered(0.6 * radius - reach, pixel);
-  float cloud = cloud_at(spots), other_cloud = cloud_at(2.0 * spots + 47.0);
-  float patch_width = max(2.0 * pixel, 0.02);
+  if (kind == wear) spots += 40.0 * chance;
+  vec2 turned_spots = mat2(0.8, 0.6, -0.6, 0.8) * spots;
+  float other_cloud = cloud_at(1.7 * spots + 47.0), cloud = cloud_at(turned_spots + 0.9 * other_cloud);
+  float patch_width = max(1.3 * pixel, 0.01);
   if (kind == dots) share = mix(spot, 0.23, afar);
   if (kind == flowers) share = mix(spot, 0.24, afar);
   if (kind == patches) share = mix(covered(cloud + 0.3 * other_cloud - 0.65, patch_width), 0.5, afar);
-  if (kind == wear) share += 0.32 * mix(cloud, 0.5, afar);
+  if (kind == wear) share += 0.24 * mix(cloud, 0.5, afar) + 0.4 * worn_at_thigh(place);
   if (kind == print) share = spot;
   if (kind == trimmed) share = covered(pattern_place.z - 0.5, max(fwidth(pattern_place.z), 1e-4));
   vec3 color = mix(first_color, second_color, clamp(share, 0.0, 1.0));
@@ -71,7 +79,7 @@ vec3 patterned(vec3 first_color) {
   if (kind == lines) color = mix(color, vec3(0.55, 0.5, 0.4), 0.6 * max(fine.x, fine.y));
   float middle = covered(0.1 - reach, pixel) * (1.0 - afar);
   if (kind == flowers) color = mix(color, vec3(0.55, 0.36, 0.05), middle);
-  float dark = covered(cloud_at(1.3 * spots + 91.0) - 0.62, patch_width) * (1.0 - afar);
+  float dark = covered(cloud_at(1.2 * turned_spots + 91.0 - other_cloud) - 0.62, patch_width) * (1.0 - afar);
   if (kind == patches) color *= 1.0 - 0.6 * dark;
   return color;
 }

@@ -141,9 +141,10 @@ void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visi
   const std::span<const Held> things = things_of(crowd);
   for (const anim::VisibleAgent& seen : visible) {
     const std::uint32_t agent = seen.agent;
-    if (arm_of_[agent] == none || seen.pixels_tall < least_pixels) continue;
+    if (arm_of_[agent] == none) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
+    if (seen.pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
     arm.near_in = frame_;
     if (arm_lies_over(things[agent], crowd.roles()[agent])) {
       turn_on(agent, arm, !was_near);

@@ -17,9 +17,9 @@ namespace throng::app {
 /// whose things can be seen have the layer, so the many far away are posed without.
 class HeldArms {
  public:
-  /// Who is smaller on the screen, in pixels, is posed without: an outfit is then about one silhouette. Poses do not
-  /// depend on meshes, which a run that draws nothing does not have.
-  static constexpr float least_pixels = 12.0F;
+  /// Who is smaller on the screen, in pixels, is posed without, once they hold nothing yet and once they do: an outfit
+  /// is then about one silhouette. Poses do not depend on meshes, which a run that draws nothing does not have.
+  static constexpr float pixels_to_begin = 16.0F, pixels_to_go_on = 13.0F;
 
   /// `characters` and `system` outlive this.
   HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
@@ -34,6 +34,12 @@ class HeldArms {
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();
 
+  /// Returns whether the thing of an agent is to be drawn: its arm holds it now, or the whole body does in its role, or
+  /// its character has no clip of an arm that could.
+  bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
+    if (agent >= arm_of_.size() || arm_of_[agent] == none) return true;
+    return arms_[arm_of_[agent]].near_in == frame_ && is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
+  }
   /// Returns how many arms hold something now.
   std::size_t shown() const { return shown_.size(); }
 

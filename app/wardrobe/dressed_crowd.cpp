@@ -69,6 +69,15 @@ void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed)
   look.tints.at(static_cast<std::size_t>(render::Region::hair)) = render::tint_of(faded(gray, random));
 }
 
+/// Gives clothes the colours of a shape that is seen from above, whatever their cut.
+void wear_pattern(render::AgentLook& look, const Tints& tints) {
+  using enum render::Region;
+  for (const render::Region upper : {top, outer, headgear}) {
+    look.tints.at(static_cast<std::size_t>(upper)) = render::tint_of(tints[2]);
+  }
+  look.tints.at(static_cast<std::size_t>(bottom)) = render::tint_of(tints[3]);
+}
+
 }  // namespace
 
 DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning) {
@@ -80,8 +89,10 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const bool dresses = !clothing[i].wardrobe.empty() && !clothing[i].rules.styles.empty();
     if (dresses) dressers[i].emplace(clothing[i].rules, clothing[i].wardrobe, occasion);
   }
-  DressedCrowd dressed{
-      .looks = crowd.looks().drawn, .outfits = std::vector<render::Outfit>(crowd.size()), .things = hands_of(crowd)};
+  DressedCrowd dressed{.looks = crowd.looks().drawn,
+                       .outfits = std::vector<render::Outfit>(crowd.size()),
+                       .things = hands_of(crowd),
+                       .in_hand = std::vector<std::uint16_t>(crowd.size(), render::Outfit::no_silhouette)};
   const std::vector<std::uint32_t> groups = groups_of(crowd);
   Lookalikes lookalikes(crowd.positions());
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
@@ -98,9 +109,12 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
       if (worn.style->alike || !lookalikes.has_near(worn.looks_like, agent)) break;
     }
     lookalikes.add(worn.looks_like, agent);
+    if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
     if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
     dressed.outfits[agent] = worn.outfit;
-    if (worn.in_hand != nullptr) dressed.things[agent] = held_named(worn.in_hand->name);
+    if (worn.in_hand == nullptr) continue;
+    dressed.things[agent] = held_named(worn.in_hand->name);
+    if (dressed.things[agent] != Held::nothing) dressed.in_hand[agent] = worn.in_hand->piece;
   }
   return dressed;
 }

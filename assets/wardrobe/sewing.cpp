@@ -92,6 +92,8 @@ Piece mirror_image(const Piece& piece) {
 mannequin::FaceNotes notes_of(const Piece& piece) {
   mannequin::FaceNotes notes;
   notes.trim = piece.trim;
+  const bool of_legs = piece.region == mannequin::Region::trousers || piece.region == mannequin::Region::shoes;
+  notes.chart = of_legs ? mannequin::Chart::by_joints : mannequin::Chart::around_body;
   return notes;
 }
 

@@ -60,7 +60,9 @@ Skin make_t_shirt() {
                                                  {1.280, 0.168, 0.121, -0.127, 0.006, 0, 0.84}}});
   rib_neck(half, top.neck, 1);
   add_sleeve(half, top.armhole, Region::shirt,
-             {{0.070, 0.062, 0.061, 0, -0.006, 0, 1, true}, {0.190, 0.057, 0.057, 0, 0, 1, 1, true}});
+             {{0.070, 0.062, 0.061, 0, -0.006, 0, 1, true},
+              {0.125, 0.061, 0.060, 0, -0.002, 1},
+              {0.190, 0.058, 0.058, 0, 0, 1}});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0020);
   return cloth;
@@ -75,9 +77,11 @@ Skin make_polo() {
                                                  {1.280, 0.168, 0.121, -0.127, 0.006, 0, 0.84}},
                                         .neck = shirt_neck});
   add_collar(half, Region::shirt, 10, 1, shirt_collar);
-  add_sleeve(
-      half, top.armhole, Region::shirt,
-      {{0.070, 0.060, 0.059, 0, -0.006, 0, 1, true}, {0.165, 0.057, 0.057, 0, 0}, {0.190, 0.056, 0.056, 0, 0, 1}});
+  add_sleeve(half, top.armhole, Region::shirt,
+             {{0.070, 0.060, 0.059, 0, -0.006, 0, 1, true},
+              {0.125, 0.060, 0.059, 0, -0.002},
+              {0.165, 0.058, 0.058, 0, 0},
+              {0.190, 0.056, 0.056, 0, 0, 1}});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0018);
   placket(cloth, 1.470, 1.330, 2);
@@ -121,7 +125,7 @@ Skin make_shirt() {
 
 Skin make_blouse() {
   Cage half;
-  const TopBorders top = add_top(half, {.rows = {{0.885, 0.188, 0.120, -0.152, 0.0, 0.004},
+  const TopBorders top = add_top(half, {.rows = {{0.885, 0.188, 0.116, -0.151, 0.0, 0.004},
                                                  {0.935, 0.181, 0.115, -0.147},
                                                  {0.990, 0.170, 0.110, -0.135},
                                                  {1.060, 0.155, 0.106, -0.108},

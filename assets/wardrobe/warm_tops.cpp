@@ -77,7 +77,7 @@ Skin make_hoodie() {
     row.half_width += 0.006;
     row.half_height += 0.005;
     row.out += 0.003;
-    row.trim = 1;
+    row.trim = row.along > 0.08 ? 1 : 0;
   }
   add_sleeve(half, top.armhole, Region::shirt, sleeve);
   Skin cloth = mirrored_surface(half);

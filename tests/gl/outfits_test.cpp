@@ -23,7 +23,10 @@ struct DollInPieces {
       std::vector<std::uint32_t>& half = whole.regions[whole.indices[i]] >= 3 ? lower : upper;
       half.insert(half.end(), begin + static_cast<std::ptrdiff_t>(i), begin + static_cast<std::ptrdiff_t>(i) + 3);
     }
+    faces.assign(whole.positions.size() / 3 * 4, 1.0F);
+    data.body_size = 20.0F;  // so that a face's centimetre is seen
     MeshPartData one = whole, other = whole;
+    one.faces = faces;
     one.indices = upper;
     other.indices = lower;
     data.pieces = {{.levels = {{{one}, 0.0F}, {{one}, 0.01F}}},
@@ -31,6 +34,7 @@ struct DollInPieces {
                    {.levels = {{{whole}, 0.1F}}, .is_silhouette = true}};
   }
   std::vector<std::uint32_t> upper, lower;
+  std::vector<float> faces;
   CrowdMeshData data;
 };
 
@@ -99,6 +103,13 @@ TEST_F(Outfits, OfPlainCottonThatAreAllOfACharacterLookLikeIt) {
 TEST_F(Outfits, WithoutAPieceShowThatItIsMissing) {
   EXPECT_FALSE(looks_the_same(difference(crowd().frame(), wearing({1}, 0))));
   EXPECT_FALSE(looks_the_same(difference(crowd().frame(), wearing({2}, 0))));
+}
+
+TEST_F(Outfits, FollowTheFaceOfALookNearBy) {
+  const Image near = picture(wearing({1, 2}, 0)), far = picture(wearing({3}, 4));
+  for (AgentLook& look : crowd().looks) look.face = 0x00007F00U;  // the nose
+  EXPECT_FALSE(looks_the_same(*measure_difference(near, picture(wearing({1, 2}, 0)))));
+  EXPECT_EQ(measure_difference(far, picture(wearing({3}, 4)))->worst_block, 0.0);
 }
 
 TEST_F(Outfits, AreShadowsAndLabelsAndBonesOfTheSameAgents) {

@@ -59,7 +59,7 @@ class CaseBench {
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
   std::unique_ptr<HeldSubject> held_;
   std::unique_ptr<JointSubject> joints_, joint_matrices_, few_joints_;
-  std::unique_ptr<SocketSubject> sockets_;
+  std::unique_ptr<SocketSubject> sockets_, listed_sockets_;
   BenchRounds rounds_;
 };
 
@@ -139,8 +139,13 @@ void CaseBench::add_sockets(int things) {
   anim::SystemOptions one_pu = options_;
   one_pu.pus = 1;
   const std::size_t carried = std::min(static_cast<std::size_t>(things), agents_.size());
-  sockets_ = SocketSubject::create(character_, one_pu, agents_, *palettes_, carried);
-  if (sockets_ != nullptr) rounds_.add({"sockets", [this] { sockets_->run(); }});
+  one_pu.palettes = anim::PaletteFormat::matrices;
+  const auto add = [&](const char* key, std::unique_ptr<SocketSubject>& subject, SocketSource source) {
+    subject = SocketSubject::create(character_, one_pu, agents_, *palettes_, carried, source);
+    if (subject != nullptr) rounds_.add({key, [made = subject.get()] { made->run(); }});
+  };
+  add("sockets", sockets_, SocketSource::palette);
+  add("listed sockets", listed_sockets_, SocketSource::list);
 }
 
 anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents,
@@ -232,7 +237,10 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
-  if (times.has("sockets")) json["sockets_over_palettes"] = times.median_ratio("sockets", "one pu");
+  for (const auto& [key, subject] :
+       {std::pair{"sockets_over_palettes", "sockets"}, std::pair{"listed_sockets_over_palettes", "listed sockets"}}) {
+    if (times.has(subject)) json[key] = times.median_ratio(subject, "one pu");
+  }
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);
   json["agents_per_60hz_frame"] = static_cast<std::int64_t>(agents * (1e9 / 60.0) / times.median("update"));

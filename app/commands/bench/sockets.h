@@ -8,15 +8,21 @@
 
 namespace throng::app {
 
-/// The whole update over the same agents, some of which carry a thing in a hand: their update writes the joint of the
-/// hand beside the palette, and the host multiplies it with the agent's place, as the matrix of an instance.
+/// How a host learns where a hand is.
+enum class SocketSource : unsigned char {
+  palette,  ///< from the palette that was just written, as a draw of things does on a device
+  list      ///< from a joint that the update writes beside the palette, where palettes cannot be read back
+};
+
+/// The whole update over the same agents, some of which carry a thing in a hand. After it, the host multiplies the hand
+/// with the agent's place, as the matrix of an instance.
 class SocketSubject {
  public:
   /// Returns null if the agents do not fit the local store. `things` is at most the number of agents; the carriers are
-  /// spread over all.
+  /// spread over all. `palettes` are matrices.
   static std::unique_ptr<SocketSubject> create(std::shared_ptr<const anim::Character> character,
                                                const anim::SystemOptions& options, std::span<const BenchAgent> agents,
-                                               const BenchPalettes& palettes, std::size_t things);
+                                               const BenchPalettes& palettes, std::size_t things, SocketSource source);
   void run();
 
  private:
@@ -24,13 +30,15 @@ class SocketSubject {
   struct alignas(16) Matrix {
     float rows[12];
   };
-  struct Place {
+  struct Carrier {
+    const float* hand;  ///< three rows of four, in model space
     float x, z, cosine, sine;
   };
 
   std::unique_ptr<SystemSubject> subject_;
-  std::vector<Place> places_;      // [thing] of the agent that carries it
-  std::vector<Matrix> hands_;      // [thing] in model space
+  float from_hand_[3] = {};  // where the joint is in the space of what `hand` points at
+  std::vector<Carrier> carriers_;
+  std::vector<Matrix> listed_;     // [thing] of a list of joints
   std::vector<Matrix> instances_;  // [thing] in the world
 };
 

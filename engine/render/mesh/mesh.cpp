@@ -140,7 +140,8 @@ void CrowdMesh::copy_to_device(const SurfaceView& surface, std::span<const Morph
   describe_tangents(array_, tangents_);
   create_morphs(morph_deltas, surface.vertices.size());
   parts_ = surface;
-  reach_ = stretch_of_poses * farthest_from_origin(surface.vertices);
+  reach_ = stretch_of_poses * farthest_from_origin(surface.vertices.first(parts_.vertex_count));
+  reach_of_pieces_ = stretch_of_poses * farthest_from_origin(surface.vertices);
   longest_side_of_bones_ = longest_side(surface.vertices.subspan(parts_.first_bone_end, parts_.bone_end_count));
 }
 

@@ -59,8 +59,8 @@ class CrowdMesh {
   std::uint32_t first_bone_end() const { return parts_.first_bone_end; }
   std::uint32_t bone_end_count() const { return parts_.bone_end_count; }
   /// Gives a radius, in metres of an agent of scale 1, around the place where an agent stands that holds its surface,
-  /// stretched as far as poses stretch it.
-  float reach() const { return reach_; }
+  /// stretched as far as poses stretch it: that of piece 0, or of any piece.
+  float reach(bool of_any_piece) const { return of_any_piece ? reach_of_pieces_ : reach_; }
 
   /// Gives the longest side of the box around them at rest, in metres; 0 without bones.
   float longest_side_of_bones() const { return longest_side_of_bones_; }
@@ -83,7 +83,7 @@ class CrowdMesh {
   gl::VertexArray array_;
   SurfaceParts parts_;
   float longest_side_of_bones_ = 0.0F;
-  float reach_ = 0.0F;
+  float reach_ = 0.0F, reach_of_pieces_ = 0.0F;
   float body_size_ = 1.0F;
   MaterialSet materials_;
 };

@@ -111,7 +111,7 @@ void ShadowPass::end() {
 
 void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> meshes) {
   reaches_.clear();
-  for (const CrowdMesh& mesh : meshes) reaches_.push_back(mesh.reach());
+  for (const CrowdMesh& mesh : meshes) reaches_.push_back(mesh.reach(!frame.drawn.empty()));
   casters_.choose(frame, reaches_, axes_, cast_limits(cascades_, axes_, drawn_now_));
   draws_.clear();
   std::uint32_t first_caster = 0;

@@ -25,6 +25,8 @@ namespace {
 constexpr const char* character_file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 constexpr int width = 1280, height = 720, map_side = 2048;
 constexpr float reach = 1.3F;  // metres of the built-in character's surface from where it stands
+constexpr render::MeshError mesh_errors[] = {{},          {0.003F, 0}, {0.009F, 0}, {0.022F, 0},
+                                             {0.042F, 0}, {0.067F, 0}, {0.11F, 0}};  // shares of its height
 constexpr std::array<bool, render::cascade_count> all_cascades{true, true, true, true};
 
 /// A crowd on the plaza, and all that its picture is made of.
@@ -40,6 +42,8 @@ class Subject {
     auto stage = Stage::create(std::move(characters), subject->tuning_, subject->pages_);
     if (!stage) return stage.error();
     subject->stage_ = std::move(*stage);
+    subject->stage_->mesh_lods().set(0, std::vector(std::begin(mesh_errors), std::end(mesh_errors)),
+                                     std::vector<std::uint32_t>(std::size(mesh_errors), 1000));
     subject->pose();
     return subject;
   }
@@ -48,12 +52,26 @@ class Subject {
     tuning_.system.pus = pus;
     static_cast<void>(stage_->apply(tuning_));
   }
+  /// Gives everybody ten pieces of a hundred and one of twelve silhouettes, or takes them off.
+  void dress(bool dressed) {
+    std::vector<render::Outfit> outfits(stage_->crowd().size());
+    for (std::uint32_t agent = 0; dressed && agent < outfits.size(); ++agent) {
+      outfits[agent].count = 10;
+      for (std::uint32_t i = 0; i < 10; ++i) {
+        outfits[agent].pieces.at(i) = static_cast<std::uint16_t>(1 + 10 * i + (agent * 2654435761U >> 3U * i) % 10);
+      }
+      outfits[agent].silhouette = static_cast<std::uint16_t>(101 + agent % 12);
+    }
+    const std::vector<render::AgentLook> looks = stage_->crowd().looks().drawn;
+    wear(const_cast<Crowd&>(stage_->crowd()), looks, std::move(outfits));  // NOLINT(*-const-cast)
+    compose();
+  }
   void compose() { picture_.compose(*stage_); }
   void choose_casters() {
     jobs_.use(stage_->system());
     render::CrowdFrame frame = this->frame();
     frame.jobs = &jobs_;
-    reaches_.assign(1, reach);
+    reaches_.assign(stage_->characters().size(), reach);
     casters_.choose(frame, reaches_, axes_, render::cast_limits(cascades_, axes_, all_cascades));
   }
   /// Does the same in the plain way: a pass over all instances for each cascade, on one thread.
@@ -84,7 +102,11 @@ class Subject {
     cascades_ = render::plan_cascades(view_, axes_, render::depths_of(frame()), map_side);
   }
   render::CrowdFrame frame() const {
-    return {.camera = view_, .instances = picture_.instances(), .batches = picture_.batches()};
+    return {.camera = view_,
+            .instances = picture_.instances(),
+            .batches = picture_.batches(),
+            .drawn = picture_.drawn(),
+            .runs = picture_.runs()};
   }
   bool casts_into_first(const render::CastLimits& limits, const render::InstanceRecord& record) const {
     const glm::vec3 place(record.position[0], record.position[1], record.position[2]);
@@ -110,19 +132,26 @@ anim::Result<Json> measure_crowd(int agents, int pus, int frames) {
   auto made = Subject::create(agents);
   if (!made) return made.error();
   Subject& subject = **made;
-  const auto one = [&] { subject.use_pus(1); };
-  const auto all = [&] { subject.use_pus(pus); };
+  const auto one = [&] { subject.use_pus(1), subject.dress(false); };
+  const auto all = [&] { subject.use_pus(pus), subject.dress(false); };
+  const auto one_dressed = [&] { subject.use_pus(1), subject.dress(true); };
+  const auto all_dressed = [&] { subject.use_pus(pus), subject.dress(true); };
   BenchRounds rounds;
   rounds.add({"compose_1", [&] { subject.compose(); }, one});
   rounds.add({"compose", [&] { subject.compose(); }, all});
-  rounds.add({"casters_plainly", [&] { subject.choose_casters_plainly(); }});
+  rounds.add({"compose_dressed_1", [&] { subject.compose(); }, one_dressed});
+  rounds.add({"compose_dressed", [&] { subject.compose(); }, all_dressed});
+  rounds.add({"casters_dressed_1", [&] { subject.choose_casters(); }, one_dressed});
+  rounds.add({"casters_dressed", [&] { subject.choose_casters(); }, all_dressed});
+  rounds.add({"casters_plainly", [&] { subject.choose_casters_plainly(); }, all});
   rounds.add({"casters_1", [&] { subject.choose_casters(); }, one});
   rounds.add({"casters", [&] { subject.choose_casters(); }, all});
   rounds.run(frames, std::to_string(agents) + " agents: ");
   if (!subject.casters_are_the_same()) return anim::Error{"two ways to choose casters differ"};
   constexpr double nanoseconds_a_millisecond = 1e6;
   Json row = {{"agents", agents}, {"agents_in_view", subject.in_view()}, {"casters", subject.casters()}};
-  for (const char* const key : {"compose_1", "compose", "casters_plainly", "casters_1", "casters"}) {
+  for (const char* const key : {"compose_1", "compose", "compose_dressed_1", "compose_dressed", "casters_plainly",
+                                "casters_1", "casters", "casters_dressed_1", "casters_dressed"}) {
     row[std::string(key) + "_ms_median"] = rounds.times().median(key) / nanoseconds_a_millisecond;
   }
   return row;
@@ -141,9 +170,13 @@ anim::Result<BenchReport> measure_pictures(const BenchOptions& options) {
                                   "casters",
                                   "compose_1_ms_median",
                                   "compose_ms_median",
+                                  "compose_dressed_1_ms_median",
+                                  "compose_dressed_ms_median",
                                   "casters_plainly_ms_median",
                                   "casters_1_ms_median",
-                                  "casters_ms_median"};
+                                  "casters_ms_median",
+                                  "casters_dressed_1_ms_median",
+                                  "casters_dressed_ms_median"};
   return BenchReport{.text = figures_as_text(rows, columns), .json = figures_as_json(rows), .plot = {}};
 }
 

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/assets/worn_cloth.h"
+
+namespace throng::test::wardrobe_cloth_test {
+namespace {
+
+using wardrobe::Body;
+using wardrobe::Part;
+using wardrobe::Slot;
+
+bool is_cloth(const Part& part) {
+  return part.slot == Slot::top || part.slot == Slot::bottom || part.slot == Slot::outer || part.slot == Slot::shoes;
+}
+
+std::vector<const Part*> clothes(Body body) {
+  std::vector<const Part*> all;
+  for (const Part& part : wardrobe::all_parts()) {
+    if (is_cloth(part) && fits(part.bodies, body)) all.push_back(&part);
+  }
+  return all;
+}
+
+std::size_t count_of(Slot slot) {
+  return static_cast<std::size_t>(std::count_if(wardrobe::all_parts().begin(), wardrobe::all_parts().end(),
+                                                [&](const Part& part) { return part.slot == slot; }));
+}
+
+bool has(const std::vector<Slot>& slots, Slot slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+/// Whether two garments are worn at once.
+bool go_together(const Part& inner, const Part& outer) {
+  if (inner.slot == outer.slot) return false;
+  if (has(inner.keeps_out, outer.slot) || has(outer.keeps_out, inner.slot)) return false;
+  const bool over_trousers = std::find(inner.tags.begin(), inner.tags.end(), "over_trousers") != inner.tags.end();
+  return !over_trousers && !has(outer.covers, inner.slot);
+}
+
+class WardrobeCloth : public ::testing::TestWithParam<Body> {};
+
+TEST(Wardrobe, HasTwelveTopsTenBottomsAndSixPairsOfShoes) {
+  EXPECT_GE(count_of(Slot::top) + count_of(Slot::outer), 12U);
+  std::size_t dresses = 0;
+  for (const Part& part : wardrobe::all_parts()) dresses += part.slot == Slot::top && has(part.covers, Slot::bottom);
+  EXPECT_GE(count_of(Slot::bottom) + dresses, 10U);
+  EXPECT_GE(count_of(Slot::shoes), 6U);
+}
+
+TEST_P(WardrobeCloth, HasTopsBottomsAndShoesForEveryBody) {
+  std::set<Slot> slots;
+  for (const Part* part : clothes(GetParam())) slots.insert(part->slot);
+  EXPECT_EQ(slots.size(), 4U);
+}
+
+TEST_P(WardrobeCloth, IsMadeOfFewTriangles) {
+  for (const Part* part : clothes(GetParam())) {
+    const std::size_t triangles = worn_part(*part, GetParam()).mesh.triangles.size();
+    EXPECT_GE(triangles, 200U) << part->name;
+    EXPECT_LE(triangles, 2400U) << part->name;
+  }
+}
+
+TEST_P(WardrobeCloth, KeepsSkinBelowIt) {
+  constexpr double deepest = 0.010;
+  std::vector<WornCloth> pieces;
+  for (std::size_t s = 0; s < wardrobe::piece_count; ++s) {
+    pieces.push_back(worn_skin(static_cast<Slot>(s), GetParam()));
+  }
+  for (const Part* part : clothes(GetParam())) {
+    const WornCloth cloth = worn_part(*part, GetParam());
+    for (std::size_t s = 0; s < pieces.size(); ++s) {
+      if (has(part->covers, static_cast<Slot>(s)) || static_cast<Slot>(s) == Slot::head) continue;
+      const CoveredCloth covered(pieces[s], cloth);
+      if (covered.empty()) continue;
+      for (const ClipMoment& moment : clip_moments()) {
+        EXPECT_LE(covered.deepest(moment.pose), deepest)
+            << pieces[s].name << " out of " << part->name << " in " << moment.clip << " at " << covered.place().x << ' '
+            << covered.place().y << ' ' << covered.place().z;
+      }
+    }
+  }
+}
+
+TEST_P(WardrobeCloth, KeepsWhatIsWornBelowItBelowIt) {
+  constexpr double deepest = 0.010;
+  std::vector<WornCloth> worn;
+  const std::vector<const Part*> parts = clothes(GetParam());
+  for (const Part* part : parts) worn.push_back(worn_part(*part, GetParam()));
+  for (std::size_t i = 0; i < worn.size(); ++i) {
+    for (std::size_t o = 0; o < worn.size(); ++o) {
+      if (worn[i].layer >= worn[o].layer || !go_together(*parts[i], *parts[o])) continue;
+      const CoveredCloth covered(worn[i], worn[o]);
+      if (covered.empty()) continue;
+      for (const ClipMoment& moment : clip_moments()) {
+        const double out = covered.deepest(moment.pose);
+        if (covered.place().y > 1.47) continue;  // collars lie as they like
+        EXPECT_LE(out, deepest) << worn[i].name << " out of " << worn[o].name << " in " << moment.clip << " at "
+                                << covered.place().x << ' ' << covered.place().y << ' ' << covered.place().z;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, WardrobeCloth, ::testing::Values(Body::man, Body::woman, Body::child),
+                         [](const auto& body) { return std::string(name_of(body.param)); });
+
+}  // namespace
+}  // namespace throng::test::wardrobe_cloth_test

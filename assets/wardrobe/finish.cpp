@@ -87,10 +87,18 @@ void follow_face(Mesh& mesh) {
   }
 }
 
-std::vector<Level> all_levels(const Mesh& mesh, bool with_levels) {
+/// What lies close on skin that is drawn too keeps closer to its full shape, or the skin would show through.
+std::array<double, near_levels - 1> bounds_of(const Part& part) {
+  const bool bare_below = std::find(part.covers.begin(), part.covers.end(), Slot::torso) == part.covers.end();
+  if (is_on_head(part.slot) || (part.slot == Slot::top && bare_below)) return {0.005, 0.010, 0.018};
+  return level_bounds;
+}
+
+std::vector<Level> all_levels(const Mesh& mesh, bool with_levels,
+                              const std::array<double, near_levels - 1>& bounds = level_bounds) {
   std::vector<Level> levels{whole_level(mesh)};
   if (!with_levels) return levels;
-  for (Level& level : coarser_levels(mesh, level_bounds)) levels.push_back(std::move(level));
+  for (Level& level : coarser_levels(mesh, bounds)) levels.push_back(std::move(level));
   return levels;
 }
 
@@ -109,7 +117,7 @@ Finished finish_part(const Part& part, bool with_levels) {
   mannequin::compute_normals(skin);
   auto made = std::make_shared<MadePart>(MadePart{part.name, part.slot, &part, mannequin::make_mesh(skin), {}});
   if (is_on_head(part.slot)) follow_face(made->mesh);
-  made->levels = all_levels(made->mesh, with_levels);
+  made->levels = all_levels(made->mesh, with_levels, bounds_of(part));
   const std::vector<double> openness = openness_of(skin, &man_occluder());
   Finished finished{made, {}};
   for (const Body body : all_bodies) {

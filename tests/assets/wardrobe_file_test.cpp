@@ -23,7 +23,7 @@ TEST(WardrobeFile, IsWhatItsProgramWrites) {
   const std::vector<std::byte> committed = committed_wardrobe();
   ASSERT_EQ(made.size(), committed.size()) << "regenerate assets/wardrobe.glb";
   std::size_t different = 0;
-  for (std::size_t i = 0; i < made.size(); ++i) different += made[i] != committed[i] ? 1 : 0;
+  for (std::size_t i = 0; i < made.size(); ++i) different += made[i] != committed[i] ? 1U : 0U;
   EXPECT_LT(different, made.size() / 1000) << "regenerate assets/wardrobe.glb";
 }
 

@@ -40,11 +40,7 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
 void declare_cast(OptionReader& reader, DemoOptions& options) {
   reader.value("--cast", "MODEL*SHARE,...|RULES.json",
                "Models with their shares of the agents, in place of MODEL (even shares); or who wears what",
-               [&options, entries = cast_entries(options.cast)](const std::string& text) -> Complaint {
-                 if (!text.ends_with(".json")) return entries(text);
-                 options.cast_rules = text;
-                 return {};
-               });
+               cast_or_rules(options.cast, options.cast_rules));
 }
 
 void declare_clips(OptionReader& reader, DemoOptions& options) {

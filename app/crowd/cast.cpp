@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/crowd/random.h"
-#include "app/crowd/shares.h"
+#include "app/crowd/numbers/random.h"
+#include "app/crowd/numbers/shares.h"
 
 namespace throng::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "app/settings/settings.h"
 #include "engine/render/agent_look.h"
 

@@ -11,8 +11,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/crowd/lettering.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
-#include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/crowd/character_look.h"
 #include "app/crowd/layout.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 

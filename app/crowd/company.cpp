@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "app/crowd/layout.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 namespace {

@@ -11,10 +11,10 @@
 #include <glm/geometric.hpp>
 
 #include "app/crowd/cut_scene_layout.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
 #include "app/crowd/tiles.h"
-#include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {
@@ -79,10 +79,12 @@ bool is_child(const Crowd& crowd, std::size_t agent) {
   return !kinds.empty() && kinds[crowd.looks_.bodies[agent]].is_child();
 }
 
-void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits) {
+void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
+          std::vector<std::uint16_t> in_hand) {
   assert(looks.size() == crowd.size() && outfits.size() == crowd.size());
   crowd.looks_.drawn = std::move(looks);
   crowd.looks_.outfits = std::move(outfits);
+  crowd.looks_.in_hand = std::move(in_hand);
   crowd.looks_.number = render::new_looks_number();
 }
 

@@ -101,8 +101,6 @@ class Crowd {
   std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
   std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among the characters
   std::span<const Tints> tints() const { return looks_.tints; }
-  std::span<const Variant> variants() const { return looks_.variants; }
-  std::span<const std::uint32_t> shades() const { return looks_.shades; }
   /// Returns what drawing reads of everybody's looks.
   const CrowdLooks& looks() const { return looks_; }
   std::span<const Role> roles() const { return state_.minds.roles(); }
@@ -125,7 +123,8 @@ class Crowd {
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
   friend bool is_child(const Crowd& crowd, std::size_t agent);
-  friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
+  friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
+                   std::vector<std::uint16_t> in_hand);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
   void place(const CrowdLayout& layout);
@@ -170,7 +169,8 @@ void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor
 /// Returns whether the body of an agent is that of a child.
 bool is_child(const Crowd& crowd, std::size_t agent);
 /// Dresses everybody: how they look, and the pieces of their character's mesh that they wear.
-void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits);
+void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
+          std::vector<std::uint16_t> in_hand = {});
 /// Returns [agent] 1 for people who are not there now; empty where everybody is.
 inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) { return crowd.state_.absent; }
 

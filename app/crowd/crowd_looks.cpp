@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/crowd/clothes.h"
+#include "app/crowd/numbers/random.h"
 #include "app/crowd/parade.h"
-#include "app/crowd/random.h"
 #include "app/crowd/tower_view.h"
 
 namespace throng::app {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/character/cut_scene_models.h"
-#include "app/crowd/random.h"
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/random.h"
+#include "app/crowd/numbers/turn.h"
 
 namespace throng::app {
 namespace {

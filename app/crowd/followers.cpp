@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 namespace {

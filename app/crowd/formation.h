@@ -8,7 +8,7 @@
 
 #include "app/crowd/fixtures.h"
 #include "app/crowd/layout.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 

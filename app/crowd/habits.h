@@ -5,7 +5,7 @@
 
 #include "app/character/held.h"
 #include "app/character/roles.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 

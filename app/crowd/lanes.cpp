@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 
 namespace throng::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/crowd/formation.h"
 #include "app/crowd/groups.h"
+#include "app/crowd/numbers/random.h"
 #include "app/crowd/plaza_plan.h"
-#include "app/crowd/random.h"
 
 namespace throng::app {
 namespace {

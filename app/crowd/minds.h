@@ -10,7 +10,7 @@
 #include "app/character/roles.h"
 #include "app/crowd/cast.h"
 #include "app/crowd/habits.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "engine/anim/base/units.h"
 
 namespace throng::app {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 namespace {

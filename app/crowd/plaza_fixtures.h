@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "app/crowd/numbers/random.h"
 #include "app/crowd/plaza_plan.h"
-#include "app/crowd/random.h"
 
 namespace throng::app {
 

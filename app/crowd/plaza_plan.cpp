@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/crowd/layout.h"
+#include "app/crowd/numbers/random.h"
 #include "app/crowd/plaza_fixtures.h"
-#include "app/crowd/random.h"
 
 namespace throng::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 namespace {

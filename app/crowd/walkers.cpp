@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/numbers/turn.h"
 #include "app/crowd/tiles.h"
-#include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {

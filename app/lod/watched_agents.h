@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "app/lod/shown_poses.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/kernel/palette/surface_error.h"

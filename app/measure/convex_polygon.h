@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 
 namespace throng::app {
 

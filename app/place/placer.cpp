@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 
 namespace throng::app {
 namespace {

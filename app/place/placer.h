@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/crowd/fixtures.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "app/place/place.h"
 
 namespace throng::app {

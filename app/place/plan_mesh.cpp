@@ -11,7 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/place/plan_cover.h"
 
 namespace throng::app {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/place/scenes.h"
 
 namespace throng::app {

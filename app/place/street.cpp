@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "app/crowd/cut_scene_layout.h"
+#include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
-#include "app/crowd/turn.h"
 #include "app/place/scenes.h"
 
 namespace throng::app {

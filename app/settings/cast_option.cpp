@@ -36,4 +36,12 @@ ValueReader cast_entries(std::vector<CastEntry>& target) {
   };
 }
 
+ValueReader cast_or_rules(std::vector<CastEntry>& target, std::string& rules) {
+  return [&rules, entries = cast_entries(target)](const std::string& text) -> Complaint {
+    if (!text.ends_with(".json")) return entries(text);
+    rules = text;
+    return {};
+  };
+}
+
 }  // namespace throng::app

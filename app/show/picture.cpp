@@ -56,7 +56,17 @@ struct Picture::Frame {
   }
   /// Calls visit(list) for each list, counted through all runs, on which an agent of a run is.
   void for_each_list(std::uint32_t agent, std::uint32_t run, std::uint32_t pieces, const auto& visit) const {
-    for_each_worn(outfits[agent], run % lods, [&](std::uint32_t piece) { visit(std::size_t{run} * pieces + piece); });
+    const std::uint32_t put_away = put_away_by(agent);
+    for_each_worn(outfits[agent], run % lods, [&](std::uint32_t piece) {
+      if (piece != put_away) visit(std::size_t{run} * pieces + piece);
+    });
+  }
+  /// Returns the piece that is a thing whose hand does not hold it now, or no_silhouette.
+  std::uint32_t put_away_by(std::uint32_t agent) const {
+    const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
+    const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_silhouette ||
+                       held_arms_of(stage.animated()).shows_thing(stage.crowd(), agent);
+    return shows ? render::Outfit::no_silhouette : in_hand[agent];
   }
 };
 

@@ -103,9 +103,9 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   if (event_sums_) event_sums_->reset(agents);
 }
 
-void AnimatedCrowd::give_things(std::vector<Held> things) {
-  give(*crowd_, std::move(things));
-  held_arms_->reset(*crowd_);
+void give_things(AnimatedCrowd& animated, std::vector<Held> things) {
+  give(*animated.crowd_, std::move(things));
+  animated.held_arms_->reset(*animated.crowd_);
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.
@@ -186,8 +186,8 @@ void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
 void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning) {
   if (!tuning.wardrobe) return;
   DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
-  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits));
-  animated.give_things(std::move(dressed.things));
+  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
+  give_things(animated, std::move(dressed.things));
 }
 
 }  // namespace throng::app

@@ -71,11 +71,6 @@ class AnimatedCrowd {
     if (updates.size() > 1) std::as_const(*system_).agent(updates[1].agent.number).prefetch();
     track_players_->set(updates[0].agent.number, updates[0].look_ahead);
   }
-  /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
-  void give_things(std::vector<Held> things);
-  /// Lets arms hold their things where these can be seen. Call it before an update.
-  void hold_things(std::span<const anim::VisibleAgent> visible) { held_arms_->show(*crowd_, visible); }
-  const HeldArms& held_arms() const { return *held_arms_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
@@ -132,6 +127,11 @@ class AnimatedCrowd {
 
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
+  friend void give_things(AnimatedCrowd& animated, std::vector<Held> things);
+  friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
+    animated.held_arms_->show(*animated.crowd_, visible);
+  }
+  friend const HeldArms& held_arms_of(const AnimatedCrowd& animated) { return *animated.held_arms_; }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
   friend void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning);
@@ -168,6 +168,13 @@ class AnimatedCrowd {
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };
+
+/// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
+void give_things(AnimatedCrowd& animated, std::vector<Held> things);
+/// Lets arms hold their things where these can be seen. Call it before an update.
+void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible);
+/// Returns the arms that hold something.
+const HeldArms& held_arms_of(const AnimatedCrowd& animated);
 
 /// Takes a recorded crowd to another time, at a frame boundary.
 inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/character/gait_plane.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 namespace {

@@ -135,7 +135,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     animated_->follow_track(updates.subspan(i, 1));  // for the pose of now
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_lent(selection().visible);
-  animated_->hold_things(selection().visible);
+  hold_things(*animated_, selection().visible);
   pose_fallen(last_frame);
   animated_->system().update(lod_.updates());
   measure(camera, size);

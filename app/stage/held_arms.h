@@ -34,10 +34,11 @@ class HeldArms {
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();
 
-  /// Returns whether the thing of an agent is to be drawn: its arm holds it now, or the whole body does in its role.
+  /// Returns whether the thing of an agent is to be drawn: its arm holds it now, or the whole body does in its role, or
+  /// its character has no clip of an arm that could.
   bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
-    return agent < arm_of_.size() && arm_of_[agent] != none && arms_[arm_of_[agent]].near_in == frame_ &&
-           is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
+    if (agent >= arm_of_.size() || arm_of_[agent] == none) return true;
+    return arms_[arm_of_[agent]].near_in == frame_ && is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
   }
   /// Returns how many arms hold something now.
   std::size_t shown() const { return shown_.size(); }

@@ -89,8 +89,10 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     const bool dresses = !clothing[i].wardrobe.empty() && !clothing[i].rules.styles.empty();
     if (dresses) dressers[i].emplace(clothing[i].rules, clothing[i].wardrobe, occasion);
   }
-  DressedCrowd dressed{
-      .looks = crowd.looks().drawn, .outfits = std::vector<render::Outfit>(crowd.size()), .things = hands_of(crowd)};
+  DressedCrowd dressed{.looks = crowd.looks().drawn,
+                       .outfits = std::vector<render::Outfit>(crowd.size()),
+                       .things = hands_of(crowd),
+                       .in_hand = std::vector<std::uint16_t>(crowd.size(), render::Outfit::no_silhouette)};
   const std::vector<std::uint32_t> groups = groups_of(crowd);
   Lookalikes lookalikes(crowd.positions());
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
@@ -110,7 +112,9 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
     if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
     dressed.outfits[agent] = worn.outfit;
-    if (worn.in_hand != nullptr) dressed.things[agent] = held_named(worn.in_hand->name);
+    if (worn.in_hand == nullptr) continue;
+    dressed.things[agent] = held_named(worn.in_hand->name);
+    if (dressed.things[agent] != Held::nothing) dressed.in_hand[agent] = worn.in_hand->piece;
   }
   return dressed;
 }

@@ -17,7 +17,8 @@ inline constexpr float alike_reach = 15.0F;
 struct DressedCrowd {
   std::vector<render::AgentLook> looks;
   std::vector<render::Outfit> outfits;
-  std::vector<Held> things;  ///< in their hands
+  std::vector<Held> things;            ///< in their hands
+  std::vector<std::uint16_t> in_hand;  ///< the pieces of these, as CrowdLooks has them
 };
 
 /// Dresses a crowd where it stands now. `clothing` has one a character; agents of a character without parts stay as

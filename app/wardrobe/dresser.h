@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/crowd/character_look.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "app/wardrobe/cast_rules.h"
 #include "app/wardrobe/wardrobe.h"
 #include "engine/render/agent_look.h"

@@ -162,14 +162,11 @@ void add_wheel(Solids& made, const Frame& ground, dvec3 hub, double radius) {
   const Frame axle = ground.moved(hub).turned({0, 1, 0}, {1, 0, 0});
   made.coat = {Region::untinted, rubber};
   made.turn(axle,
-            std::array{dvec2(0.70 * radius, -0.016), dvec2(0.92 * radius, -0.018), dvec2(radius, -0.006),
-                       dvec2(radius, 0.006), dvec2(0.92 * radius, 0.018), dvec2(0.70 * radius, 0.016)},
-            14);
-  made.coat = {Region::untinted, metal};
-  made.turn(axle,
-            std::array{dvec2(0.66 * radius, -0.018), dvec2(0.70 * radius, -0.014), dvec2(0.70 * radius, 0.014),
-                       dvec2(0.66 * radius, 0.018)},
+            std::array{dvec2(0.72 * radius, -0.017), dvec2(0.97 * radius, -0.015), dvec2(0.97 * radius, 0.015),
+                       dvec2(0.72 * radius, 0.017)},
             12);
+  made.coat = {Region::untinted, metal};
+  made.turn(axle, std::array{dvec2(0.70 * radius, -0.0185), dvec2(0.70 * radius, 0.0185)}, 10);
 }
 
 /// Rolls ahead of whoever holds its bar.
@@ -183,13 +180,13 @@ Skin pushchair() {
     const double x = 0.235 * side;
     made.rod(ground,
              std::array{dvec3(x, bar_y, bar_z), dvec3(x, 0.80, 0.60), dvec3(x, 0.30, 1.00), dvec3(x, 0.11, 1.16)},
-             0.012);
-    made.rod(ground, std::array{dvec3(x, 0.62, 0.745), dvec3(x, 0.30, 0.68), dvec3(x, 0.13, 0.66)}, 0.011);
-    made.rod(ground, std::array{dvec3(x, 0.42, 0.905), dvec3(x, 0.40, 0.70)}, 0.009);
+             0.012, 5);
+    made.rod(ground, std::array{dvec3(x, 0.62, 0.745), dvec3(x, 0.30, 0.68), dvec3(x, 0.13, 0.66)}, 0.011, 5);
+    made.rod(ground, std::array{dvec3(x, 0.42, 0.905), dvec3(x, 0.40, 0.70)}, 0.009, 4);
   }
-  made.rod(ground, std::array{dvec3(-0.235, 0.13, 0.66), dvec3(0.235, 0.13, 0.66)}, 0.009);
+  made.rod(ground, std::array{dvec3(-0.235, 0.13, 0.66), dvec3(0.235, 0.13, 0.66)}, 0.009, 4);
   made.coat = {Region::untinted, rubber};
-  made.rod(ground, std::array{dvec3(-0.245, bar_y, bar_z), dvec3(0.245, bar_y, bar_z)}, 0.016, 7);
+  made.rod(ground, std::array{dvec3(-0.245, bar_y, bar_z), dvec3(0.245, bar_y, bar_z)}, 0.016, 6);
   for (const double side : {-1.0, 1.0}) {
     add_wheel(made, ground, {0.250 * side, 0.13, 0.66}, 0.130);
     add_wheel(made, ground, {0.215 * side, 0.10, 1.16}, 0.100);
@@ -205,7 +202,7 @@ Skin pushchair() {
   made.box(ground.moved({0, 0.300, 1.100}), {0.300, 0.030, 0.120}, 0.012);
   made.coat.trim = 1;
   // The hood is a quarter of a drum over the seat's back.
-  made.cloth(ground.moved({0, 0.800, 0.660}), 10, 6, [](double u, double v) {
+  made.cloth(ground.moved({0, 0.800, 0.660}), 8, 4, [](double u, double v) {
     const double angle = 3.14159265 * u;
     const double swung = -0.35 + 1.75 * v;
     const double out = 0.225;

@@ -119,13 +119,13 @@ Finished finish_part(const Part& part, bool with_levels) {
 }
 
 /// The piece of a body's mesh, and where its vertices were.
-struct Piece {
+struct BodyPiece {
   std::shared_ptr<MadePart> made;
   std::vector<std::size_t> vertices;
 };
 
-Piece cut_piece(const Mesh& body, const std::vector<Level>& levels, Slot slot) {
-  Piece piece{std::make_shared<MadePart>(MadePart{std::string(name_of(slot)), slot, nullptr, {}, {}}), {}};
+BodyPiece cut_piece(const Mesh& body, const std::vector<Level>& levels, Slot slot) {
+  BodyPiece piece{std::make_shared<MadePart>(MadePart{std::string(name_of(slot)), slot, nullptr, {}, {}}), {}};
   std::vector<std::uint16_t> moved(body.vertices.size());
   for (std::size_t v = 0; v < body.vertices.size(); ++v) {
     if (body.vertices[v].piece != static_cast<unsigned char>(slot)) continue;
@@ -161,7 +161,7 @@ std::vector<Finished> finish_bodies(bool with_levels) {
   }
   std::vector<Finished> pieces;
   for (std::size_t slot = 0; slot < piece_count; ++slot) {
-    const Piece piece = cut_piece(mesh, levels, static_cast<Slot>(slot));
+    const BodyPiece piece = cut_piece(mesh, levels, static_cast<Slot>(slot));
     Finished finished{piece.made, {}};
     for (const Fitted& body : bodies) {
       Fitted& own = finished.bodies.emplace_back(Fitted{body.body, {}, {}, {}});

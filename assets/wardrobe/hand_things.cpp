@@ -42,12 +42,12 @@ Skin umbrella() {
   constexpr double top = 0.80;
   constexpr double radius = 0.53;
   made.coat = {Region::untinted, steel};
-  made.rod(up, std::array{dvec3(0, -0.06, 0), dvec3(0, 0.40, 0), dvec3(0, top + 0.05, 0)}, 0.0055);
+  made.rod(up, std::array{dvec3(0, -0.06, 0), dvec3(0, 0.40, 0), dvec3(0, top + 0.05, 0)}, 0.0055, 5);
   made.coat = {Region::untinted, wood};
   made.rod(up,
            std::array{dvec3(0, 0.055, 0), dvec3(0, -0.085, 0), dvec3(0, -0.125, 0.012), dvec3(0, -0.140, 0.038),
                       dvec3(0, -0.125, 0.064), dvec3(0, -0.095, 0.070)},
-           0.0115, 7);
+           0.0115, 6);
   made.coat = {};
   constexpr double ribs = 8;
   const auto canopy = [](double u, double v) {
@@ -58,13 +58,12 @@ Skin umbrella() {
     const double drop = 0.235 * std::pow(v, 1.9) - 0.020 * between * v * v;
     return dvec3(out * std::cos(angle), top - drop, out * std::sin(angle));
   };
-  made.cloth(up, 32, 5, canopy);
+  made.cloth(up, 24, 4, canopy);
   made.coat = {Region::untinted, steel};
   for (int rib = 0; rib < 8; ++rib) {
     const double u = rib / ribs;
     const auto below = [&](double v) { return canopy(u, v) - dvec3(0, 0.010, 0); };
     made.rod(up, std::array{below(0.04), below(0.5), below(0.99)}, 0.0028, 3);
-    made.rod(up, std::array{dvec3(0, top - 0.22, 0), below(0.52)}, 0.0025, 3);
   }
   return made.skin();
 }
@@ -193,7 +192,7 @@ Skin flag() {
             std::array{dvec2(0.006, 0), dvec2(0.012, 0.010), dvec2(0.007, 0.022), dvec2(0, 0.026)}, 8);
   for (int stripe = 0; stripe < 3; ++stripe) {
     made.coat = {Region::thing, dvec3(1), stripe == 1 ? 1.0 : 0.0};
-    made.cloth(up, 10, 2, [stripe](double u, double v) {
+    made.cloth(up, 8, 1, [stripe](double u, double v) {
       const double down = (stripe + v) / 3;
       const double wave = 0.040 * std::sin(7.5 * u + 1.1 * down) * u;
       return dvec3(wave, 0.695 - 0.32 * down - 0.05 * u * u, -0.006 - 0.47 * u);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -163,25 +164,55 @@ void Solids::strap(std::span<const dvec3> way, std::span<const dvec3> across, do
 
 void Solids::cloth(const Frame& frame, std::size_t columns, std::size_t rows,
                    const std::function<dvec3(double, double)>& place) {
-  for (const bool back : {false, true}) {
-    std::vector<std::size_t> grid;
-    for (std::size_t r = 0; r <= rows; ++r) {
-      for (std::size_t c = 0; c <= columns; ++c) {
-        grid.push_back(add(frame.at(place(static_cast<double>(c) / static_cast<double>(columns),
-                                          static_cast<double>(r) / static_cast<double>(rows)))));
-      }
+  constexpr double thickness = 0.003;
+  constexpr double near = 1e-3;
+  // Places that coincide, where a grid closes or ends in a point, are one vertex.
+  std::vector<std::size_t> grid;
+  std::vector<std::array<std::size_t, 2>> sides;  // the vertex of each side
+  std::vector<dvec3> places;
+  for (std::size_t r = 0; r <= rows; ++r) {
+    for (std::size_t c = 0; c <= columns; ++c) {
+      const double u = static_cast<double>(c) / static_cast<double>(columns);
+      const double v = static_cast<double>(r) / static_cast<double>(rows);
+      const dvec3 at = place(u, v);
+      const auto same =
+          std::find_if(places.begin(), places.end(), [&](dvec3 p) { return glm::distance(p, at) < near; });
+      grid.push_back(static_cast<std::size_t>(same - places.begin()));
+      if (same != places.end()) continue;
+      const double inner = std::clamp(v, 0.02, 0.98);
+      const dvec3 across = place(u + 1e-4, inner) - place(u - 1e-4, inner);
+      const dvec3 along = place(u, inner + 1e-4) - place(u, inner - 1e-4);
+      const dvec3 half = 0.5 * thickness * glm::normalize(glm::cross(across, along));
+      places.push_back(at);
+      sides.push_back({add(frame.at(at + half)), add(frame.at(at - half))});
     }
-    for (std::size_t r = 0; r < rows; ++r) {
-      for (std::size_t c = 0; c < columns; ++c) {
-        const std::size_t a = r * (columns + 1) + c;
-        const std::array<std::size_t, 4> quad{grid[a], grid[a + 1], grid[a + columns + 2], grid[a + columns + 1]};
-        if (back) {
-          face({quad[3], quad[2], quad[1], quad[0]});
-        } else {
-          face({quad.begin(), quad.end()});
-        }
+  }
+  std::set<std::array<std::size_t, 2>> edges;
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t a = r * (columns + 1) + c;
+      std::vector<std::size_t> quad;
+      for (const std::size_t corner : {grid[a], grid[a + 1], grid[a + columns + 2], grid[a + columns + 1]}) {
+        if (std::find(quad.begin(), quad.end(), corner) == quad.end()) quad.push_back(corner);
       }
+      if (quad.size() < 3) continue;
+      std::vector<std::size_t> front, back;
+      for (std::size_t k = 0; k < quad.size(); ++k) {
+        front.push_back(sides[quad[k]][0]);
+        back.push_back(sides[quad[quad.size() - 1 - k]][1]);
+        edges.insert({quad[k], quad[(k + 1) % quad.size()]});
+      }
+      face(front);
+      face(back);
     }
+  }
+  for (const auto& [a, b] : edges) {
+    if (edges.contains({b, a})) continue;
+    std::vector<std::size_t> wall;  // has vertices of its own, so that the cloth's edge is sharp
+    for (const std::size_t corner : {sides[b][0], sides[a][0], sides[a][1], sides[b][1]}) {
+      wall.push_back(add(dvec3(skin_.points[corner].position)));
+    }
+    face(wall);
   }
 }
 

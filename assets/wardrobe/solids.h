@@ -49,7 +49,7 @@ class Solids {
   /// A flat strap through places; `across` is its breadth's direction at each, and it is bound to `weights` there.
   void strap(std::span<const glm::dvec3> way, std::span<const glm::dvec3> across, double breadth, double thickness,
              const std::function<mannequin::Weights(glm::dvec3)>& weights);
-  /// A cloth of two sides: a grid of places over 0 to 1 in two directions.
+  /// A thin cloth with two sides: a grid of places over 0 to 1 in two directions, which may close or end in a point.
   void cloth(const Frame& frame, std::size_t columns, std::size_t rows,
              const std::function<glm::dvec3(double u, double v)>& place);
 

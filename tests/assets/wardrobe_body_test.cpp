@@ -52,10 +52,8 @@ std::set<std::size_t> border(const Finished& piece, std::size_t level) {
   return open;
 }
 
-double nearest(const Finished& piece, std::size_t v, std::size_t body, std::size_t level,
-               const mannequin::WorldPose& pose,
+double nearest(const Finished& piece, std::size_t v, std::size_t body, const mannequin::WorldPose& pose,
                const std::vector<std::pair<const Finished*, std::set<std::size_t>>>& borders) {
-  static_cast<void>(level);
   const dvec3 here = posed(piece, body, v, pose);
   double least = 1e9;
   for (const auto& [other, vertices] : borders) {
@@ -77,7 +75,7 @@ TEST(WardrobeBody, PiecesMeetAtTheirCutsInEveryClipAndLevel) {
         if (piece->made->slot == wardrobe::Slot::head) continue;
         for (const std::size_t v : vertices) {
           for (std::size_t body = 0; body < piece->bodies.size(); ++body) {
-            ASSERT_LT(nearest(*piece, v, body, level, pose, borders), 0.001)
+            ASSERT_LT(nearest(*piece, v, body, pose, borders), 0.001)
                 << piece->made->name << " at level " << level << " in " << clips[c].name;
           }
         }

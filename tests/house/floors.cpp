@@ -62,6 +62,7 @@ const std::vector<House>& houses() {
         {"live"},
         {"character"},
         {"settings"},
+        {"crowd/numbers"},
         {"crowd"},
         {"wardrobe"},
         {"place"},

@@ -124,10 +124,10 @@ TEST(SurfacePieces, AreOffOnAFaceOnlyWhereTheyLieOnOne) {
   Wardrobe wardrobe;
   const MeshPartData fine = wardrobe.fine.part(), middle = wardrobe.middle.part();
   wardrobe.data.pieces = {{.levels = {{{fine}, 0.0F}, {{middle}, 0.008F}}}};
-  for (const bool on_face : {false, true}) {
-    wardrobe.data.face_entries.assign(1, on_face ? 1 : 0);
+  for (const std::uint8_t on_face : {std::uint8_t{0}, std::uint8_t{1}}) {
+    wardrobe.data.face_entries = {on_face};
     const Surface surface = build_surface(wardrobe.data);
-    EXPECT_FLOAT_EQ(surface.pieces[0].error_by_level[1].face, on_face ? 0.008F : 0.0F);
+    EXPECT_FLOAT_EQ(surface.pieces[0].error_by_level[1].face, on_face == 1 ? 0.008F : 0.0F);
   }
 }
 

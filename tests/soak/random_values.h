@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::soak {

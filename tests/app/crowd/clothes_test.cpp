@@ -10,7 +10,7 @@
 
 #include "app/crowd/crowd.h"
 #include "app/crowd/lettering.h"
-#include "app/crowd/turn.h"
+#include "app/crowd/numbers/turn.h"
 #include "tests/app/crowd/crowd_person.h"
 
 namespace throng::app::clothes_test {

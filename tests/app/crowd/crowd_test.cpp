@@ -191,8 +191,8 @@ bool are_twins(const Crowd& crowd, std::size_t a, std::size_t b) {
     }
     return true;
   };
-  const Variant& one = crowd.variants()[a];
-  const Variant& other = crowd.variants()[b];
+  const Variant& one = crowd.looks().variants[a];
+  const Variant& other = crowd.looks().variants[b];
   return near(crowd.scales()[a] * 1.8F, crowd.scales()[b] * 1.8F, 0.01F) && near(one.build, other.build, 0.15F) &&
          near(one.frame, other.frame, 0.2F) && near(one.posture, other.posture, 0.2F) &&
          near(one.fullness, other.fullness, 0.3F) && near(one.length, other.length, 0.3F) &&

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 #include "engine/anim/run/pu_threads.h"
 
 namespace throng::app::steering_test {

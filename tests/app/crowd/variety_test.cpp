@@ -51,22 +51,22 @@ TEST(Variety, PaintedCharactersDifferInHeightAsPeopleDo) {
 
 TEST(Variety, ShadesStayCloseToTheFilesColours) {
   const Crowd crowd = crowd_of(painted());
-  for (const std::uint32_t shade : crowd.shades()) {
+  for (const std::uint32_t shade : crowd.looks().shades) {
     const double red = times_as_bright(shade, 0), green = times_as_bright(shade, 1), blue = times_as_bright(shade, 2);
     EXPECT_NEAR(std::sqrt(green), 1.0, 0.102);         // as the screen counts
     EXPECT_NEAR(std::sqrt(red / green), 1.0, 0.043);   // no warmer or cooler
     EXPECT_NEAR(std::sqrt(blue / green), 1.0, 0.043);  // than that
     EXPECT_NEAR(std::sqrt(red * blue), green, 0.01) << "neither green nor purple";
   }
-  EXPECT_GT(std::set(crowd.shades().begin(), crowd.shades().end()).size(), 1500U);
+  EXPECT_GT(std::set(crowd.looks().shades.begin(), crowd.looks().shades.end()).size(), 1500U);
 }
 
 TEST(Variety, IsTheSameForTheSameSeedAndAnotherForAnother) {
   const Crowd one = crowd_of(painted()), again = crowd_of(painted()), other = crowd_of(painted(), 2);
   EXPECT_TRUE(std::ranges::equal(one.scales(), again.scales()));
-  EXPECT_TRUE(std::ranges::equal(one.shades(), again.shades()));
+  EXPECT_TRUE(std::ranges::equal(one.looks().shades, again.looks().shades));
   EXPECT_FALSE(std::ranges::equal(one.scales(), other.scales()));
-  EXPECT_FALSE(std::ranges::equal(one.shades(), other.shades()));
+  EXPECT_FALSE(std::ranges::equal(one.looks().shades, other.looks().shades));
 }
 
 TEST(Variety, HasLooksToDrawWhoseNumberNoOtherCrowdHas) {
@@ -75,8 +75,8 @@ TEST(Variety, HasLooksToDrawWhoseNumberNoOtherCrowdHas) {
   for (std::size_t agent = 0; agent < one.size(); ++agent) {
     const render::AgentLook& look = one.looks().drawn[agent];
     EXPECT_EQ(look.tints[2], one.tints()[agent][2] & 0xFFFFFFU) << "in plain cotton";
-    EXPECT_EQ(look.shape, one.variants()[agent].shape());
-    EXPECT_EQ(look.hair, one.variants()[agent].hair());
+    EXPECT_EQ(look.shape, one.looks().variants[agent].shape());
+    EXPECT_EQ(look.hair, one.looks().variants[agent].hair());
   }
   EXPECT_EQ(one.looks().drawn, again.looks().drawn);
   EXPECT_NE(one.looks().number, again.looks().number) << "who has drawn one copies the other all the same";
@@ -88,14 +88,14 @@ TEST(Variety, LeavesTheFirstOfEachPaintedCharacterAsItsFileHasIt) {
   for (const std::uint8_t character : {std::uint8_t{0}, std::uint8_t{1}}) {
     const auto first = std::ranges::find(crowd.characters(), character) - crowd.characters().begin();
     EXPECT_EQ(crowd.scales()[static_cast<std::size_t>(first)], 1.0F);
-    EXPECT_EQ(crowd.shades()[static_cast<std::size_t>(first)], 0U);
+    EXPECT_EQ(crowd.looks().shades[static_cast<std::size_t>(first)], 0U);
   }
-  EXPECT_EQ(std::ranges::count(crowd.shades(), 0U), 2);
+  EXPECT_EQ(std::ranges::count(crowd.looks().shades, 0U), 2);
 }
 
 TEST(Variety, OfCharactersWithTintRegionsIsInTheirClothes) {
   const Crowd crowd = crowd_of(person());
-  EXPECT_THAT(crowd.shades(), Each(0U));
+  EXPECT_THAT(crowd.looks().shades, Each(0U));
   EXPECT_NE(crowd.tints()[0], crowd.tints()[1]);
 }
 
@@ -103,9 +103,9 @@ TEST(Variety, OffMakesAllOfOneCharacterAlike) {
   for (const CharacterRoles& character : {person(), painted()}) {
     const Crowd crowd = crowd_of(character, 1, {.differs = false});
     EXPECT_THAT(crowd.scales(), Each(1.0F));
-    EXPECT_THAT(crowd.shades(), Each(0U));
+    EXPECT_THAT(crowd.looks().shades, Each(0U));
     EXPECT_THAT(crowd.tints(), Each(crowd.tints()[0]));
-    EXPECT_THAT(crowd.variants(), Each(Variant()));
+    EXPECT_THAT(crowd.looks().variants, Each(Variant()));
   }
 }
 
@@ -124,14 +124,14 @@ TEST(Variety, InSizeIsAsMuchAsWanted) {
 }
 
 TEST(Variety, InColoursIsAsMuchAsWanted) {
-  EXPECT_THAT(crowd_of(painted(), 1, {.tint = 0.0F}).shades(), Each(0U));
+  EXPECT_THAT(crowd_of(painted(), 1, {.tint = 0.0F}).looks().shades, Each(0U));
   const Crowd alike = crowd_of(person(), 1, {.tint = 0.0F});
   EXPECT_THAT(alike.tints(), Each(alike.tints()[0]));
-  EXPECT_NE(alike.variants()[0], alike.variants()[1]) << "shapes differ as before";
+  EXPECT_NE(alike.looks().variants[0], alike.looks().variants[1]) << "shapes differ as before";
   const Crowd full = crowd_of(painted()), half = crowd_of(painted(), 1, {.tint = 0.5F});
   for (std::size_t agent = 0; agent < full.size(); ++agent) {
-    const double far = times_as_bright(full.shades()[agent], 0) - 1.0;
-    EXPECT_NEAR(times_as_bright(half.shades()[agent], 0) - 1.0, far / 2.0, 0.01) << agent;
+    const double far = times_as_bright(full.looks().shades[agent], 0) - 1.0;
+    EXPECT_NEAR(times_as_bright(half.looks().shades[agent], 0) - 1.0, far / 2.0, 0.01) << agent;
   }
 }
 
@@ -139,7 +139,7 @@ TEST(Variety, OfColoursDoesNotChangeSizesAndTheOtherWayRound) {
   const Crowd usual = crowd_of(painted()), pale = crowd_of(painted(), 1, {.tint = 0.2F}),
               large = crowd_of(painted(), 1, {.size = 0.3F});
   EXPECT_TRUE(std::ranges::equal(usual.scales(), pale.scales()));
-  EXPECT_TRUE(std::ranges::equal(usual.shades(), large.shades()));
+  EXPECT_TRUE(std::ranges::equal(usual.looks().shades, large.looks().shades));
 }
 
 TEST(Variety, EntersTheSpeedSoThatFeetDoNotSlide) {

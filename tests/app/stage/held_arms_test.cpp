@@ -35,7 +35,7 @@ class HeldArmsTest : public testing::Test {
           .system = {.pus = 2, .hash = true}});
   }
 
-  void give(Held thing) { stage_->animated().give_things(std::vector<Held>(people, thing)); }
+  void give(Held thing) { give_things(stage_->animated(), std::vector<Held>(people, thing)); }
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
@@ -44,7 +44,7 @@ class HeldArmsTest : public testing::Test {
     }
   }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
-  std::size_t shown() const { return stage_->animated().held_arms().shown(); }
+  std::size_t shown() const { return held_arms_of(stage_->animated()).shown(); }
 
   /// Metres above the ground of a place in the right hand, given for the left one at rest, from the wrist.
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {

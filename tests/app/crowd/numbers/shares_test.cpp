@@ -1,6 +1,6 @@
 // Shares of a cast: how many agents are who, and in what order.
 
-#include "app/crowd/shares.h"
+#include "app/crowd/numbers/shares.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/crowd/shares.h"
+#include "app/crowd/numbers/shares.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/character/roles.h"
-#include "app/crowd/random.h"
+#include "app/crowd/numbers/random.h"
 
 namespace throng::app {
 

@@ -29,7 +29,8 @@ std::function<double(double)> hanging_open(double low, double high) {
 
 std::vector<SleeveRow> jacket_sleeve(double room, double end) {
   return {{0.070, 0.066 + room, 0.065 + room, 0, -0.003, 0, 1, true},
-          {0.172, 0.064 + room, 0.062 + room, 0, 0.001},
+          {0.125, 0.066 + room, 0.064 + room, 0, 0},
+          {0.195, 0.063 + room, 0.061 + room, 0, 0.001},
           {0.275, 0.057 + room, 0.055 + room, 0, 0.002},
           {0.305, 0.054 + room, 0.052 + room, 0, 0.002},
           {0.400, 0.049 + room, 0.047 + room, 0.001, 0.001},
@@ -276,7 +277,7 @@ Skin make_rain_jacket() {
             {0.014 + 0.026 * back, -0.014 - 0.140 * back}};
   });
   std::vector<SleeveRow> sleeve = jacket_sleeve(0.003, 0.535);
-  sleeve[5].trim = sleeve[6].trim = 1;
+  sleeve[6].trim = sleeve[7].trim = 1;
   add_sleeve(half, top.armhole, Region::shirt, sleeve);
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0030);

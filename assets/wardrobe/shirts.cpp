@@ -61,8 +61,8 @@ Skin make_t_shirt() {
   rib_neck(half, top.neck, 1);
   add_sleeve(half, top.armhole, Region::shirt,
              {{0.070, 0.062, 0.061, 0, -0.006, 0, 1, true},
-              {0.125, 0.061, 0.060, 0, -0.002, 1},
-              {0.190, 0.058, 0.058, 0, 0, 1}});
+              {0.125, 0.059, 0.058, 0, -0.002, 1},
+              {0.190, 0.055, 0.055, 0, 0, 1}});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0020);
   return cloth;
@@ -79,9 +79,9 @@ Skin make_polo() {
   add_collar(half, Region::shirt, 10, 1, shirt_collar);
   add_sleeve(half, top.armhole, Region::shirt,
              {{0.070, 0.060, 0.059, 0, -0.006, 0, 1, true},
-              {0.125, 0.060, 0.059, 0, -0.002},
-              {0.165, 0.058, 0.058, 0, 0},
-              {0.190, 0.056, 0.056, 0, 0, 1}});
+              {0.125, 0.058, 0.057, 0, -0.002},
+              {0.165, 0.056, 0.056, 0, 0},
+              {0.190, 0.055, 0.055, 0, 0, 1}});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0018);
   placket(cloth, 1.470, 1.330, 2);

@@ -130,7 +130,7 @@ void add_trousers(Cage& cage, const TrouserCut& cut) {
 
 Skin make_jeans() {
   Cage half;
-  add_trousers(half, {.band_trim = 0, .legs = leg_rows(0.006, 0.008, 0.008, 0.015, 0.062)});
+  add_trousers(half, {.band_trim = 0, .legs = leg_rows(0.006, 0.008, 0.008, 0.011, 0.072)});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0022);
   sew_on(cloth,
@@ -188,7 +188,7 @@ Skin make_leggings() {
 
 Skin make_cargo_trousers() {
   Cage half;
-  std::vector<LegRow> legs = leg_rows(0.018, 0.022, 0.022, 0.020, 0.060);
+  std::vector<LegRow> legs = leg_rows(0.018, 0.018, 0.011, 0.012, 0.076);
   add_trousers(half, {.ease = 0.006, .legs = legs});
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0034);

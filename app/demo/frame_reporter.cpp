@@ -77,6 +77,7 @@ Situation situation_of(const Stage& stage, int mesh_levels) {
   Situation situation{.selected = stage.selected().has_value(),
                       .places_feet = false,
                       .can_pack = false,
+                      .has_wardrobe = false,
                       .bone_levels = 1,
                       .mesh_levels = mesh_levels,
                       .pus = stage.system().options().pus};
@@ -84,6 +85,7 @@ Situation situation_of(const Stage& stage, int mesh_levels) {
     const CharacterSource& person = stage.people()[i];
     situation.places_feet |= stage.animated().rigs(i).foot_placement().has_value();
     situation.can_pack |= person.character->skeleton.rigid;
+    situation.has_wardrobe |= !person.model.parts.empty() || !person.roles.bodies.empty();
     const auto levels = static_cast<int>(person.character->skeleton.level_bone_counts.size());
     situation.bone_levels = std::max(situation.bone_levels, levels);
   }

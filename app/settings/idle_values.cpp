@@ -125,8 +125,12 @@ Reason of_variety(const Tuning& tuning, const Situation&) {
   return tuning.variety ? nullptr : "variety is off, so all of a character are alike";
 }
 
-Reason of_weather(const Tuning& tuning, const Situation&) {
-  return tuning.wardrobe ? nullptr : "the wardrobe is off, so nobody dresses";
+Reason of_wardrobe(const Tuning&, const Situation& situation) {
+  return situation.has_wardrobe ? nullptr : "no character here has parts to wear";
+}
+
+Reason of_weather(const Tuning& tuning, const Situation& situation) {
+  return tuning.wardrobe ? of_wardrobe(tuning, situation) : "the wardrobe is off, so nobody dresses";
 }
 
 Reason of_grain(const Tuning&, const Situation& situation) {
@@ -211,6 +215,7 @@ constexpr std::array rules = std::to_array<Rule>({
     {"triangle_budget", of_mesh_error},
     {"tint", of_variety},
     {"size_variety", of_variety},
+    {"wardrobe", of_wardrobe},
     {"weather", of_weather},
     {"cost_least_task_ns", of_grain},
     {"palette", of_palette},

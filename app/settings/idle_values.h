@@ -14,6 +14,7 @@ struct Situation {
   bool selected = false;             ///< an agent is selected
   bool places_feet = true;           ///< a character of the crowd has feet that can be placed
   bool can_pack = true;              ///< a character of the crowd has palettes that can be packed
+  bool has_wardrobe = true;          ///< a character of the crowd has parts to wear, or bodies
   int bone_levels = 4;               ///< the most bone levels of a character
   int mesh_levels = mesh_lod_steps;  ///< the most mesh LODs of a character; 1: its mesh alone
   int pus = 2;                       ///< PUs at work

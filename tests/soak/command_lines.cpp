@@ -111,6 +111,7 @@ std::string any_camera_path(const Maker& maker) {
 }
 
 std::string any_cast(const Maker& maker) {
+  if (maker.random.chance(0.2F)) return THRONG_SOURCE_DIR "/assets/cast.json";
   std::string cast;
   for (std::uint32_t left = 1 + maker.random.below(4); left > 0; --left) {
     cast += (cast.empty() ? "" : ",") + any_model(maker.models, maker.random);

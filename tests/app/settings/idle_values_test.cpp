@@ -17,6 +17,7 @@
 
 #include "app/report/tuning_sweep.h"
 #include "app/settings/choices.h"
+#include "app/character/files.h"
 #include "app/settings/tuning_values.h"
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
@@ -64,6 +65,8 @@ const std::map<std::string_view, std::string> other_values{
     {"stream", "keyframe"},
     {"palette", "packed"},
     {"clothes", "pattern"},
+    {"wardrobe", "on"},
+    {"weather", "rain"},
     {"sun_elevation", "20"},
     {"sun_azimuth", "10"},
     {"clouds", "0.9"},
@@ -88,7 +91,7 @@ const std::map<std::string_view, std::string> other_values{
 };
 
 std::vector<CharacterSource> mannequin() {
-  static const CharacterSource loaded = *load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
+  static const CharacterSource loaded = *load_built_in("", {.wardrobe = true});
   return {loaded};
 }
 
@@ -284,6 +287,7 @@ TEST(IdleValues, AreThoseOfWhatTheCrowdLacks) {
   };
   EXPECT_TRUE(idle("placed_feet", {.places_feet = false}));
   EXPECT_TRUE(idle("palette", {.can_pack = false}));
+  EXPECT_TRUE(idle("wardrobe", {.has_wardrobe = false}));
   EXPECT_TRUE(idle("bone_lod", {.bone_levels = 1}));
   EXPECT_TRUE(idle("bone_level_distance_2", {.bone_levels = 2}));
   EXPECT_FALSE(idle("bone_level_distance_1", {.bone_levels = 2}));

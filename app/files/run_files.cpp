@@ -4,9 +4,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json/json.h"
 #include "engine/anim/import/model_files.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/files/input_file.h"
 #include "engine/files/output_file.h"
 

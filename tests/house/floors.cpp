@@ -38,6 +38,7 @@ const std::vector<House>& houses() {
         {"asset"},
         {"rig"},
         {"survey"},
+        {"import/bytes"},
         {"import/json", "import/memory", "import/pixels"},
         {"kernel/lanes", "import", "retarget"},
         {"kernel/keyframe", "kernel/pose", "kernel/palette"},

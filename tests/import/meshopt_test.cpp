@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "engine/anim/import/meshopt_attributes.h"
-#include "engine/anim/import/meshopt_codec.h"
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/meshopt_attributes.h"
+#include "engine/anim/import/bytes/meshopt_codec.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "tests/import/test_files.h"
 
 namespace throng::import::testing::meshopt_test {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/import/data_uri.h"
+#include "engine/anim/import/bytes/data_uri.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::import::testing {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/memory/model_memory.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/import/bytes/meshopt_codec.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json_document.h"
-#include "engine/anim/import/meshopt_codec.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

@@ -10,12 +10,12 @@
 
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/draco_meshes.h"
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/json_extensions.h"
 #include "engine/anim/import/json_repairs.h"
 #include "engine/anim/import/memory/json_memory.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
 namespace throng::import {

@@ -15,9 +15,9 @@
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/import/draco_header.h"
+#include "engine/anim/import/bytes/draco_header.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json_document.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/pixels/decode.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

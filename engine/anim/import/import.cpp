@@ -11,6 +11,7 @@
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/carried_meshes.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
@@ -18,7 +19,6 @@
 #include "engine/anim/import/meshes.h"
 #include "engine/anim/import/node_tree.h"
 #include "engine/anim/import/reach.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/anim/import/skeleton_builder.h"
 #include "engine/anim/survey/bone_importance.h"
 

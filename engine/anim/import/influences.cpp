@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/anim/import/accessors.h"
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/json_properties.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

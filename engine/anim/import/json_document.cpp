@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/base/plain_text.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json/json_tree.h"
 #include "engine/anim/import/json_extensions.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
 namespace throng::import {

@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json_document.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

@@ -9,9 +9,9 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/images.h"
 #include "engine/anim/import/pixels/decode.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

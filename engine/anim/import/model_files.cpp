@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/anim/import/data_uri.h"
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/data_uri.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/source_file.h"
 
 namespace throng::import {

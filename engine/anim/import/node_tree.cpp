@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

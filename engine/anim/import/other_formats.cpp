@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "engine/anim/import/data_uri.h"
+#include "engine/anim/import/bytes/data_uri.h"
 
 namespace throng::import {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/other_formats.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/files/input_file.h"
 
 namespace throng::import {

@@ -13,8 +13,8 @@
 #include <glm/matrix.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/memory/model_memory.h"
-#include "engine/anim/import/refusal.h"
 #include "engine/anim/import/triangles.h"
 
 namespace throng::import {

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/memory/model_memory.h"
-#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 

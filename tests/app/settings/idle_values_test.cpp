@@ -15,9 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/character/files.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/choices.h"
-#include "app/character/files.h"
 #include "app/settings/tuning_values.h"
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"

@@ -1,10 +1,10 @@
-#include "engine/anim/import/data_uri.h"
+#include "engine/anim/import/bytes/data_uri.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

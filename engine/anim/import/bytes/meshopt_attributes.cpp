@@ -1,4 +1,4 @@
-#include "engine/anim/import/meshopt_attributes.h"
+#include "engine/anim/import/bytes/meshopt_attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

@@ -5,7 +5,7 @@
 
 namespace throng::import {
 
-/// Says why a file is refused, in a sentence without the file's name. It travels up inside this folder and ends at
+/// Says why a file is refused, in a sentence without the file's name. It travels up inside of import and ends at
 /// import_file, which puts the file's name before it.
 class Refusal : public std::runtime_error {
  public:

@@ -1,9 +1,9 @@
-#include "engine/anim/import/meshopt_codec.h"
+#include "engine/anim/import/bytes/meshopt_codec.h"
 
 #include <meshoptimizer.h>
 
-#include "engine/anim/import/meshopt_attributes.h"
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/meshopt_attributes.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

@@ -1,9 +1,9 @@
-#include "engine/anim/import/draco_header.h"
+#include "engine/anim/import/bytes/draco_header.h"
 
 #include <string>
 #include <string_view>
 
-#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/bytes/refusal.h"
 
 namespace throng::import {
 

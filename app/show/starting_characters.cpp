@@ -62,6 +62,12 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
   return (says_all || std::ranges::all_of(characters, kept)) && std::ranges::all_of(options.clips, chosen);
 }
 
+// A replay, a preset of a crowd file and a window may turn the wardrobe on later.
+bool may_dress(const DemoOptions& options) {
+  return options.tuning.wardrobe || options.context == ContextKind::window || !options.replay.empty() ||
+         !options.crowd_file.empty();
+}
+
 }  // namespace
 
 LoadOptions load_options(const DemoOptions& options) {
@@ -69,7 +75,7 @@ LoadOptions load_options(const DemoOptions& options) {
           .placement = options.placement,
           .placements = options.placements,
           .clips_from = options.clips_from,
-          .wardrobe = true};
+          .wardrobe = may_dress(options)};
 }
 
 bool fail(StartError& error, int status, std::string message) {

@@ -9,6 +9,9 @@ namespace throng::app {
 /// An overlay with a person at it. The person acts by the names of the ui map, one frame at a time, without a window.
 class OverlayDriver {
  public:
+  /// The window in pixels. It is as tall as the longest tab, so that nothing that is clicked at is scrolled away.
+  static constexpr int width = 1280, height = 840;
+
   explicit OverlayDriver(const std::string& fonts = std::string(THRONG_SOURCE_DIR) + "/assets/fonts");
 
   /// Lets frames pass, by default enough to see every event. Returns the commands of all of them added up.

@@ -32,8 +32,8 @@ TEST(Overlay, LeavesTheCrowdItsPlace) {
     for (const auto& [name, place] : driver.overlay.ui_map().widgets) {
       if (name.starts_with("warning:")) continue;
       EXPECT_TRUE(place.x >= crowd.width || place.y >= crowd.height) << name << " lies over the crowd";
-      EXPECT_LE(place.x + place.width, 1280) << name;
-      EXPECT_LE(place.y + place.height, 720) << name;
+      EXPECT_LE(place.x + place.width, OverlayDriver::width) << name;
+      EXPECT_LE(place.y + place.height, OverlayDriver::height) << name;
     }
   }
 }

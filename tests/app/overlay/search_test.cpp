@@ -66,6 +66,7 @@ TEST_F(Search, FindsTheRowOfEveryKeyAndTheRowEditsIt) {
       driver.tuning = {};
       driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
       driver.tuning.debug_view = view;
+      driver.tuning.wardrobe = value.key == "weather";
       driver.tuning.scene = value.key == "trail_seconds" ? Scene::tracks : Scene::plaza;
       driver.tuning.inspection.forced_interval = value.key == "force_selected_only" ? 2 : 0;
       driver.frames();

@@ -34,11 +34,11 @@ TEST_F(ViewerPanel, TakesThePlaceOfTheTabs) {
 }
 
 TEST_F(ViewerPanel, HasNoStripThatCoversTheCharacter) {
-  EXPECT_EQ(driver.overlay.crowd_area().height, 720);
+  EXPECT_EQ(driver.overlay.crowd_area().height, OverlayDriver::height);
   EXPECT_EQ(driver.overlay.crowd_area().width, 900);
   driver.report.viewer.reset();
   driver.frames();
-  EXPECT_EQ(driver.overlay.crowd_area().height, 588);
+  EXPECT_EQ(driver.overlay.crowd_area().height, OverlayDriver::height - 132);
 }
 
 TEST_F(ViewerPanel, AClickAtAClipChoosesIt) {

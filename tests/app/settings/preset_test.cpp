@@ -44,7 +44,7 @@ Tuning all_changed() {
   for (const TuningValue& row : tuning_values()) {
     const std::string before = row.text(tuning);
     for (const char* const text : {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed",
-                                   "all", "interval", "pattern"}) {
+                                   "all", "interval", "pattern", "cold"}) {
       if (row.text(tuning) == before) row.read(tuning, text);
     }
     EXPECT_NE(row.text(tuning), before) << row.key;

@@ -160,11 +160,9 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
 }
 
 // What lies beneath is not drawn: neither skin nor hair under a helmet.
-void Dresser::cover(Worn& worn, const std::string& body) const {
-  const auto number =
-      static_cast<std::size_t>(std::ranges::find(rules_.bodies, body, &BodyRule::name) - rules_.bodies.begin());
+void Dresser::cover(const Person& person, Worn& worn) const {
   std::vector<const WardrobePart*> seen;
-  for (const WardrobePart* part : skin_[number]) {
+  for (const WardrobePart* part : skin_[person.body]) {
     if (part->slot.empty() || (!worn.covers(part->slot) && !worn.fills(part->slot))) seen.push_back(part);
   }
   for (const WardrobePart* part : worn.parts) {
@@ -228,7 +226,7 @@ Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::Agen
   const std::string& body = rules_.bodies[person.body].name;
   Worn worn{.style = style_of(person), .parts = {}};
   fill_slots(person, attempt, worn);
-  cover(worn, body);
+  cover(person, worn);
   Dressed dressed{.outfit = {}, .style = worn.style};
   Random own = draws_of(seed_ + attempt, person.agent, color_stream);
   Random uniform(seed_ + person.team, color_stream + 16);

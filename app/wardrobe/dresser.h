@@ -60,7 +60,7 @@ class Dresser {
   Slot slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
   const Style* style_of(const Person& person) const;
   void fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const;
-  void cover(Worn& worn, const std::string& body) const;
+  void cover(const Person& person, Worn& worn) const;
   std::uint16_t silhouette_of(const Worn& worn, const std::string& body) const;
   void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
                   render::AgentLook& look, std::uint64_t& looks_like) const;

@@ -87,7 +87,7 @@ std::uint64_t new_looks_number();
 /// Names the pieces of a character's mesh that an agent wears, and the one that stands for all of them far away.
 /// It is read on the processor alone.
 struct Outfit {
-  static constexpr std::size_t most_pieces = 14;
+  static constexpr std::size_t most_pieces = 18;
   static constexpr std::uint16_t no_silhouette = UINT16_MAX;
 
   std::array<std::uint16_t, most_pieces> pieces{};  ///< ascending
@@ -96,6 +96,6 @@ struct Outfit {
 
   friend bool operator==(const Outfit&, const Outfit&) = default;
 };
-static_assert(sizeof(Outfit) == 32);
+static_assert(sizeof(Outfit) == 40);
 
 }  // namespace throng::render

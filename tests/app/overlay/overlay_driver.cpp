@@ -48,7 +48,7 @@ OverlayDriver::OverlayDriver(const std::string& fonts)
 OverlayCommands OverlayDriver::frames(int count) {
   OverlayCommands all;
   for (int i = 0; i < count; ++i) {
-    overlay.begin_frame(width, height, 1.0 / 60, input.next_frame());
+    overlay.begin_frame(width, shown_height, 1.0 / 60, input.next_frame());
     const OverlayCommands commands = overlay.build(report, tuning);
     all.step |= commands.step;
     all.frame_crowd |= commands.frame_crowd;

@@ -183,6 +183,7 @@ TEST_F(PictureAids, FiguresAboveHeadsNeverOverlap) {
 }
 
 TEST_F(PictureAids, FiguresAboveHeadsDoNotFlicker) {
+  driver.shown_height = 720;  // for which these heads are dense
   show_dense_heads();
   driver.frames();
   const std::vector<std::string> before = heads();

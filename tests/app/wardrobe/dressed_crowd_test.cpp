@@ -127,6 +127,21 @@ TEST_F(DressedCrowdTest, LeavesNobodyWithoutClothes) {
   }
 }
 
+TEST_F(DressedCrowdTest, ShowsSkirtsFromAfar) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  int skirts = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    EXPECT_LT(dressed.outfits[agent].count, render::Outfit::most_pieces) << "nothing is left out";
+    const std::string silhouette = clothing_.wardrobe.parts()[dressed.outfits[agent].silhouette - 1U].name;
+    if (!clothes(dressed, agent).contains("knee_skirt")) continue;
+    ++skirts;
+    EXPECT_EQ(silhouette.find("silhouette/skirt/"), 0U) << silhouette;
+  }
+  EXPECT_GT(skirts, 10);
+}
+
 TEST_F(DressedCrowdTest, LeadsChildrenByTheHand) {
   const Tuning tuning = tuning_of(Scene::plaza, 1000);
   const Crowd crowd = crowd_of(tuning);

@@ -151,7 +151,10 @@ Json add_fitted(BufferWriter& buffer, const Fitted& fitted, Json attributes) {
     positions.push_back({bounds.back()[0], bounds.back()[1], bounds.back()[2], 0});
   }
   std::vector<Signs4> normals;
-  for (const glm::dvec3& n : fitted.normals) normals.push_back({to_sign(n.x), to_sign(n.y), to_sign(n.z), 0});
+  for (const glm::dvec3& normal : fitted.normals) {
+    const glm::dvec3 n = normal == glm::dvec3(0) ? glm::dvec3(0, 1, 0) : normal;  // of a point that no face has
+    normals.push_back({to_sign(n.x), to_sign(n.y), to_sign(n.z), 0});
+  }
   AttributeWriter write(buffer, attributes);
   const std::size_t position =
       write.add<std::array<std::int16_t, 4>>("POSITION", positions, "VEC3", ComponentType::signed_short, false);
@@ -203,7 +206,7 @@ class WardrobeWriter {
               {"extensionsRequired", {"KHR_mesh_quantization"}},
               {"scene", 0},
               {"scenes", Json::array({{{"name", "parts"}, {"nodes", finest_}}})}};
-    if (!coarser_.empty()) file["scenes"].push_back({{"name", "coarser levels"}, {"nodes", coarser_}});
+    if (coarser_.size() > 1) file["scenes"].push_back({{"name", "coarser levels"}, {"nodes", coarser_}});
     file["nodes"] = nodes_;
     file["meshes"] = meshes_;
     file["materials"] = Json::array(
@@ -251,7 +254,7 @@ class WardrobeWriter {
 
   BufferWriter buffer_;
   Json nodes_, meshes_ = Json::array();
-  std::vector<std::size_t> finest_, coarser_;
+  std::vector<std::size_t> finest_, coarser_{0};  // the root of the joints belongs to every scene with a skin
   std::map<std::vector<Bytes4>, std::size_t> colours_;
 };
 

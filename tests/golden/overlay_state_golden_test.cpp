@@ -21,6 +21,7 @@ class OverlayState : public render::test::SoftwareGlTest {
     ASSERT_TRUE(renderer) << renderer.error().message;
     renderer_ = std::move(*renderer);
     ASSERT_TRUE(renderer_->prepare_overlay());
+    person.shown_height = 720;  // as the picture
     person.report.notice.clear();
     person.report.context = "egl";
   }

@@ -99,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 const std::string roles =
     "roles are stand, look_around, walk, jog, run, wave, cheer, clap, sit, walk_back, step_left, step_right, "
-    "shuffle, step_in_place, veer_left, veer_right and talk";
+    "shuffle, step_in_place, veer_left, veer_right, talk, phone, call, drink, take_picture, lean, sit_on_step, carry, "
+    "hold_up, hold_phone, lead, led, push and stick";
 
 INSTANTIATE_TEST_SUITE_P(
     Clips, Refusal,

@@ -1,5 +1,5 @@
-// What the patterns and fabrics of a look are like, for the vertices of pieces that agents wear. Include
-// agent_look.glsl before it. The fragment's side is patterned.glsl and fabrics.glsl.
+// Looks up the patterns and fabrics of a look, for the vertices of pieces that agents wear. Include agent_look.glsl
+// before it. The fragment's side is patterned.glsl and fabrics.glsl.
 
 uint pattern_of(uint tint) { return min(tint >> 24 & 31u, 12u); }
 uint fabric_of(uint tint) { return tint >> 29; }
@@ -23,13 +23,15 @@ const vec4 waves_of_pattern[13] = vec4[](
     vec4(9.0, 9.0, 0.45, 0.0), vec4(1.0, 1.0, 0.0, 0.0), vec4(1.0, 360.0, 0.5, 1.0), vec4(1.0, 1.0, 0.0, 0.0),
     vec4(1.0, 1.0, 0.0, 0.0), vec4(1.0, 0.25, 0.5, 0.0), vec4(1.0, 1.0, 0.0, 0.0), vec4(1.0, 1.0, 0.0, 0.0),
     vec4(1.0, 62.0, 0.5, -1.0));
-// How much those across u and across v show; how many spots a metre; which spots (patterned.glsl).
+// A pattern has four numbers: how much bands across u show, and bands across v; spots a metre; the kind of spots
+// (patterned.glsl).
 const vec4 kind_of_pattern[13] = vec4[](
     vec4(0.0, 0.0, 1.0, 0.0), vec4(0.0, 1.0, 1.0, 0.0), vec4(1.0, 0.0, 1.0, 0.0), vec4(0.5, 0.5, 1.0, 0.0),
     vec4(0.5, 0.5, 1.0, 7.0), vec4(0.0, 0.0, 22.0, 1.0), vec4(0.0, 0.22, 7.0, 4.0), vec4(0.0, 0.0, 5.0, 5.0),
     vec4(0.0, 0.0, 1.0, 6.0), vec4(0.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 13.0, 2.0), vec4(0.0, 0.0, 13.0, 3.0),
     vec4(0.0, 0.7, 1.0, 0.0));
-// How the edge shines softly; how much it mirrors; how tightly; how little its light depends on the sun's direction.
+// A fabric has four numbers: how softly the edge shines; how much it mirrors; how tightly; how little its light depends
+// on the sun's direction.
 const vec4 light_of_fabric[8] = vec4[](vec4(0.0, 0.0, 1.0, 0.0), vec4(0.2, 0.0, 1.0, 0.45), vec4(1.0, 0.0, 1.0, 0.3),
                                        vec4(0.15, 0.42, 8.0, 0.0), vec4(0.0, 0.34, 13.0, 0.0),
                                        vec4(0.05, 0.22, 6.0, 0.0), vec4(0.06, 0.07, 5.0, 0.1),

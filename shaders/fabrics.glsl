@@ -6,8 +6,8 @@ flat in vec4 fabric_light;  // see cloth_patterns.glsl
 // The share of the sun's light that a fabric scatters.
 float scattered_of_sun(float facing) { return mix(facing * facing, 0.85 * facing, fabric_light.w); }
 
-// What shines over that: `sun` and `around` are what a white surface reflects of them. Schlick's power, squared here, has
-// no logarithm (1994, "An Inexpensive BRDF Model").
+// Returns the light that shines over that; a white surface reflects `sun` and `around`. Schlick's power, squared here,
+// has no logarithm (1994, "An Inexpensive BRDF Model").
 vec3 shine(vec3 normal, vec3 albedo, vec3 sun, vec3 around) {
   vec3 to_eye = normalize(way_to_eye);
   float edge = 1.0 - max(dot(normal, to_eye), 0.0), squared = edge * edge;

@@ -26,7 +26,7 @@ vec3 varied(const InstanceRecord instance, vec3 position, vec3 normal, vec3 shap
 const float jaw_reach = 0.011, nose_reach = 0.013, eyes_reach = 0.005;
 const vec3 brow_reach = vec3(0.0, -0.003, 0.007);
 
-// How far a vertex moves for the face of an instance. The share of the eyes has the sign of their side.
+// Returns how far a vertex moves for the face of an instance. The share of the eyes has the sign of their side.
 vec3 face_of(const InstanceRecord instance, vec3 normal, vec4 face) {
   vec4 own = unpackSnorm4x8(looks[instance.agent].face) * face;
   return body_size * (jaw_reach * own.x * normal + brow_reach * own.z + vec3(eyes_reach * own.w, 0.0, nose_reach * own.y));

@@ -23,7 +23,7 @@ struct CrowdLooks {
   std::vector<std::uint32_t> shades;     ///< AgentLook::shade
   std::vector<render::AgentLook> drawn;  ///< all that drawing reads of them
   std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: nobody wears any
-  std::vector<std::uint16_t> in_hand;    ///< piece of an outfit, or no_silhouette; drawn while it is in the hand
+  std::vector<std::uint16_t> in_hand;    ///< piece of an outfit, or no_piece; drawn while it is in the hand
   std::uint64_t number = 0;              ///< of `drawn`: no other crowd has it
 };
 

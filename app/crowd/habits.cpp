@@ -21,7 +21,7 @@ constexpr Transition all_transitions[] = {
     {Habit::stroll, jog, run, 1.0F},
     {Habit::stroll, run, jog, 1.0F},
     {Habit::stroll, run, walk, 1.0F},
-    // Whoever holds something stops for it: a phone, a cup, a camera.
+    // People stop to use the phone, the cup or the camera that they hold.
     {Habit::stroll, walk, phone, 0.7F},
     {Habit::stroll, walk, call, 0.4F},
     {Habit::stroll, walk, drink, 0.7F},

@@ -20,7 +20,7 @@ constexpr float reach = 1.6F;  // radians from straight ahead that spine and nec
 constexpr double shortest_talk = 2.5, longest_turn = 8.0, between_turns = 2.0;  // seconds
 constexpr double turns_head = 0.8;                                              // seconds
 constexpr double longest_between_rows = 10.0;  // seconds in the mean; farther apart they do not say who stands
-// Those of huge jams that come later are left out.
+// Samples of a huge jam beyond these numbers are left out.
 constexpr std::size_t most_standers = 8'000'000;  // samples of people
 constexpr std::size_t most_meetings = 4'000'000;  // samples of pairs
 

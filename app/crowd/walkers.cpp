@@ -26,7 +26,7 @@ constexpr double lead_step = 0.25;      // metres
 constexpr float farthest_lane = 22.0F;  // metres to another lane
 constexpr float chance_of_another_way = 0.5F;
 constexpr float standing_speed = 0.05F;  // metres a second
-// Of company: metres of a person, seconds, and shares of a speed.
+// Company keeps to these metres of a person, seconds, and shares of a speed.
 constexpr float behind_leader = 0.05F, near_enough = 0.35F, seconds_to_come_up = 0.8F;
 constexpr float most_hurry = 1.35F, slower_a_metre = 0.45F, least_of_speed = 0.35F;
 constexpr float share_of_walk_to_step = 0.25F;

@@ -61,12 +61,12 @@ struct Picture::Frame {
       if (piece != put_away) visit(std::size_t{run} * pieces + piece);
     });
   }
-  /// Returns the piece that is a thing whose hand does not hold it now, or no_silhouette.
+  /// Returns the piece that is a thing whose hand does not hold it now, or no_piece.
   std::uint32_t put_away_by(std::uint32_t agent) const {
     const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
-    const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_silhouette ||
+    const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_piece ||
                        held_arms_of(stage.animated()).shows_thing(stage.crowd(), agent);
-    return shows ? render::Outfit::no_silhouette : in_hand[agent];
+    return shows ? render::Outfit::no_piece : in_hand[agent];
   }
 };
 
@@ -97,7 +97,7 @@ void Picture::look_at_outfits(const CrowdLooks& looks) {
   for (const render::Outfit& outfit : looks.outfits) {
     most_drawn += std::max<std::size_t>(outfit.count, 1);
     for (std::size_t i = 0; i < outfit.count; ++i) pieces_ = std::max(pieces_, outfit.pieces[i] + 1U);
-    if (outfit.silhouette != render::Outfit::no_silhouette) pieces_ = std::max(pieces_, outfit.silhouette + 1U);
+    if (outfit.silhouette != render::Outfit::no_piece) pieces_ = std::max(pieces_, outfit.silhouette + 1U);
   }
   if (drawn_.size() < most_drawn) drawn_.resize(most_drawn);
 }

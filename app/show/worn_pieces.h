@@ -15,7 +15,7 @@ namespace throng::app {
 void for_each_worn(const render::Outfit& outfit, std::uint32_t mesh_lod, const auto& visit) {
   if (outfit.count == 0) return visit(std::uint32_t{0});
   const bool far = mesh_lod >= render::first_silhouette_lod;
-  if (far && outfit.silhouette != render::Outfit::no_silhouette) return visit(std::uint32_t{outfit.silhouette});
+  if (far && outfit.silhouette != render::Outfit::no_piece) return visit(std::uint32_t{outfit.silhouette});
   for (std::size_t i = 0; i < outfit.count; ++i) visit(std::uint32_t{outfit.pieces[i]});
 }
 

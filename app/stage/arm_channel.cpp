@@ -44,7 +44,7 @@ bool ArmChannel::update(const anim::EntityBuilder& build) {
 }
 
 void ArmChannel::keep_step(const anim::EntityBuilder& build) const {
-  // What is below may have changed in this update; then the graph tells of it next.
+  // The channel below may have changed its graph in this update. Then lie_over() names the new one in the next.
   if (!below_.valid() || !build.pools().alive(below_)) return;
   const anim::Handle gait = newest_player(build, below_);
   const bool steps = gait.valid() && static_cast<int>(build.as<anim::Player>(gait).clip) == clip_.step_clip;

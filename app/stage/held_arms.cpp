@@ -116,7 +116,7 @@ void HeldArms::turn_off(std::uint32_t agent, Arm& arm) {
   system_->agent(agent).set_channel_weight(arm.channel, 0.0F, arm_fade);
 }
 
-/// Who is no longer near lets go at once. Returns whether the agent stays among those shown.
+/// Lets go at once where the agent is no longer near. Returns whether it stays among those shown.
 bool HeldArms::goes_on(std::uint32_t agent) {
   Arm& arm = arms_[arm_of_[agent]];
   const bool is_near = arm.near_in == frame_;

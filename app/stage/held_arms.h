@@ -17,8 +17,8 @@ namespace throng::app {
 /// whose things can be seen have the layer, so the many far away are posed without.
 class HeldArms {
  public:
-  /// Who is smaller on the screen, in pixels, is posed without, once they hold nothing yet and once they do: an outfit
-  /// is then about one silhouette. Poses do not depend on meshes, which a run that draws nothing does not have.
+  /// An arm begins to hold when its agent is so many pixels tall, and goes on down to the second number. Smaller people
+  /// are drawn as about one silhouette. Poses do not depend on meshes, which a run that draws nothing does not have.
   static constexpr float pixels_to_begin = 16.0F, pixels_to_go_on = 13.0F;
 
   /// `characters` and `system` outlive this.

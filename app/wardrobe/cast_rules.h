@@ -29,7 +29,7 @@ struct Palette {
   std::vector<std::uint32_t> colors;
 };
 
-/// How a piece of clothing is made.
+/// Says how a piece of clothing is made.
 struct ClothRule {
   std::string part;
   std::string colors, seconds;                              ///< names of palettes; empty: as the style says, else white
@@ -37,7 +37,7 @@ struct ClothRule {
   render::Fabric fabric = render::Fabric::cotton;
 };
 
-/// What one fills a slot with.
+/// Lists the parts that may fill a slot, with weights.
 struct SlotRule {
   std::string slot;
   WeighedNames parts;
@@ -59,7 +59,7 @@ struct SceneRule {
   WeighedNames styles;
 };
 
-/// How often parts with a tag are worn in some weather, over how often they are otherwise.
+/// Multiplies the weights of parts with a tag in some weather.
 struct WeatherRule {
   std::string weather;
   WeighedNames tags;

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What the agents of a character may wear, and by which rules.
+/// Holds what the agents of a character may wear, and the rules.
 struct Clothing {
   Wardrobe wardrobe;  ///< empty where nothing is drawn, or where the file of the character has no parts
   CastRules rules;    ///< without styles where nobody dresses

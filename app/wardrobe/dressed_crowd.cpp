@@ -66,16 +66,16 @@ void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed)
   constexpr std::uint64_t gray_stream = 25;
   Random random(seed + agent, gray_stream);
   const std::uint32_t gray = gray_hair[random.below(std::size(gray_hair))];
-  look.tints.at(static_cast<std::size_t>(render::Region::hair)) = render::tint_of(faded(gray, random));
+  look.tints.at(index_of(render::Region::hair)) = render::tint_of(faded(gray, random));
 }
 
 /// Gives clothes the colours of a shape that is seen from above, whatever their cut.
 void wear_pattern(render::AgentLook& look, const Tints& tints) {
   using enum render::Region;
   for (const render::Region upper : {top, outer, headgear}) {
-    look.tints.at(static_cast<std::size_t>(upper)) = render::tint_of(tints[2]);
+    look.tints.at(index_of(upper)) = render::tint_of(tints.at(index_of(top)));
   }
-  look.tints.at(static_cast<std::size_t>(bottom)) = render::tint_of(tints[3]);
+  look.tints.at(index_of(bottom)) = render::tint_of(tints.at(index_of(bottom)));
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
   DressedCrowd dressed{.looks = crowd.looks().drawn,
                        .outfits = std::vector<render::Outfit>(crowd.size()),
                        .things = hands_of(crowd),
-                       .in_hand = std::vector<std::uint16_t>(crowd.size(), render::Outfit::no_silhouette)};
+                       .in_hand = std::vector<std::uint16_t>(crowd.size(), render::Outfit::no_piece)};
   const std::vector<std::uint32_t> groups = groups_of(crowd);
   Lookalikes lookalikes(crowd.positions());
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {

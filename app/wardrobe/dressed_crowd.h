@@ -13,7 +13,7 @@ namespace throng::app {
 /// they wear a uniform or nothing else can be found.
 inline constexpr float alike_reach = 15.0F;
 
-/// What everybody of a crowd wears, [agent].
+/// Holds what everybody of a crowd wears, [agent].
 struct DressedCrowd {
   std::vector<render::AgentLook> looks;
   std::vector<render::Outfit> outfits;

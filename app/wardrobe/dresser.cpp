@@ -22,6 +22,10 @@ constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"
                                                                               {"hand_left", render::Region::thing},
                                                                               {"hand_right", render::Region::thing}}};
 
+// The words in names of silhouettes. What hides more of the legs, or of the hair, comes later and wins.
+constexpr std::array<const char*, 4> cuts{"trousers", "shorts", "skirt", "long"};
+constexpr std::array<const char*, 3> heads{"short", "long", "hat"};
+
 std::optional<render::Region> region_of(std::string_view slot) {
   const auto found = std::ranges::find(regions, slot, [](const auto& each) { return each.first; });
   if (found == regions.end()) return {};
@@ -61,7 +65,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 
 }  // namespace
 
-/// What one has chosen so far.
+/// Holds what a person has chosen so far.
 struct Dresser::Worn {
   const Style* style = nullptr;
   std::vector<const WardrobePart*> parts;
@@ -108,6 +112,7 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
     }
   }
   for (const BodyRule& body : rules.bodies) {
+    silhouettes_.push_back(silhouettes_for(body.name));
     std::vector<const WardrobePart*>& skin = skin_.emplace_back();
     for (const WardrobePart& part : wardrobe.parts()) {
       if (!part.fits(body.name)) continue;
@@ -131,7 +136,7 @@ Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, c
   return filled;
 }
 
-const Style* Dresser::style_of(const Person& person) const {
+std::size_t Dresser::style_of(const Person& person) const {
   const std::string& body = rules_.bodies[person.body].name;
   const auto weight = [&](const auto& style) {
     return style.first->bodies.empty() || contains(style.first->bodies, body) ? style.second : 0.0F;
@@ -140,12 +145,10 @@ const Style* Dresser::style_of(const Person& person) const {
   Random of_group = draws_of(seed_, person.group, style_stream + 16);
   const bool as_group = own.chance(share_of_alike_styles);
   const auto* const found = weighed_one(styles_, weight, as_group ? of_group : own);
-  return found == nullptr ? styles_.front().first : found->first;
+  return found == nullptr ? 0 : static_cast<std::size_t>(found - styles_.data());
 }
 
-void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const {
-  const auto style = static_cast<std::size_t>(
-      std::ranges::find(styles_, worn.style, [](const auto& each) { return each.first; }) - styles_.begin());
+void Dresser::fill_slots(const Person& person, std::uint32_t attempt, std::size_t style, Worn& worn) const {
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
   for (const Slot& slot : slots_[style][person.body]) {
@@ -159,7 +162,7 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, Worn& worn
   }
 }
 
-// What lies beneath is not drawn: neither skin nor hair under a helmet.
+// Parts that others cover are not drawn, such as skin below a shirt and hair below a helmet.
 void Dresser::cover(const Person& person, Worn& worn) const {
   std::vector<const WardrobePart*> seen;
   for (const WardrobePart* part : skin_[person.body]) {
@@ -171,15 +174,23 @@ void Dresser::cover(const Person& person, Worn& worn) const {
   worn.parts = std::move(seen);
 }
 
-std::uint16_t Dresser::silhouette_of(const Worn& worn, const std::string& body) const {
-  const char* const bottom = worn.is_cut("long")     ? "long"
-                             : worn.is_cut("skirt")  ? "skirt"
-                             : worn.is_cut("shorts") ? "shorts"
-                                                     : "trousers";
-  const char* const head = worn.fills("headgear") ? "hat" : worn.has_tag("hair", "long") ? "long" : "short";
-  const WardrobePart* const found =
-      wardrobe_.find(body, std::string(anim::silhouette_slot) + "/" + bottom + "/" + head);
-  return found == nullptr ? render::Outfit::no_silhouette : found->piece;
+Dresser::Silhouettes Dresser::silhouettes_for(const std::string& body) const {
+  Silhouettes all{};
+  for (std::size_t cut = 0; cut < cuts.size(); ++cut) {
+    for (std::size_t head = 0; head < heads.size(); ++head) {
+      const std::string name = std::string(anim::silhouette_slot) + "/" + cuts.at(cut) + "/" + heads.at(head);
+      const WardrobePart* const found = wardrobe_.find(body, name);
+      all.at(cut).at(head) = found == nullptr ? render::Outfit::no_piece : found->piece;
+    }
+  }
+  return all;
+}
+
+std::uint16_t Dresser::silhouette_of(const Person& person, const Worn& worn) const {
+  std::size_t cut = cuts.size() - 1;
+  while (cut > 0 && !worn.is_cut(cuts.at(cut))) --cut;
+  const std::size_t head = worn.fills("headgear") ? 2 : worn.has_tag("hair", heads[1]) ? 1 : 0;
+  return silhouettes_[person.body].at(cut).at(head);
 }
 
 std::uint32_t Dresser::one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const {
@@ -196,7 +207,7 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
                          render::AgentLook& look, std::uint64_t& looks_like) const {
   const auto region = region_of(part.slot);
   if (!region) return;
-  const auto at = static_cast<std::size_t>(*region);
+  const std::size_t at = index_of(*region);
   const ClothRule* const rule = rules_.cloth(part.name);
   const auto stronger = std::ranges::find(style.colors, part.slot, [](const auto& each) { return each.first; });
   const std::string_view first = stronger != style.colors.end() ? std::string_view(stronger->second)
@@ -223,9 +234,9 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
 }
 
 Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const {
-  const std::string& body = rules_.bodies[person.body].name;
-  Worn worn{.style = style_of(person), .parts = {}};
-  fill_slots(person, attempt, worn);
+  const std::size_t style = style_of(person);
+  Worn worn{.style = styles_[style].first, .parts = {}};
+  fill_slots(person, attempt, style, worn);
   cover(person, worn);
   Dressed dressed{.outfit = {}, .style = worn.style};
   Random own = draws_of(seed_ + attempt, person.agent, color_stream);
@@ -239,7 +250,7 @@ Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::Agen
     color_part(*part, *worn.style, person, worn.style->alike ? uniform : own, look, dressed.looks_like);
   }
   std::ranges::sort(std::span(dressed.outfit.pieces).first(dressed.outfit.count));
-  dressed.outfit.silhouette = silhouette_of(worn, body);
+  dressed.outfit.silhouette = silhouette_of(person, worn);
   return dressed;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -22,7 +23,7 @@ struct Person {
   bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
 };
 
-/// What somebody wears, and all that others can tell it by.
+/// Holds what a person wears, and a number that is equal for people who look alike.
 struct Dressed {
   render::Outfit outfit;
   const Style* style = nullptr;
@@ -31,7 +32,7 @@ struct Dressed {
   std::uint64_t looks_like = 0;
 };
 
-/// Where and when a crowd dresses.
+/// Says for what a crowd dresses.
 struct Occasion {
   std::string_view scene, weather;
   std::uint32_t seed = 0;
@@ -58,10 +59,12 @@ class Dresser {
   struct Worn;
 
   Slot slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
-  const Style* style_of(const Person& person) const;
-  void fill_slots(const Person& person, std::uint32_t attempt, Worn& worn) const;
+  using Silhouettes = std::array<std::array<std::uint16_t, 3>, 4>;  // pieces, by the cut around the legs and the head
+  Silhouettes silhouettes_for(const std::string& body) const;
+  std::size_t style_of(const Person& person) const;
+  void fill_slots(const Person& person, std::uint32_t attempt, std::size_t style, Worn& worn) const;
   void cover(const Person& person, Worn& worn) const;
-  std::uint16_t silhouette_of(const Worn& worn, const std::string& body) const;
+  std::uint16_t silhouette_of(const Person& person, const Worn& worn) const;
   void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
                   render::AgentLook& look, std::uint64_t& looks_like) const;
   std::uint32_t one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const;
@@ -71,6 +74,7 @@ class Dresser {
   std::uint32_t seed_;
   std::vector<std::pair<const Style*, float>> styles_;  // of the scene
   std::vector<std::vector<std::vector<Slot>>> slots_;   // [style][body]
+  std::vector<Silhouettes> silhouettes_;                // [body]
   std::vector<std::vector<const WardrobePart*>> skin_;  // [body]
 };
 

@@ -9,7 +9,7 @@
 namespace throng::app {
 namespace {
 
-// In the order of the enumerators.
+// The names stand in the order of the enumerators.
 constexpr std::array<const char*, 13> pattern_names{"plain",   "stripes_across", "stripes_along", "checks", "tartan",
                                                     "dots",    "denim",          "print",         "trim",   "blocks",
                                                     "flowers", "camouflage",     "herringbone"};

@@ -12,7 +12,7 @@
 
 namespace throng::app {
 
-/// What rules know of a part (anim::ModelPart).
+/// Describes a part (anim::ModelPart) as far as rules need it.
 struct WardrobePart {
   std::string name, slot;
   std::string body;  ///< empty: it fits everybody

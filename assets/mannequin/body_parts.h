@@ -13,6 +13,19 @@ using HalfRing = std::array<std::size_t, 7>;
 /// Eight vertices around a limb, anticlockwise seen from the end that the limb's axis points to.
 using LimbRing = std::array<std::size_t, 8>;
 
+/// A horizontal cross-section of the torso, metres.
+struct TorsoSection {
+  double height, half_width, front, back;
+  double drop_front = 0;    ///< How far the front of the ring lies below its sides.
+  double drop_back = 0;     ///< The same for the back.
+  double squareness = 0.9;  ///< 1 is an ellipse; smaller is more of a box.
+};
+using RingBinding = std::array<Weights, 7>;
+/// Returns the same weights for a whole ring.
+RingBinding everywhere(const Weights& weights);
+/// Adds the left half of a cross-section, from the front to the back.
+HalfRing add_section(Cage& cage, const TorsoSection& section, const RingBinding& binding);
+
 /// The borders of the torso to which the other parts are welded.
 struct TorsoBorders {
   HalfRing neck;

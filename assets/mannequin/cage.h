@@ -15,7 +15,8 @@
 
 namespace throng::mannequin {
 
-/// What an instance tints apart; the values of the vertex attribute _REGION. The last three are of the wardrobe alone.
+/// Names the parts that an instance tints apart, by the vertex attribute _REGION. The wardrobe alone has the last
+/// three.
 enum class Region : unsigned char {
   skin = 0,
   hair = 1,
@@ -28,7 +29,7 @@ enum class Region : unsigned char {
   thing = 8
 };
 
-/// How a face gets its coordinates of patterns.
+/// Says how a face gets its coordinates of patterns.
 enum class Chart : unsigned char {
   by_joints,    ///< Around the arm, the leg or the trunk, whichever moves it.
   around_body,  ///< Around the trunk, also where legs move it: skirts, coats.
@@ -36,7 +37,7 @@ enum class Chart : unsigned char {
   from_side     ///< Straight from the side: u is z, v is the height.
 };
 
-/// What the wardrobe knows of a face; the built-in character has no use for it.
+/// Keeps what the wardrobe knows of a face. The built-in character has no use for it.
 struct FaceNotes {
   unsigned char piece = 0;  ///< Which piece of a body it belongs to.
   double trim = 0;          ///< How much it shows the second colour of a pattern of trim, 0 to 1.

@@ -69,7 +69,7 @@ Motion make_take_picture();
 Motion make_lean();
 Motion make_sit_on_step();
 
-// What an arm does while the rest of the body does something else. They are played on the joints of the arm alone.
+// These clips are for an arm while the rest of the body does something else. Its joints alone play them.
 Motion make_carry();
 Motion make_hold_up();
 Motion make_hold_phone();

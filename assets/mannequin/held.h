@@ -17,7 +17,7 @@ glm::dvec3 handle_in_hand();
 /// The middle of a cup in the left hand at rest, from its wrist; its axis runs to the thumb's side.
 glm::dvec3 cup_in_hand();
 
-/// How a hand is turned that holds a camera, and what of it: `out` is the way to the hand's side, `facing` to the face.
+/// Returns how a hand that holds a camera is turned: `out` is the way to the hand's side, `facing` to the face.
 glm::dquat hand_at_camera(Side side, glm::dvec3 out, glm::dvec3 facing, glm::dvec3 upwards);
 inline constexpr double hand_from_camera = 0.050;  ///< Metres from its middle to what a hand holds.
 glm::dvec3 camera_in_hand();

@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec3;
 
-/// Which share of the time the thumb is on the glass: it taps in bursts, and rests while somebody reads.
+/// The thumb is on the glass for this share of the time: it taps in bursts, and rests while somebody reads.
 constexpr std::array<CurveKey, 6> typing{{{0.02, 0}, {0.08, 1}, {0.34, 1}, {0.40, 0}, {0.62, 0}, {0.90, 0}}};
 constexpr std::array<CurveKey, 5> scrolling{{{0.52, 0}, {0.58, 1}, {0.76, 1}, {0.82, 0}, {0.99, 0}}};
 

@@ -6,7 +6,7 @@
 
 namespace throng::mannequin {
 
-/// Where a hand shall hold something.
+/// Says where and how a hand shall hold something.
 struct HandTarget {
   glm::dvec3 grip;      ///< World position of what it holds.
   glm::dquat rotation;  ///< Of the hand from its rest, in the world.
@@ -18,7 +18,7 @@ struct HandTarget {
 glm::dvec3 in_hand(double along, double thumb, double palm);
 inline constexpr double palm_along = 0.083;  ///< Metres from the wrist to where fingers close around something.
 
-/// How a hand is turned whose palm faces one way and whose fingers point as near to another as that allows.
+/// Returns how a hand is turned whose palm faces one way and whose fingers point as near to another as that allows.
 glm::dquat palm_towards(Side side, glm::dvec3 palm, glm::dvec3 fingers);
 /// The same whose fingers point one way, and whose palm faces as near to another as that allows.
 glm::dquat fingers_towards(Side side, glm::dvec3 fingers, glm::dvec3 palm);

@@ -9,37 +9,6 @@ namespace {
 
 using glm::dvec3;
 
-/// A horizontal cross-section of the torso, metres.
-struct Section {
-  double height, half_width, front, back;
-  double drop_front;  ///< How far the front of the ring lies below its sides.
-  double drop_back;   ///< The same for the back.
-  double squareness;  ///< 1 is an ellipse; smaller is more of a box.
-};
-
-using RingBinding = std::array<Weights, 7>;
-
-RingBinding everywhere(const Weights& weights) {
-  RingBinding all;
-  all.fill(weights);
-  return all;
-}
-
-HalfRing add_section(Cage& cage, const Section& section, const RingBinding& binding) {
-  HalfRing ring{};
-  const double middle = 0.5 * (section.front + section.back);
-  const double depth = 0.5 * (section.front - section.back);
-  for (std::size_t j = 0; j < ring.size(); ++j) {
-    const double angle = static_cast<double>(j) * std::numbers::pi / 6;
-    const double side = j == 0 || j == 6 ? 0 : std::pow(std::sin(angle), section.squareness);
-    const double fore =
-        j == 3 ? 0 : std::copysign(std::pow(std::abs(std::cos(angle)), section.squareness), std::cos(angle));
-    const double drop = fore > 0 ? section.drop_front * fore : section.drop_back * -fore;
-    ring[j] = cage.add({section.half_width * side, section.height - drop, middle + depth * fore}, binding[j]);
-  }
-  return ring;
-}
-
 void nudge(Cage& cage, std::size_t vertex, dvec3 offset) { cage.vertices[vertex].position += offset; }
 
 struct Trunk {
@@ -98,6 +67,27 @@ void bridge_around_armhole(Cage& cage, const HalfRing& lower, const HalfRing& up
 }
 
 }  // namespace
+
+RingBinding everywhere(const Weights& weights) {
+  RingBinding all;
+  all.fill(weights);
+  return all;
+}
+
+HalfRing add_section(Cage& cage, const TorsoSection& section, const RingBinding& binding) {
+  HalfRing ring{};
+  const double middle = 0.5 * (section.front + section.back);
+  const double depth = 0.5 * (section.front - section.back);
+  for (std::size_t j = 0; j < ring.size(); ++j) {
+    const double angle = static_cast<double>(j) * std::numbers::pi / 6;
+    const double side = j == 0 || j == 6 ? 0 : std::pow(std::sin(angle), section.squareness);
+    const double fore =
+        j == 3 ? 0 : std::copysign(std::pow(std::abs(std::cos(angle)), section.squareness), std::cos(angle));
+    const double drop = fore > 0 ? section.drop_front * fore : section.drop_back * -fore;
+    ring[j] = cage.add({section.half_width * side, section.height - drop, middle + depth * fore}, binding[j]);
+  }
+  return ring;
+}
 
 TorsoBorders add_torso(Cage& cage) {
   const Trunk trunk = add_trunk(cage);

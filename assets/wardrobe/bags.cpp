@@ -22,8 +22,8 @@ constexpr dvec3 brass{0.42, 0.28, 0.08};
 constexpr dvec3 rubber{0.03, 0.03, 0.033};
 constexpr dvec3 metal{0.45, 0.46, 0.48};
 
-/// What hangs from a fist: x ahead, y up, z away from the body, as it is while an arm carries; the origin is where the
-/// handle is.
+/// Returns the axes of a thing that hangs from a fist while an arm carries it: x ahead, y up, z away from the body. The
+/// origin is in the handle.
 Frame hanging_fist() {
   const dvec3 held = mannequin::handle_in_hand();
   const mannequin::ArmFrame& arm = mannequin::left_arm();

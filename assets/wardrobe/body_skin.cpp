@@ -14,7 +14,7 @@ namespace {
 using glm::dvec3;
 using mannequin::Skin;
 
-/// From 0 at the middle of the back over the right side, the front and the left side.
+/// Returns an angle, 0 in front, that grows to the wearer's left.
 double angle_around_neck(dvec3 place) { return std::atan2(place.x, place.z + 0.020); }
 
 /// Points at open edges below some height, by their angle around the neck.

@@ -5,8 +5,8 @@
 
 namespace throng::wardrobe {
 
-/// How far a place on or around the man's head follows an instance's face, -1 to 1: jaw (out along the normal), nose
-/// (forward), brow (forward and down), eyes (apart). A function of the place alone, so that glasses stay on noses.
+/// Returns how far a place on or around the man's head follows an instance's face, -1 to 1: jaw (out along the normal),
+/// nose (forward), brow (forward and down), eyes (apart). It depends on the place alone, so that glasses stay on noses.
 glm::dvec4 face_shares(glm::dvec3 place);
 
 }  // namespace throng::wardrobe

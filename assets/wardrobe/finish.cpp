@@ -41,7 +41,7 @@ Skin warped_skin(const Skin& skin, Body body) {
   return there;
 }
 
-/// How open the surroundings of a skin's points are, `beside` being there too.
+/// Returns how open the surroundings of a skin's points are, with `beside` there too.
 std::vector<double> openness_of(const Skin& skin, const Skin* beside) {
   std::vector<dvec3> positions, normals;
   for (const auto& point : skin.points) {
@@ -87,7 +87,7 @@ void follow_face(Mesh& mesh) {
   }
 }
 
-/// What lies close on skin that is drawn too keeps closer to its full shape, or the skin would show through.
+/// Returns smaller bounds for a part that lies close on drawn skin, which would show through else.
 std::array<double, near_levels - 1> bounds_of(const Part& part) {
   const bool bare_below = std::find(part.covers.begin(), part.covers.end(), Slot::torso) == part.covers.end();
   if (is_on_head(part.slot) || (part.slot == Slot::top && bare_below)) return {0.005, 0.010, 0.018};

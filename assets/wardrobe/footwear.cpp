@@ -24,7 +24,7 @@ Weights foot_weights(double z, double share_at_ball) {
   return bind({{"foot.L", 1 - toe}, {"toe.L", toe}});
 }
 
-/// How far a place along the foot has risen to a heel.
+/// Returns how far a place along the foot has risen to a heel.
 double arch(const ShoeCut& cut, double z) { return cut.heel * rise(0.085, -0.040, z); }
 
 Three add_top_row(Cage& cage, double z, double half_width, double height, double ridge) {

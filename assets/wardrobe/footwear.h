@@ -16,7 +16,7 @@ struct ShaftRow {
   double paint = 1;       ///< Of the same band.
 };
 
-/// How a closed shoe is cut.
+/// Describes the cut of a closed shoe.
 struct ShoeCut {
   double sole = 0.016;      ///< Its height.
   double sole_grow = 1.05;  ///< Its outline against the foot's.

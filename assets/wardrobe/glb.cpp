@@ -77,7 +77,7 @@ bool any(const mannequin::Mesh& mesh, bool (*has)(const MeshVertex&)) {
   return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), has);
 }
 
-/// What all bodies share. An attribute that would be 0 everywhere is left out.
+/// Adds the attributes that all bodies share. One that would be 0 everywhere is left out.
 Json add_shared(BufferWriter& buffer, const MadePart& made) {
   Json attributes;
   AttributeWriter write(buffer, attributes);
@@ -140,7 +140,7 @@ Json add_shared(BufferWriter& buffer, const MadePart& made) {
   return attributes;
 }
 
-/// What a body has of its own.
+/// Adds the attributes that a body has of its own.
 Json add_fitted(BufferWriter& buffer, const Fitted& fitted, Json attributes) {
   std::vector<std::array<std::int16_t, 4>> positions;
   std::vector<std::array<std::int16_t, 3>> bounds;

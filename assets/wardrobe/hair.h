@@ -13,7 +13,7 @@ struct HairPoint {
   glm::dvec3 paint{1};
 };
 
-/// How a surface around the head is laid: columns of equal numbers of points, by angle (head_surface.h).
+/// Describes a surface around the head: columns of equal numbers of points, by angle (head_surface.h).
 struct HairPlan {
   double from = -180, to = 180;  ///< All around: the first column follows the last.
   std::size_t columns = 28;
@@ -35,7 +35,7 @@ mannequin::Skin hair_cap(const std::function<double(double angle)>& low,
 mannequin::Skin hair_tube(const std::vector<glm::dvec3>& places, const std::vector<double>& radii,
                           std::size_t around = 10, mannequin::Region region = mannequin::Region::hair);
 
-/// How strands darken and lighten hair around the head.
+/// Returns the paint by which strands darken and lighten hair around the head.
 glm::dvec3 strand_paint(double angle, double along);
 
 /// Weights of hair that hangs: of the head above, of the neck and the chest where it lies on the back.

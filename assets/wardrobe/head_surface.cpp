@@ -16,7 +16,7 @@ namespace {
 using glm::dvec3;
 using mannequin::CurveKey;
 
-/// Where a row passes the front, the left side and the back, and how boxy it is in front (1: an ellipse).
+/// Describes a row by its places in front, at the left side and at the back, and how boxy it is (1: an ellipse).
 struct HeadRow {
   double front_y, front_z, half_width, side_y, side_z, back_y, back_z, front_box, back_box;
 };
@@ -55,7 +55,7 @@ double face_bump(dvec3 p, double x, double y, double wide, double high) {
   return std::exp(-u * u - v * v);
 }
 
-/// How far the nose stands out at a place.
+/// Returns how far the nose stands out at a place.
 double nose(dvec3 p) {
   constexpr std::array<CurveKey, 8> height{{{1.6255, 0.0},
                                             {1.6300, 0.006},
@@ -76,8 +76,8 @@ constexpr double mouth_half_width = 0.0255;
 
 double mouth_line(double x) { return 1.6055 + 0.0042 * (x / mouth_half_width) * (x / mouth_half_width); }
 
-/// Where on the lips a place is: 0 at the mouth's line, 1 at the edge of the upper lip, -1 at that of the lower.
-/// Beyond the lips it is larger.
+/// Returns where on the lips a place is: 0 at the mouth's line, 1 at the edge of the upper lip, -1 at that of the
+/// lower, and more beyond the lips.
 double on_lips(dvec3 p) {
   const double along = std::min(std::abs(p.x) / mouth_half_width, 1.0);
   const double from_line = p.y - mouth_line(p.x);

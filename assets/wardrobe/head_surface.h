@@ -27,7 +27,7 @@ struct HeadPlace {
 };
 HeadPlace face_place(double x, double y);
 
-/// How the head and the neck move a place on them.
+/// Returns how the head and the neck move a place on them.
 mannequin::Weights head_weights(glm::dvec3 place, double angle, double row);
 
 /// The albedo factor of the skin there: lips are redder, the nose and the cheeks a little.

@@ -23,7 +23,7 @@ double on_both_sides(dvec3 place, dvec3 centre, dvec3 radius) {
   return std::exp(-glm::dot(offset, offset));
 }
 
-/// Where a place goes when all around `centre` grows by a share, on both sides of the face.
+/// Returns where a place goes when all around `centre` grows by a share, on both sides of the face.
 dvec3 grown(dvec3 p, dvec3 there, dvec3 centre, double radius, double share) {
   const dvec3 middle(std::copysign(centre.x, p.x), centre.y, centre.z);
   return there + (p - middle) * (share * on_both_sides(p, centre, dvec3(radius)));
@@ -50,7 +50,7 @@ dvec3 woman(dvec3 p) {
 
 dvec3 child(dvec3 p) {
   constexpr double scale = 1.5;
-  // What lies above the chin moves down: a high forehead, low eyes, a small jaw.
+  // Places above the chin move down: a child has a high forehead, low eyes and a small jaw.
   constexpr std::array<CurveKey, 7> height{
       {{1.50, 1.52}, {1.557, 1.572}, {1.606, 1.603}, {1.63, 1.621}, {1.677, 1.656}, {1.72, 1.707}, {1.79, 1.79}}};
   constexpr std::array<CurveKey, 6> width{

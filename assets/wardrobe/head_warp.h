@@ -6,7 +6,7 @@
 
 namespace throng::wardrobe {
 
-/// Where a place on or around the man's head lies on the head of another body.
+/// Returns where a place on or around the man's head lies on the head of another body.
 glm::dvec3 head_warped(Body body, glm::dvec3 place);
 
 }  // namespace throng::wardrobe

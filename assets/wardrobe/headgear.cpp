@@ -24,7 +24,7 @@ dvec3 off_head(double angle, double row, double out) { return head_point(angle, 
 
 double in_front(double angle) { return 0.5 + 0.5 * std::cos(angle * std::numbers::pi / 180); }
 
-/// What shows of the hair below a hat: a band from ear to ear around the back, and sideburns.
+/// Returns the hair that shows below a hat: a band from ear to ear around the back, and sideburns.
 Skin hair_below(double high_row) {
   HairPlan plan;
   plan.from = 60;

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/making/triangle.h"
 #include "assets/wardrobe/body_skin.h"
 
 namespace throng::wardrobe {
@@ -18,28 +19,6 @@ using mannequin::Skin;
 using mannequin::Weights;
 
 constexpr int fitting_rounds = 4;
-
-/// The closest point of a triangle, as shares of its corners (Ericson, Real-Time Collision Detection, 5.1.5).
-dvec3 closest_shares(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
-  const dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
 
 struct PieceTriangle {
   std::array<std::size_t, 3> corners;
@@ -95,7 +74,7 @@ Weights weights_at(dvec3 place, std::initializer_list<Slot> pieces) {
     if (pieces.size() > 0 && std::find(pieces.begin(), pieces.end(), static_cast<Slot>(triangle.piece)) == pieces.end())
       continue;
     const auto& [a, b, c] = triangle.corners;
-    const dvec3 shares = closest_shares(place, points[a].position, points[b].position, points[c].position);
+    const dvec3 shares = making::nearest_shares(place, points[a].position, points[b].position, points[c].position);
     const dvec3 there = shares.x * points[a].position + shares.y * points[b].position + shares.z * points[c].position;
     const double distance = glm::distance(there, place);
     if (distance >= nearest - 1e-9) continue;

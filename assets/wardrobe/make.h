@@ -8,7 +8,8 @@
 
 namespace throng::wardrobe {
 
-// What makers of parts use. All places are metres on the naked man at rest (assets/README.md, "The wardrobe").
+// Makers of parts use these functions. All places are metres on the naked man at rest (assets/README.md, "The
+// wardrobe").
 
 /// The left half of the naked man's cage below the middle of the neck, where it is open; `notes.piece` of a face is its
 /// piece (a Slot).

@@ -11,40 +11,11 @@ namespace {
 using glm::dvec3;
 using mannequin::bind;
 using mannequin::Cage;
+using mannequin::everywhere;
 using mannequin::HalfRing;
 using mannequin::LimbRing;
 using mannequin::Region;
 using mannequin::Weights;
-
-/// A horizontal cross-section of the trunk, metres; `drop` is how far front and back lie below the sides.
-struct TrunkSection {
-  double height, half_width, front, back;
-  double drop_front = 0, drop_back = 0;
-  double squareness = 0.9;  ///< 1 is an ellipse, less is more of a box.
-};
-
-using RingBinding = std::array<Weights, 7>;
-
-RingBinding all_of(const Weights& weights) {
-  RingBinding all;
-  all.fill(weights);
-  return all;
-}
-
-HalfRing add_trunk_section(Cage& cage, const TrunkSection& section, const RingBinding& binding) {
-  HalfRing ring{};
-  const double middle = 0.5 * (section.front + section.back);
-  const double depth = 0.5 * (section.front - section.back);
-  for (std::size_t j = 0; j < ring.size(); ++j) {
-    const double angle = static_cast<double>(j) * std::numbers::pi / 6;
-    const double side = j == 0 || j == 6 ? 0 : std::pow(std::sin(angle), section.squareness);
-    const double fore =
-        j == 3 ? 0 : std::copysign(std::pow(std::abs(std::cos(angle)), section.squareness), std::cos(angle));
-    const double drop = fore > 0 ? section.drop_front * fore : section.drop_back * -fore;
-    ring[j] = cage.add({section.half_width * side, section.height - drop, middle + depth * fore}, binding[j]);
-  }
-  return ring;
-}
 
 void set_piece(Cage& cage, Slot slot) { cage.notes.piece = static_cast<unsigned char>(slot); }
 
@@ -63,21 +34,23 @@ Trunk add_trunk(Cage& cage) {
   const Weights pit = bind({{"upper_chest", 0.65}, {"upper_arm_twist.L", 0.35}});
   const Weights below_pit = bind({{"upper_chest", 0.8}, {"shoulder.L", 0.1}, {"upper_arm_twist.L", 0.1}});
   Trunk trunk{};
-  trunk.crease = add_trunk_section(cage, {0.905, 0.165, 0.096, -0.124, 0.046, 0.055},
-                                   {hips, crease, crease, crease, crease, crease, hips});
-  trunk.hips = add_trunk_section(cage, {0.960, 0.166, 0.100, -0.128, 0.008}, all_of(hips));
-  trunk.belly = add_trunk_section(cage, {1.010, 0.155, 0.098, -0.108}, all_of(bind({{"hips", 0.8}, {"spine", 0.2}})));
-  trunk.waist = add_trunk_section(cage, {1.070, 0.144, 0.096, -0.094}, all_of(bind({{"hips", 0.4}, {"spine", 0.6}})));
-  trunk.ribs = add_trunk_section(cage, {1.170, 0.148, 0.101, -0.101, 0, 0, 0.88},
-                                 all_of(bind({{"spine", 0.5}, {"chest", 0.5}})));
-  trunk.breast = add_trunk_section(cage, {1.280, 0.160, 0.110, -0.115, 0.006, 0, 0.84},
-                                   all_of(bind({{"chest", 0.5}, {"upper_chest", 0.5}})));
-  trunk.armpit = add_trunk_section(cage, {1.345, 0.164, 0.105, -0.122, 0, 0, 0.82},
-                                   {chest, chest, below_pit, pit, below_pit, chest, chest});
-  trunk.blade = add_trunk_section(cage, {1.412, 0.184, 0.084, -0.116, 0, 0, 0.80},
-                                  {chest, collar_bone, arm, arm, arm, collar_bone, chest});
-  trunk.shoulder = add_trunk_section(cage, {1.462, 0.172, 0.058, -0.092, 0.022, 0, 0.86},
-                                     {chest, collar_bone, edge, cap, edge, collar_bone, chest});
+  trunk.crease = mannequin::add_section(cage, {0.905, 0.165, 0.096, -0.124, 0.046, 0.055},
+                                        {hips, crease, crease, crease, crease, crease, hips});
+  trunk.hips = mannequin::add_section(cage, {0.960, 0.166, 0.100, -0.128, 0.008}, everywhere(hips));
+  trunk.belly =
+      mannequin::add_section(cage, {1.010, 0.155, 0.098, -0.108}, everywhere(bind({{"hips", 0.8}, {"spine", 0.2}})));
+  trunk.waist =
+      mannequin::add_section(cage, {1.070, 0.144, 0.096, -0.094}, everywhere(bind({{"hips", 0.4}, {"spine", 0.6}})));
+  trunk.ribs = mannequin::add_section(cage, {1.170, 0.148, 0.101, -0.101, 0, 0, 0.88},
+                                      everywhere(bind({{"spine", 0.5}, {"chest", 0.5}})));
+  trunk.breast = mannequin::add_section(cage, {1.280, 0.160, 0.110, -0.115, 0.006, 0, 0.84},
+                                        everywhere(bind({{"chest", 0.5}, {"upper_chest", 0.5}})));
+  trunk.armpit = mannequin::add_section(cage, {1.345, 0.164, 0.105, -0.122, 0, 0, 0.82},
+                                        {chest, chest, below_pit, pit, below_pit, chest, chest});
+  trunk.blade = mannequin::add_section(cage, {1.412, 0.184, 0.084, -0.116, 0, 0, 0.80},
+                                       {chest, collar_bone, arm, arm, arm, collar_bone, chest});
+  trunk.shoulder = mannequin::add_section(cage, {1.462, 0.172, 0.058, -0.092, 0.022, 0, 0.86},
+                                          {chest, collar_bone, edge, cap, edge, collar_bone, chest});
   return trunk;
 }
 
@@ -213,11 +186,13 @@ Cage build() {
   const Weights yoke = bind({{"upper_chest", 0.65}, {"shoulder.L", 0.25}, {"neck", 0.10}});
   const Weights low_neck = bind({{"upper_chest", 0.65}, {"shoulder.L", 0.1}, {"neck", 0.25}});
   const Weights throat = bind({{"upper_chest", 0.55}, {"neck", 0.45}});
-  const HalfRing slope = add_trunk_section(cage, {1.485, 0.112, 0.043, -0.092, 0.022, -0.004, 0.95}, all_of(yoke));
+  const HalfRing slope =
+      mannequin::add_section(cage, {1.485, 0.112, 0.043, -0.092, 0.022, -0.004, 0.95}, everywhere(yoke));
   cage.bridge(trunk.shoulder, slope, false, Region::skin);
-  const HalfRing neck = add_trunk_section(cage, {1.516, 0.0585, 0.036, -0.0775, 0.030, -0.008, 1.0}, all_of(throat));
+  const HalfRing neck =
+      mannequin::add_section(cage, {1.516, 0.0585, 0.036, -0.0775, 0.030, -0.008, 1.0}, everywhere(throat));
   const HalfRing nape =
-      add_trunk_section(cage, {1.499, 0.0770, 0.0405, -0.0835, 0.026, -0.006, 0.98}, all_of(low_neck));
+      mannequin::add_section(cage, {1.499, 0.0770, 0.0405, -0.0835, 0.026, -0.006, 0.98}, everywhere(low_neck));
   set_piece(cage, Slot::head);
   cage.bridge(slope, nape, false, Region::skin);
   cage.bridge(nape, neck, false, Region::skin);

@@ -15,11 +15,11 @@ enum class Body : unsigned char { man, woman, child };
 inline constexpr std::array all_bodies{Body::man, Body::woman, Body::child};
 std::string_view name_of(Body body);
 
-/// Which bodies a part is made for, as bits.
+/// Names the bodies that a part is made for, as bits.
 enum class Fits : unsigned char { man = 1, woman = 2, adults = 3, child = 4, women_and_children = 6, all = 7 };
 bool fits(Fits fits, Body body);
 
-/// Where a part is worn. The first eight are the pieces of skin that each body has.
+/// Names the place where a part is worn. The first eight are the pieces of skin that each body has.
 enum class Slot : unsigned char {
   head,
   torso,

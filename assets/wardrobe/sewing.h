@@ -9,9 +9,9 @@
 
 namespace throng::wardrobe {
 
-// What is sewn on smooth cloth: pockets, plackets, lapels, buttons.
+// These functions sew pockets, plackets, lapels and buttons on smooth cloth.
 
-/// From where a piece is laid on the cloth. Its places are (x, height) on front and back, (z, height) at the
+/// Says from where a piece is laid on the cloth. Its places are (x, height) on front and back, (z, height) at the
 /// sides, (x, z) above.
 enum class LaidFrom : unsigned char { front, back, left, right, above };
 

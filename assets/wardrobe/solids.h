@@ -13,7 +13,7 @@
 
 namespace throng::wardrobe {
 
-/// Where a thing's own axes are: a place on the man at rest, and three directions of a right-handed frame.
+/// Places a thing's own axes: an origin on the man at rest, and three directions of a right-handed frame.
 struct Frame {
   glm::dvec3 origin{0};
   glm::dmat3 axes{1};
@@ -26,7 +26,7 @@ struct Frame {
 /// The man's right hand at rest: x to the thumb, y along the fingers, z out of the palm; the origin is in the wrist.
 Frame right_hand();
 
-/// What a surface is painted with.
+/// Describes the paint of a surface.
 struct Coat {
   mannequin::Region region = mannequin::Region::thing;
   glm::dvec3 paint{1};

@@ -16,7 +16,7 @@ using glm::dvec3;
 using mannequin::bind;
 using mannequin::Weights;
 
-/// Where the columns of a row are, in degrees from the front to the back.
+/// Returns the columns of a row, in degrees from the front to the back.
 std::vector<double> columns_of(const TopCut& cut) {
   if (cut.dense) return {0, 15, 30, 60, 90, 120, 150, 165, 180};
   return {0, 30, 60, 90, 120, 150, 180};

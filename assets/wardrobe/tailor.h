@@ -11,7 +11,7 @@
 
 namespace throng::wardrobe {
 
-// How clothes are cut: rows of vertices around the left half of the man, from the front to the back.
+// Clothes are cut in rows of vertices around the left half of the man, from the front to the back.
 
 using Row = std::vector<std::size_t>;
 using mannequin::Cage;
@@ -28,7 +28,7 @@ struct TrunkRow {
 /// Round the trunk at a height of the man himself, `ease` metres outside his skin.
 TrunkRow trunk_row(double height, double ease);
 
-/// How a garment for the trunk is cut.
+/// Describes the cut of a garment for the trunk.
 struct TopCut {
   Region region = Region::shirt;
   std::vector<TrunkRow> rows = {};  ///< From the hem to the breast.

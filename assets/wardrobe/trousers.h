@@ -14,7 +14,7 @@ struct LegRow {
   double lift_front = 0;  ///< How much higher it is in front, where the shoe carries it.
 };
 
-/// How trousers are cut.
+/// Describes the cut of trousers.
 struct TrouserCut {
   Region region = Region::trousers;
   double ease = 0.004;   ///< Around the hips, outside the skin.

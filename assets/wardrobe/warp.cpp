@@ -44,7 +44,7 @@ const std::array<Limb, mannequin::joint_count>& limbs() {
   return all;
 }
 
-/// How a body's limbs differ from the man's: factors by height, or by metres along the arm.
+/// Lists how a body's limbs differ from the man's: factors by height, or by metres along the arm.
 struct Build {
   std::span<const CurveKey> width, front, back;  ///< Of the trunk.
   std::span<const CurveKey> arm, leg;            ///< Of the girth.

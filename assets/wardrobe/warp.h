@@ -7,8 +7,8 @@
 
 namespace throng::wardrobe {
 
-/// Where a place on the man lies on another body. `weights` say which limb it goes with.
-/// A smooth function of both, so that what lies on the skin stays on it.
+/// Returns where a place on the man lies on another body. `weights` say which limb it goes with.
+/// It is a smooth function of both, so that what lies on the skin stays on it.
 glm::dvec3 warped(Body body, glm::dvec3 place, const mannequin::Weights& weights);
 
 /// Weights as that body needs them: a child's eyes are too far from their joints to turn.

@@ -12,7 +12,9 @@ inline constexpr float shade_reach = 0.35F;  ///< see AgentLook; shaders/agent_l
 /// The parts of a surface that take a colour of an agent's look. A vertex of any other region keeps its own.
 enum class Region : std::uint8_t { skin, hair, top, bottom, shoes, untinted, outer, headgear, thing };
 
-/// How the first and the second colour of a region share it.
+constexpr std::size_t index_of(Region region) { return static_cast<std::size_t>(region); }
+
+/// Says how the first and the second colour of a region share it.
 enum class Pattern : std::uint8_t {
   plain,
   stripes_across,
@@ -29,7 +31,7 @@ enum class Pattern : std::uint8_t {
   herringbone
 };
 
-/// How a region takes light.
+/// Says how a region takes light.
 enum class Fabric : std::uint8_t { cotton, denim, wool, satin, leather, nylon, skin, plastic };
 
 /// Tells the shaders what never changes about an agent. `shaders/agent_look.glsl` repeats the layout (std430).
@@ -88,10 +90,10 @@ std::uint64_t new_looks_number();
 /// It is read on the processor alone.
 struct Outfit {
   static constexpr std::size_t most_pieces = 18;
-  static constexpr std::uint16_t no_silhouette = UINT16_MAX;
+  static constexpr std::uint16_t no_piece = UINT16_MAX;
 
   std::array<std::uint16_t, most_pieces> pieces{};  ///< ascending
-  std::uint16_t silhouette = no_silhouette;         ///< without one, the pieces are drawn far away too
+  std::uint16_t silhouette = no_piece;              ///< without one, the pieces are drawn far away too
   std::uint16_t count = 0;
 
   friend bool operator==(const Outfit&, const Outfit&) = default;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "assets/making/triangle.h"
 #include "tests/assets/character_file.h"
 #include "tests/assets/clip_list.h"
 
@@ -38,24 +39,9 @@ bool swings(const std::string& joint) {
   return part_of(joint) != Part::trunk;
 }
 
-dvec3 nearest_on_triangle(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {  // Ericson, Real-Time Collision Detection, 5.1.5
-  const dvec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const dvec3 bp = p - b;
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
-  const dvec3 cp = p - c;
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const double whole = va + vb + vc;
-  return a + ab * (vb / whole) + ac * (vc / whole);
+dvec3 nearest_on_triangle(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
+  const dvec3 shares = making::nearest_shares(p, a, b, c);
+  return shares.x * a + shares.y * b + shares.z * c;
 }
 
 /// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983).

@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec3;
 
-/// Where something of a hand is at a time of a clip; `at_rest` is from the wrist of the left hand at rest.
+/// Returns where something of a hand is at a time of a clip; `at_rest` is from the wrist of the left hand at rest.
 dvec3 in_hand_at(const Playback& clip, double time, const std::string& joint, dvec3 at_rest) {
   const PosedJoint hand = clip.pose(time)[clip.joint(joint)];
   if (joint.ends_with(".R")) at_rest.x = -at_rest.x;

@@ -68,7 +68,7 @@ Moment moment_of(const std::vector<WornCloth>& outfit, const mannequin::WorldPos
   return moment;
 }
 
-/// How deep a place lies inside; 0 outside.
+/// Returns how deep a place lies inside; 0 outside.
 double depth(dvec3 place, const std::vector<Corners>& others) {
   double nearest = 0.06;  // no sleeve is thicker
   bool within = false;

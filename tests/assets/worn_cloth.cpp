@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "assets/making/triangle.h"
 #include "assets/mannequin/clip.h"
 #include "assets/wardrobe/body_skin.h"
 #include "assets/wardrobe/warp.h"
@@ -81,7 +82,7 @@ dvec3 posed(const MeshVertex& vertex, dvec3 value, bool direction, const mannequ
 
 dvec3 normal_of(const Corners& t) { return glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]) + dvec3(0, 1e-20, 0)); }
 
-/// How far along a direction a triangle is that looks the same way; nothing if it is not met.
+/// Returns how far along a direction a triangle is that looks the same way; nothing if it is not met.
 std::optional<double> met(dvec3 origin, dvec3 direction, const Corners& t) {
   if (glm::dot(normal_of(t), direction) < facing) return std::nullopt;
   const dvec3 b = t[1] - t[0], c = t[2] - t[0], offset = origin - t[0];
@@ -101,26 +102,7 @@ Corners corners_of(const std::array<std::uint16_t, 3>& triangle, const std::vect
 
 }  // namespace
 
-/// Ericson, Real-Time Collision Detection, 5.1.5.
-dvec3 nearest_shares(dvec3 p, const Corners& t) {
-  const dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1], cp = p - t[2];
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) {
-    const double share = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - share, share};
-  }
-  return dvec3(va, vb, vc) / (va + vb + vc);
-}
+dvec3 nearest_shares(dvec3 place, const Corners& t) { return making::nearest_shares(place, t[0], t[1], t[2]); }
 
 std::vector<dvec3> places_of(const Mesh& mesh, const mannequin::WorldPose& pose) {
   std::vector<dvec3> places;

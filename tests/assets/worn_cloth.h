@@ -27,7 +27,7 @@ WornCloth worn_part(const wardrobe::Part& part, wardrobe::Body body);
 /// A piece of a body's skin.
 WornCloth worn_skin(wardrobe::Slot piece, wardrobe::Body body);
 
-/// Where the joints are in some moments of every clip, the root standing at the origin.
+/// Holds the joints at a moment of a clip, with the root at the origin.
 struct ClipMoment {
   std::string clip;
   mannequin::WorldPose pose;
@@ -37,10 +37,10 @@ const std::vector<ClipMoment>& clip_moments();
 using Corners = std::array<glm::dvec3, 3>;
 /// The shares of a triangle's corners at its point that is nearest to a place.
 glm::dvec3 nearest_shares(glm::dvec3 place, const Corners& triangle);
-/// Where the vertices of a mesh are in a pose.
+/// Returns where the vertices of a mesh are in a pose.
 std::vector<glm::dvec3> places_of(const mannequin::Mesh& mesh, const mannequin::WorldPose& pose);
 
-/// Which vertices of an inner part lie below an outer one at rest, and how far they come out of it.
+/// Finds the vertices of an inner part that lie below an outer one at rest, and how far they come out of it.
 class CoveredCloth {
  public:
   CoveredCloth(const WornCloth& inner, const WornCloth& outer);

@@ -17,19 +17,8 @@ namespace {
 constexpr std::uint32_t black = 0x000000, white = 0xFFFFFF;
 constexpr int pattern_count = 13;
 
-class Patterns : public SoftwareGlTest {
+class Patterns : public SheetTest {
  protected:
-  void SetUp() override {
-    SoftwareGlTest::SetUp();
-    sheet_ = std::make_unique<Sheet>(context());
-  }
-  void TearDown() override {
-    sheet_.reset();
-    SoftwareGlTest::TearDown();
-  }
-
-  Sheet& sheet() { return *sheet_; }
-
   /// Returns the green of all pixels of the middle of a sheet of so many metres, black and white.
   std::vector<int> greens(Pattern pattern, float metres, Fabric fabric = Fabric::cotton) {
     sheet().dress(tint_of(black, pattern, fabric), second_of(white));
@@ -50,9 +39,6 @@ class Patterns : public SoftwareGlTest {
     const auto [low, high] = std::ranges::minmax(values);
     return high - low;
   }
-
- private:
-  std::unique_ptr<Sheet> sheet_;
 };
 
 TEST_F(Patterns, ShowBothColoursFromNearAndTheirMeanFromAfar) {

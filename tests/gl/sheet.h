@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "tests/gl/doll_crowd.h"
+#include "tests/gl/gl_test.h"
 
 namespace throng::render::test {
 
@@ -57,6 +58,25 @@ class Sheet {
   std::vector<std::uint8_t> regions_;
   std::vector<float> normals_;
   std::array<std::uint32_t, 6> triangles_{0, 2, 1, 1, 2, 3};
+};
+
+/// A sheet on the software device, made anew for each test.
+class SheetTest : public SoftwareGlTest {
+ protected:
+  void SetUp() override {
+    SoftwareGlTest::SetUp();
+    sheet_ = std::make_unique<Sheet>(context());
+  }
+  void TearDown() override {
+    sheet_.reset();
+    SoftwareGlTest::TearDown();
+  }
+
+  Sheet& sheet() { return *sheet_; }
+  MaterialData& material() { return sheet_->material; }
+
+ private:
+  std::unique_ptr<Sheet> sheet_;
 };
 
 }  // namespace throng::render::test

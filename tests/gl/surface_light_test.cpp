@@ -14,20 +14,8 @@ namespace {
 constexpr int nearest = 9728;
 
 /// Draws sheets whose material light reads as glTF 2.0, appendix B, says.
-class SurfaceLight : public SoftwareGlTest {
+class SurfaceLight : public SheetTest {
  protected:
-  void SetUp() override {
-    SoftwareGlTest::SetUp();
-    sheet_ = std::make_unique<Sheet>(context());
-  }
-  void TearDown() override {
-    sheet_.reset();
-    SoftwareGlTest::TearDown();
-  }
-
-  Sheet& sheet() { return *sheet_; }
-  MaterialData& material() { return sheet_->material; }
-
   void paint(float red, float green, float blue) {
     const std::array<float, 3> color{red, green, blue};
     std::copy(color.begin(), color.end(), material().base_color);
@@ -35,15 +23,12 @@ class SurfaceLight : public SoftwareGlTest {
 
   /// Shows the texels of an image of `width` columns, without a blend between them.
   TextureData show(std::span<const std::uint8_t> rgba, int width) {
-    sheet_->images.push_back({width, static_cast<int>(rgba.size()) / 4 / width, rgba});
-    const int image = static_cast<int>(sheet_->images.size()) - 1;
+    sheet().images.push_back({width, static_cast<int>(rgba.size()) / 4 / width, rgba});
+    const int image = static_cast<int>(sheet().images.size()) - 1;
     return {.image = image, .magnified = nearest, .minified = nearest};
   }
 
-  double middle(int channel = 1) { return Sheet::brightness(sheet_->picture(), 0.5F, 0.5F, channel); }
-
- private:
-  std::unique_ptr<Sheet> sheet_;
+  double middle(int channel = 1) { return Sheet::brightness(sheet().picture(), 0.5F, 0.5F, channel); }
 };
 
 // The upper half faces up, the lower half down.

@@ -63,9 +63,10 @@ TEST(PartsOfAFile, AreApartAndSayWhatTheyFill) {
 
 TEST(PartsOfAFile, ShowTheFirstOfEachSlotToWhoKnowsNoParts) {
   const json top = part({{"slot", "top"}}), shoes = part({{"slot", "shoes"}});
-  const anim::ImportedFile file = imported(document_with({top, top, shoes, top}));
+  const json silhouette = part({{"slot", "silhouette"}});  // stands for all of them, so it is nobody's part
+  const anim::ImportedFile file = imported(document_with({top, top, shoes, top, silhouette}));
   EXPECT_THAT(file.models.front().meshes, SizeIs(2));
-  EXPECT_THAT(file.models.front().parts, SizeIs(4));
+  EXPECT_THAT(file.models.front().parts, SizeIs(5));
 }
 
 TEST(PartsOfAFile, LeaveWhatIsNoPartToBeWornAlways) {

@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// How a host learns where a hand is.
+/// Says from what a host learns where a hand is.
 enum class SocketSource : unsigned char {
   palette,  ///< from the palette that was just written, as a draw of things does on a device
   list      ///< from a joint that the update writes beside the palette, where palettes cannot be read back

@@ -15,7 +15,7 @@ struct alignas(64) Matrix {
   float unused[4];  // each agent's joint has a cache line of its own
 };
 
-/// Where an agent stands, and which way it faces.
+/// Says where an agent stands and which way it faces.
 struct Standing {
   float x, z, heading;
 };

@@ -27,7 +27,7 @@ inline constexpr const char* curves_property = "curves";
 ///     "extras": { "throng_mesh_lods": [ { "node": 63, "error": 0.01 } ] }
 inline constexpr const char* mesh_lods_property = "throng_mesh_lods";
 
-/// What a node is a part of (anim::ModelPart), in the extras of a node that draws a mesh; a text alone is the slot:
+/// The extras of a node that draws a mesh may make it a part (anim::ModelPart); a text alone is the slot:
 ///     "extras": { "throng_part": { "slot": "top", "body": "woman", "covers": [ "torso" ], "tags": [ "warm" ] } }
 inline constexpr const char* part_property = "throng_part";
 

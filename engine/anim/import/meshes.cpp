@@ -101,7 +101,8 @@ class MeshReader {
     always.name = "always";
     always.meshes = surfaces.meshes;
     for (const anim::ModelPart& part : surfaces.parts) {
-      if (!(part.body.empty() || part.body == body) || !filled.insert(part.slot).second) continue;
+      const bool fits = part.body.empty() || part.body == body;
+      if (!fits || part.slot == anim::silhouette_slot || !filled.insert(part.slot).second) continue;
       surfaces.meshes.insert(surfaces.meshes.end(), part.meshes.begin(), part.meshes.end());
     }
     if (!always.meshes.empty()) surfaces.parts.insert(surfaces.parts.begin(), std::move(always));

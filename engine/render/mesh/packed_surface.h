@@ -36,14 +36,14 @@ static_assert(sizeof(PackedSurface) == 48);
 static_assert(offsetof(PackedSurface, vertices) == 20);
 static_assert(offsetof(PackedSurface, first_bone_end) == 32);
 
-/// What a packed surface knows of a mesh LOD, or of a level of a piece.
+/// Describes a mesh LOD, or a level of a piece, of a packed surface.
 struct PackedSurfaceLod {
   std::uint32_t runs;
   std::uint32_t triangles;
   MeshError error;
 };
 
-/// What it knows of a piece.
+/// Describes a piece of a packed surface.
 struct PackedSurfacePiece {
   std::uint32_t first_lod;
   std::uint32_t levels;

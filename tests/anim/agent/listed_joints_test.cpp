@@ -186,7 +186,7 @@ TEST(ListedJoints, AreWrittenAtEveryBoneLevel) {
   }
 }
 
-// What a hand holds is where the skin of the hand is, with all bones and with few, also while clips fade.
+// A thing in a hand goes with the skin of the hand, with all bones and with few, also while clips fade.
 TEST(ListedJoints, CarryAThingWithinATenthOfAMillimetreOfTheSkinAtEveryBoneLevel) {
   const auto levels = static_cast<std::uint8_t>(skeleton().level_bone_counts.size());
   for (std::uint8_t level = 0; level < levels; ++level) {

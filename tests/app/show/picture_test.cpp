@@ -93,7 +93,7 @@ class PictureInTiles : public testing::Test {
     const render::Outfit& outfit = stage_->crowd().looks().outfits[agent];
     if (outfit.count == 0) return {0};
     const bool far = mesh_lod >= static_cast<int>(render::first_silhouette_lod);
-    if (far && outfit.silhouette != render::Outfit::no_silhouette) return {outfit.silhouette};
+    if (far && outfit.silhouette != render::Outfit::no_piece) return {outfit.silhouette};
     return {outfit.pieces.begin(), outfit.pieces.begin() + outfit.count};
   }
   static void expect_same(const Picture& picture, const Picture& other, int pus) {

@@ -10,34 +10,18 @@
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
+#include "tests/app/stage/watched_stage.h"
 
 namespace throng::app::hands_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
-
-class StageInHands : public testing::Test {
+class StageInHands : public test::WatchedStage {
  protected:
-  void open(const Tuning& tuning) {
-    std::vector<CharacterSource> characters;
-    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    auto made = Stage::create(std::move(characters), tuning, pages_);
-    ASSERT_TRUE(made);
-    stage_ = std::move(*made);
-  }
   void SetUp() override { open({.scene = Scene::plaza, .agents = 12, .system = {.pus = 2}}); }
 
-  void pass(int frames) {
-    for (int i = 0; i < frames; ++i) {
-      stage_->move(frame);
-      stage_->pose(camera_, 1280, 720, frame, stage_->frame());
-      rewind_.watch(*stage_);
-    }
-  }
   std::vector<glm::vec3> positions() const {
     return {stage_->crowd().positions().begin(), stage_->crowd().positions().end()};
   }
-  std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
   /// Of the player of an agent that is heaviest in its pose.
   float position_in_clip(std::uint32_t agent) {
     stage_->select(agent);
@@ -47,11 +31,6 @@ class StageInHands : public testing::Test {
                                     [](const EntityRow& row) { return row.duration_seconds > 0 ? row.weight : -1.0F; })
         ->position_seconds;
   }
-
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
-  std::unique_ptr<Stage> stage_;
-  Rewind rewind_;
-  render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
 };
 
 TEST_F(StageInHands, AHeldClipStandsWhereItIsHeldAndSoDoesItsAgent) {

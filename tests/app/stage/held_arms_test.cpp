@@ -12,22 +12,15 @@
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
 #include "engine/anim/asset/bone_mask.h"
+#include "tests/app/stage/watched_stage.h"
 
 namespace throng::app::held_arms_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
 constexpr int people = 12;
 
-class HeldArmsTest : public testing::Test {
+class HeldArmsTest : public test::WatchedStage {
  protected:
-  void open(const Tuning& tuning) {
-    std::vector<CharacterSource> characters;
-    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    auto made = Stage::create(std::move(characters), tuning, pages_);
-    ASSERT_TRUE(made);
-    stage_ = std::move(*made);
-  }
   void SetUp() override {
     open({.scene = Scene::plaza,
           .agents = people,
@@ -36,14 +29,6 @@ class HeldArmsTest : public testing::Test {
   }
 
   void give(Held thing) { give_things(stage_->animated(), std::vector<Held>(people, thing)); }
-  void pass(int frames) {
-    for (int i = 0; i < frames; ++i) {
-      stage_->move(frame);
-      stage_->pose(camera_, 1280, 720, frame, stage_->frame());
-      rewind_.watch(*stage_);
-    }
-  }
-  std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
   std::size_t shown() const { return held_arms_of(stage_->animated()).shown(); }
 
   /// Metres above the ground of a place in the right hand, given for the left one at rest, from the wrist.
@@ -54,11 +39,6 @@ class HeldArmsTest : public testing::Test {
     const auto& row = joints_of(*stage_).of(agent, bones)[hand].rows[1];
     return -row[0] * at_rest.x + row[1] * at_rest.y + row[2] * at_rest.z + row[3];
   }
-
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
-  std::unique_ptr<Stage> stage_;
-  Rewind rewind_;
-  render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
 };
 
 TEST_F(HeldArmsTest, OfEmptyHandsChangeNoPose) {

@@ -59,6 +59,11 @@ std::vector<Held> hands_of(const Crowd& crowd) {
   return hands;
 }
 
+/// A pushchair has no room before a bench or a wall, and is in the way of a camera.
+bool takes_no_pushchair(Habit habit) {
+  return habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low || habit == Habit::pose;
+}
+
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
@@ -98,14 +103,20 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
     const std::optional<Dresser>& dresser = dressers[crowd.characters()[agent]];
     if (!dresser) continue;
-    const Person person{.agent = agent,
-                        .body = crowd.looks().bodies[agent],
-                        .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent]),
-                        .hand_is_taken = dressed.things[agent] != Held::nothing};
+    const Habit habit = crowd.habits()[agent];
+    Person person{.agent = agent,
+                  .body = crowd.looks().bodies[agent],
+                  .group = groups[agent],
+                  .team = team_of(crowd.positions()[agent]),
+                  .hand_is_taken = dressed.things[agent] != Held::nothing,
+                  .brings = habit == Habit::photograph ? "camera" : ""};
     Dressed worn;
     for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
       worn = dresser->dress(person, attempt, dressed.looks[agent]);
+      if (takes_no_pushchair(habit) && worn.in_hand != nullptr && held_named(worn.in_hand->name) == Held::pushchair) {
+        person.hand_is_taken = true;
+        worn = dresser->dress(person, attempt, dressed.looks[agent]);
+      }
       if (worn.style->alike || !lookalikes.has_near(worn.looks_like, agent)) break;
     }
     lookalikes.add(worn.looks_like, agent);

@@ -20,7 +20,8 @@ struct Person {
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
-  bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
+  bool hand_is_taken = false;  ///< by somebody else's, or for want of room: it holds no thing
+  std::string_view brings;     ///< the part in the right hand, whatever the style; empty: as the style says
 };
 
 /// Holds what a person wears, and a number that is equal for people who look alike.

@@ -15,7 +15,7 @@ constexpr float share_of_pictures = 0.16F, share_of_sights = 0.22F;  // of the g
 constexpr std::size_t least_of_picture = 3, least_of_sight = 2, most_of_either = 4;
 
 // Metres, for a person 1.8 m tall.
-constexpr double same_gathering = 2.2;      // from one to the next of the list
+constexpr double same_gathering = 2.2;  // from one to the next of the list
 constexpr double widest_ring = 1.05;    // from the middle of a group to its feet
 constexpr double camera_away = 1.15;    // from the middle to who takes a picture
 constexpr double others_away = 0.70;    // to those who are in it
@@ -48,9 +48,8 @@ std::vector<Gathering> gatherings_in(std::span<StanderPlace> standers, double sp
 /// Says whether it is one ring, and not two that happen to be neighbours.
 bool is_ring(Gathering group, double spacing) {
   const glm::dvec2 middle = middle_of_feet(group);
-  return std::ranges::all_of(group, [&](const StanderPlace& place) {
-    return glm::distance(place.position, middle) < widest_ring * spacing;
-  });
+  return std::ranges::all_of(
+      group, [&](const StanderPlace& place) { return glm::distance(place.position, middle) < widest_ring * spacing; });
 }
 
 /// Stands people in a row across `way`, all of whom look along it.

@@ -20,16 +20,16 @@ constexpr float chance_to_lean = 0.45F, chance_to_sit = 0.75F;
 
 // Metres, for a person 1.8 m tall.
 constexpr double back_behind_root = 0.24;  // as the clip `lean` has it
-constexpr double trunk_radius = 0.13;             // the radius of the thinnest below a shoulder
+constexpr double trunk_radius = 0.13;      // the radius of the thinnest below a shoulder
 constexpr double kiosk_wall = 1.39;        // from its middle, with the posts
 constexpr double rim_seat = 2.80;          // from the middle of a fountain
-constexpr double plinth_height = 0.18;            // around a fountain, below the feet
+constexpr double plinth_height = 0.18;     // around a fountain, below the feet
 constexpr double heels_behind_root = 0.08;
 constexpr double room_of_bench = 1.5, room_of_person = 0.57;
 
-constexpr std::array<int, 4> rim_middles{1, 3, 5, 7};              // eighths of a turn, between the benches
-constexpr std::array<double, 3> rim_offsets{-0.165, 0.0, 0.165};   // quarter turns
-constexpr std::array<int, 4> closed_sides{2, 3, 5, 6};             // of the eight of a kiosk
+constexpr std::array<int, 4> rim_middles{1, 3, 5, 7};             // eighths of a turn, between the benches
+constexpr std::array<double, 3> rim_offsets{-0.165, 0.0, 0.165};  // quarter turns
+constexpr std::array<int, 4> closed_sides{2, 3, 5, 6};            // of the eight of a kiosk
 constexpr std::array<double, 4> along_steps{-2.1, -1.3, 0.9, 1.9};
 
 /// Returns a direction that is turned from a heading by quarter turns.
@@ -76,8 +76,8 @@ void add_rim(const Fixture& fountain, double spacing, std::vector<RestPlace>& pl
 }
 
 bool can_rest(const RestPlace& place, const CharacterRoles& roles) {
-  const Role role = place.habit == Habit::lean ? Role::lean
-                                               : (place.habit == Habit::rest ? Role::sit : Role::sit_on_step);
+  const Role role =
+      place.habit == Habit::lean ? Role::lean : (place.habit == Habit::rest ? Role::sit : Role::sit_on_step);
   return roles.clip(role) != no_clip;
 }
 
@@ -96,9 +96,8 @@ std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const Charac
 }
 
 bool has_room(std::span<const StanderPlace> standers, const RestPlace& place, double room) {
-  return std::ranges::none_of(standers, [&](const StanderPlace& other) {
-    return glm::distance(other.position, place.position) < room;
-  });
+  return std::ranges::none_of(
+      standers, [&](const StanderPlace& other) { return glm::distance(other.position, place.position) < room; });
 }
 
 }  // namespace

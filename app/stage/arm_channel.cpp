@@ -25,7 +25,8 @@ anim::Handle player_in_mix(const anim::EntityBuilder& build, anim::Handle mixer,
   return {};
 }
 
-/// Returns the player of a clip, if it was asked for last or is mixed in; an invalid handle if not. Recorded crowds mix.
+/// Returns the player of a clip, if it was asked for last or is mixed in; an invalid handle if not. Recorded crowds
+/// mix.
 anim::Handle player_in(const anim::EntityBuilder& build, anim::Handle below, int clip) {
   switch (build.pools().state(below).type) {
     case anim::EntityType::sampled_player:

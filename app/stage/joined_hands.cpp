@@ -1,10 +1,13 @@
 #include "app/stage/joined_hands.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "engine/anim/bake/stride.h"
 #include "engine/anim/rig/limbs.h"
@@ -14,7 +17,7 @@ namespace {
 
 constexpr anim::Ticks hand_fade = anim::ticks_per_second * 3 / 10;
 constexpr float stretched_to_begin = 0.93F, stretched_to_go_on = 0.985F;  // of an arm's length
-constexpr float share_of_child = 0.35F;                                  // of the way to its hand: a long arm hangs
+constexpr float share_of_child = 0.25F;                                   // of the way to its hand: a long arm hangs
 constexpr float half_a_hand = 0.020F;                                     // metres from the bones of a palm to its skin
 
 /// A person's place on the ground, to which model space is turned and scaled.
@@ -37,6 +40,22 @@ struct Stand {
     return {glm::dot(way, left), way.y, glm::dot(way, ahead)};
   }
 };
+
+/// Returns by how much a forearm turns when its arm reaches for a place in the plane that it bends in.
+glm::quat turn_of_forearm(const std::array<glm::vec3, 3>& joints, const glm::vec3& target) {
+  const auto& [shoulder, elbow, wrist] = joints;
+  const glm::vec3 upper = elbow - shoulder, forearm = wrist - elbow, before = wrist - shoulder;
+  const glm::quat swing(glm::normalize(before), glm::normalize(target - shoulder));
+  const glm::vec3 bends = glm::cross(upper, forearm);
+  if (glm::length(bends) < 1e-6F) return swing;
+  const auto inner_angle = [&](float reach) {  // at the wrist, between the forearm and the line to the shoulder
+    const float length = glm::length(forearm);
+    const float cosine = (length * length + reach * reach - glm::dot(upper, upper)) / (2.0F * length * reach);
+    return std::acos(std::clamp(cosine, -1.0F, 1.0F));
+  };
+  const float more = inner_angle(glm::distance(target, shoulder)) - inner_angle(glm::length(before));
+  return glm::angleAxis(more, swing * glm::normalize(bends)) * swing;
+}
 
 glm::vec3 mean_of(const anim::Stride& clip, std::size_t joint) {
   glm::dvec3 sum(0.0);
@@ -79,8 +98,13 @@ JoinedHands::Arm JoinedHands::arm_of(std::size_t character, Role role) const {
   const anim::Stride stride = anim::sample_stride(
       skeleton, source.character->clips[static_cast<std::size_t>(clip)].keyframe(), source.character->height);
   const auto place = [&](int bone) { return mean_of(stride, static_cast<std::size_t>(bone)); };
-  Arm arm{.limb = *limb, .length = 0.0F, .shoulder = place(bones->upper), .wrist = place(bones->end), .palm = {}};
-  arm.length = glm::distance(arm.shoulder, place(bones->middle)) + glm::distance(place(bones->middle), arm.wrist);
+  Arm arm{.limb = *limb,
+          .length = 0.0F,
+          .shoulder = place(bones->upper),
+          .elbow = place(bones->middle),
+          .wrist = place(bones->end),
+          .palm = {}};
+  arm.length = glm::distance(arm.shoulder, arm.elbow) + glm::distance(arm.elbow, arm.wrist);
   arm.palm = palm_of(stride, skeleton, bones->end);
   return arm;
 }
@@ -97,8 +121,7 @@ void JoinedHands::reset(const Crowd& crowd) {
   is_new_ = true;
 }
 
-bool JoinedHands::is_near(const Pair& pair, const HeldArms& arms,
-                          std::span<const anim::VisibleAgent> visible) const {
+bool JoinedHands::is_near(const Pair& pair, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) const {
   const float least = pair.joined ? pixels_to_go_on : pixels_to_begin;
   return std::ranges::all_of(std::array{pair.grown_up, pair.child}, [&](std::uint32_t agent) {
     const auto seen = std::ranges::lower_bound(visible, agent, {}, &anim::VisibleAgent::agent);
@@ -128,19 +151,29 @@ void JoinedHands::join(const Crowd& crowd, Pair& pair) {
   const Arm& is_led = arm(crowd, pair.child, 1);
   const glm::vec3 middle = glm::mix(grown_up.to_world(leads.palm), child.to_world(is_led.palm), share_of_child);
   const glm::vec3 apart = half_a_hand * grown_up.ahead;
-  const glm::vec3 first = grown_up.to_model(middle + grown_up.scale * apart) + leads.wrist - leads.palm;
-  const glm::vec3 second = child.to_model(middle - child.scale * apart) + is_led.wrist - is_led.palm;
+  const glm::vec3 first = wrist_for(leads, grown_up.to_model(middle + grown_up.scale * apart));
+  const glm::vec3 second = wrist_for(is_led, child.to_model(middle - child.scale * apart));
   const float stretched = std::max(glm::distance(first, leads.shoulder) / leads.length,
                                    glm::distance(second, is_led.shoulder) / is_led.length);
   pair.joined = stretched < (pair.joined ? stretched_to_go_on : stretched_to_begin) &&
                 reach(pair.grown_up, leads, first) && reach(pair.child, is_led, second);
 }
 
+/// The hand keeps its angle to the forearm, which turns as the arm reaches.
+glm::vec3 JoinedHands::wrist_for(const Arm& arm, const glm::vec3& palm) {
+  constexpr int tries = 3;
+  const glm::vec3 hand = arm.palm - arm.wrist;
+  glm::vec3 wrist = palm - hand;
+  for (int i = 0; i < tries; ++i) {
+    wrist = palm - turn_of_forearm({arm.shoulder, arm.elbow, arm.wrist}, wrist) * hand;
+  }
+  return wrist;
+}
+
 bool JoinedHands::reach(std::uint32_t agent, const Arm& arm, const glm::vec3& target) {
   using Lent = LentProcesses<anim::ReachProcess>::Lent;
-  const Lent lent = lent_.lend(agent, [&](anim::EntityPools::Kind kind) {
-    return anim::ReachProcess(kind, {.limb = arm.limb});
-  });
+  const Lent lent =
+      lent_.lend(agent, [&](anim::EntityPools::Kind kind) { return anim::ReachProcess(kind, {.limb = arm.limb}); });
   if (lent == Lent::no) return false;
   lent_.change(agent, [&](anim::ReachProcess& hand) {
     hand.set_target(target);

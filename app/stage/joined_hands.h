@@ -47,8 +47,8 @@ class JoinedHands {
   /// An arm that is held out to somebody, as its clip has it in the middle; in model space.
   struct Arm {
     std::uint32_t limb = 0;
-    float length = 0.0F;  ///< from shoulder to wrist; 0: there is no such arm
-    glm::vec3 shoulder{0.0F}, wrist{0.0F}, palm{0.0F};
+    float length = 0.0F;  ///< of the straight arm, from shoulder to wrist; 0: there is no such arm
+    glm::vec3 shoulder{0.0F}, elbow{0.0F}, wrist{0.0F}, palm{0.0F};
   };
   struct Pair {
     std::uint32_t grown_up = 0, child = 0;
@@ -62,6 +62,7 @@ class JoinedHands {
   }
   bool is_near(const Pair& pair, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) const;
   void join(const Crowd& crowd, Pair& pair);
+  static glm::vec3 wrist_for(const Arm& arm, const glm::vec3& palm);
   bool reach(std::uint32_t agent, const Arm& arm, const glm::vec3& target);
 
   std::span<const CharacterSource> characters_;

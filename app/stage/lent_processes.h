@@ -44,8 +44,7 @@ class LentProcesses {
     for (std::uint32_t character = 0; character < kinds_.size(); ++character) {
       if (!kinds_[character]) continue;
       system_->characters().reserve_entities(*kinds_[character], usual, character);
-      while (not_lent_[character].size() < usual)
-        not_lent_[character].push_back(make_new(character));
+      while (not_lent_[character].size() < usual) not_lent_[character].push_back(make_new(character));
     }
   }
 

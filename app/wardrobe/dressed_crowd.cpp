@@ -59,9 +59,10 @@ std::vector<Held> hands_of(const Crowd& crowd) {
   return hands;
 }
 
-/// A pushchair has no room before a bench or a wall, and is in the way of a camera.
+/// A pushchair has no room before a bench or a wall nor in a recorded crowd, and is in the way of a camera.
 bool takes_no_pushchair(Habit habit) {
-  return habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low || habit == Habit::pose;
+  return habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low || habit == Habit::pose ||
+         habit == Habit::follow;
 }
 
 /// Teams have their sides of a scene.

@@ -23,8 +23,8 @@ void jet(MeshBuilder& builder, double turn, dvec2 from, dvec2 to, double bow, do
   }
 }
 
-/// Three basins above each other, 6 m across, with water that falls from one to the next. The rim is a seat, 0.44 m above
-/// a plinth for the feet.
+/// Three basins above each other, 6 m across, with water that falls from one to the next. The rim is a seat, 0.44 m
+/// above a plinth for the feet.
 void fountain(MeshBuilder& builder, int lod) {
   const Paint stone = paints::pale_stone;
   const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;

@@ -14,8 +14,8 @@ namespace throng::app::resting_test {
 namespace {
 
 CharacterRoles person_who_rests() {
-  CharacterRoles roles = character_with({Role::stand, Role::look_around, Role::walk, Role::sit, Role::lean,
-                                         Role::sit_on_step, Role::wave});
+  CharacterRoles roles = character_with(
+      {Role::stand, Role::look_around, Role::walk, Role::sit, Role::lean, Role::sit_on_step, Role::wave});
   roles.bodies = {{.share = 1, .size = 1.0}};
   return roles;
 }

@@ -96,6 +96,9 @@ struct CastRules {
   const SceneRule* scene(std::string_view name) const;
 };
 
+/// The scene whose styles companies that march wear; where rules have none of this name, they dress as everybody.
+inline constexpr std::string_view marching_scene = "marchers";
+
 /// The palette of a style that stands for the colours of one's team.
 inline constexpr std::string_view team_colors = "team";
 

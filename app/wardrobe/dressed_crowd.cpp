@@ -62,6 +62,12 @@ std::vector<Held> hands_of(const Crowd& crowd) {
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
+/// Somebody who marches is dressed with their company.
+void fall_in(const Crowd& crowd, Person& person) {
+  person.marches = person.agent >= crowd.walkers() && person.agent < crowd.walkers() + crowd.marchers();
+  if (person.marches) person.group = person.team = company_of(crowd, person.agent - crowd.walkers());
+}
+
 void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
   constexpr std::uint64_t gray_stream = 25;
   Random random(seed + agent, gray_stream);
@@ -98,11 +104,12 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
     const std::optional<Dresser>& dresser = dressers[crowd.characters()[agent]];
     if (!dresser) continue;
-    const Person person{.agent = agent,
-                        .body = crowd.looks().bodies[agent],
-                        .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent]),
-                        .hand_is_taken = dressed.things[agent] != Held::nothing};
+    Person person{.agent = agent,
+                  .body = crowd.looks().bodies[agent],
+                  .group = groups[agent],
+                  .team = team_of(crowd.positions()[agent]),
+                  .hand_is_taken = dressed.things[agent] != Held::nothing};
+    fall_in(crowd, person);
     Dressed worn;
     for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
       worn = dresser->dress(person, attempt, dressed.looks[agent]);

@@ -80,6 +80,11 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   result.hashes.assign(characters.size(), 0);
   const int components = characters.front().components();
   Strip strip(width, components, program.slot_count);
+  const std::size_t joint_floats = request.joints == nullptr ? 0 : request.joints->bytes / sizeof(float);
+  std::vector<Line> joints((characters.size() + 1) * (joint_floats / 16 + 1));  // the last is of lanes that nobody has
+  const auto joints_of = [&](std::size_t character) {
+    return joints[std::min(character, characters.size()) * (joint_floats / 16 + 1)].floats;
+  };
   for (std::size_t first = 0; first < characters.size(); first += static_cast<std::size_t>(width)) {
     ModelPaletteJob job;
     job.hierarchy = &program;
@@ -97,6 +102,11 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
       destinations[lane] = palettes[first + lane].entries();
     }
     job.palettes = destinations.data();
+    std::array<float*, widest_strip> joints_to{};
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(width); ++lane)
+      joints_to[lane] = joints_of(first + lane);
+    job.joints = request.joints;
+    job.joints_to = joints_to.data();
     if (request.hashed) job.hashes = result.hashes.data() + first;
     for (job.packet = 0; job.packet < packets_for(bone_count); ++job.packet) {
       for (int lane = 0; lane < width; ++lane) {
@@ -111,6 +121,9 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   for (const GuardedPalette<Entry>& palette : palettes) {
     result.palettes.push_back(palette.copy(entries));
     result.guards_intact = result.guards_intact && palette.intact_outside(entries);
+  }
+  for (std::size_t i = 0; i < characters.size() && joint_floats > 0; ++i) {
+    result.joints.emplace_back(joints_of(i), joints_of(i) + joint_floats);
   }
   return result;
 }

@@ -63,6 +63,18 @@ struct Strip {
   std::vector<Line> local, carry, slots_;
 };
 
+/// Joints of each character; the last place is of lanes that nobody has.
+class JointLines {
+ public:
+  JointLines(std::size_t characters, std::size_t floats)
+      : characters_(characters), each_(floats / 16 + 1), lines_((characters + 1) * each_) {}
+  float* of(std::size_t character) { return lines_[std::min(character, characters_) * each_].floats; }
+
+ private:
+  std::size_t characters_, each_;
+  std::vector<Line> lines_;
+};
+
 }  // namespace
 
 template <typename Entry>
@@ -81,10 +93,7 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   const int components = characters.front().components();
   Strip strip(width, components, program.slot_count);
   const std::size_t joint_floats = request.joints == nullptr ? 0 : request.joints->bytes / sizeof(float);
-  std::vector<Line> joints((characters.size() + 1) * (joint_floats / 16 + 1));  // the last is of lanes that nobody has
-  const auto joints_of = [&](std::size_t character) {
-    return joints[std::min(character, characters.size()) * (joint_floats / 16 + 1)].floats;
-  };
+  JointLines joints(characters.size(), joint_floats);
   for (std::size_t first = 0; first < characters.size(); first += static_cast<std::size_t>(width)) {
     ModelPaletteJob job;
     job.hierarchy = &program;
@@ -104,7 +113,7 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
     job.palettes = destinations.data();
     std::array<float*, widest_strip> joints_to{};
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(width); ++lane)
-      joints_to[lane] = joints_of(first + lane);
+      joints_to[lane] = joints.of(first + lane);
     job.joints = request.joints;
     job.joints_to = joints_to.data();
     if (request.hashed) job.hashes = result.hashes.data() + first;
@@ -123,7 +132,7 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
     result.guards_intact = result.guards_intact && palette.intact_outside(entries);
   }
   for (std::size_t i = 0; i < characters.size() && joint_floats > 0; ++i) {
-    result.joints.emplace_back(joints_of(i), joints_of(i) + joint_floats);
+    result.joints.emplace_back(joints.of(i), joints.of(i) + joint_floats);
   }
   return result;
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t style_stream = 21, clothes_stream = 22, uniform_stream = 23, color_stream = 24;
 constexpr float share_of_alike_styles = 0.7F;  // of a group
 constexpr std::uint32_t white = 0xFFFFFF;
+constexpr std::uint32_t other_seeds = 0x9E3779B1U;  // attempts are the seeds that follow
 
 /// The regions that the parts of a slot are coloured as.
 constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"top", render::Region::top},
@@ -59,6 +60,11 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
   return (hash ^ value) * prime;
 }
 
+/// Says whether people are told apart by what fills a slot. Shoes, hair and bags are too small for that.
+bool is_seen_first(std::string_view slot) {
+  return slot == "top" || slot == "bottom" || slot == "outer" || slot == "headgear";
+}
+
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -94,7 +100,7 @@ struct Dresser::Worn {
 };
 
 Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasion& occasion)
-    : rules_(rules), wardrobe_(wardrobe), seed_(occasion.seed) {
+    : rules_(rules), wardrobe_(wardrobe), seed_(occasion.seed + rules.seed * other_seeds) {
   const auto weather = std::ranges::find(rules.weather, occasion.weather, &WeatherRule::weather);
   const WeatherRule* const factors = weather == rules.weather.end() ? nullptr : &*weather;
   const auto marching = std::ranges::find(rules.scenes, marching_scene, &SceneRule::scene);
@@ -137,6 +143,7 @@ Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, c
     const WardrobePart* const part = wardrobe_.find(body, named.name);
     if (part == nullptr && named.name != nothing_worn) continue;
     float weight = named.weight;
+    if (part != nullptr && slot.slot.starts_with("hand_")) weight *= rules_.things;
     for (std::size_t i = 0; part != nullptr && weather != nullptr && i < weather->tags.size(); ++i) {
       if (part->has_tag(weather->tags[i].name)) weight *= weather->tags[i].weight;
     }
@@ -269,8 +276,9 @@ Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::Agen
     if (dressed.outfit.count == render::Outfit::most_pieces) break;
     dressed.outfit.pieces.at(dressed.outfit.count++) = part->piece;
     if (part->slot == "hand_right" || (part->slot == "hand_left" && dressed.in_hand == nullptr)) dressed.in_hand = part;
-    if (!contains(rules_.skin, part->slot)) dressed.looks_like = mixed(dressed.looks_like, part->piece);
-    color_part(*part, *worn.style, person, own, look, dressed.looks_like);
+    std::uint64_t seen = dressed.looks_like;
+    color_part(*part, *worn.style, person, own, look, seen);
+    if (is_seen_first(part->slot)) dressed.looks_like = mixed(seen, part->piece);
   }
   std::ranges::sort(std::span(dressed.outfit.pieces).first(dressed.outfit.count));
   dressed.outfit.silhouette = silhouette_of(person, worn);

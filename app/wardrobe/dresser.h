@@ -29,7 +29,7 @@ struct Dressed {
   render::Outfit outfit;
   const Style* style = nullptr;
   const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left one; null: nothing
-  /// Equal for two who have the same silhouette, patterns and colours.
+  /// Equal for two of the same body whose top, bottom, coat and hat are the same, in the same patterns and colours.
   std::uint64_t looks_like = 0;
 };
 

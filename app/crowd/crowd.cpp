@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/crowd/cut_scene_layout.h"
-#include "app/crowd/gatherings.h"
 #include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/plaza_plan.h"

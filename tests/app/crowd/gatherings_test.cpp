@@ -1,11 +1,10 @@
-#include "app/crowd/gatherings.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "app/crowd/company.h"
 #include "app/crowd/crowd.h"
 #include "tests/app/crowd/crowd_person.h"
 

@@ -121,6 +121,11 @@ void JoinedHands::reset(const Crowd& crowd) {
   is_new_ = true;
 }
 
+void JoinedHands::go_back_to(const Moment& moment) {
+  lent_.go_back_to(moment);
+  for (Pair& pair : pairs_) pair.joined = moment.wanted[pair.grown_up] != 0 && moment.wanted[pair.child] != 0;
+}
+
 bool JoinedHands::is_near(const Pair& pair, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) const {
   const float least = pair.joined ? pixels_to_go_on : pixels_to_begin;
   return std::ranges::all_of(std::array{pair.grown_up, pair.child}, [&](std::uint32_t agent) {

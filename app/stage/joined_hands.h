@@ -41,7 +41,7 @@ class JoinedHands {
   void take_back(std::span<const anim::VisibleAgent> visible) { lent_.take_back(visible); }
 
   const Moment& moment() const { return lent_.moment(); }
-  void go_back_to(const Moment& moment) { lent_.go_back_to(moment); }
+  void go_back_to(const Moment& moment);
 
  private:
   /// An arm that is held out to somebody, as its clip has it in the middle; in model space.

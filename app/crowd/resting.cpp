@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t resting_stream = 27;
 constexpr double most_resting = 0.09;  // of those who do not walk
-constexpr float chance_to_lean = 0.45F, chance_to_sit = 0.75F;
+constexpr float chance_to_lean = 0.6F, chance_to_sit = 0.75F;
 
 // Metres, for a person 1.8 m tall.
 constexpr double back_behind_root = 0.24;  // as the clip `lean` has it

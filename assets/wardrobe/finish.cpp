@@ -12,6 +12,7 @@
 #include "assets/mannequin/occlusion.h"
 #include "assets/mannequin/shape.h"
 #include "assets/wardrobe/body_skin.h"
+#include "assets/wardrobe/build_shares.h"
 #include "assets/wardrobe/face_shares.h"
 #include "assets/wardrobe/levels.h"
 #include "assets/wardrobe/pattern.h"
@@ -27,17 +28,22 @@ using mannequin::Skin;
 
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
+bool lies_on_skin(Slot slot) {
+  return slot == Slot::top || slot == Slot::bottom || slot == Slot::outer || slot == Slot::shoes || slot == Slot::back;
+}
+
 bool is_on_head(Slot slot) {
   return slot == Slot::head || slot == Slot::hair || slot == Slot::headgear || slot == Slot::face;
 }
 
-Skin warped_skin(const Skin& skin, Body body) {
+Skin warped_skin(const Skin& skin, Body body, const BuildShares* build) {
   Skin there = skin;
   for (mannequin::SkinPoint& point : there.points) {
     const dvec3 place = warped(body, point.position, point.weights);
     point.position = glm::round(place / mannequin::position_step) * mannequin::position_step + dvec3(0);
   }
   mannequin::compute_normals(there);
+  if (build != nullptr) build->turn_normals(there);
   return there;
 }
 
@@ -66,8 +72,9 @@ std::uint8_t darkened(std::uint8_t colour, double openness) {
   return static_cast<std::uint8_t>(std::lround(colour * openness));
 }
 
-Fitted fit_to(Body body, const Skin& skin, const Mesh& mesh, const std::vector<double>& openness) {
-  const Skin there = warped_skin(skin, body);
+Fitted fit_to(Body body, const Skin& skin, const Mesh& mesh, const std::vector<double>& openness,
+              const BuildShares* build) {
+  const Skin there = warped_skin(skin, body, build);
   Fitted fitted{body, {}, {}, {}};
   for (const MeshVertex& vertex : mesh.vertices) {
     const mannequin::SkinPoint& point = there.points[vertex.point];
@@ -115,13 +122,17 @@ Finished finish_part(const Part& part, bool with_levels) {
   Skin skin = part.make();
   lay_patterns(skin);
   mannequin::compute_normals(skin);
+  const BuildShares build(skin);
+  const bool is_cloth = lies_on_skin(part.slot);
   auto made = std::make_shared<MadePart>(MadePart{part.name, part.slot, &part, mannequin::make_mesh(skin), {}});
+  if (is_cloth) build.set_shares(made->mesh);
   if (is_on_head(part.slot)) follow_face(made->mesh);
   made->levels = all_levels(made->mesh, with_levels, bounds_of(part));
   const std::vector<double> openness = openness_of(skin, &man_occluder());
   Finished finished{made, {}};
   for (const Body body : all_bodies) {
-    if (fits(part.bodies, body)) finished.bodies.push_back(fit_to(body, skin, made->mesh, openness));
+    if (fits(part.bodies, body))
+      finished.bodies.push_back(fit_to(body, skin, made->mesh, openness, is_cloth ? &build : nullptr));
   }
   return finished;
 }
@@ -161,11 +172,12 @@ BodyPiece cut_piece(const Mesh& body, const std::vector<Level>& levels, Slot slo
 std::vector<Finished> finish_bodies(bool with_levels) {
   Skin skin = body_skin();
   mannequin::compute_normals(skin);
-  const Mesh mesh = mannequin::make_mesh(skin);
+  Mesh mesh = mannequin::make_mesh(skin);
+  BuildShares(skin).set_shares(mesh);
   const std::vector<Level> levels = all_levels(mesh, with_levels);
   std::vector<Fitted> bodies;
   for (const Body body : all_bodies) {
-    bodies.push_back(fit_to(body, skin, mesh, openness_of(warped_skin(skin, body), nullptr)));
+    bodies.push_back(fit_to(body, skin, mesh, openness_of(warped_skin(skin, body, nullptr), nullptr), nullptr));
   }
   std::vector<Finished> pieces;
   for (std::size_t slot = 0; slot < piece_count; ++slot) {

@@ -12,7 +12,7 @@ std::vector<Part> tops() {
       {"polo", top, Fits::all, trunk, {"summer", "sport"}, {}, make_polo},
       {"tank_top", top, Fits::all, {}, {"summer", "sport"}, {}, make_tank_top},
       {"shirt", top, Fits::all, trunk_and_arms, {"formal"}, {}, make_shirt},
-      {"blouse", top, Fits::women_and_children, {Slot::upper_arms, Slot::forearms}, {"formal"}, {}, make_blouse},
+      {"blouse", top, Fits::women_and_children, trunk_and_arms, {"formal"}, {}, make_blouse},
       {"jumper", top, Fits::all, trunk_and_arms, {"cold"}, {}, make_jumper},
       {"hoodie", top, Fits::all, trunk_and_arms, {"cold", "sport"}, {Slot::outer}, make_hoodie},
       {"puffer", top, Fits::all, trunk_and_arms, {"cold"}, {Slot::outer}, make_puffer},

@@ -111,6 +111,26 @@ class DressedCrowdTest : public testing::Test {
 CharacterRoles DressedCrowdTest::roles_;
 Clothing DressedCrowdTest::clothing_;
 
+TEST_F(DressedCrowdTest, GivesCamerasToWhoTakesPicturesAndNoPushchairsToWhoSits) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, std::span(&clothing_, 1), tuning);
+  int cameras = 0, seated = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    const Habit habit = crowd.habits()[agent];
+    if (habit == Habit::photograph) {
+      EXPECT_EQ(dressed.things[agent], Held::camera);
+      ++cameras;
+    }
+    if (habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low) {
+      EXPECT_NE(dressed.things[agent], Held::pushchair);
+      ++seated;
+    }
+  }
+  EXPECT_GT(cameras, 8);
+  EXPECT_GT(seated, 20);
+}
+
 TEST_F(DressedCrowdTest, ShowsNoTwoAlikeNearEachOther) {
   const Tuning tuning = tuning_of(Scene::plaza, 1000);
   const Crowd crowd = crowd_of(tuning);

@@ -121,6 +121,9 @@ struct CastRules {
 inline constexpr double most_things = 100.0;  ///< of CastRules::things
 inline constexpr double most_weight = 1e6;    ///< of a name
 
+/// The scene whose styles companies that march wear; where rules have none of this name, they dress as everybody.
+inline constexpr std::string_view marching_scene = "marchers";
+
 /// The palette of a style that stands for the colours of one's team.
 inline constexpr std::string_view team_colors = "team";
 

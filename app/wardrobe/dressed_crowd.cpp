@@ -80,6 +80,12 @@ std::vector<Held> hands_of(const Crowd& crowd) {
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
+/// Somebody who marches is dressed with their company.
+void fall_in(const Crowd& crowd, Person& person) {
+  person.marches = person.agent >= crowd.walkers() && person.agent < crowd.walkers() + crowd.marchers();
+  if (person.marches) person.group = person.team = company_of(crowd, person.agent - crowd.walkers());
+}
+
 void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
   constexpr std::uint64_t gray_stream = 25;
   Random random(seed + agent, gray_stream);
@@ -116,11 +122,12 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
     const std::optional<Dresser>& dresser = dressers[crowd.characters()[agent]];
     if (!dresser) continue;
-    const Person person{.agent = agent,
-                        .body = crowd.looks().bodies[agent],
-                        .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent]),
-                        .hand_is_taken = dressed.things[agent] != Held::nothing};
+    Person person{.agent = agent,
+                  .body = crowd.looks().bodies[agent],
+                  .group = groups[agent],
+                  .team = team_of(crowd.positions()[agent]),
+                  .hand_is_taken = dressed.things[agent] != Held::nothing};
+    fall_in(crowd, person);
     const Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
     lookalikes.add(worn.looks_like, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);

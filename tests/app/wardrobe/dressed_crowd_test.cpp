@@ -151,6 +151,25 @@ TEST_F(DressedCrowdTest, HasManySilhouettes) {
   for (const auto& [names, people] : outfits) EXPECT_LT(people, 40);
 }
 
+TEST_F(DressedCrowdTest, DressesTheCompaniesOfAParadeAlikeAndEachInItsWay) {
+  const Tuning tuning = tuning_of(Scene::parade, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  std::map<std::uint32_t, std::set<std::set<std::string>>> clothes_of;
+  for (std::size_t marcher = 0; marcher < crowd.marchers(); ++marcher) {
+    clothes_of[company_of(crowd, marcher)].insert(clothes(dressed, crowd.walkers() + marcher));
+  }
+  ASSERT_GT(clothes_of.size(), 6U);
+  std::set<std::set<std::set<std::string>>> ways;
+  int uniforms = 0;
+  for (const auto& [company, outfits] : clothes_of) {
+    ways.insert(outfits);
+    uniforms += outfits.size() <= 2 ? 1 : 0;
+  }
+  EXPECT_GE(ways.size(), 4U);
+  EXPECT_GE(uniforms, 5) << "men and women may have another cut";
+}
+
 TEST_F(DressedCrowdTest, LeavesNobodyWithoutClothes) {
   for (const Weather weather : {Weather::mild, Weather::warm, Weather::cold, Weather::rain}) {
     for (const Scene scene : {Scene::plaza, Scene::stadium, Scene::parade}) {

@@ -153,7 +153,12 @@ TEST_F(DressedCrowdTest, LetsNobodyMeetSomebodyAlikeInAMinute) {
       met += glm::distance(crowd.positions()[one], crowd.positions()[other]) < alike_reach ? 1 : 0;
     }
   }
-  EXPECT_EQ(met, 0) << "pairs and frames, of " << pairs.size() << " pairs who look alike";
+  std::string who;
+  for (const auto& [one, other] : pairs) {
+    who += "; " + std::to_string(one) + " and " + std::to_string(other) + " in";
+    for (const std::string& name : seen_first(dressed, one)) who += " " + name;
+  }
+  EXPECT_EQ(met, 0) << "pairs and frames, of " << pairs.size() << " pairs who look alike" << who;
 }
 
 TEST_F(DressedCrowdTest, HasManySilhouettes) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct CharacterSource {
   std::vector<std::string> repairs;          ///< of its file, a sentence each
   std::vector<std::string> notes;            ///< anim::ImportedFile::notes
   std::string cast_rules;                    ///< the file that says who wears what; empty: none does
+  std::optional<std::string> rules = {};     ///< what it says or a person tuned, as JSON; empty: nobody dresses.
+                                             ///< Nothing: the file was not read yet
+  bool rules_are_chosen = false;             ///< a person chose or tuned them, so crowd files keep them
   std::vector<std::string> cast;             ///< names of all characters of its file
   std::size_t cast_index = 0;                ///< which of them it is
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too

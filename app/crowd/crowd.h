@@ -123,6 +123,7 @@ class Crowd {
   friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
   friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
   friend bool is_child(const Crowd& crowd, std::size_t agent);
+  friend std::uint32_t company_of(const Crowd& crowd, std::size_t marcher) { return crowd.marchers_[marcher].company; }
   friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
                    std::vector<std::uint16_t> in_hand);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
@@ -152,6 +153,9 @@ class Crowd {
 
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
+
+/// Returns the number of the company in which somebody marches, counted from 0 at the head of a parade.
+std::uint32_t company_of(const Crowd& crowd, std::size_t marcher);
 
 /// Puts things into everybody's hands, [agent]; empty: nothing. It decides what they do from then on.
 void give(Crowd& crowd, std::vector<Held> things);

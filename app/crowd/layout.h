@@ -24,6 +24,7 @@ struct WalkerStart {
 struct MarcherStart {
   double distance;  ///< metres from the route's start, along it
   double offset;    ///< metres out of the route, away from the loop's middle
+  std::uint32_t company = 0;
 };
 
 /// The part that an agent at a place plays.

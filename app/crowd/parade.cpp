@@ -63,8 +63,8 @@ void line_up(const Formation& formation, const Lane& route, double spacing, Crow
     const std::size_t company = rank / ranks_in_company;
     const double behind = static_cast<double>(rank) * rank_pitch * spacing + static_cast<double>(company) * gap;
     const double from_middle = static_cast<double>(file) - 0.5 * static_cast<double>(formation.files - 1);
-    layout.marchers.push_back(
-        {std::fmod(head - behind + route.length(), route.length()), from_middle * formation.file_pitch});
+    layout.marchers.push_back({std::fmod(head - behind + route.length(), route.length()),
+                               from_middle * formation.file_pitch, static_cast<std::uint32_t>(company)});
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/demo/mesh_reporter.h"
 #include "app/demo/selection_reporter.h"
+#include "app/demo/wardrobe_commands.h"
 #include "app/demo/window_camera.h"
 #include "engine/anim/base/cores.h"
 
@@ -131,6 +132,9 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.placement = placement_of(source);
   report_.body = body_parts(source, show.stage().animated().rigs(character));
   describe_bones(*source.character);
+  report_wardrobe(show.stage(), character, report_.wardrobe);
+  described_scene_ = show.stage().tuning().scene;
+  read_standard_rules(show.stage(), character, report_.wardrobe);
 }
 
 void FrameReporter::refuse_body(const NewBody& asked, const std::string& why) {
@@ -156,6 +160,10 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (shown.rig != report_.body.said || shown.placement.choice != report_.placement.choice) {
     describe_character(show, report_.character);  // here too
   }
+  if (show.stage().tuning().scene != described_scene_) {
+    described_scene_ = show.stage().tuning().scene;
+    read_standard_rules(show.stage(), report_.character, report_.wardrobe);  // it has other styles
+  }
   ++report_.frame;
   report_.notice = show.notice;
   if (!show.recorder().is_recording()) report_.recording.file.clear();
@@ -173,6 +181,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.agents = static_cast<int>(show.stage().crowd().size());
   add_moment(show.stage());
   add_cast(show.stage());
+  report_wardrobe(show.stage(), report_.character, report_.wardrobe);
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
   report_.pose_hash = system.figures().pose_hash();

@@ -75,6 +75,7 @@ class FrameReporter {
   SlowFrames slow_frames_;
   TrackedPersonReporter tracked_person_;
   std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
+  Scene described_scene_ = Scene::plaza;        // whose rules of the wardrobe were read
   int mesh_levels_ = 1;                         // the most of a character
 };
 

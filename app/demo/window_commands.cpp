@@ -6,6 +6,7 @@
 #include "app/character/cast_entry.h"
 #include "app/demo/placed_model.h"
 #include "app/demo/viewer_commands.h"
+#include "app/demo/wardrobe_commands.h"
 #include "app/recording/cast_options.h"
 #include "app/recording/crowd_file.h"
 #include "app/regression/origin.h"
@@ -48,6 +49,7 @@ void WindowCommands::obey(const OverlayCommands& commands) {
   if (commands.placement) place_model(show, *commands.placement, messages());
   if (commands.share) show.set_share(commands.share->character, commands.share->share);
   if (commands.everyone) give_all_places_to(*commands.everyone, show);
+  if (obey_wardrobe(show, character, commands.wardrobe, messages())) reporter.describe_character(show, character);
   if (commands.roles) show.set_roles(character, *commands.roles);
   messages().tell(obey_viewer(show, commands.viewer));
   if (show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing

@@ -66,12 +66,6 @@ void show_who(const TabContext& context) {
               {.what = "own: everybody wears colours of their own. pattern: colours by place, which make one "
                        "large shape that is seen from above; the camera tower shows it.",
                .cost = "Changing it places all agents anew."});
-  context.row("wardrobe",
-              {.what = "People wear what rules draw for them out of the parts of their character: women, men and "
-                       "children, each in an outfit. Off: all wear what the file shows.",
-               .cost = "Changing it places all agents anew."});
-  context.row("weather", {.what = "What people dress for, and hold in their hands. Rules say which clothes are for it.",
-                          .cost = "Changing it places all agents anew."});
   context.row("placed_feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",
@@ -322,6 +316,7 @@ void show_in_view(const TabContext& context) {
 void show_crowd_tab(const TabContext& context) {
   show_who(context);
   show_cast(context);
+  show_wardrobe(context);
   show_time(context);
   show_picture(context);
   show_camera_section(context);

@@ -35,6 +35,8 @@ struct BoneListMemory {
 struct TabMemory {
   BoneListMemory bones;
   std::optional<NewPlacement> placement;     ///< a size or a place that is being dragged
+  std::optional<NewCast> cast;               ///< rules whose value is being dragged
+  bool shows_styles = false;                 ///< the list of styles is open
   bool shows_body = false;                   ///< the list of the parts of the body is open
   bool shows_gaits = false;                  ///< the list of roles that only trajectories ask for is open
   SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
@@ -45,6 +47,7 @@ struct TabMemory {
   TuningHistory history;
   NoticeMemory notices;
   std::string searched_help;
+  std::string rules_name;
   std::string preset_name, crowd_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
 };
 
@@ -95,6 +98,8 @@ void show_presets_tab(const TabContext& context);
 void show_meshes(const TabContext& context);
 /// Shows the size and place of the character shown, and why it has them.
 void show_model(const TabContext& context);
+/// Shows who wears what: bodies, styles and things in hands, and the files of such rules.
+void show_wardrobe(const TabContext& context);
 /// Shows the cameras of the scene and of the person, who moves the camera, and how fast it flies.
 void show_camera_section(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps

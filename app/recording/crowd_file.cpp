@@ -73,6 +73,7 @@ Json character_json(const fs::path& folder, const CrowdCharacter& character) {
                {"placement", placement_in_words(character.placement)},
                {"level_counts", character.level_counts},
                {"bones", character.bones}};
+  if (character.rules) json["rules"] = recorded_rules_json(*character.rules);
   if (!character.file.empty()) json["model"] = relative_to(folder, character.file);
   Json clip_files = Json::array();
   for (const std::string& file : character.clip_files) clip_files.push_back(relative_to(folder, file));
@@ -96,13 +97,15 @@ anim::Result<CrowdCharacter> read_crowd_character(const std::string& name, const
   std::optional<std::string> complaint;
   const JsonFile file(path);
   const JsonObject object(
-      name, json, {"model", "share", "clips", "clips_from", "rig", "placement", "level_counts", "bones"}, complaint);
+      name, json, {"model", "share", "clips", "clips_from", "rig", "rules", "placement", "level_counts", "bones"},
+      complaint);
   object.text("model", character.file);
   object.number("share", character.share, least_share, most_share);
   object.texts("clips_from", character.clip_files);
   object.texts("bones", character.bones);
   object.wholes("level_counts", character.level_counts, 1, anim::max_bones);
   if (object.has("placement")) read_placement(name + ": placement", json["placement"], complaint, character.placement);
+  if (object.has("rules")) character.rules = recorded_rules(json["rules"]);
   if (complaint) return file.wrong(*complaint);
   if (const auto read = read_choices(json, "clips", file, role_choices_in, character.clips); !read) return read.error();
   if (const auto read = read_choices(json, "rig", file, rig_choices_in, character.rig); !read) return read.error();
@@ -153,7 +156,8 @@ CrowdSetup crowd_setup(std::span<const CharacterSource> people, const Preset& pr
                                 .clips = all_choices(person.roles.clips, person.clip_names),
                                 .bones = bone_keys(person.character->skeleton),
                                 .level_counts = person.character->skeleton.level_bone_counts,
-                                .rig = person.rig});
+                                .rig = person.rig,
+                                .rules = person.rules_are_chosen ? person.rules : std::nullopt});
   }
   return setup;
 }
@@ -215,6 +219,8 @@ anim::Status become(const CrowdCharacter& wanted, CharacterSource& character) {
   RecordedCharacter kept = recorded(character);
   kept.share = wanted.share;
   kept.rig = wanted.rig;
+  kept.rules = wanted.rules;
+  character.rules_are_chosen = wanted.rules.has_value();
   if (!wanted.bones.empty()) {
     kept.bones = wanted.bones;
     kept.level_counts = wanted.level_counts;

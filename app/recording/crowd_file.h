@@ -21,12 +21,13 @@ namespace throng::app {
 struct CrowdCharacter {
   std::string file;  ///< "FILE" or "FILE#SKIN"; empty: the built-in character
   double share = 1.0;
-  std::vector<std::string> clip_files;  ///< other files whose clips it plays too
-  anim::PlacementChoice placement;      ///< what was asked of its size and place
-  std::vector<RoleChoice> clips;        ///< those that it does not name are guessed
-  std::vector<std::string> bones;       ///< in order, as bone_keys() has them; empty: as it is loaded
-  std::vector<int> level_counts;        ///< as in BoneLodChoice
-  std::vector<RigChoice> rig;           ///< the parts of the body that a person said
+  std::vector<std::string> clip_files;    ///< other files whose clips it plays too
+  anim::PlacementChoice placement;        ///< what was asked of its size and place
+  std::vector<RoleChoice> clips;          ///< those that it does not name are guessed
+  std::vector<std::string> bones;         ///< in order, as bone_keys() has them; empty: as it is loaded
+  std::vector<int> level_counts;          ///< as in BoneLodChoice
+  std::vector<RigChoice> rig;             ///< the parts of the body that a person said
+  std::optional<std::string> rules = {};  ///< who wears what, as JSON, where a person chose it
 
   friend bool operator==(const CrowdCharacter&, const CrowdCharacter&) = default;
 };

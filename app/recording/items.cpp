@@ -108,6 +108,12 @@ std::optional<RecordedRequest> placement(std::string_view text) {
   return RecordedPlacement{static_cast<std::uint32_t>((*json)["character"].get<int>()), *choice};
 }
 
+std::optional<RecordedRequest> rules(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json || !json->is_object() || !(*json)["character"].is_whole(0, most_models - 1)) return {};
+  return RecordedRules{static_cast<std::uint32_t>((*json)["character"].get<int>()), recorded_rules((*json)["rules"])};
+}
+
 std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader& numbers) {
   switch (kind) {
     case RecordKind::selection:
@@ -135,6 +141,7 @@ std::optional<RecordedRequest> read_request(RecordKind kind, std::string_view pa
   if (kind == RecordKind::characters) return characters(payload);
   if (kind == RecordKind::rig) return rig(payload);
   if (kind == RecordKind::placement) return placement(payload);
+  if (kind == RecordKind::rules) return rules(payload);
   NumberReader numbers(payload);
   auto request = request_of_numbers(kind, numbers);
   return numbers.at_end() ? std::move(request) : std::nullopt;

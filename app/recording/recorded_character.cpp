@@ -97,6 +97,7 @@ RecordedCharacter read_character(const JsonObject& json) {
     if (!read_name(file, character.clip_files.emplace_back())) json.wrong("clip_files", "names of files");
   }
   if (json.has("rig") && !(character.rig = recorded_rig(json["rig"]))) json.wrong("rig", "parts of the body and bones");
+  if (json.has("rules")) character.rules = recorded_rules(json["rules"]);
   return character;
 }
 
@@ -121,7 +122,8 @@ RecordedCharacter recorded(const CharacterSource& character) {
           .placement = character.placement.choice,
           .share = character.roles.share,
           .clip_files = character.clip_files,
-          .rig = character.rig};
+          .rig = character.rig,
+          .rules = character.rules};
 }
 
 std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
@@ -129,6 +131,13 @@ std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> charact
   for (const CharacterSource& character : characters) all.push_back(recorded(character));
   return all;
 }
+
+Json recorded_rules_json(const std::string& rules) {
+  auto json = parse_json(rules);
+  return json ? std::move(*json) : Json(nullptr);
+}
+
+std::string recorded_rules(const Json& json) { return json.is_null() ? std::string() : json.dump(); }
 
 Json placement_json(const anim::PlacementChoice& placement) {
   return Json::array(
@@ -175,6 +184,7 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
     }
   }
   if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};
+  if (as_recorded.rules) character.rules = as_recorded.rules;
   assign_roles(character, as_recorded.roles);
   character.roles.share = as_recorded.share;
   return anim::Done{};
@@ -205,6 +215,7 @@ Json to_json(std::span<const RecordedCharacter> characters) {
                  {"share", character.share},
                  {"clip_files", std::move(clip_files)}};
     if (character.rig) each["rig"] = rig_json(*character.rig);
+    if (character.rules) each["rules"] = recorded_rules_json(*character.rules);
     json.push_back(std::move(each));
   }
   return json;
@@ -214,10 +225,10 @@ std::vector<RecordedCharacter> read_characters(std::span<const Json> json, std::
   std::vector<RecordedCharacter> characters;
   for (const Json& each : json) {
     const std::string name = "character " + std::to_string(characters.size());
-    characters.push_back(read_character(
-        JsonObject(name, each,
-                   {"file", "fingerprint", "roles", "bones", "level_counts", "placement", "share", "clip_files", "rig"},
-                   complaint)));
+    characters.push_back(read_character(JsonObject(
+        name, each,
+        {"file", "fingerprint", "roles", "bones", "level_counts", "placement", "share", "clip_files", "rig", "rules"},
+        complaint)));
     if (complaint) break;
   }
   if (!complaint && (json.empty() || json.size() > most_models)) {

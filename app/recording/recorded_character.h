@@ -26,6 +26,8 @@ struct RecordedCharacter {
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
   /// The parts of the body that a person said; nothing in recordings of before they were kept.
   std::optional<std::vector<RigChoice>> rig = {};
+  /// Who wears what (CharacterSource::rules); nothing in recordings of before it was kept: what the files here say.
+  std::optional<std::string> rules = {};
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;
 };
@@ -39,6 +41,11 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 /// Reads the "rig" of a character; returns nothing where the JSON is none.
 std::optional<std::vector<RigChoice>> recorded_rig(const Json& json);
 
+/// Returns rules as JSON, and reads them; null where nobody dresses. What is read is a text of rules, whatever they
+/// name.
+Json recorded_rules_json(const std::string& rules);
+std::string recorded_rules(const Json& json);
+
 /// Returns a placement as [scale, 0 where it is guessed; up axis; ground rule], numbers all of them.
 Json placement_json(const anim::PlacementChoice& placement);
 /// Reads it; returns nothing where the JSON is none.
@@ -51,8 +58,8 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
 /// Returns the entries that load these characters again, with the clips that they play.
 std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters);
 
-/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files", "rig"
-/// and "placement".
+/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files",
+/// "rig", "placement" and "rules".
 Json to_json(std::span<const RecordedCharacter> characters);
 /// Reads 1 to most_models characters. `complaint` is what is wrong first, as the end of a sentence.
 std::vector<RecordedCharacter> read_characters(std::span<const Json> json, std::optional<std::string>& complaint);

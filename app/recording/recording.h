@@ -38,6 +38,7 @@ namespace throng::app {
 ///     share       character u32, share of the crowd f64
 ///     rig         JSON: the index of a "character", and its "rig" as in MODEL.throng.json
 ///     placement   JSON: the index of a "character", and its "placement" as in the header
+///     rules       JSON: the index of a "character", and its "rules" as in the header
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it
@@ -58,7 +59,8 @@ enum class RecordKind : std::uint8_t {
   end,
   share,
   rig,
-  placement
+  placement,
+  rules
 };
 
 struct RecordingHeader {
@@ -107,6 +109,11 @@ struct RecordedPlacement {
   std::uint32_t character = 0;
   anim::PlacementChoice choice;
 };
+/// Other rules of who wears what.
+struct RecordedRules {
+  std::uint32_t character = 0;
+  std::string rules;  ///< as RecordedCharacter::rules
+};
 /// Other characters for all agents.
 struct RecordedCharacters {
   std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
@@ -114,7 +121,7 @@ struct RecordedCharacters {
 /// A request that a person made between two frames.
 using RecordedRequest =
     std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold, RecordedRewind,
-                 RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig, RecordedPlacement>;
+                 RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig, RecordedPlacement, RecordedRules>;
 
 struct RecordedFrame {
   anim::Ticks delta{};  ///< 0 while paused

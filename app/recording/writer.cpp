@@ -101,6 +101,11 @@ void RecordingWriter::add(const RecordedPlacement& placement) {
   write_item(RecordKind::placement);
 }
 
+void RecordingWriter::add(const RecordedRules& rules) {
+  payload_ = Json{{"character", rules.character}, {"rules", recorded_rules_json(rules.rules)}}.dump();
+  write_item(RecordKind::rules);
+}
+
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
   const render::Camera& camera = frame.view.camera;
   append_number(payload_, frame.delta.count());

@@ -34,6 +34,7 @@ class RecordingWriter {
   void add(const RecordedShare& share);
   void add(const RecordedRig& rig);
   void add(const RecordedPlacement& placement);
+  void add(const RecordedRules& rules);
   /// Adds a frame after its update. `agent_hashes` are those of AnimatedCrowd. Allocates only when the crowd grows.
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 

@@ -20,6 +20,7 @@
 #include "app/report/tracks_report.h"
 #include "app/report/tuning_sweep.h"
 #include "app/report/viewer_report.h"
+#include "app/report/wardrobe_report.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/character_agents.h"
@@ -65,6 +66,7 @@ struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
   std::size_t character = 0;            ///< the one of these whose roles and bones are below
   std::vector<CastMember> cast;         ///< [character]
+  WardrobeReport wardrobe;              ///< of the character shown
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
   std::string notice;  ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
@@ -141,6 +143,7 @@ struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
   std::optional<std::size_t> everyone;  ///< this character takes the places of all others
+  WardrobeCommands wardrobe;
   std::optional<NewPlacement> placement;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;

@@ -77,7 +77,7 @@ struct Tuning {
   float tint = 1.0F;          ///< how much they differ in colours, 0 to 1
   float size_variety = 0.1F;  ///< how much they differ in size, as a share, 0 to 0.3
   Clothes clothes = Clothes::own;
-  bool wardrobe = false;            ///< people are dressed out of the wardrobe of their character, where it has one
+  bool wardrobe = true;             ///< people are dressed out of the wardrobe of their character, where it has one
   Weather weather = Weather::mild;  ///< what they dress for
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4

@@ -36,6 +36,7 @@ struct Picture::Frame {
       stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   std::span<const render::Outfit> outfits = stage.crowd().looks().outfits;
   bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
+  bool stand_ins = false;  ///< silhouettes of those who are near are listed too, for shadows
 
   std::uint32_t run_of(std::size_t at) const {
     const std::uint32_t agent = visible[at].agent;
@@ -57,9 +58,12 @@ struct Picture::Frame {
   /// Calls visit(list) for each list, counted through all runs, on which an agent of a run is.
   void for_each_list(std::uint32_t agent, std::uint32_t run, std::uint32_t pieces, const auto& visit) const {
     const std::uint32_t put_away = put_away_by(agent);
+    const std::size_t first = std::size_t{run} * pieces;
     for_each_worn(outfits[agent], run % lods, [&](std::uint32_t piece) {
-      if (piece != put_away) visit(std::size_t{run} * pieces + piece);
+      if (piece != put_away) visit(first + piece);
     });
+    const bool stands_in = stand_ins && run % lods < render::first_silhouette_lod && outfits[agent].count > 0;
+    if (stands_in) visit(first + outfits[agent].silhouette);
   }
   /// Returns the piece that is a thing whose hand does not hold it now, or no_piece.
   std::uint32_t put_away_by(std::uint32_t agent) const {
@@ -71,8 +75,9 @@ struct Picture::Frame {
 };
 
 void Picture::compose(const Stage& stage, Poses poses) {
-  const Frame frame{stage, poses};
+  Frame frame{stage, poses};
   make_room(stage);
+  frame.stand_ins = all_have_silhouettes_ && stage.tuning().shadows;
   const std::span<Tile> tiles = cut_into_tiles(frame);
   visit_on_pus(stage, tiles, [&](Tile& tile) { choose_runs(frame, tile); });
   begin_runs(frame, tiles);
@@ -94,12 +99,18 @@ void Picture::look_at_outfits(const CrowdLooks& looks) {
   looks_number_ = looks.number;
   std::size_t most_drawn = 0;
   pieces_ = 0;
+  all_have_silhouettes_ = true;
   for (const render::Outfit& outfit : looks.outfits) {
-    most_drawn += std::max<std::size_t>(outfit.count, 1);
+    most_drawn += std::max<std::size_t>(outfit.count, 1) + 1;
+    all_have_silhouettes_ &= outfit.count == 0 || outfit.silhouette != render::Outfit::no_piece;
     for (std::size_t i = 0; i < outfit.count; ++i) pieces_ = std::max(pieces_, outfit.pieces[i] + 1U);
     if (outfit.silhouette != render::Outfit::no_piece) pieces_ = std::max(pieces_, outfit.silhouette + 1U);
   }
   if (drawn_.size() < most_drawn) drawn_.resize(most_drawn);
+  is_silhouette_.assign(pieces_, false);
+  for (const render::Outfit& outfit : looks.outfits) {
+    if (outfit.silhouette != render::Outfit::no_piece) is_silhouette_[outfit.silhouette] = true;
+  }
 }
 
 // All tiles together count no more runs than there are agents. They count on cache lines of their own.
@@ -167,6 +178,7 @@ void Picture::begin_lists(const Frame& frame, std::span<Tile> tiles) {
       lists_.back().piece = static_cast<std::uint16_t>(piece);
       lists_.back().first = first;
       lists_.back().count = next - first;
+      lists_.back().stands_in = is_silhouette_[piece] && batch.mesh_lod < render::first_silhouette_lod;
     }
   }
   drawn_count_ = next;

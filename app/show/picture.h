@@ -62,7 +62,9 @@ class Picture {
   std::vector<render::CrowdBatch> runs_, lists_;
   std::vector<std::uint32_t> drawn_;
   std::size_t drawn_count_ = 0;
-  std::uint32_t pieces_ = 0;        // that outfits name; 0: nobody wears one
+  std::uint32_t pieces_ = 0;         // that outfits name; 0: nobody wears one
+  std::vector<bool> is_silhouette_;  // [piece]
+  bool all_have_silhouettes_ = false;
   std::uint64_t looks_number_ = 0;  // of the looks to which these belong
   std::vector<float> weights_;
   std::size_t weight_count_ = 0;

@@ -34,6 +34,8 @@ anim::Result<CharacterSource> placed_anew(const CharacterSource& character, cons
   wanted.placement = choice;
   auto placed = load_again(wanted, options, data);
   if (!placed) return placed;
+  placed->cast_rules = character.cast_rules;
+  placed->rules_are_chosen = character.rules_are_chosen;
   const anim::Status became = become_recorded(wanted, *placed);
   if (!became) return became.error();
   return placed;

@@ -33,6 +33,7 @@ bool are_equal(std::span<const CharacterSource> people, std::span<const Recorded
   const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
     as_recorded.file = person.file;
     as_recorded.clip_files = person.clip_files;
+    if (!as_recorded.rules) as_recorded.rules = person.rules;
     return recorded(person) == as_recorded;
   };
   return std::ranges::equal(people, recorded_people, is_equal);
@@ -114,7 +115,8 @@ anim::Status Replay::become_recorded_characters(Show& show, std::span<const Char
     const anim::Status became = become_recorded(recorded_people[i], characters[i]);
     if (!became) return anim::Error{file_.string() + ": " + became.error().message};
   }
-  return show.replace_characters(std::move(characters));
+  const anim::Status replaced = show.replace_characters(std::move(characters));
+  return replaced ? replaced : anim::Status(anim::Error{file_.string() + ": " + replaced.error().message});
 }
 
 anim::Status Replay::begin_anew(Show& show) {

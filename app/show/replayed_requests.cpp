@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/character/cast_files.h"
+#include "app/wardrobe/cast_rules_text.h"
 
 namespace throng::app {
 namespace {
@@ -81,6 +82,13 @@ anim::Status asked(const RecordedPlacement& placement, Show& show) {
   const auto placed = show.set_placement(placement.character, placement.choice);
   return placed ? anim::Status(anim::Done{})
                 : anim::Status(anim::Error{"its size and place cannot be: " + placed.error().message});
+}
+
+anim::Status asked(const RecordedRules& recorded, Show& show) {
+  if (recorded.character >= show.stage().people().size()) return anim::Error{"dresses a character that is not there"};
+  auto rules = rules_of_text(recorded.rules);
+  const anim::Status set = rules ? set_cast_rules(show, recorded.character, std::move(*rules)) : rules.error();
+  return set ? set : anim::Status(anim::Error{"its rules of who wears what cannot be: " + set.error().message});
 }
 
 anim::Status asked(const RecordedShare& share, Show& show) {

@@ -206,6 +206,12 @@ anim::Status Show::set_rig(std::size_t character, const std::vector<RigChoice>& 
   return anim::Done{};
 }
 
+anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file) {
+  if (anim::Status set = set_cast_rules(*show.stage_, character, std::move(rules), file); !set) return set;
+  show.recorder_.add(RecordedRules{static_cast<std::uint32_t>(character), *show.stage_->people()[character].rules});
+  return anim::Done{};
+}
+
 anim::Status Show::view(const ViewRequest& request) {
   std::vector<ViewedMesh> meshes;
   if (request.character < stage_->people().size()) {

@@ -116,6 +116,7 @@ class Show {
 
  private:
   friend void set_track_clock(Show& show, const TrackClock& clock);
+  friend anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file);
   friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
   friend bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
   friend const LiveCrowd* live_crowd_of(const Show& show);
@@ -152,6 +153,9 @@ class Show {
 
 /// Takes a recorded crowd to another time, or plays it otherwise, at a frame boundary. Does nothing to other crowds.
 void set_track_clock(Show& show, const TrackClock& clock);
+
+/// Does what set_cast_rules does to a stage.
+anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file = {});
 
 /// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
 /// render::Renderer::draw_labels.

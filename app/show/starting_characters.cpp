@@ -91,7 +91,9 @@ std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, S
   }
   if (!choose_roles(options, cast->characters, error)) return {};
   for (CharacterSource& character : cast->characters) {
-    if (!options.cast_rules.empty()) character.cast_rules = options.cast_rules;
+    if (options.cast_rules.empty()) continue;
+    character.cast_rules = options.cast_rules;
+    character.rules_are_chosen = true;
   }
   return std::move(*cast);
 }

@@ -7,6 +7,7 @@
 #include "app/character/cut_scene_models.h"
 #include "app/stage/memory_needs.h"
 #include "app/stage/moment.h"
+#include "app/wardrobe/cast_rules_text.h"
 
 namespace throng::app {
 namespace {
@@ -35,6 +36,7 @@ anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>
     auto clothing = clothing_of(source);
     if (!clothing) return clothing.error();
     source.roles.bodies = body_kinds(clothing->rules);
+    source.rules = rules_text(clothing->rules);
     all.push_back(std::move(*clothing));
   }
   return all;
@@ -160,6 +162,20 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   animated_ = std::move(*animated);
   restart();
   if (sums_up_events) animated_->sum_up_events();
+  return anim::Done{};
+}
+
+anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file) {
+  CharacterSource& source = stage.characters_[character];
+  Clothing& clothing = stage.clothing_[character];
+  if (std::string wrong = wrong_for(rules, clothing.wardrobe); !wrong.empty()) return anim::Error{std::move(wrong)};
+  source.rules = rules_text(rules);
+  if (!file.empty()) source.cast_rules = file;
+  source.roles.bodies = body_kinds(rules);
+  const bool is_other = rules != clothing.rules;
+  source.rules_are_chosen = source.rules_are_chosen || is_other || !file.empty();
+  clothing.rules = std::move(rules);
+  if (is_other && stage.tuning_.wardrobe) stage.populate();
   return anim::Done{};
 }
 

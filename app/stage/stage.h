@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/lod/error_meter.h"
@@ -114,6 +115,8 @@ class Stage {
   friend const CrowdMeasures& measures_of(const Stage& stage) { return stage.measures_; }
   friend anim::Status keep_joints(Stage& stage);
   friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
+  friend const CastRules& cast_rules_of(const Stage& stage, std::size_t character);
+  friend anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void forget_what_is_shown();
@@ -166,6 +169,16 @@ inline const MeshChoice& mesh_choice_of(const Stage& stage) { return stage.mesh_
 
 /// Keeps the joints of everybody's poses from now on, for joints_of(stage). Errors: those of KeptJoints::begin.
 anim::Status keep_joints(Stage& stage);
+
+/// Returns who wears what among a character's agents.
+inline const CastRules& cast_rules_of(const Stage& stage, std::size_t character) {
+  return stage.clothing_[character].rules;
+}
+
+/// Takes other rules of who wears what, at a frame boundary. `file` is where they come from now; empty: where they did.
+/// The crowd starts anew if it dresses, since bodies and what hands hold decide what people do. Errors: the rules name
+/// a part that the character lacks; then nothing has changed.
+anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file = {});
 
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 
 #include "app/files/json_file.h"
@@ -14,7 +15,7 @@ namespace throng::app {
 namespace {
 
 constexpr int rules_version = 1;
-constexpr double most_weight = 1e6, least_size = 0.3, most_size = 2.0;
+constexpr double least_size = 0.3, most_size = 2.0;
 
 using RuleComplaint = std::optional<std::string>;
 
@@ -42,9 +43,10 @@ class RulesReader {
   explicit RulesReader(const Json& json) : json_(json) {}
 
   anim::Result<CastRules> read() {
-    const JsonObject all("", json_,
-                         {"version", "bodies", "skin", "colours", "clothes", "styles", "scenes", "weather", "teams"},
-                         complaint_);
+    const JsonObject all(
+        "", json_,
+        {"version", "bodies", "skin", "colours", "clothes", "styles", "scenes", "weather", "teams", "things", "seed"},
+        complaint_);
     all.version(rules_version);
     all.need({"styles", "scenes"});
     all.texts("skin", rules_.skin);
@@ -59,6 +61,10 @@ class RulesReader {
       rules_.weather.push_back({weather.key, weighed("weather " + anim::in_quotes(weather.key), weather.value)});
     }
     for (const Json& team : all.elements("teams")) read_team(team);
+    double things = rules_.things;
+    all.number("things", things, 0.0, most_things);
+    rules_.things = static_cast<float>(things);
+    all.whole("seed", rules_.seed, 0U, std::numeric_limits<std::uint32_t>::max());
     if (!complaint_) check_names();
     if (complaint_) return anim::Error{*complaint_};
     return std::move(rules_);

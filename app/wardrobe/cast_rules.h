@@ -19,6 +19,8 @@ namespace throng::app {
 struct WeighedName {
   std::string name;
   float weight = 1.0F;
+
+  friend bool operator==(const WeighedName&, const WeighedName&) = default;
 };
 using WeighedNames = std::vector<WeighedName>;
 inline constexpr std::string_view nothing_worn = "none";
@@ -27,6 +29,8 @@ inline constexpr std::string_view nothing_worn = "none";
 struct Palette {
   std::string name;
   std::vector<std::uint32_t> colors;
+
+  friend bool operator==(const Palette&, const Palette&) = default;
 };
 
 /// Says how a piece of clothing is made.
@@ -35,12 +39,16 @@ struct ClothRule {
   std::string colors, seconds;                              ///< names of palettes; empty: as the style says, else white
   std::vector<std::pair<render::Pattern, float>> patterns;  ///< with weights; empty: plain
   render::Fabric fabric = render::Fabric::cotton;
+
+  friend bool operator==(const ClothRule&, const ClothRule&) = default;
 };
 
 /// Lists the parts that may fill a slot, with weights.
 struct SlotRule {
   std::string slot;
   WeighedNames parts;
+
+  friend bool operator==(const SlotRule&, const SlotRule&) = default;
 };
 
 /// A way to dress. Slots are filled in this order; what is worn may cover others or keep them empty.
@@ -51,18 +59,24 @@ struct Style {
   std::vector<std::pair<std::string, std::string>> colors;  ///< slot, palette: stronger than those of the clothes
   bool alike = false;                                       ///< all have the same clothes and colours, as a uniform
   bool old = false;                                         ///< grey hair, and a stoop
+
+  friend bool operator==(const Style&, const Style&) = default;
 };
 
 /// The styles of a scene, with weights.
 struct SceneRule {
   std::string scene;
   WeighedNames styles;
+
+  friend bool operator==(const SceneRule&, const SceneRule&) = default;
 };
 
 /// Multiplies the weights of parts with a tag in some weather.
 struct WeatherRule {
   std::string weather;
   WeighedNames tags;
+
+  friend bool operator==(const WeatherRule&, const WeatherRule&) = default;
 };
 
 /// A kind of body, and what it wears whatever its style.
@@ -71,11 +85,15 @@ struct BodyRule {
   float share = 1.0F;
   float size = 1.0F;                 ///< over that of the file
   std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, as hair
+
+  friend bool operator==(const BodyRule&, const BodyRule&) = default;
 };
 
 /// Colours of a team, and its second ones.
 struct Team {
   std::uint32_t color = 0, second = 0;
+
+  friend bool operator==(const Team&, const Team&) = default;
 };
 
 /// Says who wears what, as `assets/cast.json` and files of users do. app/wardrobe/README.md has an example.
@@ -88,6 +106,10 @@ struct CastRules {
   std::vector<SceneRule> scenes;  ///< the first is for scenes that have none of their own
   std::vector<WeatherRule> weather;
   std::vector<Team> teams;
+  float things = 1.0F;     ///< how much more often hands hold a thing than the weights of styles say
+  std::uint32_t seed = 0;  ///< another one dresses everybody anew
+
+  friend bool operator==(const CastRules&, const CastRules&) = default;
 
   const Palette* palette(std::string_view name) const;
   const ClothRule* cloth(std::string_view part) const;
@@ -95,6 +117,12 @@ struct CastRules {
   /// Returns the styles of a scene, or those of all that have none.
   const SceneRule* scene(std::string_view name) const;
 };
+
+inline constexpr double most_things = 100.0;  ///< of CastRules::things
+inline constexpr double most_weight = 1e6;    ///< of a name
+
+/// The scene whose styles companies that march wear; where rules have none of this name, they dress as everybody.
+inline constexpr std::string_view marching_scene = "marchers";
 
 /// The palette of a style that stands for the colours of one's team.
 inline constexpr std::string_view team_colors = "team";

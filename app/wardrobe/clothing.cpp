@@ -1,10 +1,10 @@
 #include "app/wardrobe/clothing.h"
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "app/character/skin_choice.h"
+#include "app/wardrobe/cast_rules_text.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -20,23 +20,37 @@ std::filesystem::path rules_beside(const CharacterSource& source) {
   return std::filesystem::exists(rules, ignored) ? rules : std::filesystem::path();
 }
 
+anim::Result<CastRules> rules_for(const CharacterSource& source, const Wardrobe& wardrobe) {
+  if (source.rules) return rules_of_text(*source.rules);
+  const std::filesystem::path file = rules_file_of(source);
+  if (!file.empty()) return read_cast_rules(file);
+  return wardrobe.empty() ? CastRules() : even_rules(wardrobe);
+}
+
+/// Says where rules come from, for people.
+std::string owner_of_rules(const CharacterSource& source) {
+  return source.rules ? "the rules kept for " + source.name : anim::plain_text(rules_file_of(source).string());
+}
+
 }  // namespace
+
+std::filesystem::path rules_file_of(const CharacterSource& source) {
+  return source.cast_rules.empty() ? rules_beside(source) : std::filesystem::path(source.cast_rules);
+}
 
 anim::Result<Clothing> clothing_of(const CharacterSource& source) {
   Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}};
-  const std::filesystem::path file =
-      source.cast_rules.empty() ? rules_beside(source) : std::filesystem::path(source.cast_rules);
-  if (file.empty()) {
-    if (!clothing.wardrobe.empty()) clothing.rules = even_rules(clothing.wardrobe);
-    return clothing;
-  }
-  auto rules = read_cast_rules(file);
+  auto rules = rules_for(source, clothing.wardrobe);
+  if (!rules && source.rules) return anim::Error{owner_of_rules(source) + ": " + rules.error().message};
   if (!rules) return rules.error();
   clothing.rules = std::move(*rules);
-  if (clothing.wardrobe.empty()) return clothing;
-  const std::string unknown = unknown_in(clothing.rules, clothing.wardrobe);
-  if (!unknown.empty()) return anim::Error{anim::plain_text(file.string()) + ": " + unknown};
+  const std::string wrong = wrong_for(clothing.rules, clothing.wardrobe);
+  if (!wrong.empty()) return anim::Error{owner_of_rules(source) + ": " + wrong};
   return clothing;
+}
+
+std::string wrong_for(const CastRules& rules, const Wardrobe& wardrobe) {
+  return wardrobe.empty() ? std::string() : unknown_in(rules, wardrobe);
 }
 
 std::vector<BodyKind> body_kinds(const CastRules& rules) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "app/character/source.h"
@@ -15,10 +16,16 @@ struct Clothing {
   CastRules rules;    ///< without styles where nobody dresses
 };
 
-/// Returns the clothing of a character: its parts, and the rules of CharacterSource::cast_rules, or of MODEL.cast.json
-/// beside its file, or even ones for a file with parts and without rules. Errors: those of read_cast_rules, and a name
-/// that no part has.
+/// Returns the clothing of a character: its parts, and CharacterSource::rules, or else those of the file
+/// CharacterSource::cast_rules, or of MODEL.cast.json beside its file, or even ones for a file with parts and without
+/// rules. Errors: those of read_cast_rules, and a name that no part has.
 anim::Result<Clothing> clothing_of(const CharacterSource& source);
+
+/// Returns the file that the rules of a character come from; empty where there is none.
+std::filesystem::path rules_file_of(const CharacterSource& source);
+
+/// Says what is wrong with rules for these parts; an empty text if nothing is, or if there are no parts.
+std::string wrong_for(const CastRules& rules, const Wardrobe& wardrobe);
 
 /// Returns the kinds of bodies as the crowd needs them.
 std::vector<BodyKind> body_kinds(const CastRules& rules);

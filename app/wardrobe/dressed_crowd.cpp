@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-constexpr std::uint32_t most_attempts = 12;
+constexpr std::uint32_t most_attempts = 12, attempts_to_be_unique = 6;
 constexpr float same_group = 2.2F;  // metres from one who stands to the next of the list
 constexpr std::uint32_t gray_hair[]{0xC9C5C0, 0xA8A4A0, 0xDCD9D6, 0x8E8A86};
 
@@ -23,6 +23,7 @@ class Lookalikes {
  public:
   explicit Lookalikes(std::span<const glm::vec3> positions) : positions_(positions) {}
 
+  bool has(std::uint64_t looks_like) const { return agents_.contains(looks_like); }
   bool has_near(std::uint64_t looks_like, std::uint32_t agent) const {
     const auto [first, last] = agents_.equal_range(looks_like);
     return std::any_of(first, last, [&](const auto& other) {
@@ -35,6 +36,19 @@ class Lookalikes {
   std::span<const glm::vec3> positions_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> agents_;
 };
+
+/// Draws until nobody at all looks like the person, since people walk about. Where that takes too long, it is enough
+/// that nobody near by does.
+Dressed dress_unlike_others(const Dresser& dresser, const Person& person, const Lookalikes& others,
+                            render::AgentLook& look) {
+  Dressed worn;
+  for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
+    worn = dresser.dress(person, attempt, look);
+    if (worn.style->alike || !others.has(worn.looks_like)) break;
+    if (attempt + 1 >= attempts_to_be_unique && !others.has_near(worn.looks_like, person.agent)) break;
+  }
+  return worn;
+}
 
 /// Numbers groups: who stands beside the one before is of its group.
 std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
@@ -62,6 +76,12 @@ std::vector<Held> hands_of(const Crowd& crowd) {
 
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
+
+/// Somebody who marches is dressed with their company.
+void fall_in(const Crowd& crowd, Person& person) {
+  person.marches = person.agent >= crowd.walkers() && person.agent < crowd.walkers() + crowd.marchers();
+  if (person.marches) person.group = person.team = company_of(crowd, person.agent - crowd.walkers());
+}
 
 void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
   constexpr std::uint64_t gray_stream = 25;
@@ -99,16 +119,13 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
     const std::optional<Dresser>& dresser = dressers[crowd.characters()[agent]];
     if (!dresser) continue;
-    const Person person{.agent = agent,
-                        .body = crowd.looks().bodies[agent],
-                        .group = groups[agent],
-                        .team = team_of(crowd.positions()[agent]),
-                        .hand_is_taken = dressed.things[agent] != Held::nothing};
-    Dressed worn;
-    for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
-      worn = dresser->dress(person, attempt, dressed.looks[agent]);
-      if (worn.style->alike || !lookalikes.has_near(worn.looks_like, agent)) break;
-    }
+    Person person{.agent = agent,
+                  .body = crowd.looks().bodies[agent],
+                  .group = groups[agent],
+                  .team = team_of(crowd.positions()[agent]),
+                  .hand_is_taken = dressed.things[agent] != Held::nothing};
+    fall_in(crowd, person);
+    const Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
     lookalikes.add(worn.looks_like, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
     give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));

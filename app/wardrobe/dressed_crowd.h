@@ -9,8 +9,9 @@
 
 namespace throng::app {
 
-/// Two who stand within this many metres of each other never have the same silhouette, patterns and colours, unless
-/// they wear a uniform or nothing else can be found.
+/// Two who stand within this many metres of each other when the crowd begins never have the same clothes in the same
+/// patterns and colours, unless they wear a uniform or nothing else can be found. Since people walk, few of a crowd
+/// have the same wherever they stand.
 inline constexpr float alike_reach = 15.0F;
 
 /// Holds what everybody of a crowd wears, [agent].

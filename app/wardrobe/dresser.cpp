@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t style_stream = 21, clothes_stream = 22, uniform_stream = 23, color_stream = 24;
 constexpr float share_of_alike_styles = 0.7F;  // of a group
 constexpr std::uint32_t white = 0xFFFFFF;
+constexpr std::uint32_t other_seeds = 0x9E3779B1U;  // attempts are the seeds that follow
 
 /// The regions that the parts of a slot are coloured as.
 constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"top", render::Region::top},
@@ -23,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"
                                                                               {"hand_right", render::Region::thing}}};
 
 // The words in names of silhouettes. What hides more of the legs, or of the hair, comes later and wins.
-constexpr std::array<const char*, 4> cuts{"trousers", "shorts", "skirt", "long"};
+constexpr std::array<const char*, 5> cuts{"trousers", "shorts", "skirt", "long", "coat"};
 constexpr std::array<const char*, 3> heads{"short", "long", "hat"};
 
 std::optional<render::Region> region_of(std::string_view slot) {
@@ -57,6 +58,11 @@ Random draws_of(std::uint32_t seed, std::uint64_t number, std::uint64_t stream) 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
   constexpr std::uint64_t prime = 0x100000001B3ULL;
   return (hash ^ value) * prime;
+}
+
+/// Says whether people are told apart by what fills a slot. Shoes, hair and bags are too small for that.
+bool is_seen_first(std::string_view slot) {
+  return slot == "top" || slot == "bottom" || slot == "outer" || slot == "headgear";
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -94,23 +100,12 @@ struct Dresser::Worn {
 };
 
 Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasion& occasion)
-    : rules_(rules), wardrobe_(wardrobe), seed_(occasion.seed) {
-  const SceneRule* const scene = rules.scene(occasion.scene);
+    : rules_(rules), wardrobe_(wardrobe), seed_(occasion.seed + rules.seed * other_seeds) {
   const auto weather = std::ranges::find(rules.weather, occasion.weather, &WeatherRule::weather);
-  for (const WeighedName& named : scene->styles) {
-    const Style* const style = rules.style(named.name);
-    styles_.emplace_back(style, named.weight);
-    std::vector<std::vector<Slot>>& by_body = slots_.emplace_back();
-    for (const BodyRule& body : rules.bodies) {
-      std::vector<Slot>& slots = by_body.emplace_back();
-      const WeatherRule* const factors = weather == rules.weather.end() ? nullptr : &*weather;
-      for (const SlotRule& slot : style->wears) slots.push_back(slot_for(slot, body.name, factors));
-      for (const SlotRule& slot : body.wears) {
-        const bool is_said = std::ranges::find(style->wears, slot.slot, &SlotRule::slot) != style->wears.end();
-        if (!is_said) slots.push_back(slot_for(slot, body.name, factors));
-      }
-    }
-  }
+  const WeatherRule* const factors = weather == rules.weather.end() ? nullptr : &*weather;
+  const auto marching = std::ranges::find(rules.scenes, marching_scene, &SceneRule::scene);
+  styles_ = choices_of(*rules.scene(occasion.scene), factors);
+  marching_ = marching == rules.scenes.end() ? styles_ : choices_of(*marching, factors);
   for (const BodyRule& body : rules.bodies) {
     silhouettes_.push_back(silhouettes_for(body.name));
     std::vector<const WardrobePart*>& skin = skin_.emplace_back();
@@ -122,12 +117,33 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   }
 }
 
+Dresser::Choices Dresser::choices_of(const SceneRule& scene, const WeatherRule* weather) const {
+  Choices choices;
+  for (const WeighedName& named : scene.styles) {
+    const Style& style = *rules_.style(named.name);
+    Choice& choice = choices.emplace_back(Choice{&style, named.weight, {}});
+    for (const BodyRule& body : rules_.bodies) choice.slots.push_back(slots_for(style, body, weather));
+  }
+  return choices;
+}
+
+Dresser::Slots Dresser::slots_for(const Style& style, const BodyRule& body, const WeatherRule* weather) const {
+  Slots slots;
+  for (const SlotRule& slot : style.wears) slots.push_back(slot_for(slot, body.name, weather));
+  for (const SlotRule& slot : body.wears) {
+    const bool is_said = std::ranges::find(style.wears, slot.slot, &SlotRule::slot) != style.wears.end();
+    if (!is_said) slots.push_back(slot_for(slot, body.name, weather));
+  }
+  return slots;
+}
+
 Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const {
   Slot filled{.name = slot.slot, .options = {}};
   for (const WeighedName& named : slot.parts) {
     const WardrobePart* const part = wardrobe_.find(body, named.name);
     if (part == nullptr && named.name != nothing_worn) continue;
     float weight = named.weight;
+    if (part != nullptr && slot.slot.starts_with("hand_")) weight *= rules_.things;
     for (std::size_t i = 0; part != nullptr && weather != nullptr && i < weather->tags.size(); ++i) {
       if (part->has_tag(weather->tags[i].name)) weight *= weather->tags[i].weight;
     }
@@ -136,22 +152,23 @@ Dresser::Slot Dresser::slot_for(const SlotRule& slot, const std::string& body, c
   return filled;
 }
 
-std::size_t Dresser::style_of(const Person& person) const {
+const Dresser::Choice& Dresser::choice_of(const Person& person) const {
   const std::string& body = rules_.bodies[person.body].name;
-  const auto weight = [&](const auto& style) {
-    return style.first->bodies.empty() || contains(style.first->bodies, body) ? style.second : 0.0F;
+  const auto weight = [&](const Choice& choice) {
+    return choice.style->bodies.empty() || contains(choice.style->bodies, body) ? choice.weight : 0.0F;
   };
+  const Choices& choices = person.marches ? marching_ : styles_;
   Random own = draws_of(seed_, person.agent, style_stream);
   Random of_group = draws_of(seed_, person.group, style_stream + 16);
-  const bool as_group = own.chance(share_of_alike_styles);
-  const auto* const found = weighed_one(styles_, weight, as_group ? of_group : own);
-  return found == nullptr ? 0 : static_cast<std::size_t>(found - styles_.data());
+  const bool as_group = person.marches || own.chance(share_of_alike_styles);
+  const Choice* const found = weighed_one(choices, weight, as_group ? of_group : own);
+  return found == nullptr ? choices.front() : *found;
 }
 
-void Dresser::fill_slots(const Person& person, std::uint32_t attempt, std::size_t style, Worn& worn) const {
+void Dresser::fill_slots(const Person& person, std::uint32_t attempt, const Slots& slots, Worn& worn) const {
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
-  for (const Slot& slot : slots_[style][person.body]) {
+  for (const Slot& slot : slots) {
     if (worn.keeps_out(slot.name) || (person.hand_is_taken && slot.name.starts_with("hand_"))) continue;
     const bool is_uniform = worn.style->alike && region_of(slot.name).has_value();
     const auto weight = [&](const Option& option) {
@@ -180,7 +197,8 @@ Dresser::Silhouettes Dresser::silhouettes_for(const std::string& body) const {
     for (std::size_t head = 0; head < heads.size(); ++head) {
       const std::string name = std::string(anim::silhouette_slot) + "/" + cuts.at(cut) + "/" + heads.at(head);
       const WardrobePart* const found = wardrobe_.find(body, name);
-      all.at(cut).at(head) = found == nullptr ? render::Outfit::no_piece : found->piece;
+      const std::uint16_t otherwise = cut == 0 ? render::Outfit::no_piece : all.at(cut - 1).at(head);
+      all.at(cut).at(head) = found == nullptr ? otherwise : found->piece;
     }
   }
   return all;
@@ -203,11 +221,14 @@ std::uint32_t Dresser::one_of(std::string_view palette, const Person& person, bo
   return found->colors[random.below(static_cast<std::uint32_t>(found->colors.size()))];
 }
 
-void Dresser::color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
+void Dresser::color_part(const WardrobePart& part, const Style& style, const Person& person, Random& own,
                          render::AgentLook& look, std::uint64_t& looks_like) const {
   const auto region = region_of(part.slot);
   if (!region) return;
   const std::size_t at = index_of(*region);
+  // A draw for each region, so that a uniform has the same colours whatever else somebody wears.
+  Random uniform = draws_of(seed_ + static_cast<std::uint32_t>(at), person.team, color_stream + 16);
+  Random& random = style.alike ? uniform : own;
   const ClothRule* const rule = rules_.cloth(part.name);
   const auto stronger = std::ranges::find(style.colors, part.slot, [](const auto& each) { return each.first; });
   const std::string_view first = stronger != style.colors.end() ? std::string_view(stronger->second)
@@ -233,24 +254,35 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   looks_like = mixed(mixed(looks_like, color), static_cast<std::uint64_t>(pattern));
 }
 
+/// Silhouettes have an outermost layer above the waist, whatever it is, and legs below.
+void Dresser::color_silhouette(const Worn& worn, render::AgentLook& look) {
+  const auto copy = [&](render::Region from, render::Region to) {
+    look.tints.at(index_of(to)) = look.tints.at(index_of(from));
+    look.seconds.at(index_of(to)) = look.seconds.at(index_of(from));
+  };
+  if (!worn.fills("outer")) copy(render::Region::top, render::Region::outer);
+  if (worn.fills("top") && !worn.fills("bottom")) copy(render::Region::top, render::Region::bottom);
+}
+
 Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const {
-  const std::size_t style = style_of(person);
-  Worn worn{.style = styles_[style].first, .parts = {}};
-  fill_slots(person, attempt, style, worn);
+  const Choice& choice = choice_of(person);
+  Worn worn{.style = choice.style, .parts = {}};
+  fill_slots(person, attempt, choice.slots[person.body], worn);
   cover(person, worn);
   Dressed dressed{.outfit = {}, .style = worn.style};
   Random own = draws_of(seed_ + attempt, person.agent, color_stream);
-  Random uniform(seed_ + person.team, color_stream + 16);
   dressed.looks_like = mixed(0xCBF29CE484222325ULL, person.body);
   for (const WardrobePart* part : worn.parts) {
     if (dressed.outfit.count == render::Outfit::most_pieces) break;
     dressed.outfit.pieces.at(dressed.outfit.count++) = part->piece;
     if (part->slot == "hand_right" || (part->slot == "hand_left" && dressed.in_hand == nullptr)) dressed.in_hand = part;
-    if (!contains(rules_.skin, part->slot)) dressed.looks_like = mixed(dressed.looks_like, part->piece);
-    color_part(*part, *worn.style, person, worn.style->alike ? uniform : own, look, dressed.looks_like);
+    std::uint64_t seen = dressed.looks_like;
+    color_part(*part, *worn.style, person, own, look, seen);
+    if (is_seen_first(part->slot)) dressed.looks_like = mixed(seen, part->piece);
   }
   std::ranges::sort(std::span(dressed.outfit.pieces).first(dressed.outfit.count));
   dressed.outfit.silhouette = silhouette_of(person, worn);
+  color_silhouette(worn, look);
   return dressed;
 }
 

@@ -20,6 +20,7 @@ struct Person {
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
+  bool marches = false;        ///< in a company, whose number is `group` and `team`; all of it have one style
   bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
 };
 
@@ -28,7 +29,7 @@ struct Dressed {
   render::Outfit outfit;
   const Style* style = nullptr;
   const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left one; null: nothing
-  /// Equal for two who have the same silhouette, patterns and colours.
+  /// Equal for two of the same body whose top, bottom, coat and hat are the same, in the same patterns and colours.
   std::uint64_t looks_like = 0;
 };
 
@@ -56,24 +57,34 @@ class Dresser {
     std::string name;
     std::vector<Option> options;
   };
+  using Slots = std::vector<Slot>;
+  struct Choice {
+    const Style* style;
+    float weight;              ///< of the scene
+    std::vector<Slots> slots;  ///< [body]
+  };
+  using Choices = std::vector<Choice>;
   struct Worn;
 
+  Choices choices_of(const SceneRule& scene, const WeatherRule* weather) const;
+  Slots slots_for(const Style& style, const BodyRule& body, const WeatherRule* weather) const;
+
   Slot slot_for(const SlotRule& slot, const std::string& body, const WeatherRule* weather) const;
-  using Silhouettes = std::array<std::array<std::uint16_t, 3>, 4>;  // pieces, by the cut around the legs and the head
+  using Silhouettes = std::array<std::array<std::uint16_t, 3>, 5>;  // pieces, by the cut around the legs and the head
   Silhouettes silhouettes_for(const std::string& body) const;
-  std::size_t style_of(const Person& person) const;
-  void fill_slots(const Person& person, std::uint32_t attempt, std::size_t style, Worn& worn) const;
+  const Choice& choice_of(const Person& person) const;
+  void fill_slots(const Person& person, std::uint32_t attempt, const Slots& slots, Worn& worn) const;
   void cover(const Person& person, Worn& worn) const;
   std::uint16_t silhouette_of(const Person& person, const Worn& worn) const;
-  void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& random,
+  static void color_silhouette(const Worn& worn, render::AgentLook& look);
+  void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& own,
                   render::AgentLook& look, std::uint64_t& looks_like) const;
   std::uint32_t one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const;
 
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  std::vector<std::pair<const Style*, float>> styles_;  // of the scene
-  std::vector<std::vector<std::vector<Slot>>> slots_;   // [style][body]
+  Choices styles_, marching_;                           // of the scene, and of those who march
   std::vector<Silhouettes> silhouettes_;                // [body]
   std::vector<std::vector<const WardrobePart*>> skin_;  // [body]
 };

@@ -35,6 +35,7 @@ std::optional<render::Fabric> fabric_named(std::string_view name) {
   return named_value<render::Fabric>(fabric_names, name);
 }
 
+std::string pattern_name(render::Pattern pattern) { return pattern_names.at(static_cast<std::size_t>(pattern)); }
 std::string fabric_name(render::Fabric fabric) { return fabric_names.at(static_cast<std::size_t>(fabric)); }
 std::string known_patterns() { return joined(pattern_names, ", ", " and "); }
 std::string known_fabrics() { return joined(fabric_names, ", ", " and "); }

@@ -23,6 +23,9 @@ struct CrowdBatch {
   std::uint16_t piece = 0;     ///< of the character's mesh; 0 is all of it
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  /// The piece, a silhouette, is not seen. It casts the shadows of its instances where a shadow map is too coarse to
+  /// tell it from the pieces that they wear. If a run has such batches, all who wear pieces in it are in one.
+  bool stands_in = false;
 };
 
 struct CameraView {

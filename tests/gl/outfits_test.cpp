@@ -31,7 +31,8 @@ struct DollInPieces {
     other.indices = lower;
     data.pieces = {{.levels = {{{one}, 0.0F}, {{one}, 0.01F}}},
                    {.levels = {{{other}, 0.0F}, {{other}, 0.01F}}},
-                   {.levels = {{{whole}, 0.1F}}, .is_silhouette = true}};
+                   {.levels = {{{whole}, 0.1F}}, .is_silhouette = true},
+                   {.levels = {{{other}, 0.0F}}, .is_silhouette = true}};
   }
   std::vector<std::uint32_t> upper, lower;
   std::vector<float> faces;
@@ -74,6 +75,14 @@ class Outfits : public SoftwareGlTest {
     frame.batches = lists_;
     frame.drawn = drawn_;
     frame.runs = runs_;
+    return frame;
+  }
+  /// The same with a silhouette that stands in for the pieces.
+  CrowdFrame wearing(const std::vector<std::uint16_t>& pieces, std::uint8_t mesh_lod, std::uint16_t stand_in) {
+    std::vector<std::uint16_t> all = pieces;
+    all.push_back(stand_in);
+    const CrowdFrame frame = wearing(all, mesh_lod);
+    for (CrowdBatch& list : lists_) list.stands_in = list.piece == stand_in;
     return frame;
   }
   Image picture(const CrowdFrame& frame) {
@@ -130,6 +139,23 @@ TEST_F(Outfits, AreShadowsAndLabelsAndBonesOfTheSameAgents) {
     EXPECT_EQ(bodies[i].box, meant[i].box) << i;
     EXPECT_GT(bodies[i].pixels, 100U) << i;
   }
+}
+
+TEST_F(Outfits, AreSeenAsTheyAreWhateverStandsInForThem) {
+  CrowdFrame plain = wearing({1, 2}, 0);
+  plain.shadows = false;
+  const Image meant = picture(plain);
+  CrowdFrame with_stand_in = wearing({1, 2}, 0, 4);
+  with_stand_in.shadows = false;
+  EXPECT_EQ(measure_difference(meant, picture(with_stand_in))->worst_block, 0.0);
+}
+
+TEST_F(Outfits, CastTheShadowsOfASilhouetteWhereATexelHidesTheDifference) {
+  const std::uint64_t alone = crowd().renderer().draw(wearing({1, 2}, 0)).triangles;
+  const std::uint64_t coarse = crowd().renderer().draw(wearing({1, 2}, 0, 3)).triangles;
+  const std::uint64_t exact = crowd().renderer().draw(wearing({1, 2}, 0, 4)).triangles;
+  EXPECT_EQ(coarse, alone) << "a silhouette that is off by ten centimetres";
+  EXPECT_LT(exact, alone) << "one that is off by nothing, and half as large";
 }
 
 TEST_F(Outfits, TakeOneMoreCallThanPeopleHoweverManyPieces) {

@@ -16,11 +16,11 @@ enum SurfaceLocation : GLint { base_color_location = 1, alpha_cutoff_location = 
 /// Says whether a batch shows patterns, fabrics and faces: near pieces of outfits do.
 inline bool is_dressed(const CrowdBatch& batch) { return batch.piece != 0 && batch.mesh_lod < first_silhouette_lod; }
 
-/// Adds the commands of a group, which has begun: those of all batches that `are_wanted`.
+/// Adds the commands of a group, which has begun: those of all batches that are seen and `are_wanted`.
 void add_commands(std::span<const CrowdBatch> run, const CrowdMesh& mesh, int material, IndirectDraws& draws,
                   const auto& are_wanted) {
   for (const CrowdBatch& batch : run) {
-    if (!are_wanted(batch)) continue;
+    if (batch.stands_in || !are_wanted(batch)) continue;
     for (const MaterialRun& triangles : mesh.runs(batch.piece, batch.mesh_lod)) {
       if (triangles.material == material) draws.add(triangles, batch);
     }

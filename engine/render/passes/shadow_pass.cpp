@@ -50,6 +50,24 @@ void set_state() {
   glPolygonOffset(1.5F, 2.0F);
 }
 
+/// Says whether a run has batches that stand in for what its agents wear, and a texel hides the difference.
+bool stand_ins_suffice(std::span<const CrowdBatch> run, const CrowdMesh& mesh, float texel) {
+  bool has_any = false;
+  for (const CrowdBatch& batch : run) {
+    if (!batch.stands_in) continue;
+    has_any = true;
+    const MeshError& error = mesh.error(batch.piece, first_silhouette_lod);
+    if (std::max(error.surface, error.face) > texel) return false;
+  }
+  return has_any;
+}
+
+/// Says whether a batch casts shadows, where stand-ins do or do not.
+bool casts(const CrowdBatch& batch, bool stand_ins) {
+  const bool is_near_piece = batch.piece != 0 && batch.mesh_lod < first_silhouette_lod;
+  return !is_near_piece || batch.stands_in == stand_ins;
+}
+
 bool is_opaque(const CrowdMesh& mesh, int material) { return mesh.materials()[material].coverage == Coverage::opaque; }
 
 }  // namespace
@@ -130,13 +148,15 @@ void ShadowPass::gather(const CrowdFrame& frame, std::span<const CrowdMesh> mesh
 void ShadowPass::gather_run(std::span<const CrowdBatch> run, CastersOfRun of, const CrowdMesh& mesh,
                             std::uint32_t& first_caster) {
   const float texel = cascades_.at(of.cascade).texel / std::max(casters_.largest_scale(), 1e-6F);
+  const bool stand_ins = stand_ins_suffice(run, mesh, texel);
   caster_batches_.clear();
   for (CrowdBatch batch : run) {
+    const bool is_caster = casts(batch, stand_ins);
     batch.mesh_lod = static_cast<std::uint8_t>(std::max<int>(batch.mesh_lod, mesh.coarsest_lod(batch.piece, texel)));
     batch.first = first_caster;
     batch.count = casters_.count(of.cascade, of.first_batch++);
     first_caster += batch.count;
-    if (batch.count > 0) caster_batches_.push_back(batch);
+    if (is_caster && batch.count > 0) caster_batches_.push_back(batch);
   }
   const auto add_group = [&](int group, const auto& is_wanted) {
     draws_.begin_group(run[0].page, run[0].character, group);

@@ -1,5 +1,6 @@
 // What an update writes beside a palette, or instead of it: listed joints, palettes of a skin, 4x4 matrices.
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -206,6 +207,34 @@ TEST(ListedJoints, CarryAThingWithinATenthOfAMillimetreOfTheSkinAtEveryBoneLevel
       }
     }
   }
+}
+
+// A list that needed scratch of its own would halve the tile, which costs four tenths of an update.
+TEST(ListedJoints, LeaveTilesAsManyAgentsAsTheyHadInAStoreOfAnySize) {
+  const auto width_in = [](std::size_t bytes, const JointList& joints) {
+    JointCrowd crowd({.local_store_bytes = bytes});
+    EXPECT_TRUE(crowd.list(joints, JointFormat::matrices));
+    return crowd->figures().schedule().plan.width;
+  };
+  constexpr std::size_t kib = 1024, for_pointers = 512;
+  int widest = 0;
+  for (std::size_t bytes = 24 * kib; bytes <= 96 * kib; bytes += kib / 2) {
+    const int width = width_in(bytes, {});
+    EXPECT_GE(width_in(bytes + for_pointers, {{.bone = 25}}), width) << bytes;
+    widest = std::max(widest, width);
+  }
+  EXPECT_EQ(widest, widest_strip);
+}
+
+TEST(ListedJoints, BesidePackedPalettesHaveTheBitsThatTheyHaveBesideMatrices) {
+  const JointList few{{.bone = 25}, {.bone = 3}, {.bone = 39}};
+  JointCrowd matrices, packed({.palettes = PaletteFormat::packed});
+  for (JointCrowd* crowd : {&matrices, &packed}) {
+    ASSERT_TRUE(crowd->list(few, JointFormat::matrices));
+    crowd->step(5, true);
+  }
+  ASSERT_EQ(packed->characters().palette_format({0}), PaletteFormat::packed);
+  EXPECT_TRUE(same_joints(matrices, packed, few.size() * sizeof(PaletteMatrix)));
 }
 
 TEST(ListedJoints, OfSomeAgentsDoNotDisturbTheOthers) {

@@ -85,6 +85,9 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
+    if (commands.wardrobe.cast) all.wardrobe.cast = commands.wardrobe.cast;
+    if (commands.wardrobe.save) all.wardrobe.save = commands.wardrobe.save;
+    if (commands.wardrobe.load) all.wardrobe.load = commands.wardrobe.load;
     if (commands.everyone) all.everyone = commands.everyone;
     if (commands.placement) all.placement = commands.placement;
     if (commands.character) all.character = commands.character;
@@ -172,6 +175,11 @@ FrameReport full_report() {
   report.role_clips[index_of(Role::stand)] = 0;
   report.role_clips[index_of(Role::walk)] = 1;
   report.suggested_role_clips = report.role_clips;
+  report.wardrobe.tuning = {.bodies = {{"man", 46}, {"woman", 46}, {"child", 10}},
+                            .styles = {{"casual", 10}, {"office", 3}}};
+  report.wardrobe.standard = report.wardrobe.tuning;
+  report.wardrobe.file = "assets/cast.json";
+  report.wardrobe.holding = 312;
   report.schedule.pus = 2;
   report.hardware_threads = 4;
   report.pu.resize(2);

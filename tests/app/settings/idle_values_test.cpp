@@ -65,7 +65,7 @@ const std::map<std::string_view, std::string> other_values{
     {"stream", "keyframe"},
     {"palette", "packed"},
     {"clothes", "pattern"},
-    {"wardrobe", "on"},
+    {"wardrobe", "off"},
     {"weather", "rain"},
     {"sun_elevation", "20"},
     {"sun_azimuth", "10"},

@@ -66,8 +66,8 @@ class PictureInTiles : public testing::Test {
     picture.compose(*stage_);
     return picture;
   }
-  /// Dresses most: each wears some of twelve pieces, and two of three have one of four silhouettes.
-  void dress() {
+  /// Dresses most: each wears some of twelve pieces, and two of three, or all, have one of four silhouettes.
+  void dress(bool all_have_silhouettes = false) {
     std::vector<render::Outfit> outfits(stage_->crowd().size());
     for (std::uint32_t agent = 0; agent < outfits.size(); ++agent) {
       render::Outfit& outfit = outfits[agent];
@@ -75,7 +75,7 @@ class PictureInTiles : public testing::Test {
       for (std::uint16_t piece = 1; piece <= 12; ++piece) {
         if ((agent * 2654435761U >> piece & 1U) != 0) outfit.pieces.at(outfit.count++) = piece;
       }
-      if (agent % 3 != 0) outfit.silhouette = static_cast<std::uint16_t>(13 + agent % 4);
+      if (all_have_silhouettes || agent % 3 != 0) outfit.silhouette = static_cast<std::uint16_t>(13 + agent % 4);
     }
     const auto looks = stage_->crowd().looks().drawn;
     wear(const_cast<Crowd&>(stage_->crowd()), looks, std::move(outfits));  // NOLINT(*-const-cast)
@@ -163,6 +163,7 @@ TEST_F(PictureInTiles, HasOnEachListThoseWhoWearThePiece) {
     next += list.count;
     const auto numbers = picture.drawn().subspan(list.first, list.count);
     EXPECT_TRUE(std::ranges::is_sorted(numbers));
+    if (list.stands_in) continue;
     of_silhouettes += list.piece > 12 ? list.count : 0;
     for (const std::uint32_t number : numbers) {
       const std::uint32_t agent = picture.instances()[number].agent;
@@ -180,6 +181,30 @@ TEST_F(PictureInTiles, HasOnEachListThoseWhoWearThePiece) {
     }
   }
   for (const int pus : {1, 2, 8}) expect_same(picture, composed_on(pus), pus);
+}
+
+TEST_F(PictureInTiles, ListsTheSilhouettesOfThoseWhoAreNearForTheirShadows) {
+  open(5);
+  dress();
+  for (const render::CrowdBatch& list : composed_on(2).batches()) EXPECT_FALSE(list.stands_in) << "some have none";
+  dress(true);
+  std::size_t wearers = 0, stand_ins = 0;
+  const Picture picture = composed_on(3);
+  for (const render::CrowdBatch& run : picture.runs()) {
+    for (std::uint32_t number = run.first; number < run.first + run.count; ++number) {
+      const render::Outfit& outfit = stage_->crowd().looks().outfits[picture.instances()[number].agent];
+      wearers += run.mesh_lod < render::first_silhouette_lod && outfit.count > 0 ? 1 : 0;
+    }
+  }
+  for (const render::CrowdBatch& list : picture.batches()) {
+    if (!list.stands_in) continue;
+    stand_ins += list.count;
+    for (const std::uint32_t number : picture.drawn().subspan(list.first, list.count)) {
+      EXPECT_EQ(stage_->crowd().looks().outfits[picture.instances()[number].agent].silhouette, list.piece);
+    }
+  }
+  EXPECT_GT(stand_ins, 100U);
+  EXPECT_EQ(stand_ins, wearers);
 }
 
 TEST_F(PictureInTiles, HasWeightsOfAllWhoMorphHoweverManyForAnyNumberOfPus) {

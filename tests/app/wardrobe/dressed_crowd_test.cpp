@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -54,11 +55,28 @@ class DressedCrowdTest : public testing::Test {
     return names;
   }
 
+  /// Returns the names of what people are told apart by.
+  static std::set<std::string> seen_first(const DressedCrowd& dressed, std::size_t agent) {
+    std::set<std::string> names;
+    const render::Outfit& outfit = dressed.outfits[agent];
+    for (std::size_t i = 0; i < outfit.count; ++i) {
+      const WardrobePart& part = clothing_.wardrobe.parts()[outfit.pieces.at(i) - 1U];
+      const bool counts =
+          part.slot == "top" || part.slot == "bottom" || part.slot == "outer" || part.slot == "headgear";
+      if (counts) names.insert(part.slot + " " + part.name);
+    }
+    return names;
+  }
+
   /// Says whether two who wear the same have the same patterns in colours that one cannot tell apart.
-  static bool same_colors(const render::AgentLook& one, const render::AgentLook& other) {
+  static bool same_colors(const render::AgentLook& one, const render::AgentLook& other,
+                          const std::set<std::string>& worn) {
     constexpr int told_apart = 10;  // of 255, in one channel
-    for (const render::Region region : {render::Region::top, render::Region::bottom, render::Region::outer}) {
+    for (const auto& [slot, region] :
+         {std::pair{"top ", render::Region::top}, std::pair{"bottom ", render::Region::bottom},
+          std::pair{"outer ", render::Region::outer}}) {
       const auto at = static_cast<std::size_t>(region);
+      if (std::ranges::none_of(worn, [&](const std::string& name) { return name.starts_with(slot); })) continue;
       if ((one.tints[at] ^ other.tints[at]) >> 24U != 0) return false;
       for (const unsigned shift : {0U, 8U, 16U}) {
         const int a = static_cast<int>(one.tints[at] >> shift & 0xFFU);
@@ -67,6 +85,24 @@ class DressedCrowdTest : public testing::Test {
       }
     }
     return true;
+  }
+
+  /// Returns all pairs who have the same body and clothes, in the same patterns and colours, wherever they are.
+  static std::vector<std::pair<std::size_t, std::size_t>> alike(const Crowd& crowd, const DressedCrowd& dressed) {
+    std::map<std::pair<std::uint8_t, std::set<std::string>>, std::vector<std::size_t>> classes;
+    for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+      classes[{crowd.looks().bodies[agent], seen_first(dressed, agent)}].push_back(agent);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const auto& [shown, agents] : classes) {
+      for (std::size_t one = 0; one < agents.size(); ++one) {
+        for (std::size_t other = one + 1; other < agents.size(); ++other) {
+          if (!same_colors(dressed.looks[agents[one]], dressed.looks[agents[other]], shown.second)) continue;
+          pairs.emplace_back(agents[one], agents[other]);
+        }
+      }
+    }
+    return pairs;
   }
 
   static CharacterRoles roles_;
@@ -79,17 +115,25 @@ TEST_F(DressedCrowdTest, ShowsNoTwoAlikeNearEachOther) {
   const Tuning tuning = tuning_of(Scene::plaza, 1000);
   const Crowd crowd = crowd_of(tuning);
   const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
-  int alike = 0;
-  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    for (std::size_t other = agent + 1; other < crowd.size(); ++other) {
-      if (glm::distance(crowd.positions()[agent], crowd.positions()[other]) >= alike_reach) continue;
-      const bool same = clothes(dressed, agent) == clothes(dressed, other) &&
-                        crowd.looks().bodies[agent] == crowd.looks().bodies[other] &&
-                        same_colors(dressed.looks[agent], dressed.looks[other]);
-      alike += same ? 1 : 0;
+  for (const auto& [one, other] : alike(crowd, dressed)) {
+    EXPECT_GE(glm::distance(crowd.positions()[one], crowd.positions()[other]), alike_reach) << one << " " << other;
+  }
+}
+
+TEST_F(DressedCrowdTest, LetsNobodyMeetSomebodyAlikeInAMinute) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  const auto pairs = alike(crowd, dressed);
+  constexpr int minute = 60, frames_a_second = 30;
+  int met = 0;
+  for (int frame = 0; frame < minute * frames_a_second; ++frame) {
+    crowd.advance(anim::ticks_per_second / frames_a_second);
+    for (const auto& [one, other] : pairs) {
+      met += glm::distance(crowd.positions()[one], crowd.positions()[other]) < alike_reach ? 1 : 0;
     }
   }
-  EXPECT_EQ(alike, 0);
+  EXPECT_EQ(met, 0) << "pairs and frames, of " << pairs.size() << " pairs who look alike";
 }
 
 TEST_F(DressedCrowdTest, HasManySilhouettes) {
@@ -108,6 +152,25 @@ TEST_F(DressedCrowdTest, GivesEverybodyAFaceOfTheirOwn) {
   std::set<std::uint32_t> faces;
   for (const render::AgentLook& look : dressed.looks) faces.insert(look.face);
   EXPECT_GT(faces.size(), 290U);
+}
+
+TEST_F(DressedCrowdTest, DressesTheCompaniesOfAParadeAlikeAndEachInItsWay) {
+  const Tuning tuning = tuning_of(Scene::parade, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  std::map<std::uint32_t, std::set<std::set<std::string>>> clothes_of;
+  for (std::size_t marcher = 0; marcher < crowd.marchers(); ++marcher) {
+    clothes_of[company_of(crowd, marcher)].insert(clothes(dressed, crowd.walkers() + marcher));
+  }
+  ASSERT_GT(clothes_of.size(), 6U);
+  std::set<std::set<std::set<std::string>>> ways;
+  int uniforms = 0;
+  for (const auto& [company, outfits] : clothes_of) {
+    ways.insert(outfits);
+    uniforms += outfits.size() <= 2 ? 1 : 0;
+  }
+  EXPECT_GE(ways.size(), 4U);
+  EXPECT_GE(uniforms, 5) << "men and women may have another cut";
 }
 
 TEST_F(DressedCrowdTest, LeavesNobodyWithoutClothes) {

@@ -62,6 +62,7 @@ class Dressing : public testing::Test {
                                       part("t_shirt", "top", {"torso"}),
                                       part("dress", "top", {"torso"}, {"bottom"}, {"skirt"}, "woman"),
                                       part("jeans", "bottom"),
+                                      part("coat", "outer", {}, {}, {"coat"}),
                                       part("short_hair", "hair"),
                                       part("helmet", "headgear", {"hair"}),
                                       part("umbrella", "hand_right", {}, {}, {"rain"}),
@@ -106,6 +107,30 @@ TEST_F(Dressing, TakesTheSilhouetteOfTheOutfit) {
   }
 }
 
+TEST_F(Dressing, ColoursSilhouettesAsWhatIsSeenOfTheOutfit) {
+  read_rules(
+      R"("a": {"wears": {"top": {"dress": 1, "t_shirt": 1}, "bottom": {"jeans": 1}, "outer": {"coat": 1, "none": 1}}})");
+  const auto tint = [&](render::Region region) { return look_.tints[static_cast<std::size_t>(region)]; };
+  int coats = 0, dresses = 0;
+  for (std::uint32_t agent = 0; agent < 60; ++agent) {
+    look_ = {};
+    const std::vector<std::string> worn = names(dress({.agent = agent, .body = 1}));
+    const bool coat = std::ranges::find(worn, "coat") != worn.end();
+    const bool dress = std::ranges::find(worn, "dress") != worn.end();
+    EXPECT_EQ(tint(render::Region::outer) == tint(render::Region::top), !coat);
+    EXPECT_EQ(tint(render::Region::bottom) == tint(render::Region::top), dress);
+    coats += coat ? 1 : 0;
+    dresses += dress ? 1 : 0;
+  }
+  EXPECT_GT(coats, 10);
+  EXPECT_GT(dresses, 10);
+}
+
+TEST_F(Dressing, TakesTheSilhouetteBeforeWhereAWardrobeHasNoneOfACut) {
+  read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}, "outer": {"coat": 1}}})");
+  EXPECT_EQ(wardrobe_.parts()[dress({}).outfit.silhouette - 1U].name, "silhouette/skirt/short") << "for a coat";
+}
+
 TEST_F(Dressing, ColoursClothesAsTheirRuleSays) {
   read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}}})");
   dress({});
@@ -132,6 +157,40 @@ TEST_F(Dressing, GivesAllTheSameUniformButTheirOwnHair) {
   std::set<std::vector<std::string>> clothes;
   for (std::uint32_t agent = 0; agent < 40; ++agent) clothes.insert(names(dress({.agent = agent})));
   EXPECT_EQ(clothes.size(), 2U) << "with hair and without";
+}
+
+TEST_F(Dressing, GivesUniformsTheSameColoursWhateverElseIsWorn) {
+  read_rules(R"("a": {"alike": true, "wears": {"top": {"dress": 1, "t_shirt": 0}, "bottom": {"jeans": 1},
+                                               "headgear": {"helmet": 1}}})");
+  Palette shades{"shades", {}};
+  for (std::uint32_t shade = 1; shade <= 40; ++shade) shades.colors.push_back(shade);
+  rules_.palettes.push_back(shades);
+  rules_.styles.front().colors = {{"headgear", "shades"}};
+  const auto hat = static_cast<std::size_t>(render::Region::headgear);
+  for (std::uint32_t team = 0; team < 8; ++team) {
+    dress({.body = 0, .team = team});
+    const std::uint32_t with_jeans = look_.tints[hat];
+    dress({.body = 1, .team = team});
+    EXPECT_EQ(look_.tints[hat], with_jeans) << "with a dress";
+  }
+}
+
+TEST_F(Dressing, DressesACompanyThatMarchesInOneStyleOfItsOwn) {
+  read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}}}, "b": {"wears": {"bottom": {"jeans": 1}}},
+                "c": {"wears": {"headgear": {"helmet": 1}}})");
+  rules_.scenes.push_back({std::string(marching_scene), {{"b", 1.0F}, {"c", 1.0F}}});
+  std::set<std::string> styles;
+  for (std::uint32_t company = 0; company < 12; ++company) {
+    std::set<std::string> in_company;
+    for (std::uint32_t agent = 0; agent < 20; ++agent) {
+      in_company.insert(
+          dress({.agent = 20 * company + agent, .group = company, .team = company, .marches = true}).style->name);
+    }
+    EXPECT_EQ(in_company.size(), 1U);
+    styles.merge(in_company);
+  }
+  EXPECT_THAT(styles, UnorderedElementsAre("b", "c"));
+  EXPECT_EQ(dress({}).style->name, "a") << "who does not march";
 }
 
 TEST_F(Dressing, GoesByTheWeather) {

@@ -13,6 +13,7 @@ namespace throng::anim::HWY_NAMESPACE {
 /// Any affine transform: point -> matrix * point + translation.
 template <class V>
 struct Affine {
+  static constexpr bool turns_as_quaternion = false;
   Matrices<V> matrix;
   Vectors<V> translation;
 };
@@ -120,8 +121,9 @@ inline int first_entry_from(const HierarchyProgram& program, int begin, int end)
 
 /// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`:
 ///     global = parent's global * prefix * T * R * S,   entry = global * post
-template <int width, class D>
-HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
+/// `beside` is told of each bone.
+template <int width, class D, class Beside>
+HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end, Beside beside) {
   constexpr int lanes = lane_count<D>;
   const HierarchyProgram& program = *job.hierarchy;
   const float* local = job.local + lane * general_components * packet_bones;
@@ -144,6 +146,7 @@ HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane,
     if (step.store >= 0) {
       store_affine(d, global, job.branch_slots + step.store * branch_slot_floats * width + lane, width);
     }
+    beside.write(d, bone, global);
     for (int entry = step.first_entry; entry < step.first_entry + step.entry_count; ++entry) {
       writer.add(d, product(global, broadcast_affine(d, program.posts.data() + entry * matrix_floats)));
     }

@@ -22,6 +22,11 @@ bool are_palettes(const ModelPaletteJob& job) {
                              [](PaletteDestination to) { return is_aligned(to.memory(), entry_alignment); });
 }
 
+bool are_lists(float* const* to, int width) {
+  return to != nullptr && std::ranges::all_of(std::span(to, static_cast<std::size_t>(width)),
+                                              [](float* list) { return is_aligned(list, entry_alignment); });
+}
+
 bool is_policy(StorePolicy stores) { return stores <= StorePolicy::streaming; }
 
 }  // namespace
@@ -34,16 +39,17 @@ bool is_valid(const ModelPaletteJob& job) {
   if (!is_aligned(job.branch_slots) && job.hierarchy->slot_count > 0) return false;
   const bool written = job.format == PaletteFormat::matrices ||
                        (job.format == PaletteFormat::packed && job.hierarchy->rigid && job.hierarchy->packs());
-  return written && job.displaced <= all_quads && is_policy(job.stores) && are_palettes(job);
+  const bool lists =
+      job.joints == nullptr || (job.format == PaletteFormat::matrices && are_lists(job.joints_to, job.width));
+  return written && lists && job.displaced <= all_quads && is_policy(job.stores) && are_palettes(job);
 }
 
 bool is_valid(const ModelJointsJob& job) {
   if (job.program == nullptr || job.packet < 0 || !is_width(job.width)) return false;
   if (static_cast<std::size_t>(job.packet) + 1 >= job.program->first_step.size()) return false;
-  if (!is_aligned(job.local) || !is_aligned(job.carry) || job.to == nullptr) return false;
+  if (!is_aligned(job.local) || !is_aligned(job.carry)) return false;
   if (!is_aligned(job.branch_slots) && job.program->hierarchy.slot_count > 0) return false;
-  return job.displaced <= all_quads && std::ranges::all_of(std::span(job.to, static_cast<std::size_t>(job.width)),
-                                                           [](float* to) { return is_aligned(to, entry_alignment); });
+  return job.displaced <= all_quads && are_lists(job.to, job.width);
 }
 
 bool is_valid(const WriteLinesJob& job) {

@@ -131,6 +131,19 @@ void compile_steps(const Skeleton& skeleton, const std::vector<bool>& needed, Jo
   program.hierarchy = compile_hierarchy(pruned);
 }
 
+void list_carriers(JointProgram& program) {
+  program.first_carrier = {0};
+  for (std::size_t packet = 0; packet + 1 < program.first_step.size(); ++packet) {
+    for (std::int32_t step = program.first_step[packet]; step < program.first_step[packet + 1]; ++step) {
+      const auto at = static_cast<std::size_t>(step);
+      if (program.first_joint[at] < program.first_joint[at + 1]) {
+        program.carriers.push_back(static_cast<std::int16_t>(step));
+      }
+    }
+    program.first_carrier.push_back(static_cast<std::int32_t>(program.carriers.size()));
+  }
+}
+
 }  // namespace
 
 Result<JointProgram> compile_joints(const Skeleton& skeleton, const JointList& list, JointFormat format,
@@ -158,6 +171,7 @@ Result<JointProgram> compile_joints(const Skeleton& skeleton, const JointList& l
     program.joints.insert(program.joints.end(), own.begin(), own.end());
     program.first_joint.push_back(static_cast<std::int32_t>(program.joints.size()));
   }
+  list_carriers(program);
   return program;
 }
 

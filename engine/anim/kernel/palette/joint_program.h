@@ -37,16 +37,23 @@ struct PlacedJoint {
 /// there.
 struct JointProgram {
   JointFormat format = JointFormat::matrices;
-  HierarchyProgram hierarchy;             ///< of the bones that are needed; its bones are the steps below
-  std::vector<std::int16_t> bones;        ///< [step] the bone of the skeleton, ascending
-  std::vector<std::int32_t> first_step;   ///< [packet of the skeleton, and one more]
-  std::vector<std::int32_t> first_joint;  ///< [step, and one more]
-  std::vector<PlacedJoint> joints;        ///< by the steps that carry them
-  std::size_t bytes = 0;                  ///< of what is written for an agent
+  HierarchyProgram hierarchy;               ///< of the bones that are needed; its bones are the steps below
+  std::vector<std::int16_t> bones;          ///< [step] the bone of the skeleton, ascending
+  std::vector<std::int32_t> first_step;     ///< [packet of the skeleton, and one more]
+  std::vector<std::int32_t> first_joint;    ///< [step, and one more]
+  std::vector<PlacedJoint> joints;          ///< by the steps that carry them
+  std::vector<std::int16_t> carriers;       ///< the steps that carry joints, ascending
+  std::vector<std::int32_t> first_carrier;  ///< [packet of the skeleton, and one more]
+  std::size_t bytes = 0;                    ///< of what is written for an agent
 
   bool needs(int packet) const {
     const auto at = static_cast<std::size_t>(packet);
     return at + 1 < first_step.size() && first_step[at] < first_step[at + 1];
+  }
+  /// Returns whether a bone of a packet carries a joint.
+  bool carries(int packet) const {
+    const auto at = static_cast<std::size_t>(packet);
+    return at + 1 < first_carrier.size() && first_carrier[at] < first_carrier[at + 1];
   }
 };
 

@@ -11,6 +11,7 @@ namespace throng::anim {
 
 /// Computes model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0
 /// first. `carry` holds the last bone's transform between them.
+struct JointProgram;
 inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` and in each branch slot, at most
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
@@ -25,9 +26,12 @@ struct ModelPaletteJob {
   float* branch_slots = nullptr;                   ///< in and out, [slot_count][branch_slot_floats][width]
   PaletteFormat format = PaletteFormat::matrices;  ///< packed: where the hierarchy `packs`
   const PaletteDestination* palettes =
-      nullptr;                      ///< [characters], 16-byte aligned; the kernel writes entries in ascending
-                                    ///< order, whole cache lines where it can, and never reads them
-  std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_hash.h
+      nullptr;                           ///< [characters], 16-byte aligned; the kernel writes entries in ascending
+                                         ///< order, whole cache lines where it can, and never reads them
+  std::uint64_t* hashes = nullptr;       ///< [characters] or null: adds each written entry's hash, see palette_hash.h
+  const JointProgram* joints = nullptr;  ///< of the same level, or null: joints that are written on the way; the format
+                                         ///< is matrices
+  float* const* joints_to = nullptr;     ///< [width], as ModelJointsJob::to
 };
 bool is_valid(const ModelPaletteJob& job);
 

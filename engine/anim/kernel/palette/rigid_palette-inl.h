@@ -34,6 +34,7 @@ HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride
 template <class V>
 struct RigidMotion : JointMotion<V> {  ///< rotations of length root_of_two
   static constexpr int palette_rows = matrix_rows;
+  static constexpr bool turns_as_quaternion = true;  // has what a JointTransform says
   Matrices<V> matrix;
 };
 
@@ -79,8 +80,9 @@ HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidM
 }
 
 /// Does the work of rigid_palette_lanes; the compiler may know the members of `packet`.
-template <template <class> class MotionOf, int width, class D, class Packet>
-HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
+template <template <class> class MotionOf, int width, class D, class Packet, class Beside>
+HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet,
+                                     Beside beside) {
   using Motion = MotionOf<hn::Vec<D>>;
   using Stage = PaletteStage<D, Motion::palette_rows, Packet>;
   constexpr int lanes = lane_count<D>;
@@ -115,6 +117,7 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
               motion);
       if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
       put(d, program, bone, motion, stage);
+      beside.write(d, bone, motion);
       if (one_before) stage.write_part(i);
     }
     for (int part = count; part < group && one_before; ++part) stage.write_part(part);
@@ -128,12 +131,15 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
   store(d, motion, job.carry + lane, width);
 }
 
-/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`.
-template <template <class> class MotionOf, int width, class D>
-HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
+/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`. `beside` is told of each
+/// bone.
+template <template <class> class MotionOf, int width, class D, class Beside>
+HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end, Beside beside) {
   constexpr int lanes = lane_count<D>;
   const AnyPacket packet = any_packet(job, lane, lanes);
-  const auto write = [&](auto known) { rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known); };
+  const auto write = [&](auto known) {
+    rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known, beside);
+  };
   if constexpr (width == widest_strip) {
     write_as_usual<lanes>(packet, write);
   } else {

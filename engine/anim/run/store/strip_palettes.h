@@ -37,7 +37,8 @@ class StripPalettes {
   void (*model_palette_)(const ModelPaletteJob& job) = nullptr;
   StripJoints joints_;
   bool makes_palettes_ = false;
-  bool fades_ = false;  // bones of some character are on their way to where they stand still
+  bool joints_ride_ = false;  // on the walk that makes palettes
+  bool fades_ = false;        // bones of some character are on their way to where they stand still
   const UpdateContext* context_ = nullptr;
   std::span<const AgentWork> strip_{};
 };

@@ -143,6 +143,35 @@ TEST(ModelJoints, OfThePaletteAreThePaletteToTheBit) {
   }
 }
 
+// Both walks have the same bits, so it does not matter to a thing whether its holder is drawn.
+TEST(ModelJoints, ThatAPaletteWritesOnItsWayHaveTheBitsOfAWalkOfTheirOwn) {
+  for (const Skeleton& skeleton : {rigid_skeleton(branching_parents(45)), general_skeleton(branching_parents(45))}) {
+    const Poses poses(skeleton, 19);
+    const HierarchyProgram hierarchy = compile_hierarchy(skeleton);
+    for (const JointFormat format : formats) {
+      if (format == JointFormat::transforms && !skeleton.rigid) continue;
+      for (const int bones : {45, 38}) {
+        const JointProgram program = compiled(skeleton, sockets(), format, bones);
+        for (const Kernels& kernels : runnable_kernels()) {
+          for (const int width : {1, 2, 4, 8, 16}) {
+            for (const bool usual : {false, true}) {
+              PaletteRequest request{.hashed = !usual, .whole_lines = usual};
+              const CrowdResult without = compute_palettes(kernels, hierarchy, poses.states, width, bones, request);
+              request.joints = &program;
+              const CrowdResult with = compute_palettes(kernels, hierarchy, poses.states, width, bones, request);
+              EXPECT_EQ(with.joints, compute_joints(kernels, program, poses.states, width)) << kernels.target << width;
+              EXPECT_EQ(with.hashes, without.hashes);
+              for (std::size_t i = 0; i < poses.states.size(); ++i) {
+                EXPECT_TRUE(same_bits(with.palettes[i], without.palettes[i])) << kernels.target << width;
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(ModelJoints, AreNotMovedByPositionsOfQuadsThatAreNotDisplaced) {
   const Skeleton skeleton = rigid_skeleton(branching_parents(45));
   const Poses poses(skeleton, 17);

@@ -63,6 +63,18 @@ struct Strip {
   std::vector<Line> local, carry, slots_;
 };
 
+/// Joints of each character; the last place is of lanes that nobody has.
+class JointLines {
+ public:
+  JointLines(std::size_t characters, std::size_t floats)
+      : characters_(characters), each_(floats / 16 + 1), lines_((characters + 1) * each_) {}
+  float* of(std::size_t character) { return lines_[std::min(character, characters_) * each_].floats; }
+
+ private:
+  std::size_t characters_, each_;
+  std::vector<Line> lines_;
+};
+
 }  // namespace
 
 template <typename Entry>
@@ -80,6 +92,8 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   result.hashes.assign(characters.size(), 0);
   const int components = characters.front().components();
   Strip strip(width, components, program.slot_count);
+  const std::size_t joint_floats = request.joints == nullptr ? 0 : request.joints->bytes / sizeof(float);
+  JointLines joints(characters.size(), joint_floats);
   for (std::size_t first = 0; first < characters.size(); first += static_cast<std::size_t>(width)) {
     ModelPaletteJob job;
     job.hierarchy = &program;
@@ -97,6 +111,11 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
       destinations[lane] = palettes[first + lane].entries();
     }
     job.palettes = destinations.data();
+    std::array<float*, widest_strip> joints_to{};
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(width); ++lane)
+      joints_to[lane] = joints.of(first + lane);
+    job.joints = request.joints;
+    job.joints_to = joints_to.data();
     if (request.hashed) job.hashes = result.hashes.data() + first;
     for (job.packet = 0; job.packet < packets_for(bone_count); ++job.packet) {
       for (int lane = 0; lane < width; ++lane) {
@@ -111,6 +130,9 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   for (const GuardedPalette<Entry>& palette : palettes) {
     result.palettes.push_back(palette.copy(entries));
     result.guards_intact = result.guards_intact && palette.intact_outside(entries);
+  }
+  for (std::size_t i = 0; i < characters.size() && joint_floats > 0; ++i) {
+    result.joints.emplace_back(joints.of(i), joints.of(i) + joint_floats);
   }
   return result;
 }

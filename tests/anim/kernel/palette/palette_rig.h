@@ -15,6 +15,7 @@ struct PaletteRequest {
   QuadMask displaced = all_quads;
   bool hashed = true;
   bool whole_lines = false;  ///< true: all palettes begin a cache line; false: every second one is only 16-byte aligned
+  const JointProgram* joints = nullptr;  ///< joints that are written on the way
 };
 
 /// The requests of frames for rigid skeletons, few of whose bones are displaced.
@@ -32,6 +33,7 @@ template <typename Entry>
 struct CrowdResultOf {
   std::vector<std::vector<Entry>> palettes;  ///< [character][entry below the bone count]
   std::vector<std::uint64_t> hashes;
+  std::vector<std::vector<float>> joints;  ///< [character], of the request
   bool guards_intact = true;
 };
 using CrowdResult = CrowdResultOf<PaletteMatrix>;

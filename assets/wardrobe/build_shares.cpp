@@ -82,9 +82,11 @@ mannequin::SkinPoint skin_below(const mannequin::SkinPoint& point) {
     const double distance = glm::distance(there, place);
     if (distance >= nearest - 1e-9) continue;
     nearest = distance;
-    best.normal = glm::normalize(shares.x * points[a].normal + shares.y * points[b].normal + shares.z * points[c].normal);
+    best.normal =
+        glm::normalize(shares.x * points[a].normal + shares.y * points[b].normal + shares.z * points[c].normal);
     for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
-      best.weights[j] = shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
+      best.weights[j] =
+          shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
     }
   }
   return best;
@@ -119,7 +121,8 @@ BuildShares::BuildShares(const Skin& surface) {
 void BuildShares::turn_normals(Skin& surface) const {
   for (std::size_t p = 0; p < below_.size(); ++p) {
     if (below_[p].normal == dvec3(0)) continue;
-    surface.points[p].normal = glm::round(below_[p].normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
+    surface.points[p].normal =
+        glm::round(below_[p].normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
   }
 }
 

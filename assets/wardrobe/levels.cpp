@@ -243,15 +243,14 @@ std::vector<Level> far_levels(const Mesh& mesh, std::span<const FarBound> bounds
   for (const FarBound& bound : bounds) {
     // A finer level may happen to be as coarse.
     Level best = levels.empty() ? Level{{}, std::numeric_limits<double>::infinity()} : levels.back();
-    for (const double firmness_of_hems : {4.0, 0.3, 0.05}) {
-      for (const bool keeps_colours : {true, false}) {
-        render::SkinnedSurfaceView view = measured.view();
-        view.face_firmness = 1;
-        view.open_edge_firmness = firmness_of_hems;
-        if (!keeps_colours) view.colors = {};
-        const Level level = far_level(measured, view, bound);
-        if (is_better(level, best, bound)) best = level;
-      }
+    for (const auto& [firmness_of_hems, keeps_colours] :
+         {std::pair{4.0, true}, {0.3, true}, {0.05, true}, {0.3, false}}) {
+      render::SkinnedSurfaceView view = measured.view();
+      view.face_firmness = 1;
+      view.open_edge_firmness = firmness_of_hems;
+      if (!keeps_colours) view.colors = {};
+      const Level level = far_level(measured, view, bound);
+      if (is_better(level, best, bound)) best = level;
     }
     levels.push_back(std::move(best));
   }

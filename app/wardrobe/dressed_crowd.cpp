@@ -9,6 +9,7 @@
 
 #include "app/settings/choices.h"
 #include "app/wardrobe/dresser.h"
+#include "app/wardrobe/face.h"
 
 namespace throng::app {
 namespace {
@@ -146,7 +147,11 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     }
     lookalikes.add(worn.looks_like, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
-    if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
+    give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));
+    if (worn.style->old) {
+      turn_gray(dressed.looks[agent], agent, tuning.seed);
+      stoop(dressed.looks[agent], agent, tuning.seed);
+    }
     dressed.outfits[agent] = worn.outfit;
     if (worn.in_hand == nullptr) continue;
     dressed.things[agent] = held_named(worn.in_hand->name);

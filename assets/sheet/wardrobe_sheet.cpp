@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "app/wardrobe/dresser.h"
+#include "app/wardrobe/face.h"
 #include "assets/sheet/contact_sheet.h"
 #include "assets/sheet/studio.h"
 
@@ -71,6 +72,8 @@ Figure person_of(const Studio& studio, const app::Dresser& dresser, std::uint32_
   const app::Dressed dressed = dresser.dress(person, 0, *figure.look);
   figure.outfit = dressed.outfit;
   if (dressed.in_hand != nullptr) put_away(figure.outfit, dressed.in_hand->piece);
+  app::give_face(*figure.look, number, 1, studio.clothing().rules.bodies[person.body].size < 0.8F);
+  if (dressed.style->old) app::stoop(*figure.look, number, 1);
   figure.scale = studio.clothing().rules.bodies[person.body].size;
   figure.heading = static_cast<float>(number % 5) * 0.35F - 0.7F;
   return figure;
@@ -201,15 +204,15 @@ int write_outfit(Studio& studio, const char* file, const std::string& worn, cons
           .build = values.number("build"), .frame = values.number("frame"), .posture = values.number("posture")}
           .shape();
   figure.outfit = outfit_of(studio.clothing(), body, names);
-  const bool head = values.has("head");
+  // A close look is square.
+  const bool is_close = values.has("metres");
+  const float metres = is_close ? values.number("metres") : 2.1F;
+  const glm::vec3 centre{values.number("x"), values.has("y") ? values.number("y") : 0.98F, 0.0F};
   std::vector<render::Image> pictures;
   for (const float heading : {0.0F, 0.5F * quarter, quarter, 2.0F * quarter}) {
     figure.heading = heading;
-    pictures.push_back(studio.take({.width = 450,
-                                    .height = head ? 450 : 800,
-                                    .metres = (head ? 0.6F : 2.1F) * scale,
-                                    .centre = {0, (head ? 1.66F : 0.98F) * scale, 0}},
-                                   {figure}));
+    pictures.push_back(studio.take(
+        {.width = 450, .height = is_close ? 450 : 800, .metres = metres * scale, .centre = scale * centre}, {figure}));
   }
   ContactSheet sheet;
   sheet.add(beside(pictures));

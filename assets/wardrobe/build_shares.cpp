@@ -65,14 +65,14 @@ double arm_share(const mannequin::Weights& weights) {
   return share;
 }
 
-/// Returns the normal of the nearest skin of the same side and limb.
-dvec3 normal_below(const mannequin::SkinPoint& point) {
+/// Returns normal and weights of the nearest skin of the same side and limb.
+mannequin::SkinPoint skin_below(const mannequin::SkinPoint& point) {
   static const std::vector<SkinTriangle> triangles = cut_skin();
   const auto& points = skin_with_normals().points;
   const dvec3 place = point.position;
   const bool of_arm = arm_share(point.weights) > 0.6;
   double nearest = std::numeric_limits<double>::infinity();
-  dvec3 best(0);
+  mannequin::SkinPoint best = point;
   for (const SkinTriangle& triangle : triangles) {
     if (triangle.of_arm != of_arm || triangle.middle.x * place.x < -1e-4) continue;
     if (glm::distance(triangle.middle, place) - triangle.radius > nearest) continue;
@@ -82,9 +82,14 @@ dvec3 normal_below(const mannequin::SkinPoint& point) {
     const double distance = glm::distance(there, place);
     if (distance >= nearest - 1e-9) continue;
     nearest = distance;
-    best = shares.x * points[a].normal + shares.y * points[b].normal + shares.z * points[c].normal;
+    best.normal =
+        glm::normalize(shares.x * points[a].normal + shares.y * points[b].normal + shares.z * points[c].normal);
+    for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
+      best.weights[j] =
+          shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
+    }
   }
-  return best == dvec3(0) ? point.normal : glm::normalize(best);
+  return best;
 }
 
 /// A belly is stouter than the joints behind it.
@@ -95,13 +100,16 @@ double belly(dvec3 place) {
 
 }  // namespace
 
-BuildShares::BuildShares(const Skin& skin) {
+BuildShares::BuildShares(const Skin& surface) {
   constexpr double faces_along = 0.35;  // the cosine from which a surface faces as the skin does
-  for (const mannequin::SkinPoint& point : skin.points) {
+  for (const mannequin::SkinPoint& point : surface.points) {
     Below below;
-    below.shares = mannequin::shape_by_joints(point.weights);
+    const mannequin::SkinPoint skin = skin_below(point);
+    const dvec3 normal = skin.normal;
+    // Clothes over each other hang from other joints, but must grow alike. At the shoulder arms and trunk blend.
+    below.shares = glm::mix(mannequin::shape_by_joints(skin.weights), mannequin::shape_by_joints(point.weights),
+                            glm::smoothstep(0.1, 0.5, arm_share(point.weights)));
     below.shares.x += belly(point.position);
-    const dvec3 normal = normal_below(point);
     const double cosine = glm::dot(normal, point.normal);
     if (cosine < -faces_along) below.shares *= dvec3(-1, -1, 1);
     if (std::abs(cosine) <= faces_along) below.normal = normal;
@@ -110,10 +118,11 @@ BuildShares::BuildShares(const Skin& skin) {
   }
 }
 
-void BuildShares::turn_normals(Skin& skin) const {
+void BuildShares::turn_normals(Skin& surface) const {
   for (std::size_t p = 0; p < below_.size(); ++p) {
     if (below_[p].normal == dvec3(0)) continue;
-    skin.points[p].normal = glm::round(below_[p].normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
+    surface.points[p].normal =
+        glm::round(below_[p].normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
   }
 }
 

@@ -10,11 +10,11 @@ namespace throng::wardrobe {
 /// another way than the skin below it, as hems and linings do, would part from what it is sewn to.
 class BuildShares {
  public:
-  /// `skin` is a surface on the man, with normals.
-  explicit BuildShares(const mannequin::Skin& skin);
+  /// `surface` lies on the man and has normals.
+  explicit BuildShares(const mannequin::Skin& surface);
 
   /// Gives what faces along the skin, such as the inside of hems, the normals of the skin below.
-  void turn_normals(mannequin::Skin& skin) const;
+  void turn_normals(mannequin::Skin& surface) const;
   /// Sets the shares of vertices that were made of the surface.
   void set_shares(mannequin::Mesh& mesh) const;
 

@@ -103,7 +103,9 @@ Skin make_tank_top() {
                                         .armhole_in = 0.024});
   rib_neck(half, top.neck, 1);
   hem_armhole(half, top.armhole, Region::shirt, 1);
-  return mirrored_surface(half);
+  Skin cloth = mirrored_surface(half);
+  append(cloth, bare_skin(Slot::torso, 1.27));
+  return cloth;
 }
 
 Skin make_shirt() {

@@ -171,6 +171,14 @@ TEST_F(DressedCrowdTest, HasManySilhouettes) {
   for (const auto& [names, people] : outfits) EXPECT_LT(people, 40);
 }
 
+TEST_F(DressedCrowdTest, GivesEverybodyAFaceOfTheirOwn) {
+  const Tuning tuning = tuning_of(Scene::plaza, 300);
+  const DressedCrowd dressed = dress_crowd(crowd_of(tuning), {&clothing_, 1}, tuning);
+  std::set<std::uint32_t> faces;
+  for (const render::AgentLook& look : dressed.looks) faces.insert(look.face);
+  EXPECT_GT(faces.size(), 290U);
+}
+
 TEST_F(DressedCrowdTest, DressesTheCompaniesOfAParadeAlikeAndEachInItsWay) {
   const Tuning tuning = tuning_of(Scene::parade, 1000);
   const Crowd crowd = crowd_of(tuning);

@@ -101,9 +101,9 @@ void follow_face(Mesh& mesh) {
 
 /// Returns smaller bounds for what lies close on something that would show through else, and for what is small.
 std::array<double, near_levels - 1> bounds_of(const Part& part) {
-  if (is_on_head(part.slot)) return {0.005, 0.010, 0.018};
-  if (part.slot == Slot::outer) return {0.006, 0.012, 0.022};
-  if (part.slot == Slot::shoes) return {0.008, 0.016, 0.028};
+  if (is_on_head(part.slot)) return {0.006, 0.014, 0.030};
+  if (part.slot == Slot::outer) return {0.008, 0.016, 0.030};
+  if (part.slot == Slot::shoes) return {0.010, 0.020, 0.036};
   return level_bounds;
 }
 

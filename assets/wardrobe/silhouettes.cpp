@@ -28,11 +28,12 @@ struct Kind {
   std::vector<std::string> parts;
 };
 
-const std::array<Kind, 4>& kinds_of_bottom() {
-  static const std::array<Kind, 4> kinds{{{"trousers", {"shirt", "chinos", "trainers"}},
+const std::array<Kind, 5>& kinds_of_bottom() {
+  static const std::array<Kind, 5> kinds{{{"trousers", {"shirt", "chinos", "trainers"}},
                                           {"shorts", {"t_shirt", "shorts", "trainers"}},
                                           {"skirt", {"shirt", "knee_skirt", "trainers"}},
-                                          {"long", {"shirt", "long_skirt", "trainers"}}}};
+                                          {"long", {"shirt", "long_skirt", "trainers"}},
+                                          {"coat", {"coat", "shirt", "chinos", "trainers"}}}};
   return kinds;
 }
 
@@ -46,7 +47,8 @@ bool is_first_of_its_name(const Part& part) {
   return &*std::find_if(all_parts().begin(), all_parts().end(), named) == &part;
 }
 
-/// Joins the third level of the parts, and of the skin that they leave bare, where the man rests.
+/// Joins the second level of the parts, and of the skin that they leave bare, where the man rests. What is worn above
+/// the waist is tinted as the outermost layer, whatever that is.
 Mesh joined(const std::vector<std::string>& names, std::span<const Finished> parts) {
   std::set<Slot> covered;
   const auto worn = [&](const MadePart& made) {
@@ -57,6 +59,8 @@ Mesh joined(const std::vector<std::string>& names, std::span<const Finished> par
     if (finished.made->part == nullptr || !worn(*finished.made)) continue;
     covered.insert(finished.made->part->covers.begin(), finished.made->part->covers.end());
   }
+  constexpr auto top = static_cast<float>(mannequin::Region::shirt),
+                 outer = static_cast<float>(mannequin::Region::outer);
   Mesh all;
   for (const Finished& finished : parts) {
     const MadePart& made = *finished.made;
@@ -65,9 +69,10 @@ Mesh joined(const std::vector<std::string>& names, std::span<const Finished> par
     for (MeshVertex vertex : made.mesh.vertices) {
       vertex.piece = 0;
       vertex.trim = 0;
+      if (vertex.region == top) vertex.region = outer;
       all.vertices.push_back(vertex);
     }
-    const std::vector<std::uint16_t>& indices = made.levels[std::min<std::size_t>(2, made.levels.size() - 1)].indices;
+    const std::vector<std::uint16_t>& indices = made.levels[std::min<std::size_t>(1, made.levels.size() - 1)].indices;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
       const auto moved = [&](std::size_t k) { return static_cast<std::uint16_t>(first + indices[i + k]); };
       all.triangles.push_back({moved(0), moved(1), moved(2)});

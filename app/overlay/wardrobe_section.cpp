@@ -105,6 +105,12 @@ void show_rule_files(const TabContext& context) {
   }
 }
 
+std::string origin_of_rules(const WardrobeReport& report) {
+  if (report.file.empty()) return "Rules of no file.";
+  const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
+  return "Rules of " + name + (report.tuning == report.standard ? "." : ", changed.");
+}
+
 }  // namespace
 
 void show_wardrobe(const TabContext& context) {
@@ -129,7 +135,8 @@ void show_wardrobe(const TabContext& context) {
     show_rule_files(context);
   });
   widgets.caption(with_thousands(static_cast<std::uint64_t>(report.wardrobe.holding)) + " of " +
-                  with_thousands(static_cast<std::uint64_t>(report.agents)) + " hold something.");
+                  with_thousands(static_cast<std::uint64_t>(report.agents)) + " hold something. " +
+                  origin_of_rules(report.wardrobe));
   dress_when_let_go(context);
 }
 

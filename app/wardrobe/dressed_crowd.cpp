@@ -9,12 +9,14 @@
 
 #include "app/settings/choices.h"
 #include "app/wardrobe/dresser.h"
+#include "app/wardrobe/face.h"
 
 namespace throng::app {
 namespace {
 
 constexpr std::uint32_t most_attempts = 12, attempts_to_be_unique = 6;
-constexpr float same_group = 2.2F;  // metres from one who stands to the next of the list
+constexpr std::size_t most_unique = 20'000;  // people; there are not many more looks that are told apart
+constexpr float same_group = 2.2F;           // metres from one who stands to the next of the list
 constexpr std::uint32_t gray_hair[]{0xC9C5C0, 0xA8A4A0, 0xDCD9D6, 0x8E8A86};
 
 /// Finds who looks like whom.
@@ -22,6 +24,7 @@ class Lookalikes {
  public:
   explicit Lookalikes(std::span<const glm::vec3> positions) : positions_(positions) {}
 
+  std::size_t people() const { return positions_.size(); }
   bool has(std::uint64_t looks_like) const { return agents_.contains(looks_like); }
   bool has_near(std::uint64_t looks_like, std::uint32_t agent) const {
     const auto [first, last] = agents_.equal_range(looks_like);
@@ -40,11 +43,13 @@ class Lookalikes {
 /// that nobody near by does.
 Dressed dress_unlike_others(const Dresser& dresser, const Person& person, const Lookalikes& others,
                             render::AgentLook& look) {
+  const bool may_be_unique = others.people() <= most_unique;
   Dressed worn;
   for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
     worn = dresser.dress(person, attempt, look);
     if (worn.style->alike || !others.has(worn.looks_like)) break;
-    if (attempt + 1 >= attempts_to_be_unique && !others.has_near(worn.looks_like, person.agent)) break;
+    if (may_be_unique && attempt + 1 < attempts_to_be_unique) continue;
+    if (!others.has_near(worn.looks_like, person.agent)) break;
   }
   return worn;
 }
@@ -142,7 +147,11 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     }
     lookalikes.add(worn.looks_like, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
-    if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
+    give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));
+    if (worn.style->old) {
+      turn_gray(dressed.looks[agent], agent, tuning.seed);
+      stoop(dressed.looks[agent], agent, tuning.seed);
+    }
     dressed.outfits[agent] = worn.outfit;
     if (worn.in_hand == nullptr) continue;
     dressed.things[agent] = held_named(worn.in_hand->name);

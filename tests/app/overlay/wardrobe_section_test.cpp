@@ -56,6 +56,7 @@ TEST_F(WardrobeSection, GoesBackToWhatTheFileSays) {
   EXPECT_FALSE(driver.click("Reset rules").wardrobe.cast);
   driver.report.wardrobe.tuning.bodies[2].weight = 80.0F;
   driver.report.wardrobe.tuning.seed = 4;
+  driver.frames();
   const OverlayCommands one = driver.click("Child.reset");
   ASSERT_TRUE(one.wardrobe.cast);
   EXPECT_EQ(one.wardrobe.cast->tuning.bodies[2].weight, 10.0F);
@@ -68,7 +69,7 @@ TEST_F(WardrobeSection, GoesBackToWhatTheFileSays) {
 TEST_F(WardrobeSection, SavesRulesUnderANameAndReadsThemOrTheFileInForceAgain) {
   EXPECT_FALSE(driver.click("Save rules").wardrobe.save) << "it has no name";
   EXPECT_EQ(driver.click("Load rules").wardrobe.load, "");
-  driver.click("Rules");
+  driver.click("Rules.field");
   driver.type("mine");
   EXPECT_EQ(driver.click("Save rules").wardrobe.save, "mine");
   EXPECT_EQ(driver.click("Load rules").wardrobe.load, "mine");

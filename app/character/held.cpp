@@ -69,7 +69,9 @@ std::optional<Role> arm_of(Held held) {
 
 bool arm_lies_over(Held held, Role role) {
   if (held == Held::nothing || is_of_whole_body(role)) return false;
-  if (is_one_of(role, {sit, sit_on_step, lean})) return held == Held::umbrella || held == Held::balloon;
+  const bool is_light = held == Held::umbrella || held == Held::balloon || held == Held::phone;
+  if (role == sit || role == sit_on_step) return is_light;
+  if (role == lean) return is_light || held == Held::bag || held == Held::briefcase;
   if (held == Held::flag || held == Held::balloon) return !is_one_of(role, {wave, cheer});
   return true;
 }

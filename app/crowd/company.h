@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 namespace throng::app {
 
@@ -25,5 +28,9 @@ struct Company {
 
 /// Draws couples and families among walkers that come one after the other on a lane, and puts them beside each other.
 void draw_company(CrowdLayout& layout, std::uint32_t seed);
+
+/// Gives some of the loose groups of a plaza something to do together: one takes a picture of the others, or all look
+/// at the nearest of `sights` and one takes a picture of it. Who stands alone waits. Groups stay on their ground.
+void draw_gatherings(CrowdLayout& layout, std::span<const glm::dvec2> sights, double spacing, std::uint32_t seed);
 
 }  // namespace throng::app

@@ -13,6 +13,8 @@
 #include "app/crowd/cut_scene_layout.h"
 #include "app/crowd/numbers/turn.h"
 #include "app/crowd/parade.h"
+#include "app/crowd/plaza_plan.h"
+#include "app/crowd/resting.h"
 #include "app/crowd/stadium.h"
 #include "app/crowd/tiles.h"
 
@@ -48,7 +50,12 @@ CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const
 CrowdLayout layout_with_company(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
                                 const Variety& variety) {
   CrowdLayout layout = layout_of(scene, agents, seed, roles, variety.clothes);
-  if (variety.bodies) draw_company(layout, seed);
+  if (!variety.bodies) return layout;
+  draw_company(layout, seed);
+  if (scene != Scene::plaza || variety.clothes != Clothes::own) return layout;
+  const std::vector<Fixture> fixtures = plan_plaza(agents, seed, roles).fixtures;
+  let_some_rest(layout, fixtures, agents, seed, roles);
+  draw_gatherings(layout, sights_of(fixtures), roles.spacing(), seed);
   return layout;
 }
 

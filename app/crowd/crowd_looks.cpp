@@ -100,7 +100,8 @@ class Bodies {
     if (agent <= before) return false;
     const StanderPlace& own = layout_.standers[agent - before];
     const StanderPlace& other = layout_.standers[agent - before - 1];
-    return own.habit == Habit::stand_about && other.habit == Habit::stand_about &&
+    const auto may_have_children = [](Habit habit) { return habit == Habit::stand_about || habit == Habit::pose; };
+    return may_have_children(own.habit) && may_have_children(other.habit) &&
            glm::distance(own.position, other.position) < beside_grown_ups * cast_.spacing();
   }
 

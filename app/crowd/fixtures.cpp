@@ -6,7 +6,6 @@ namespace {
 // Metres, for a person 1.8 m tall.
 constexpr double bench_end = 0.6;           // from its middle to the middle of its outer discs
 constexpr double bench_seat_beside = 0.42;  // from its middle to that of a seat
-constexpr double seat_behind_feet = 0.39;   // as the clip `sit` has it
 constexpr double bench_back = 0.08;         // its discs lie behind its middle, so that feet before it are free
 
 }  // namespace
@@ -46,6 +45,15 @@ std::vector<Obstacle> obstacles_of(std::span<const Fixture> fixtures, double spa
     }
   }
   return obstacles;
+}
+
+std::vector<glm::dvec2> sights_of(std::span<const Fixture> fixtures) {
+  std::vector<glm::dvec2> sights;
+  for (const Fixture& fixture : fixtures) {
+    const bool is_sight = fixture.kind == FixtureKind::fountain || fixture.kind == FixtureKind::statue;
+    if (is_sight) sights.push_back(fixture.position);
+  }
+  return sights;
 }
 
 std::vector<BenchSeat> bench_seats(std::span<const Fixture> fixtures, double spacing) {

@@ -43,6 +43,12 @@ inline Heading heading_along(glm::dvec2 direction) {
   return {static_cast<float>(direction.y), static_cast<float>(direction.x)};
 }
 
+/// Returns where the fountains and statues are, x and z in metres.
+std::vector<glm::dvec2> sights_of(std::span<const Fixture> fixtures);
+
+/// Metres from the feet back to the seat, as the clip `sit` has it, for a person 1.8 m tall.
+inline constexpr double seat_behind_feet = 0.39;
+
 /// Where somebody sits on a bench: their feet.
 struct BenchSeat {
   glm::dvec2 position{0.0};

@@ -73,6 +73,38 @@ constexpr Transition all_transitions[] = {
     // People who rest on a bench get up now and then.
     {Habit::rest, sit, look_around, 1.0F},
     {Habit::rest, look_around, sit, 1.0F},
+    // Who leans comes away from the wall for a phone, a cup or a camera, or to look for somebody.
+    {Habit::lean, lean, lean, 2.0F},
+    {Habit::lean, lean, look_around, 0.5F},
+    {Habit::lean, lean, phone, 2.0F},
+    {Habit::lean, lean, call, 1.0F},
+    {Habit::lean, lean, drink, 2.0F},
+    {Habit::lean, lean, take_picture, 1.0F},
+    {Habit::lean, look_around, lean, 1.0F},
+    {Habit::lean, phone, lean, 1.0F},
+    {Habit::lean, call, lean, 1.0F},
+    {Habit::lean, drink, lean, 1.0F},
+    {Habit::lean, take_picture, lean, 1.0F},
+    // People who wait look around for somebody, and at their phones.
+    {Habit::wait, stand, look_around, 2.0F},
+    {Habit::wait, stand, phone, 3.0F},
+    {Habit::wait, stand, call, 1.0F},
+    {Habit::wait, stand, drink, 2.0F},
+    {Habit::wait, stand, take_picture, 1.0F},
+    {Habit::wait, look_around, stand, 1.0F},
+    {Habit::wait, phone, look_around, 1.0F},
+    {Habit::wait, phone, stand, 1.0F},
+    {Habit::wait, call, stand, 1.0F},
+    {Habit::wait, drink, stand, 1.0F},
+    {Habit::wait, take_picture, stand, 1.0F},
+    // Those before a camera hold still, more or less.
+    {Habit::photograph, take_picture, stand, 1.0F},
+    {Habit::photograph, take_picture, look_around, 0.3F},
+    {Habit::photograph, stand, take_picture, 1.0F},
+    {Habit::photograph, look_around, take_picture, 1.0F},
+    {Habit::pose, stand, wave, 1.0F},
+    {Habit::pose, stand, stand, 1.0F},
+    {Habit::pose, wave, stand, 1.0F},
     // Athletes warm up, sprint, and get their breath back.
     {Habit::train, jog, run, 2.0F},
     {Habit::train, jog, walk, 1.0F},
@@ -129,6 +161,12 @@ Role resting_role(Habit habit) {
     case Habit::sit:
     case Habit::rest:
       return sit;
+    case Habit::lean:
+      return lean;
+    case Habit::sit_low:
+      return sit_on_step;
+    case Habit::photograph:
+      return take_picture;
     case Habit::train:
       return jog;
     default:
@@ -143,7 +181,8 @@ std::span<const Transition> transitions() { return all_transitions; }
 Stay stay_in(Role role) { return stays[index_of(role)]; }
 
 Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held) {
-  const Role rest = resting_role(habit);
+  Role rest = resting_role(habit);
+  if (!is_gait(rest) && !character.playable(rest)) rest = stand;
   if (!character.playable(rest)) return Role::other;
   const bool acts = !is_gait(rest) && whim.chance(share_acting_at_first);
   return acts ? next_role(habit, rest, character, whim, held) : rest;

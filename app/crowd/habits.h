@@ -16,7 +16,12 @@ enum class Habit : std::uint8_t {
   march,        ///< walks in rank and file and does nothing else
   watch,        ///< stands beside a parade
   sit,          ///< has a seat in the stadium
-  rest,         ///< has a seat on a bench
+  rest,         ///< has a seat on a bench or on the rim of a fountain
+  lean,         ///< leans against a trunk or a wall
+  sit_low,      ///< sits on a step
+  wait,         ///< stands alone, or beside somebody who takes a picture
+  photograph,   ///< takes pictures, with the camera that it holds
+  pose,         ///< stands before a camera
   train,        ///< runs round the stadium's field
   act,          ///< does what a script says (CutScene)
   follow,       ///< is where a recorded crowd has it (Followers)

@@ -150,11 +150,23 @@ glm::vec2 CrowdWalkers::place_beside(std::size_t walker) const {
   return bodies_[leader].position + spacing_ * (company_.sides[walker] * left - behind_leader * ahead);
 }
 
+// Who is on the wrong side, because the leader has turned, goes round behind the leader, who is in the way.
+glm::vec2 CrowdWalkers::way_beside(std::size_t walker) const {
+  constexpr float round_behind = 0.8F;
+  const std::size_t leader = company_.leader(walker);
+  const Heading heading = headings_[leader];
+  const glm::vec2 left(heading.cosine, -heading.sine), ahead(heading.sine, heading.cosine);
+  const glm::vec2 from_leader = bodies_[walker].position - bodies_[leader].position;
+  const float side = company_.sides[walker];
+  if (glm::dot(from_leader, left) * side >= 0.0F) return place_beside(walker) - bodies_[walker].position;
+  return spacing_ * (0.4F * side * left - round_behind * ahead) - from_leader;
+}
+
 // Comes up faster than the leader goes, and stands once it is there and the leader stands.
 void CrowdWalkers::keep_company(std::size_t walker) {
   Body& body = bodies_[walker];
   const Body& leader = bodies_[company_.leader(walker)];
-  const glm::vec2 way = place_beside(walker) - body.position;
+  const glm::vec2 way = way_beside(walker);
   const float most = most_hurry * std::max(speed_of(walker, Role::walk), glm::length(leader.velocity));
   glm::vec2 velocity = leader.velocity + way / seconds_to_come_up;
   const float speed = glm::length(velocity);

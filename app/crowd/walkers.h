@@ -45,6 +45,7 @@ class CrowdWalkers {
   void wish(std::size_t walker, Role intention);
   void keep_company(std::size_t walker);
   glm::vec2 place_beside(std::size_t walker) const;
+  glm::vec2 way_beside(std::size_t walker) const;
   float patient_speed(std::size_t leader, float speed) const;
   void stop(std::size_t walker);
   void turn(std::size_t walker, float seconds);

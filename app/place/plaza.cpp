@@ -2,6 +2,7 @@
 
 #include "app/crowd/layout.h"
 #include "app/crowd/plaza_plan.h"
+#include "app/crowd/resting.h"
 #include "app/place/scenes.h"
 
 namespace throng::app {
@@ -71,10 +72,10 @@ void put_far_street(double edge, Placer& placer) {
   placer.put(Prop::tower, end + tower_aside * unit * across, heading_along(-away));
 }
 
-void put_steps(double edge, Placer& placer) {
-  const double unit = placer.unit();
-  for (int step = -1; step <= 0; ++step) {
-    placer.put(Prop::steps, {-edge + 0.55 * unit, step * bay_width * unit}, heading_along(towards_x));
+void put_steps(const PlacedCrowd& crowd, Placer& placer) {
+  constexpr double half_depth = 0.45;
+  for (const BenchSeat& flight : plaza_steps(crowd.agents, placer.unit(), crowd.clothes)) {
+    placer.put(Prop::steps, flight.position - half_depth * placer.unit() * forward_of(flight.heading), flight.heading);
   }
 }
 
@@ -98,7 +99,7 @@ void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
   placer.put_block({edge, -edge}, {edge, open}, -towards_x, Placer::Houses::arcades);
   placer.put_block({open, edge}, {-edge, edge}, -towards_z, Placer::Houses::mixed);
   put_far_street(edge, placer);
-  put_steps(edge, placer);
+  put_steps(crowd, placer);
   placer.put_horizon(edge);
 }
 

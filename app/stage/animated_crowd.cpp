@@ -40,18 +40,20 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
   if (!camera) return camera.error();
   film_camera_ = camera->number;
-  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet, gazes;
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet, gazes, limbs;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
     rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
     gazes.push_back(kinds.look_at);
+    limbs.push_back(kinds.limbs);
   }
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
   feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
   gazes_ = std::make_unique<Gazes>(std::move(gazes), *system_);
   held_arms_ = std::make_unique<HeldArms>(characters_, *system_);
+  joined_hands_ = std::make_unique<JoinedHands>(characters_, rigs_, std::move(limbs), *system_);
   return anim::Done{};
 }
 
@@ -79,6 +81,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   ++number_;
   held_clip_.reset();
   held_arms_->reset(*crowd_);
+  joined_hands_->reset(*crowd_);
   fallen_->reset();
   mark_fallen();
   feet_->reset(agents);
@@ -106,6 +109,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
 void give_things(AnimatedCrowd& animated, std::vector<Held> things) {
   give(*animated.crowd_, std::move(things));
   animated.held_arms_->reset(*animated.crowd_);
+  animated.joined_hands_->reset(*animated.crowd_);
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.

@@ -17,6 +17,7 @@
 #include "app/stage/fallen_agents.h"
 #include "app/stage/gazes.h"
 #include "app/stage/held_arms.h"
+#include "app/stage/joined_hands.h"
 #include "app/stage/picking.h"
 #include "app/stage/placed_feet.h"
 #include "app/stage/track_players.h"
@@ -61,7 +62,8 @@ class AnimatedCrowd {
   /// Takes foot placement and gazes from agents that no longer need them, or that are not in `visible`. Feet that had
   /// it come down anew. Call it before an update.
   void take_back_lent(std::span<const anim::VisibleAgent> visible) {
-    gazes_->take_back(visible);  // a gaze comes after the feet
+    joined_hands_->take_back(visible);  // the last to be lent
+    gazes_->take_back(visible);         // a gaze comes after the feet
     feet_->take_back(visible);
   }
   /// Sets what somebody of a recorded crowd plays in the first of these updates. It asks the caches for who comes after
@@ -130,6 +132,7 @@ class AnimatedCrowd {
   friend void give_things(AnimatedCrowd& animated, std::vector<Held> things);
   friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
     animated.held_arms_->show(*animated.crowd_, visible);
+    animated.joined_hands_->join(*animated.crowd_, *animated.held_arms_, visible);
   }
   friend const HeldArms& held_arms_of(const AnimatedCrowd& animated) { return *animated.held_arms_; }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
@@ -159,6 +162,7 @@ class AnimatedCrowd {
   std::unique_ptr<PlacedFeet> feet_;
   std::unique_ptr<Gazes> gazes_;
   std::unique_ptr<HeldArms> held_arms_;
+  std::unique_ptr<JoinedHands> joined_hands_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes
@@ -171,7 +175,7 @@ class AnimatedCrowd {
 
 /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
 void give_things(AnimatedCrowd& animated, std::vector<Held> things);
-/// Lets arms hold their things where these can be seen. Call it before an update.
+/// Lets arms hold their things where these can be seen, and hands join. Call it before an update.
 void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible);
 /// Returns the arms that hold something.
 const HeldArms& held_arms_of(const AnimatedCrowd& animated);

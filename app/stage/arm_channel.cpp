@@ -1,30 +1,50 @@
 #include "app/stage/arm_channel.h"
 
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "engine/anim/entity/inertialiser.h"
+#include "engine/anim/entity/mixer.h"
 
 namespace throng::app {
 namespace {
 
-/// Returns the player of the clip that was asked for last; an invalid handle if that is not known.
-anim::Handle newest_player(const anim::EntityBuilder& build, anim::Handle below) {
-  while (below.valid()) {
-    switch (build.pools().state(below).type) {
-      case anim::EntityType::sampled_player:
-      case anim::EntityType::keyframe_player:
-        return below;
-      case anim::EntityType::ease_blender:
-        below = build.as<anim::EaseBlender>(below).to;
-        break;
-      case anim::EntityType::inertialiser:
-        below = build.as<anim::Inertialiser>(below).target;
-        break;
-      default:
-        return {};
-    }
+constexpr float least_share = 0.25F;  // of a gait in a mix, with which a step is seen
+
+anim::Handle player_in(const anim::EntityBuilder& build, anim::Handle below, int clip);
+
+anim::Handle player_in_mix(const anim::EntityBuilder& build, anim::Handle mixer, int clip) {
+  const auto& mixed = build.private_as<anim::MixerSources>(mixer);
+  const std::size_t count = build.as<anim::Mixer>(mixer).source_count;
+  const float sum = std::accumulate(mixed.weights, mixed.weights + count, 0.0F);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (mixed.weights[i] < least_share * sum) continue;
+    if (const anim::Handle found = player_in(build, mixed.sources[i], clip); found.valid()) return found;
   }
   return {};
+}
+
+/// Returns the player of a clip, if it was asked for last or is mixed in; an invalid handle if not. Recorded crowds
+/// mix.
+anim::Handle player_in(const anim::EntityBuilder& build, anim::Handle below, int clip) {
+  switch (build.pools().state(below).type) {
+    case anim::EntityType::sampled_player:
+    case anim::EntityType::keyframe_player:
+      return static_cast<int>(build.as<anim::Player>(below).clip) == clip ? below : anim::Handle{};
+    case anim::EntityType::ease_blender: {
+      const auto& blender = build.as<anim::EaseBlender>(below);
+      const anim::Handle found = player_in(build, blender.to, clip);
+      const bool is_mix = (blender.flags & anim::EaseBlender::held) != 0 && blender.fraction <= 1.0F - least_share;
+      return found.valid() || !is_mix ? found : player_in(build, blender.from, clip);
+    }
+    case anim::EntityType::mixer:
+      return player_in_mix(build, below, clip);
+    case anim::EntityType::inertialiser:
+      return player_in(build, build.as<anim::Inertialiser>(below).target, clip);
+    default:
+      return {};
+  }
 }
 
 constexpr double whole_speed = 65536.0;
@@ -46,9 +66,7 @@ bool ArmChannel::update(const anim::EntityBuilder& build) {
 void ArmChannel::keep_step(const anim::EntityBuilder& build) const {
   // The channel below may have changed its graph in this update. Then lie_over() names the new one in the next.
   if (!below_.valid() || !build.pools().alive(below_)) return;
-  const anim::Handle gait = newest_player(build, below_);
-  const bool steps = gait.valid() && static_cast<int>(build.as<anim::Player>(gait).clip) == clip_.step_clip;
-  if (steps) {
+  if (const anim::Handle gait = player_in(build, below_, clip_.step_clip); gait.valid()) {
     build.set_speed(player_, static_cast<double>(build.as<anim::Player>(gait).speed) / whole_speed);
     build.seek(player_, build.position(gait));
     return;

@@ -111,6 +111,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.fallen = *fallen_;
   into.feet = feet_->moment();
   into.gazes = gazes_->moment();
+  into.joined_hands = joined_hands_->moment();
   into.played_speeds = played_speeds_;
 }
 
@@ -122,6 +123,7 @@ anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);
   gazes_->go_back_to(moment.gazes);
+  joined_hands_->go_back_to(moment.joined_hands);
   held_arms_->find_shown();
   played_speeds_ = moment.played_speeds;
   mark_fallen();

@@ -40,6 +40,10 @@ class HeldArms {
     if (agent >= arm_of_.size() || arm_of_[agent] == none) return true;
     return arms_[arm_of_[agent]].near_in == frame_ && is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
   }
+  /// Returns whether the arm of an agent holds something now, over what the whole body does.
+  bool holds(std::uint32_t agent) const {
+    return agent < arm_of_.size() && arm_of_[agent] != none && arms_[arm_of_[agent]].turn == Turn::on;
+  }
   /// Returns how many arms hold something now.
   std::size_t shown() const { return shown_.size(); }
 

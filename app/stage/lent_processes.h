@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,8 +44,7 @@ class LentProcesses {
     for (std::uint32_t character = 0; character < kinds_.size(); ++character) {
       if (!kinds_[character]) continue;
       system_->characters().reserve_entities(*kinds_[character], usual, character);
-      while (not_lent_[character].size() < usual)
-        not_lent_[character].push_back(std::make_unique<Process>(*kinds_[character]));
+      while (not_lent_[character].size() < usual) not_lent_[character].push_back(make_new(character));
     }
   }
 
@@ -109,9 +109,16 @@ class LentProcesses {
     return now_.wanted[agent] != 0 ||
            posed.template post_process<Process>(now_.of[agent])->weight(posed.pools()) > 0.0F;
   }
+  std::unique_ptr<Process> make_new(std::uint32_t character) const {
+    if constexpr (std::is_constructible_v<Process, anim::EntityPools::Kind>) {
+      return std::make_unique<Process>(*kinds_[character]);
+    } else {
+      return std::make_unique<Process>(*kinds_[character], typename Process::Settings{});
+    }
+  }
   std::unique_ptr<Process> take_ready(std::uint32_t character) {
     std::vector<std::unique_ptr<Process>>& ready = not_lent_[character];
-    if (ready.empty()) return std::make_unique<Process>(*kinds_[character]);
+    if (ready.empty()) return make_new(character);
     std::unique_ptr<Process> one = std::move(ready.back());
     ready.pop_back();
     return one;

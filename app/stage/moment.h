@@ -8,6 +8,7 @@
 #include "app/stage/cut_scene.h"
 #include "app/stage/fallen_agents.h"
 #include "app/stage/gazes.h"
+#include "app/stage/joined_hands.h"
 #include "app/stage/placed_feet.h"
 #include "engine/anim/agent/system_snapshot.h"
 
@@ -23,6 +24,7 @@ struct StageMoment {
   std::optional<FallenAgents> fallen;
   PlacedFeet::Moment feet;
   Gazes::Moment gazes;
+  JoinedHands::Moment joined_hands;
   std::vector<float> played_speeds;
 };
 

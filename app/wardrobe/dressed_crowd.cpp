@@ -9,6 +9,7 @@
 
 #include "app/settings/choices.h"
 #include "app/wardrobe/dresser.h"
+#include "app/wardrobe/face.h"
 
 namespace throng::app {
 namespace {
@@ -77,6 +78,16 @@ std::vector<Held> hands_of(const Crowd& crowd) {
   return hands;
 }
 
+/// A pushchair has no room before a bench or a wall nor in a recorded crowd, and is in the way of a camera.
+bool takes_no_pushchair(Habit habit) {
+  return habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low || habit == Habit::pose ||
+         habit == Habit::follow;
+}
+
+bool has_pushchair(const Dressed& worn) {
+  return worn.in_hand != nullptr && held_named(worn.in_hand->name) == Held::pushchair;
+}
+
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
@@ -126,12 +137,21 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
                   .body = crowd.looks().bodies[agent],
                   .group = groups[agent],
                   .team = team_of(crowd.positions()[agent]),
-                  .hand_is_taken = dressed.things[agent] != Held::nothing};
+                  .hand_is_taken = dressed.things[agent] != Held::nothing,
+                  .brings = crowd.habits()[agent] == Habit::photograph ? "camera" : ""};
     fall_in(crowd, person);
-    const Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
+    Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
+    if (takes_no_pushchair(crowd.habits()[agent]) && has_pushchair(worn)) {
+      person.hand_is_taken = true;
+      worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
+    }
     lookalikes.add(worn.looks_like, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
-    if (worn.style->old) turn_gray(dressed.looks[agent], agent, tuning.seed);
+    give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));
+    if (worn.style->old) {
+      turn_gray(dressed.looks[agent], agent, tuning.seed);
+      stoop(dressed.looks[agent], agent, tuning.seed);
+    }
     dressed.outfits[agent] = worn.outfit;
     if (worn.in_hand == nullptr) continue;
     dressed.things[agent] = held_named(worn.in_hand->name);

@@ -171,8 +171,9 @@ const Dresser::Choice& Dresser::choice_of(const Person& person) const {
 void Dresser::fill_slots(const Person& person, std::uint32_t attempt, const Slots& slots, Worn& worn) const {
   Random own = draws_of(seed_ + attempt, person.agent, clothes_stream);
   Random uniform(seed_, uniform_stream);
+  const bool is_said = person.hand_is_taken || !person.brings.empty();
   for (const Slot& slot : slots) {
-    if (worn.keeps_out(slot.name) || (person.hand_is_taken && slot.name.starts_with("hand_"))) continue;
+    if (worn.keeps_out(slot.name) || (is_said && slot.name.starts_with("hand_"))) continue;
     const bool is_uniform = worn.style->alike && region_of(slot.name).has_value();
     const auto weight = [&](const Option& option) {
       return option.part == nullptr || worn.suits(*option.part) ? option.weight : 0.0F;
@@ -180,6 +181,8 @@ void Dresser::fill_slots(const Person& person, std::uint32_t attempt, const Slot
     const Option* const chosen = weighed_one(slot.options, weight, is_uniform ? uniform : own);
     if (chosen != nullptr && chosen->part != nullptr) worn.parts.push_back(chosen->part);
   }
+  const WardrobePart* const brought = wardrobe_.find(rules_.bodies[person.body].name, person.brings);
+  if (brought != nullptr) worn.parts.push_back(brought);
 }
 
 // Parts that others cover are not drawn, such as skin below a shirt and hair below a helmet.

@@ -20,8 +20,9 @@ struct Person {
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
-  bool marches = false;        ///< in a company, whose number is `group` and `team`; all of it have one style
-  bool hand_is_taken = false;  ///< by somebody else's: it holds no thing
+  bool marches = false;          ///< in a company, whose number is `group` and `team`; all of it have one style
+  bool hand_is_taken = false;    ///< by somebody else's, or for want of room: it holds no thing
+  std::string_view brings = {};  ///< the part in the right hand, whatever the style; empty: as the style says
 };
 
 /// Holds what a person wears, and a number that is equal for people who look alike.

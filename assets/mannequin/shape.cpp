@@ -55,10 +55,7 @@ double bump(dvec3 place, dvec3 centre, dvec3 radius) {
 }
 
 dvec3 body_shape(const SkinPoint& point) {
-  dvec3 shape(0);
-  for (std::size_t joint = 0; joint < joint_count; ++joint) {
-    if (point.weights[joint] > 0) shape += point.weights[joint] * shape_of(skeleton()[joint].name);
-  }
+  dvec3 shape = shape_by_joints(point.weights);
   const dvec3 at = point.position;
   shape.x += 0.45 * bump(at, {0, 1.06, 0.10}, {0.13, 0.10, 0.09});
   shape.y -= 0.95 * bump(at, {0.072, 1.285, 0.115}, {0.052, 0.052, 0.06});  // breasts
@@ -87,6 +84,14 @@ dvec2 hair_shape(const SkinPoint& point) {
 }
 
 }  // namespace
+
+glm::dvec3 shape_by_joints(const Weights& weights) {
+  dvec3 shape(0);
+  for (std::size_t joint = 0; joint < joint_count; ++joint) {
+    if (weights[joint] > 0) shape += weights[joint] * shape_of(skeleton()[joint].name);
+  }
+  return shape;
+}
 
 std::vector<Shape> shapes_of(const Skin& skin) {
   const std::vector<bool> hair = is_hair(skin);

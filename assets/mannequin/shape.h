@@ -20,4 +20,8 @@ struct Shape {
 /// One a point of the skin. A function of the point alone, so that regions never part.
 std::vector<Shape> shapes_of(const Skin& skin);
 
+/// How much a point follows build, frame and posture by its joints alone, without the hips, waist and breasts that make
+/// one body a woman's or a man's.
+glm::dvec3 shape_by_joints(const Weights& weights);
+
 }  // namespace throng::mannequin

@@ -23,15 +23,17 @@ void jet(MeshBuilder& builder, double turn, dvec2 from, dvec2 to, double bow, do
   }
 }
 
-/// Three basins above each other, 6 m across, with water that falls from one to the next.
+/// Three basins above each other, 6 m across, with water that falls from one to the next. The rim is a seat, 0.44 m
+/// above a plinth for the feet.
 void fountain(MeshBuilder& builder, int lod) {
   const Paint stone = paints::pale_stone;
   const int sides = lod == 0 ? 20 : lod == 1 ? 12 : 8;
   const bool fine = lod < 2;
+  lathe(builder, {{3.46, 0}, {3.46, 0.15}, {3.43, 0.18}, {2.8, 0.18}}, sides, shaded(stone, 0.9),
+        fine ? Turned::edged : Turned::faceted);
   if (fine) {
     lathe(builder,
-          {{3.0, 0},
-           {3.0, 0.12},
+          {{3.0, 0.18},
            {2.82, 0.16},
            {2.78, 0.46},
            {2.9, 0.5},

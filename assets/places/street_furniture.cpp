@@ -148,10 +148,11 @@ void planter(MeshBuilder& builder, int lod) {
   }
 }
 
-/// Three steps of stone, 6 m wide, that rise away from +Z; the origin is in the middle of what they cover.
+/// Three steps of stone, 6 m wide, that rise away from +Z; the origin is in the middle of what they cover. The second
+/// is a seat for people whose feet are before the first.
 void steps(MeshBuilder& builder, int lod) {
-  constexpr double rise = 0.15;
-  constexpr double going = 0.36;
+  constexpr double rise = 0.155;
+  constexpr double going = 0.30;
   const double foot = 1.5 * going;
   for (int i = 0; i < 3; ++i) {
     const double z1 = foot - going * i;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <span>
 
+#include "app/character/wardrobe_file.h"
+#include "app/show/worn_pieces.h"
 #include "assets/sheet/contact_sheet.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
@@ -61,12 +63,20 @@ std::vector<anim::PaletteMatrix> written(const std::vector<glm::dmat4>& palette)
 
 }  // namespace
 
-std::unique_ptr<Studio> Studio::open() {
+std::unique_ptr<Studio> Studio::open(bool with_wardrobe) {
   std::unique_ptr<Studio> studio(new Studio);
   const std::string source = THRONG_SOURCE_DIR;
   auto character = app::load_character(source + "/assets/mannequin.glb", "mannequin");
   if (!character) return complain(character.error().message), nullptr;
   studio->character_ = std::move(*character);
+  if (with_wardrobe) {
+    const auto added = app::add_parts(studio->character_, source + "/assets/wardrobe.glb");
+    if (!added) return complain(added.error().message), nullptr;
+    studio->character_.cast_rules = source + "/assets/cast.json";
+    auto clothing = app::clothing_of(studio->character_);
+    if (!clothing) return complain(clothing.error().message), nullptr;
+    studio->clothing_ = std::move(*clothing);
+  }
   auto context = render::gl::make_osmesa_context();
   if (!context) return complain(context.error().message), nullptr;
   studio->context_ = std::move(*context);
@@ -119,14 +129,22 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
   std::vector<render::AgentLook> looks;
+  std::vector<std::uint32_t> drawn;
   for (const Figure& figure : figures) {
-    batches.push_back({.mesh_lod = static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
-                       .first = static_cast<std::uint32_t>(records.size()),
-                       .count = 1});
+    const auto number = static_cast<std::uint32_t>(records.size());
+    const auto lod = static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1));
+    app::for_each_worn(figure.outfit, lod, [&](std::uint32_t piece) {
+      batches.push_back({.mesh_lod = lod,
+                         .piece = static_cast<std::uint16_t>(piece),
+                         .first = static_cast<std::uint32_t>(drawn.size()),
+                         .count = 1});
+      drawn.push_back(number);
+    });
     records.push_back(record_of(figure));
-    records.back().agent = static_cast<std::uint32_t>(looks.size());
-    looks.push_back(app::look_of(figure.tints, figure.variant, 0));
+    records.back().agent = number;
+    looks.push_back(figure.look ? *figure.look : app::look_of(figure.tints, figure.variant, 0));
   }
+  const render::CrowdBatch all{.count = static_cast<std::uint32_t>(records.size())};
   render::CrowdFrame frame;
   frame.camera = view_of(shot);
   frame.shadows = shot.shadows;
@@ -134,6 +152,8 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   const render::Image empty = renderer_->read_image();
   frame.instances = records;
   frame.batches = batches;
+  frame.drawn = drawn;
+  frame.runs = {&all, 1};
   frame.looks = looks;
   frame.looks_number = render::new_looks_number();
   renderer_->draw(frame);

@@ -10,8 +10,10 @@
 
 #include "app/character/source.h"
 #include "app/crowd/character_look.h"
+#include "app/wardrobe/clothing.h"
 #include "assets/mannequin/pose.h"
 #include "engine/anim/base/transform.h"
+#include "engine/render/agent_look.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
 #include "engine/render/palette/palette_slots.h"
@@ -32,6 +34,8 @@ struct Figure {
   std::uint32_t bone_level = 0;
   app::Tints tints{};
   app::Variant variant{};
+  std::optional<render::AgentLook> look = std::nullopt;  ///< instead of tints and variant
+  render::Outfit outfit = {};                            ///< of the wardrobe; empty: the character's own clothes
 };
 
 /// Where a picture is taken from and how large it is. The camera stands far off, so that nothing is foreshortened.
@@ -49,10 +53,11 @@ struct Shot {
 class Studio {
  public:
   /// Null, and a sentence on stderr, where something is missing.
-  static std::unique_ptr<Studio> open();
+  static std::unique_ptr<Studio> open(bool with_wardrobe = false);
 
   render::Image take(const Shot& shot, const std::vector<Figure>& figures);
   const app::CharacterSource& character() const { return character_; }
+  const app::Clothing& clothing() const { return clothing_; }
   std::size_t mesh_lod_count() const { return renderer_->meshes().front().lod_count(); }
 
  private:
@@ -61,6 +66,7 @@ class Studio {
   render::InstanceRecord record_of(const Figure& figure);
 
   app::CharacterSource character_;
+  app::Clothing clothing_;
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::PaletteSlots> slots_;

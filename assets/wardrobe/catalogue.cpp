@@ -38,9 +38,9 @@ const std::vector<Part>& all_parts() {
   return parts;
 }
 
-const Part* find_part(std::string_view name) {
-  const auto found =
-      std::find_if(all_parts().begin(), all_parts().end(), [&](const Part& p) { return p.name == name; });
+const Part* find_part(std::string_view name, Body body) {
+  const auto found = std::find_if(all_parts().begin(), all_parts().end(),
+                                  [&](const Part& p) { return p.name == name && fits(p.bodies, body); });
   return found == all_parts().end() ? nullptr : &*found;
 }
 

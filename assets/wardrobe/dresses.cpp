@@ -10,6 +10,8 @@ namespace {
 using glm::dvec3;
 using mannequin::Skin;
 
+constexpr double bare_from = 1.27;  ///< The height below which a dress covers the skin.
+
 void bind_neck(Cage& cage, const Row& neck) {
   const Row inner = moved(cage, neck, [](dvec3 p) { return dvec3(-p.x * 0.10, -0.008, p.z > -0.02 ? -0.009 : 0.009); });
   join(cage, neck, inner, false, Region::shirt, 0.82, 1);
@@ -42,6 +44,7 @@ Skin make_summer_dress() {
   hem_armhole(half, top.armhole, Region::shirt, 1);
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0020);
+  append(cloth, bare_skin(Slot::torso, bare_from));
   return cloth;
 }
 
@@ -70,7 +73,9 @@ Skin make_evening_dress() {
   line_below(half, cut, 0.62);
   bind_neck(half, top.neck);
   hem_armhole(half, top.armhole, Region::shirt, 0);
-  return mirrored_surface(half);
+  Skin cloth = mirrored_surface(half);
+  append(cloth, bare_skin(Slot::torso, bare_from));
+  return cloth;
 }
 
 }  // namespace throng::wardrobe

@@ -5,13 +5,19 @@
 #include <cmath>
 #include <future>
 #include <iterator>
+#include <map>
+#include <set>
+#include <span>
 #include <thread>
+#include <tuple>
+#include <utility>
 
 #include <glm/common.hpp>
 
 #include "assets/mannequin/occlusion.h"
 #include "assets/mannequin/shape.h"
 #include "assets/wardrobe/body_skin.h"
+#include "assets/wardrobe/build_shares.h"
 #include "assets/wardrobe/face_shares.h"
 #include "assets/wardrobe/levels.h"
 #include "assets/wardrobe/pattern.h"
@@ -27,17 +33,22 @@ using mannequin::Skin;
 
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
+bool lies_on_skin(Slot slot) {
+  return slot == Slot::top || slot == Slot::bottom || slot == Slot::outer || slot == Slot::shoes || slot == Slot::back;
+}
+
 bool is_on_head(Slot slot) {
   return slot == Slot::head || slot == Slot::hair || slot == Slot::headgear || slot == Slot::face;
 }
 
-Skin warped_skin(const Skin& skin, Body body) {
+Skin warped_skin(const Skin& skin, Body body, const BuildShares* build) {
   Skin there = skin;
   for (mannequin::SkinPoint& point : there.points) {
     const dvec3 place = warped(body, point.position, point.weights);
     point.position = glm::round(place / mannequin::position_step) * mannequin::position_step + dvec3(0);
   }
   mannequin::compute_normals(there);
+  if (build != nullptr) build->turn_normals(there);
   return there;
 }
 
@@ -66,8 +77,9 @@ std::uint8_t darkened(std::uint8_t colour, double openness) {
   return static_cast<std::uint8_t>(std::lround(colour * openness));
 }
 
-Fitted fit_to(Body body, const Skin& skin, const Mesh& mesh, const std::vector<double>& openness) {
-  const Skin there = warped_skin(skin, body);
+Fitted fit_to(Body body, const Skin& skin, const Mesh& mesh, const std::vector<double>& openness,
+              const BuildShares* build) {
+  const Skin there = warped_skin(skin, body, build);
   Fitted fitted{body, {}, {}, {}};
   for (const MeshVertex& vertex : mesh.vertices) {
     const mannequin::SkinPoint& point = there.points[vertex.point];
@@ -87,18 +99,37 @@ void follow_face(Mesh& mesh) {
   }
 }
 
-/// Returns smaller bounds for a part that lies close on drawn skin, which would show through else.
+/// Returns smaller bounds for what lies close on something that would show through else, and for what is small.
 std::array<double, near_levels - 1> bounds_of(const Part& part) {
-  const bool bare_below = std::find(part.covers.begin(), part.covers.end(), Slot::torso) == part.covers.end();
-  if (is_on_head(part.slot) || (part.slot == Slot::top && bare_below)) return {0.005, 0.010, 0.018};
+  if (is_on_head(part.slot)) return {0.006, 0.014, 0.030};
+  if (part.slot == Slot::outer) return {0.008, 0.016, 0.030};
+  if (part.slot == Slot::shoes) return {0.010, 0.020, 0.036};
   return level_bounds;
 }
 
-std::vector<Level> all_levels(const Mesh& mesh, bool with_levels,
-                              const std::array<double, near_levels - 1>& bounds = level_bounds) {
-  std::vector<Level> levels{whole_level(mesh)};
-  if (!with_levels) return levels;
-  for (Level& level : coarser_levels(mesh, bounds)) levels.push_back(std::move(level));
+/// Points where the bare skin of a garment meets that of the body.
+Held points_of_bare_edges(const Mesh& mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  const auto point = [&](std::uint16_t v) { return mesh.vertices[v].point; };
+  const auto each_edge = [&](const auto& visit) {
+    for (const auto& t : mesh.triangles) {
+      for (std::size_t c = 0; c < 3; ++c) visit(t[c], t[(c + 1) % 3]);
+    }
+  };
+  each_edge([&](std::uint16_t a, std::uint16_t b) { edges.insert({point(a), point(b)}); });
+  Held held(mesh.vertices.size());
+  each_edge([&](std::uint16_t a, std::uint16_t b) {
+    const bool is_bare = mesh.vertices[a].region == static_cast<float>(mannequin::Region::skin);
+    if (is_bare && !edges.contains({point(b), point(a)})) held[a] = held[b] = mesh.vertices[a].position.y > 1.32F;
+  });
+  return held;
+}
+
+std::vector<Level> all_levels(const Mesh& mesh, bool with_levels, std::span<const double> bounds,
+                              const Held& held = {}) {
+  if (!with_levels) return {whole_level(mesh)};
+  std::vector<Level> levels{finest_level(mesh, held)};
+  for (Level& level : coarser_levels(mesh, bounds, levels.front(), held)) levels.push_back(std::move(level));
   return levels;
 }
 
@@ -115,13 +146,18 @@ Finished finish_part(const Part& part, bool with_levels) {
   Skin skin = part.make();
   lay_patterns(skin);
   mannequin::compute_normals(skin);
+  const BuildShares build(skin);
+  const bool is_cloth = lies_on_skin(part.slot);
   auto made = std::make_shared<MadePart>(MadePart{part.name, part.slot, &part, mannequin::make_mesh(skin), {}});
+  if (is_cloth) build.set_shares(made->mesh);
   if (is_on_head(part.slot)) follow_face(made->mesh);
-  made->levels = all_levels(made->mesh, with_levels, bounds_of(part));
+  made->levels = all_levels(made->mesh, with_levels, bounds_of(part), points_of_bare_edges(made->mesh));
+  keep_used(made->mesh, made->levels);
   const std::vector<double> openness = openness_of(skin, &man_occluder());
   Finished finished{made, {}};
   for (const Body body : all_bodies) {
-    if (fits(part.bodies, body)) finished.bodies.push_back(fit_to(body, skin, made->mesh, openness));
+    if (fits(part.bodies, body))
+      finished.bodies.push_back(fit_to(body, skin, made->mesh, openness, is_cloth ? &build : nullptr));
   }
   return finished;
 }
@@ -132,7 +168,7 @@ struct BodyPiece {
   std::vector<std::size_t> vertices;
 };
 
-BodyPiece cut_piece(const Mesh& body, const std::vector<Level>& levels, Slot slot) {
+BodyPiece cut_piece(const Mesh& body, Slot slot) {
   BodyPiece piece{std::make_shared<MadePart>(MadePart{std::string(name_of(slot)), slot, nullptr, {}, {}}), {}};
   std::vector<std::uint16_t> moved(body.vertices.size());
   for (std::size_t v = 0; v < body.vertices.size(); ++v) {
@@ -141,35 +177,71 @@ BodyPiece cut_piece(const Mesh& body, const std::vector<Level>& levels, Slot slo
     piece.vertices.push_back(v);
     piece.made->mesh.vertices.push_back(body.vertices[v]);
   }
-  for (const Level& level : levels) {
-    Level own{{}, level.error};
-    for (std::size_t i = 0; i < level.indices.size(); i += 3) {
-      if (body.vertices[level.indices[i]].piece != static_cast<unsigned char>(slot)) continue;
-      for (std::size_t c = 0; c < 3; ++c) own.indices.push_back(moved[level.indices[i + c]]);
-    }
-    piece.made->levels.push_back(std::move(own));
-  }
-  const std::vector<std::uint16_t>& finest = piece.made->levels.front().indices;
-  for (std::size_t i = 0; i < finest.size(); i += 3) {
-    piece.made->mesh.triangles.push_back({finest[i], finest[i + 1], finest[i + 2]});
+  for (const auto& triangle : body.triangles) {
+    if (body.vertices[triangle[0]].piece != static_cast<unsigned char>(slot)) continue;
+    piece.made->mesh.triangles.push_back({moved[triangle[0]], moved[triangle[1]], moved[triangle[2]]});
   }
   if (is_on_head(slot)) follow_face(piece.made->mesh);
   return piece;
 }
 
-/// The bodies are made whole, so that neighbouring pieces agree along their cuts at every level.
+/// The part of a body's level that belongs to a piece.
+Level cut_level(const Mesh& body, const Level& level, const BodyPiece& piece) {
+  std::map<std::uint16_t, std::uint16_t> moved;
+  for (std::size_t v = 0; v < piece.vertices.size(); ++v) {
+    moved[static_cast<std::uint16_t>(piece.vertices[v])] = static_cast<std::uint16_t>(v);
+  }
+  Level own{{}, level.error};
+  for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+    if (body.vertices[level.indices[i]].piece != static_cast<unsigned char>(piece.made->slot)) continue;
+    for (std::size_t c = 0; c < 3; ++c) own.indices.push_back(moved.at(level.indices[i + c]));
+  }
+  return own;
+}
+
+/// Points at which pieces meet.
+Held points_of_cuts(const Mesh& body, const BodyPiece& piece) {
+  std::map<std::tuple<float, float, float>, unsigned> pieces;
+  const auto at = [](const MeshVertex& v) { return std::tuple(v.position.x, v.position.y, v.position.z); };
+  for (const MeshVertex& vertex : body.vertices) pieces[at(vertex)] |= 1U << vertex.piece;
+  Held held;
+  for (const std::size_t v : piece.vertices) {
+    held.push_back((pieces[at(body.vertices[v])] & ~(1U << body.vertices[v].piece)) != 0);
+  }
+  return held;
+}
+
+/// At the finer levels each piece has an error of its own, and keeps all points of its cuts. The coarsest level is that
+/// of the whole body, so that neighbouring pieces leave out the same points.
+void add_levels(const Mesh& body, const Level& coarsest, BodyPiece& piece) {
+  const Held held = points_of_cuts(body, piece);
+  std::vector<Level>& levels = piece.made->levels;
+  levels = all_levels(piece.made->mesh, true, std::span(level_bounds).first(2), held);
+  levels.push_back(cut_level(body, coarsest, piece));
+  std::vector<std::size_t> kept;
+  for (const std::size_t v : keep_used(piece.made->mesh, levels)) kept.push_back(piece.vertices[v]);
+  piece.vertices = std::move(kept);
+}
+
+/// The bodies are made whole, so that neighbouring pieces agree along their cuts.
 std::vector<Finished> finish_bodies(bool with_levels) {
   Skin skin = body_skin();
   mannequin::compute_normals(skin);
-  const Mesh mesh = mannequin::make_mesh(skin);
-  const std::vector<Level> levels = all_levels(mesh, with_levels);
+  Mesh mesh = mannequin::make_mesh(skin);
+  BuildShares(skin).set_shares(mesh);
+  const std::vector<Level> levels = all_levels(mesh, with_levels, std::span(level_bounds).last(1));
   std::vector<Fitted> bodies;
   for (const Body body : all_bodies) {
-    bodies.push_back(fit_to(body, skin, mesh, openness_of(warped_skin(skin, body), nullptr)));
+    bodies.push_back(fit_to(body, skin, mesh, openness_of(warped_skin(skin, body, nullptr), nullptr), nullptr));
   }
   std::vector<Finished> pieces;
   for (std::size_t slot = 0; slot < piece_count; ++slot) {
-    const BodyPiece piece = cut_piece(mesh, levels, static_cast<Slot>(slot));
+    BodyPiece piece = cut_piece(mesh, static_cast<Slot>(slot));
+    if (with_levels) {
+      add_levels(mesh, levels.back(), piece);
+    } else {
+      piece.made->levels = {whole_level(piece.made->mesh)};
+    }
     Finished finished{piece.made, {}};
     for (const Fitted& body : bodies) {
       Fitted& own = finished.bodies.emplace_back(Fitted{body.body, {}, {}, {}});

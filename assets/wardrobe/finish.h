@@ -12,7 +12,7 @@ namespace throng::wardrobe {
 
 inline constexpr std::size_t near_levels = 4;
 /// Levels 1 to 3 are off by so many metres at most.
-inline constexpr std::array<double, near_levels - 1> level_bounds{0.008, 0.016, 0.040};
+inline constexpr std::array<double, near_levels - 1> level_bounds{0.012, 0.022, 0.052};
 
 /// Triangles over the vertices of level 0.
 struct Level {

@@ -35,6 +35,12 @@ mannequin::Skin hair_cap(const std::function<double(double angle)>& low,
 mannequin::Skin hair_tube(const std::vector<glm::dvec3>& places, const std::vector<double>& radii,
                           std::size_t around = 10, mannequin::Region region = mannequin::Region::hair);
 
+/// Long hair that comes out below a hat, whose lower edge is a row of the head by angle. It ends at a height behind and
+/// at another one at the sides.
+mannequin::Skin hair_below_hat(const std::function<double(double angle)>& edge, double bottom, double side_bottom);
+/// Hair that is tied at the back of the head and hangs down.
+mannequin::Skin tied_tail();
+
 /// Returns the paint by which strands darken and lighten hair around the head.
 glm::dvec3 strand_paint(double angle, double along);
 

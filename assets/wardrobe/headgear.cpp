@@ -45,6 +45,11 @@ Skin hair_below(double high_row) {
   return hair_surface(plan);
 }
 
+Skin with(Skin hat, const Skin& hair) {
+  append(hat, hair);
+  return hat;
+}
+
 /// A hat that lies close: from `low` over the head's top, `thick` metres off it; a hem at its edge.
 Skin close_hat(const std::function<double(double)>& low, const std::function<double(double, double)>& thick,
                double hem_rows, dvec3 hem_paint) {
@@ -92,7 +97,7 @@ Skin brim(double from, double to, std::size_t columns, const std::function<dvec3
 
 double cap_edge(double angle) { return glm::mix(11.0, 12.25, in_front(angle)); }
 
-Skin baseball_cap() {
+Skin cap_alone() {
   Skin skin = close_hat(
       cap_edge,
       [](double angle, double row) {
@@ -108,13 +113,15 @@ Skin baseball_cap() {
                   dvec3(0.02 * share * turn * (1 - turn * turn), -0.012 * share - 0.010 * share * turn * turn, reach);
          }));
   append(skin, hair_tube({{0, 1.806, -0.018}, {0, 1.812, -0.018}}, {0.006, 0.004}, 6, Region::headgear));
-  append(skin, hair_below(12.4));
   return skin;
 }
 
+Skin baseball_cap() { return with(cap_alone(), hair_below(12.4)); }
+Skin baseball_cap_with_tail() { return with(baseball_cap(), tied_tail()); }
+
 double beanie_edge(double angle) { return glm::mix(9.7, 12.0, in_front(angle)); }
 
-Skin beanie() {
+Skin beanie_alone() {
   const auto ribs = [](double angle) { return 1 + 0.05 * std::sin(angle * 1.4); };
   Skin skin = close_hat(
       beanie_edge,
@@ -123,20 +130,26 @@ Skin beanie() {
         return (0.012 + 0.012 * top) * ribs(angle);
       },
       1.3, dvec3(0.84));
-  append(skin, hair_below(11.6));
   return skin;
 }
 
-Skin beanie_with_bobble() {
-  Skin skin = beanie();
-  append(skin,
-         hair_tube({{0, 1.805, -0.020}, {0, 1.814, -0.020}, {0, 1.832, -0.020}, {0, 1.850, -0.020}, {0, 1.860, -0.020}},
-                   {0.008, 0.024, 0.030, 0.024, 0.006}, 10, Region::headgear));
-  return skin;
+Skin beanie() { return with(beanie_alone(), hair_below(11.6)); }
+Skin beanie_with_long_hair() { return with(beanie_alone(), hair_below_hat(beanie_edge, 1.400, 1.490)); }
+
+Skin with_bobble(const Skin& hat) {
+  return with(
+      hat,
+      hair_tube({{0, 1.805, -0.020}, {0, 1.814, -0.020}, {0, 1.832, -0.020}, {0, 1.850, -0.020}, {0, 1.860, -0.020}},
+                {0.008, 0.024, 0.030, 0.024, 0.006}, 10, Region::headgear));
 }
 
-Skin sun_hat() {
-  const auto edge = [](double angle) { return glm::mix(11.0, 12.4, in_front(angle)); };
+Skin beanie_with_bobble() { return with_bobble(beanie()); }
+Skin beanie_with_bobble_and_long_hair() { return with_bobble(beanie_with_long_hair()); }
+
+double sun_hat_edge(double angle) { return glm::mix(11.0, 12.4, in_front(angle)); }
+
+Skin sun_hat_alone() {
+  const auto edge = sun_hat_edge;
   Skin skin = close_hat(
       edge, [](double, double row) { return 0.012 + 0.022 * glm::smoothstep(12.5, 14.5, row); }, 0.5,
       dvec3(0.55, 0.5, 0.5));
@@ -147,9 +160,11 @@ Skin sun_hat() {
            return root + dvec3(std::sin(turn), 0, std::cos(turn)) * (0.095 * share) +
                   dvec3(0, -0.030 * share * share + wave, 0);
          }));
-  append(skin, hair_below(12.4));
   return skin;
 }
+
+Skin sun_hat() { return with(sun_hat_alone(), hair_below(12.4)); }
+Skin sun_hat_with_long_hair() { return with(sun_hat_alone(), hair_below_hat(sun_hat_edge, 1.370, 1.500)); }
 
 Skin flat_cap() {
   Skin skin = close_hat(
@@ -186,6 +201,8 @@ Skin helmet() {
   append(skin, hair_below(12.2));
   return skin;
 }
+
+Skin helmet_with_tail() { return with(helmet(), tied_tail()); }
 
 /// A scarf around the head: an egg that leaves the face open, and a cowl around neck and shoulders.
 Skin headscarf() {
@@ -238,20 +255,23 @@ Skin headscarf() {
 
 }  // namespace
 
+// Women have long hair below hats. A part may be listed more than once, for other bodies each time.
 std::vector<Part> headgear() {
-  return {{"cap", Slot::headgear, Fits::all, {Slot::hair}, {"sun", "casual", "short"}, {}, baseball_cap},
-          {"flat_cap", Slot::headgear, Fits::man, {Slot::hair}, {"formal", "old", "short"}, {}, flat_cap},
-          {"beanie", Slot::headgear, Fits::all, {Slot::hair}, {"cold", "casual", "short"}, {}, beanie},
-          {"beanie_with_bobble",
-           Slot::headgear,
-           Fits::women_and_children,
-           {Slot::hair},
-           {"cold", "short"},
-           {},
-           beanie_with_bobble},
-          {"sun_hat", Slot::headgear, Fits::all, {Slot::hair}, {"sun", "short"}, {}, sun_hat},
-          {"helmet", Slot::headgear, Fits::all, {Slot::hair}, {"safety", "short"}, {}, helmet},
-          {"headscarf", Slot::headgear, Fits::woman, {Slot::hair}, {"modest"}, {}, headscarf}};
+  constexpr Slot headgear = Slot::headgear;
+  constexpr Fits others = Fits::men_and_children;
+  const std::vector<Slot> hair{Slot::hair};
+  return {{"cap", headgear, others, hair, {"sun", "casual", "short"}, {}, baseball_cap},
+          {"cap", headgear, Fits::woman, hair, {"sun", "casual", "long"}, {}, baseball_cap_with_tail},
+          {"flat_cap", headgear, Fits::man, hair, {"formal", "old", "short"}, {}, flat_cap},
+          {"beanie", headgear, others, hair, {"cold", "casual", "short"}, {}, beanie},
+          {"beanie", headgear, Fits::woman, hair, {"cold", "casual", "long"}, {}, beanie_with_long_hair},
+          {"beanie_with_bobble", headgear, Fits::child, hair, {"cold", "short"}, {}, beanie_with_bobble},
+          {"beanie_with_bobble", headgear, Fits::woman, hair, {"cold", "long"}, {}, beanie_with_bobble_and_long_hair},
+          {"sun_hat", headgear, others, hair, {"sun", "short"}, {}, sun_hat},
+          {"sun_hat", headgear, Fits::woman, hair, {"sun", "long"}, {}, sun_hat_with_long_hair},
+          {"helmet", headgear, others, hair, {"safety", "short"}, {}, helmet},
+          {"helmet", headgear, Fits::woman, hair, {"safety", "long"}, {}, helmet_with_tail},
+          {"headscarf", headgear, Fits::woman, hair, {"modest"}, {}, headscarf}};
 }
 
 }  // namespace throng::wardrobe

@@ -100,7 +100,7 @@ Skin make_suit_jacket() {
                                         .gap = gap});
   finish_neck(half, top.neck, Region::outer);
   add_collar(half, Region::outer, 34, 0, jacket_collar);
-  add_sleeve(half, top.armhole, Region::outer, jacket_sleeve(0, 0.520));
+  add_sleeve(half, top.armhole, Region::outer, jacket_sleeve(0.002, 0.520));
   Skin cloth = mirrored_surface(half);
   crumple(cloth, 0.0014);
   sew_on(cloth, lapel(gap, 1.110, 1.440, 0.068, 0.007));
@@ -194,7 +194,7 @@ Skin make_cardigan() {
                                         .gap = gap,
                                         .hem_trim = 1});
   finish_neck(half, top.neck, Region::outer);
-  std::vector<SleeveRow> sleeve = jacket_sleeve(0, 0.515);
+  std::vector<SleeveRow> sleeve = jacket_sleeve(0.003, 0.515);
   sleeve.back() = {0.505, 0.040, 0.036, 0, 0, 1, 0.92};
   sleeve.push_back({0.540, 0.038, 0.033, 0, 0, 1});
   add_sleeve(half, top.armhole, Region::outer, sleeve);

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <glm/common.hpp>
@@ -25,25 +26,37 @@ struct Curtain {
   double fringe;       ///< Row where it ends over the forehead; beyond the hairline there is none.
   double flare;        ///< Metres that its end stands further out.
   double opens;        ///< Degrees from the front where the curtain begins.
+  std::function<double(double angle)> hat_edge = {};  ///< The row below which it comes out of a hat; none: of no hat.
 };
+
+/// Locks: how far hair stands out, or hangs down, -1 to 1.
+double lock(double angle) { return std::sin(angle * 0.34 + 1.3 * std::sin(angle * 0.13)); }
+
+constexpr double parted_at = 20;  // degrees
 
 std::vector<HairPoint> curtain_column(const Curtain& curtain, double angle) {
   const double side = std::abs(angle);
   const double hangs = glm::smoothstep(curtain.opens - 8, curtain.opens + 10, side);
-  const double root_row = glm::mix(curtain.fringe, 11.2, glm::smoothstep(40.0, curtain.opens + 4, side));
+  const bool below_hat = static_cast<bool>(curtain.hat_edge);
+  // Without a fringe it leaves the forehead free below the parting.
+  const double swept = curtain.fringe > 12 ? 0.6 * std::exp(-std::pow((angle - parted_at) / 22, 2.0)) : 0;
+  const double root_row = below_hat
+                              ? curtain.hat_edge(angle) + 0.5
+                              : glm::mix(curtain.fringe + swept, 11.2, glm::smoothstep(40.0, curtain.opens + 4, side));
   const double back = glm::smoothstep(80.0, 135.0, side);
-  const double bottom = glm::mix(curtain.side_bottom, curtain.bottom, back);
+  const double bottom = glm::mix(curtain.side_bottom, curtain.bottom, back) + 0.008 * lock(2.3 * angle);
   std::vector<HairPoint> points;
   const auto on_head = [&](double row, double out) { return head_point(angle, row) + head_normal(angle, row) * out; };
   constexpr int hanging_rings = 7;
   const double over_ear = 0.007 * std::exp(-std::pow((side - 98) / 20, 2.0));
-  const dvec3 top = on_head(root_row, 0.015 + over_ear);
+  const dvec3 top = on_head(root_row, (below_hat ? 0.004 : 0.015) + over_ear);
   for (int ring = -2; ring < hanging_rings; ++ring) {
     const double share = static_cast<double>(hanging_rings - std::max(ring, 0)) / hanging_rings;
     const double y = glm::mix(top.y, glm::mix(top.y - 0.012, bottom, hangs), share);
     const double turn = angle * std::numbers::pi / 180;
     // Down the sides of the head, then straight, a little out at the end; behind the back of who wears a coat.
-    const double out = 0.004 * std::sin(share * std::numbers::pi) + curtain.flare * share * share;
+    const double out = 0.004 * std::sin(share * std::numbers::pi) + curtain.flare * share * share +
+                       0.0030 * lock(1.9 * angle) * share + (below_hat ? 0.011 * glm::smoothstep(0.1, 0.4, share) : 0);
     dvec3 place(top.x + std::sin(turn) * out, y, top.z - std::abs(std::cos(turn)) * out * (side > 90 ? 1 : -0.3));
     const double tapers = glm::smoothstep(1.66, 1.56, y) * glm::smoothstep(95.0, 70.0, side);
     place.x *= 1 - 0.17 * tapers;
@@ -63,13 +76,17 @@ std::vector<HairPoint> curtain_column(const Curtain& curtain, double angle) {
       points.push_back({place, paint});
     }
   }
+  if (below_hat) {
+    points.push_back({on_head(root_row + 0.4, 0.0), dvec3(0.7)});
+    return points;
+  }
   constexpr int cap_rings = 6;
   for (int ring = 0; ring < cap_rings; ++ring) {
     const double row = glm::mix(root_row, head_row::crown, static_cast<double>(ring) / cap_rings);
-    const double parting = std::exp(-std::pow(angle / 9, 2.0)) * glm::smoothstep(12.0, 13.0, row);
+    const double parting = std::exp(-std::pow((angle - parted_at) / 9, 2.0)) * glm::smoothstep(12.0, 13.0, row);
     const double out = 0.015 + over_ear * glm::smoothstep(14.0, 11.0, row) + 0.004 * glm::smoothstep(11.0, 13.5, row) -
-                       0.008 * parting;
-    points.push_back({on_head(row, out), strand_paint(angle, 1) * (1 - 0.25 * parting)});
+                       0.009 * parting + 0.0015 * lock(1.9 * angle);
+    points.push_back({on_head(row, out), strand_paint(angle, 1) * (1 - 0.42 * parting)});
   }
   points.push_back({head_point(0, head_row::crown) + dvec3(0, 0.014, 0), dvec3(0.85)});
   return points;
@@ -98,14 +115,7 @@ Skin combed_back() {
 
 Skin ponytail() {
   Skin skin = combed_back();
-  append(skin, hair_tube({{0, 1.722, -0.108},
-                          {0, 1.725, -0.133},
-                          {0, 1.704, -0.153},
-                          {0, 1.655, -0.158},
-                          {0, 1.600, -0.157},
-                          {0, 1.545, -0.150},
-                          {0, 1.500, -0.148}},
-                         {0.016, 0.019, 0.025, 0.029, 0.026, 0.018, 0.004}));
+  append(skin, tied_tail());
   return skin;
 }
 
@@ -158,6 +168,28 @@ Skin plait() {
 }
 
 }  // namespace
+
+Skin hair_below_hat(const std::function<double(double)>& edge, double bottom, double side_bottom) {
+  const Curtain curtain{bottom, side_bottom, 0, 0.006, 68, edge};
+  HairPlan plan;
+  plan.from = 62;
+  plan.to = 298;
+  plan.columns = 22;
+  plan.closed_top = false;
+  plan.column = [&](double angle) { return curtain_column(curtain, angle > 180 ? angle - 360 : angle); };
+  return hair_surface(plan);
+}
+
+Skin tied_tail() {
+  return hair_tube({{0, 1.722, -0.108},
+                    {0, 1.725, -0.133},
+                    {0, 1.704, -0.153},
+                    {0, 1.655, -0.158},
+                    {0, 1.600, -0.157},
+                    {0, 1.545, -0.150},
+                    {0, 1.500, -0.148}},
+                   {0.016, 0.019, 0.025, 0.029, 0.026, 0.018, 0.004});
+}
 
 std::vector<Part> long_hair() {
   return {{"bob", Slot::hair, Fits::women_and_children, {}, {"long"}, {}, bob},

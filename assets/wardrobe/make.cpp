@@ -129,6 +129,25 @@ Cage shell(std::initializer_list<Slot> pieces, mannequin::Region region, const s
   return cage;
 }
 
+Skin bare_skin(Slot piece, double above) {
+  const Skin& man = man_skin();
+  Skin bare;
+  std::map<std::size_t, std::size_t> copies;
+  for (mannequin::SkinFace face : man.faces) {
+    if (static_cast<Slot>(face.notes.piece) != piece) continue;
+    const auto is_low = [&](std::size_t corner) { return man.points[corner].position.y < above; };
+    if (std::any_of(face.corners.begin(), face.corners.end(), is_low)) continue;
+    for (std::size_t& corner : face.corners) {
+      const auto [found, fresh] = copies.try_emplace(corner, bare.points.size());
+      if (fresh) bare.points.push_back(man.points[corner]);
+      corner = found->second;
+    }
+    face.notes = {};
+    bare.faces.push_back(std::move(face));
+  }
+  return bare;
+}
+
 void append(Skin& all, const Skin& more) {
   const std::size_t first = all.points.size();
   all.points.insert(all.points.end(), more.points.begin(), more.points.end());

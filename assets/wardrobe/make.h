@@ -40,6 +40,9 @@ mannequin::Cage shell(
     std::initializer_list<Slot> pieces, mannequin::Region region, const std::function<double(glm::dvec3)>& lift,
     const std::function<bool(glm::dvec3)>& keep = [](glm::dvec3) { return true; });
 
+/// The man's own skin of a piece above a height, for what leaves only that of the piece bare.
+mannequin::Skin bare_skin(Slot piece, double above);
+
 /// Puts the faces of one surface behind those of another.
 void append(mannequin::Skin& all, const mannequin::Skin& more);
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include "assets/mannequin/body_parts.h"
 #include "assets/wardrobe/make.h"
 
@@ -155,6 +157,14 @@ std::array<LegSection, 9> leg_sections() {
            {0.078, 0.102, -0.020, 0.0335, 0.044, ankle, Slot::shins}}};
 }
 
+/// A shoe becomes a foot: flat at the toes, the longest of which is the inner one.
+void make_bare(mannequin::CageVertex& vertex) {
+  dvec3& p = vertex.position;
+  const double ahead = glm::smoothstep(0.06, 0.15, p.z);
+  p.y *= 1 - 0.42 * ahead;
+  p.z += glm::smoothstep(0.13, 0.16, p.z) * (0.010 - 0.25 * (p.x - 0.078));
+}
+
 void add_naked_leg(Cage& cage, LimbRing upper) {
   for (const LegSection& section : leg_sections()) {
     LimbRing ring{};
@@ -170,7 +180,9 @@ void add_naked_leg(Cage& cage, LimbRing upper) {
   }
   set_piece(cage, Slot::feet);
   const std::size_t first = cage.faces.size();
+  const std::size_t first_vertex = cage.vertices.size();
   mannequin::add_shoe(cage, upper);
+  for (std::size_t v = first_vertex; v < cage.vertices.size(); ++v) make_bare(cage.vertices[v]);
   for (std::size_t f = first; f < cage.faces.size(); ++f) {
     cage.faces[f].region = Region::skin;
     cage.faces[f].paint.assign(cage.faces[f].corners.size(), dvec3(1));

@@ -65,8 +65,7 @@ std::optional<Outfit> read_outfit(std::string_view text) {
   outfit.body = *body;
   outfit.parts.assign(words.begin() + 1, words.end());
   for (const std::string& name : outfit.parts) {
-    const Part* part = find_part(name);
-    if (part != nullptr && fits(part->bodies, outfit.body)) continue;
+    if (find_part(name, outfit.body) != nullptr) continue;
     std::fprintf(stderr, "throng_wardrobe: there is no %s for a %s\n", name.c_str(), words.front().c_str());
     return std::nullopt;
   }
@@ -76,7 +75,8 @@ std::optional<Outfit> read_outfit(std::string_view text) {
 Mesh dressed(const Outfit& outfit, const std::vector<Finished>& parts, std::size_t level, bool plain) {
   std::set<Slot> covered;
   const auto worn = [&](const Finished& finished) {
-    return finished.made->part == nullptr ||
+    if (finished.made->part == nullptr) return true;
+    return fits(finished.made->part->bodies, outfit.body) &&
            std::find(outfit.parts.begin(), outfit.parts.end(), finished.made->name) != outfit.parts.end();
   };
   for (const Finished& finished : parts) {

@@ -16,7 +16,15 @@ inline constexpr std::array all_bodies{Body::man, Body::woman, Body::child};
 std::string_view name_of(Body body);
 
 /// Names the bodies that a part is made for, as bits.
-enum class Fits : unsigned char { man = 1, woman = 2, adults = 3, child = 4, women_and_children = 6, all = 7 };
+enum class Fits : unsigned char {
+  man = 1,
+  woman = 2,
+  adults = 3,
+  child = 4,
+  men_and_children = 5,
+  women_and_children = 6,
+  all = 7
+};
 bool fits(Fits fits, Body body);
 
 /// Names the place where a part is worn. The first eight are the pieces of skin that each body has.
@@ -59,7 +67,8 @@ struct Part {
 
 /// All parts, those of the bodies aside, in the order of the file.
 const std::vector<Part>& all_parts();
-const Part* find_part(std::string_view name);
+/// Returns the part of that name that fits a body; null without one.
+const Part* find_part(std::string_view name, Body body);
 
 // One list a file of parts; catalogue.cpp joins them.
 std::vector<Part> short_hair();

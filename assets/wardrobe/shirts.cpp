@@ -103,7 +103,9 @@ Skin make_tank_top() {
                                         .armhole_in = 0.024});
   rib_neck(half, top.neck, 1);
   hem_armhole(half, top.armhole, Region::shirt, 1);
-  return mirrored_surface(half);
+  Skin cloth = mirrored_surface(half);
+  append(cloth, bare_skin(Slot::torso, 1.27));
+  return cloth;
 }
 
 Skin make_shirt() {
@@ -134,15 +136,15 @@ Skin make_blouse() {
                                                  {1.280, 0.170, 0.124, -0.128, 0.006, 0, 0.84}},
                                         .ease = 0.007,
                                         .neck = {1.506, 0.082, 0.048, -0.090, 0.030, 0.0, 0.9},
-                                        .scoop = 0.070,
-                                        .scoop_back = 0.014});
+                                        .scoop = 0.014,
+                                        .scoop_back = 0.004});
   rib_neck(half, top.neck, 1);
   add_sleeve(half, top.armhole, Region::shirt,
-             {{0.060, 0.066, 0.064, 0, -0.002, 0, 1, true},
-              {0.172, 0.056, 0.054, 0, 0},
-              {0.280, 0.051, 0.049, 0, 0.003},
-              {0.390, 0.051, 0.048, 0, 0.003},
-              {0.480, 0.047, 0.042, 0, 0.003},
+             {{0.065, 0.060, 0.059, 0, -0.005, 0, 1, true},
+              {0.172, 0.051, 0.050, 0, 0},
+              {0.280, 0.048, 0.046, 0, 0.001},
+              {0.390, 0.045, 0.042, 0, 0.001},
+              {0.480, 0.041, 0.037, 0, 0.001},
               {0.498, 0.034, 0.030, 0, 0, 0, 0.85},
               {0.530, 0.034, 0.030, 0, 0, 1}});
   Skin cloth = mirrored_surface(half);

@@ -144,7 +144,7 @@ Skin make_sandals() {
     for (std::size_t i = 0; i < 7; ++i) places[i] = {0.108 + across[i] * wide, up[i] * high, z};
     return places;
   };
-  strap(arc(0.074, 1.02, 1.10), arc(0.112, 1.00, 0.98));
+  strap(arc(0.074, 1.02, 1.06), arc(0.112, 1.00, 0.78));
   const std::array<dvec3, 7> high{{{0.062, 0.074, 0.020},
                                    {0.062, 0.072, -0.020},
                                    {0.074, 0.070, -0.062},

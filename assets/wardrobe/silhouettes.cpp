@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <map>
 #include <numeric>
 #include <set>
@@ -27,11 +28,12 @@ struct Kind {
   std::vector<std::string> parts;
 };
 
-const std::array<Kind, 4>& kinds_of_bottom() {
-  static const std::array<Kind, 4> kinds{{{"trousers", {"shirt", "chinos", "trainers"}},
+const std::array<Kind, 5>& kinds_of_bottom() {
+  static const std::array<Kind, 5> kinds{{{"trousers", {"shirt", "chinos", "trainers"}},
                                           {"shorts", {"t_shirt", "shorts", "trainers"}},
                                           {"skirt", {"shirt", "knee_skirt", "trainers"}},
-                                          {"long", {"shirt", "long_skirt", "trainers"}}}};
+                                          {"long", {"shirt", "long_skirt", "trainers"}},
+                                          {"coat", {"coat", "shirt", "chinos", "trainers"}}}};
   return kinds;
 }
 
@@ -40,16 +42,25 @@ const std::array<Kind, 3>& kinds_of_hair() {
   return kinds;
 }
 
-/// Joins the third level of the parts, and of the skin that they leave bare, where the man rests.
+bool is_first_of_its_name(const Part& part) {
+  const auto named = [&](const Part& other) { return other.name == part.name; };
+  return &*std::find_if(all_parts().begin(), all_parts().end(), named) == &part;
+}
+
+/// Joins the second level of the parts, and of the skin that they leave bare, where the man rests. What is worn above
+/// the waist is tinted as the outermost layer, whatever that is.
 Mesh joined(const std::vector<std::string>& names, std::span<const Finished> parts) {
   std::set<Slot> covered;
   const auto worn = [&](const MadePart& made) {
-    return made.part == nullptr || std::find(names.begin(), names.end(), made.name) != names.end();
+    if (made.part == nullptr) return true;
+    return is_first_of_its_name(*made.part) && std::find(names.begin(), names.end(), made.name) != names.end();
   };
   for (const Finished& finished : parts) {
     if (finished.made->part == nullptr || !worn(*finished.made)) continue;
     covered.insert(finished.made->part->covers.begin(), finished.made->part->covers.end());
   }
+  constexpr auto top = static_cast<float>(mannequin::Region::shirt),
+                 outer = static_cast<float>(mannequin::Region::outer);
   Mesh all;
   for (const Finished& finished : parts) {
     const MadePart& made = *finished.made;
@@ -58,9 +69,10 @@ Mesh joined(const std::vector<std::string>& names, std::span<const Finished> par
     for (MeshVertex vertex : made.mesh.vertices) {
       vertex.piece = 0;
       vertex.trim = 0;
+      if (vertex.region == top) vertex.region = outer;
       all.vertices.push_back(vertex);
     }
-    const std::vector<std::uint16_t>& indices = made.levels[std::min<std::size_t>(2, made.levels.size() - 1)].indices;
+    const std::vector<std::uint16_t>& indices = made.levels[std::min<std::size_t>(1, made.levels.size() - 1)].indices;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
       const auto moved = [&](std::size_t k) { return static_cast<std::uint16_t>(first + indices[i + k]); };
       all.triangles.push_back({moved(0), moved(1), moved(2)});
@@ -110,20 +122,6 @@ void drop_unseen(Mesh& mesh) {
   });
 }
 
-/// Keeps the vertices that the levels use.
-void compact(Mesh& mesh, std::vector<Level>& levels) {
-  std::map<std::uint16_t, std::uint16_t> moved;
-  Mesh kept;
-  for (Level& level : levels) {
-    for (std::uint16_t& index : level.indices) {
-      const auto [found, fresh] = moved.try_emplace(index, static_cast<std::uint16_t>(kept.vertices.size()));
-      if (fresh) kept.vertices.push_back(mesh.vertices[index]);
-      index = found->second;
-    }
-  }
-  mesh = std::move(kept);
-}
-
 mannequin::Weights all_weights(const MeshVertex& vertex) {
   mannequin::Weights weights{};
   for (std::size_t i = 0; i < 4; ++i) weights[vertex.joints[i]] += static_cast<double>(vertex.weights[i]);
@@ -132,8 +130,8 @@ mannequin::Weights all_weights(const MeshVertex& vertex) {
 
 Finished finish_silhouette(const std::string& name, Mesh mesh) {
   drop_unseen(mesh);
-  std::vector<Level> levels = levels_of_size(mesh, silhouette_sizes);
-  compact(mesh, levels);
+  std::vector<Level> levels = far_levels(mesh, silhouette_levels);
+  keep_used(mesh, levels);
   for (MeshVertex& vertex : mesh.vertices) {
     vertex.pattern = glm::vec2(0);
     vertex.hair = glm::vec2(0);
@@ -161,14 +159,17 @@ std::vector<std::string> silhouette_parts() {
 }
 
 std::vector<Finished> make_silhouettes(std::span<const Finished> parts) {
-  std::vector<Finished> silhouettes;
+  std::vector<std::future<Finished>> made;
   for (const Kind& bottom : kinds_of_bottom()) {
     for (const Kind& hair : kinds_of_hair()) {
       std::vector<std::string> names = bottom.parts;
       names.insert(names.end(), hair.parts.begin(), hair.parts.end());
-      silhouettes.push_back(finish_silhouette("silhouette/" + bottom.name + "/" + hair.name, joined(names, parts)));
+      made.push_back(std::async(std::launch::async, finish_silhouette, "silhouette/" + bottom.name + "/" + hair.name,
+                                joined(names, parts)));
     }
   }
+  std::vector<Finished> silhouettes;
+  for (std::future<Finished>& each : made) silhouettes.push_back(each.get());
   return silhouettes;
 }
 

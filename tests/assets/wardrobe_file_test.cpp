@@ -62,7 +62,7 @@ TEST(WardrobeFile, HasASilhouetteForEachKindOfOutfit) {
   std::set<std::string> names;
   for (const auto& node : file.json()["nodes"]) names.insert(node["name"].get<std::string>());
   for (const std::string body : {"man", "woman", "child"}) {
-    for (const std::string bottom : {"trousers", "shorts", "skirt", "long"}) {
+    for (const std::string bottom : {"trousers", "shorts", "skirt", "long", "coat"}) {
       for (const std::string hair : {"short", "long", "hat"}) {
         for (const std::string level : {"", ".1", ".2"}) {
           const std::string name = body + "/silhouette/" + bottom + "/" + hair + level;

@@ -96,7 +96,7 @@ class WardrobeLimbs : public ::testing::TestWithParam<Worn> {};
 TEST_P(WardrobeLimbs, EnterClothesNoFurtherThanClothGives) {
   std::vector<WornCloth> outfit{worn_skin(Slot::hands, GetParam().body)};
   for (const std::string& name : GetParam().parts) {
-    const wardrobe::Part* part = wardrobe::find_part(name);
+    const wardrobe::Part* part = wardrobe::find_part(name, GetParam().body);
     ASSERT_NE(part, nullptr) << name;
     outfit.push_back(worn_part(*part, GetParam().body));
   }

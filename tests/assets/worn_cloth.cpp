@@ -136,7 +136,8 @@ const std::vector<ClipMoment>& clip_moments() {
   return moments;
 }
 
-CoveredCloth::CoveredCloth(const WornCloth& inner, const WornCloth& outer) : inner_(inner), outer_(outer) {
+CoveredCloth::CoveredCloth(const WornCloth& inner, const WornCloth& outer, Heights heights)
+    : inner_(inner), outer_(outer) {
   constexpr double reach = 0.12, farthest = 0.07;
   std::vector<bool> used(inner.mesh.vertices.size());
   for (const auto& triangle : inner.mesh.triangles) {
@@ -144,7 +145,7 @@ CoveredCloth::CoveredCloth(const WornCloth& inner, const WornCloth& outer) : inn
   }
   const std::vector<dvec3> places = places_of(outer.mesh, mannequin::world_pose(mannequin::Pose()));
   for (std::size_t v = 0; v < used.size(); ++v) {
-    if (!used[v] || inner.inside[v]) continue;
+    if (!used[v] || inner.inside[v] || inner.at_rest(v).y < heights.low || inner.at_rest(v).y > heights.high) continue;
     Below below{v, {}};
     bool covered = false;
     for (std::size_t t = 0; t < outer.mesh.triangles.size(); ++t) {

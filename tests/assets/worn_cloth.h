@@ -40,10 +40,16 @@ glm::dvec3 nearest_shares(glm::dvec3 place, const Corners& triangle);
 /// Returns where the vertices of a mesh are in a pose.
 std::vector<glm::dvec3> places_of(const mannequin::Mesh& mesh, const mannequin::WorldPose& pose);
 
+/// A range of heights at rest, metres.
+struct Heights {
+  double low = 0, high = 10;
+};
+
 /// Finds the vertices of an inner part that lie below an outer one at rest, and how far they come out of it.
 class CoveredCloth {
  public:
-  CoveredCloth(const WornCloth& inner, const WornCloth& outer);
+  /// Vertices outside the heights do not count.
+  CoveredCloth(const WornCloth& inner, const WornCloth& outer, Heights heights = {});
   [[nodiscard]] bool empty() const { return below_.empty(); }
   /// Returns by how many metres the farthest one stands out of the outer part and is seen.
   [[nodiscard]] double deepest(const mannequin::WorldPose& pose) const;

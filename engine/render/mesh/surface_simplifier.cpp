@@ -24,9 +24,6 @@ constexpr double color_travel_share = 0.03;
 // The length of an edge costs this much: of merges that keep the shape, short ones make better triangles.
 constexpr double length_cost = 1e-3;
 
-// An open edge is held this many times as firmly as a surface of the same size.
-constexpr double open_edge_weight = 4.0;
-
 // Vertices whose texture coordinates are this close show the same colour: they are two sides of a hard edge, or lie in
 // one patch of an atlas of plain colours.
 constexpr float like_texture = 1.0F / 64.0F;
@@ -102,7 +99,8 @@ void SurfaceSimplifier::hold_open_edges() {
       const glm::dvec3 along = points_[edge.second].position - points_[edge.first].position;
       const glm::dvec3 upright = glm::normalize(glm::cross(along, normal(triangle)));
       for (const std::uint32_t end : {edge.first, edge.second}) {
-        points_[end].cost.add_plane(upright, points_[end].position, open_edge_weight * glm::dot(along, along));
+        points_[end].cost.add_plane(upright, points_[end].position,
+                                    surface_.open_edge_firmness * glm::dot(along, along));
       }
     }
   }

@@ -26,6 +26,7 @@ struct SkinnedSurfaceView {
   std::span<const glm::vec3> colors = {};   ///< one a vertex, as seen (PointLook::color), or empty: all alike
   std::span<const std::uint8_t> face = {};  ///< one a vertex, 1 on a face, or empty: no face is known
   double face_firmness = 25.0;              ///< an error on a face counts as one of a surface this many times as large
+  double open_edge_firmness = 4.0;          ///< an open edge is held this many times as firmly as a surface of its size
 };
 
 /// Merges points of a skinned surface along its edges, the cheapest first (CollapseCost).

@@ -41,6 +41,9 @@ TEST(Held, LetsNobodyDoWhatTakesTheHandThatHoldsIt) {
 TEST(Held, IsPutAwayWhileSomebodySits) {
   EXPECT_FALSE(is_in_hand(Held::bag, Role::sit));
   EXPECT_TRUE(is_in_hand(Held::balloon, Role::sit));
+  EXPECT_TRUE(is_in_hand(Held::phone, Role::sit)) << "they look at it on a bench";
+  EXPECT_TRUE(is_in_hand(Held::bag, Role::lean));
+  EXPECT_FALSE(is_in_hand(Held::stick, Role::lean));
   EXPECT_TRUE(is_in_hand(Held::bag, Role::stand));
 }
 

@@ -57,6 +57,24 @@ TEST_F(CompanyOfAPlaza, WalksBesideItsLeader) {
   EXPECT_GT(static_cast<double>(beside), 0.93 * static_cast<double>(looks));
 }
 
+TEST_F(CompanyOfAPlaza, KeepsItsSide) {
+  std::size_t looks = 0, across = 0;
+  for (int i = 0; i < 60 * 30; ++i) {
+    crowd_.advance(frame);
+    if (i % 15 != 0) continue;
+    for (const std::size_t follower : followers()) {
+      const std::size_t leader = leader_of(follower);
+      if (follower != leader + 1) continue;  // the first is on the left
+      const glm::vec3 way = crowd_.positions()[follower] - crowd_.positions()[leader];
+      const Heading heading = crowd_.headings()[leader];
+      ++looks;
+      across += way.x * heading.cosine - way.z * heading.sine < -0.1F ? 1U : 0U;
+    }
+  }
+  ASSERT_GT(looks, 1000U);
+  EXPECT_LT(static_cast<double>(across), 0.06 * static_cast<double>(looks)) << "children would have to let go";
+}
+
 TEST_F(CompanyOfAPlaza, StopsWhenItsLeaderDoes) {
   std::size_t looks = 0, stand = 0;
   std::vector<int> stood(crowd_.size(), 0);

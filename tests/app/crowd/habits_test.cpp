@@ -11,8 +11,8 @@
 namespace throng::app::habits_test {
 namespace {
 
-constexpr Habit all_habits[] = {Habit::stroll, Habit::stand_about, Habit::march,
-                                Habit::watch,  Habit::sit,         Habit::train};
+constexpr Habit all_habits[] = {Habit::stroll, Habit::stand_about, Habit::march, Habit::watch,
+                                Habit::sit,    Habit::train,       Habit::wait,  Habit::pose};
 
 bool is_listed(Habit habit, Role from, Role to) {
   return std::ranges::any_of(transitions(), [&](const Transition& transition) {

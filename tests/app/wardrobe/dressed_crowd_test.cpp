@@ -111,6 +111,26 @@ class DressedCrowdTest : public testing::Test {
 CharacterRoles DressedCrowdTest::roles_;
 Clothing DressedCrowdTest::clothing_;
 
+TEST_F(DressedCrowdTest, GivesCamerasToWhoTakesPicturesAndNoPushchairsToWhoSits) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, std::span(&clothing_, 1), tuning);
+  int cameras = 0, seated = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    const Habit habit = crowd.habits()[agent];
+    if (habit == Habit::photograph) {
+      EXPECT_EQ(dressed.things[agent], Held::camera);
+      ++cameras;
+    }
+    if (habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low) {
+      EXPECT_NE(dressed.things[agent], Held::pushchair);
+      ++seated;
+    }
+  }
+  EXPECT_GT(cameras, 8);
+  EXPECT_GT(seated, 20);
+}
+
 TEST_F(DressedCrowdTest, ShowsNoTwoAlikeNearEachOther) {
   const Tuning tuning = tuning_of(Scene::plaza, 1000);
   const Crowd crowd = crowd_of(tuning);
@@ -149,6 +169,14 @@ TEST_F(DressedCrowdTest, HasManySilhouettes) {
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) ++outfits[clothes(dressed, agent)];
   EXPECT_GT(outfits.size(), 300U) << "of a thousand people";
   for (const auto& [names, people] : outfits) EXPECT_LT(people, 40);
+}
+
+TEST_F(DressedCrowdTest, GivesEverybodyAFaceOfTheirOwn) {
+  const Tuning tuning = tuning_of(Scene::plaza, 300);
+  const DressedCrowd dressed = dress_crowd(crowd_of(tuning), {&clothing_, 1}, tuning);
+  std::set<std::uint32_t> faces;
+  for (const render::AgentLook& look : dressed.looks) faces.insert(look.face);
+  EXPECT_GT(faces.size(), 290U);
 }
 
 TEST_F(DressedCrowdTest, DressesTheCompaniesOfAParadeAlikeAndEachInItsWay) {
@@ -205,7 +233,8 @@ TEST_F(DressedCrowdTest, ShowsSkirtsFromAfar) {
     const std::string silhouette = clothing_.wardrobe.parts()[dressed.outfits[agent].silhouette - 1U].name;
     if (!clothes(dressed, agent).contains("knee_skirt")) continue;
     ++skirts;
-    EXPECT_EQ(silhouette.find("silhouette/skirt/"), 0U) << silhouette;
+    const std::string cut = clothes(dressed, agent).contains("coat") ? "coat" : "skirt";
+    EXPECT_EQ(silhouette.find("silhouette/" + cut + "/"), 0U) << silhouette;
   }
   EXPECT_GT(skirts, 10);
 }

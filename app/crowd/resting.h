@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/character/roles.h"
+#include "app/crowd/fixtures.h"
+#include "app/crowd/layout.h"
+
+namespace throng::app {
+
+/// Where somebody leans or sits: their feet, and what they do there.
+struct RestPlace {
+  glm::dvec2 position{0.0};
+  Heading heading{};
+  double height = 0.0;
+  Habit habit = Habit::lean;
+};
+
+/// Returns the places at the trunks of trees, the closed sides of kiosks and the rims of fountains. Benches before a
+/// trunk take its side.
+std::vector<RestPlace> rest_places(std::span<const Fixture> fixtures, double spacing);
+
+/// Returns where flights of steps of a plaza are: the middle of the lowest front, and the way that it looks.
+std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
+/// Returns the places on these steps.
+std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spacing);
+
+/// Moves some of those who stand about in a plaza to trunks, kiosks, rims and steps, as far as `roles` can lean and
+/// sit there. Nobody goes where others stand.
+void let_some_rest(CrowdLayout& layout, std::span<const Fixture> fixtures, std::size_t agents, std::uint32_t seed,
+                   const CharacterRoles& roles);
+
+}  // namespace throng::app

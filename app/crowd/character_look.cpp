@@ -39,7 +39,7 @@ std::span<const std::uint32_t> hairs_for(std::size_t skin) {
 
 // Not much lighter, or pale ones would burn out in the sun.
 std::uint32_t faded(std::uint32_t color, Random& random) {
-  const float lightness = random.between(0.85F, 1.04F);
+  const float lightness = random.between(least_lightness, most_lightness);
   std::uint32_t result = 0xFF;
   for (const unsigned shift : {16U, 8U, 0U}) {
     const float channel = static_cast<float>((color >> shift) & 0xFFU) * lightness;

@@ -30,6 +30,8 @@ inline constexpr float most_size_variety = 0.3F;
 /// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.
 Tints random_tints(Random& random);
 
+inline constexpr float least_lightness = 0.85F, most_lightness = 1.04F;  ///< that a colour fades to
+
 /// Returns a colour a little lighter or darker, so that no two of one colour are quite alike.
 std::uint32_t faded(std::uint32_t color, Random& random);
 

@@ -131,8 +131,9 @@ class AnimatedCrowd {
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
   friend void give_things(AnimatedCrowd& animated, std::vector<Held> things);
   friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
-    animated.held_arms_->show(*animated.crowd_, visible);
-    animated.joined_hands_->join(*animated.crowd_, *animated.held_arms_, visible);
+    animated.joined_hands_->find(*animated.crowd_, visible);
+    animated.held_arms_->show(*animated.crowd_, visible, animated.joined_hands_->away());
+    animated.joined_hands_->join(*animated.held_arms_);
   }
   friend const HeldArms& held_arms_of(const AnimatedCrowd& animated) { return *animated.held_arms_; }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }

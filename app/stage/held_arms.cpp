@@ -1,7 +1,6 @@
 #include "app/stage/held_arms.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "engine/anim/agent/cross_fade_channel.h"
@@ -46,27 +45,6 @@ bool waits(Role arm) { return arm == Role::drink || arm == Role::take_picture; }
 ArmClip clip_of_arm(const CharacterRoles& roles, Role arm) {
   const bool steps = arm == Role::push || arm == Role::stick;
   return {.clip = roles.clip(arm), .speed = waits(arm) ? 0.0 : 1.0, .step_clip = steps ? roles.clip(Role::walk) : -1};
-}
-
-/// Returns whether a child is where the hand of its grown-up, who comes right before it, can be: at the left side.
-bool is_at_hand(const Crowd& crowd, std::uint32_t grown_up, std::uint32_t child, bool has_it) {
-  constexpr float nearest = 0.25F, farthest = 0.95F, ahead = 0.55F;  // metres, of a person
-  const float slack = has_it ? 1.1F : 1.0F;
-  const glm::vec3 way = (crowd.positions()[child] - crowd.positions()[grown_up]) / crowd.scales()[grown_up];
-  const Heading heading = crowd.headings()[grown_up], other = crowd.headings()[child];
-  const float to_the_left = way.x * heading.cosine - way.z * heading.sine;
-  const float before = way.x * heading.sine + way.z * heading.cosine;
-  const bool look_alike = heading.cosine * other.cosine + heading.sine * other.sine > 0.5F;
-  return look_alike && to_the_left > nearest / slack && to_the_left < farthest * slack &&
-         std::abs(before) < ahead * slack;
-}
-
-/// Returns whether the hand that somebody holds is there. All but hands is there always.
-bool finds_hand(const Crowd& crowd, std::span<const Held> things, std::uint32_t agent, bool has_it) {
-  const bool is_led = things[agent] == Held::grown_up && agent > 0 && things[agent - 1] == Held::child;
-  const bool leads = things[agent] == Held::child && agent + 1 < things.size() && things[agent + 1] == Held::grown_up;
-  if (is_led) return is_at_hand(crowd, agent - 1, agent, has_it);
-  return !leads || is_at_hand(crowd, agent, agent + 1, has_it);
 }
 
 }  // namespace
@@ -157,7 +135,8 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   return true;
 }
 
-void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
+void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible,
+                    std::span<const std::uint8_t> away) {
   if (arms_.empty()) return;
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
@@ -168,8 +147,8 @@ void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visi
     const bool was_near = arm.near_in == before && before != 0;
     if (seen.pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
     arm.near_in = frame_;
-    const bool has_hand = finds_hand(crowd, things, agent, arm.turn == Turn::on);
-    if (has_hand && arm_lies_over(things[agent], crowd.roles()[agent])) {
+    const bool is_away = !away.empty() && away[agent] != 0;
+    if (!is_away && arm_lies_over(things[agent], crowd.roles()[agent])) {
       turn_on(agent, arm, !was_near);
     } else {
       turn_off(agent, arm);

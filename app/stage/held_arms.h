@@ -28,8 +28,9 @@ class HeldArms {
   /// something, or when things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Lets arms hold their things where these are large enough to be seen. Call it before an update.
-  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible);
+  /// Lets arms hold their things where these are large enough to be seen. Call it before an update. `away` says [agent]
+  /// with 1 that the hand is away that its own would hold; empty: nobody's is.
+  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> away = {});
 
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();

@@ -17,8 +17,10 @@ namespace {
 
 constexpr anim::Ticks hand_fade = anim::ticks_per_second * 3 / 10;
 constexpr float stretched_to_begin = 0.93F, stretched_to_go_on = 0.985F;  // of an arm's length
-constexpr float share_of_child = 0.25F;                                   // of the way to its hand: a long arm hangs
-constexpr float half_a_hand = 0.020F;                                     // metres from the bones of a palm to its skin
+constexpr float comfortable = 1.0F;                                       // of an arm's length, from shoulder to palm
+constexpr float least_aside = 0.10F, most_behind = 0.28F;  // metres of a wrist, beside and behind its owner's middle
+constexpr float share_of_child = 0.25F;                    // of the way to its hand: a long arm hangs
+constexpr float half_a_hand = 0.020F;                      // metres from the bones of a palm to its skin
 
 /// A person's place on the ground, to which model space is turned and scaled.
 struct Stand {
@@ -57,6 +59,21 @@ glm::quat turn_of_forearm(const std::array<glm::vec3, 3>& joints, const glm::vec
   return glm::angleAxis(more, swing * glm::normalize(bends)) * swing;
 }
 
+std::size_t levels_with_hands(const anim::Skeleton& skeleton) {
+  const anim::Limbs limbs = anim::find_limbs(skeleton);
+  if (!limbs.left_arm || !limbs.right_arm) return 0;
+  const int last = std::max(limbs.left_arm->end, limbs.right_arm->end);
+  const auto has_them = [last](int bones) { return last < bones; };
+  return static_cast<std::size_t>(std::ranges::count_if(skeleton.level_bone_counts, has_them));
+}
+
+/// Returns the place, or the nearest to it that is so far from a shoulder at most.
+glm::vec3 within(const glm::vec3& place, const glm::vec3& shoulder, float reach) {
+  const glm::vec3 way = place - shoulder;
+  const float far = glm::length(way);
+  return far > reach ? shoulder + way * (reach / far) : place;
+}
+
 glm::vec3 mean_of(const anim::Stride& clip, std::size_t joint) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < anim::stride_instants; ++i) sum += clip.at(i, joint);
@@ -83,6 +100,7 @@ JoinedHands::JoinedHands(std::span<const CharacterSource> characters,
     : characters_(characters), rigs_(rigs), lent_(std::move(kinds), system) {
   for (std::size_t character = 0; character < characters.size(); ++character) {
     arms_.push_back({arm_of(character, Role::lead), arm_of(character, Role::led)});
+    levels_with_hands_.push_back(levels_with_hands(characters[character].character->skeleton));
   }
 }
 
@@ -112,56 +130,68 @@ JoinedHands::Arm JoinedHands::arm_of(std::size_t character, Role role) const {
 void JoinedHands::reset(const Crowd& crowd) {
   pairs_.clear();
   lent_.reset(crowd.size());
+  away_.assign(crowd.size(), 0);
   const std::span<const Held> things = things_of(crowd);
   for (std::uint32_t agent = 1; agent < things.size(); ++agent) {
     if (things[agent] != Held::grown_up || things[agent - 1] != Held::child) continue;
-    const bool have_arms = arm(crowd, agent - 1, 0).length > 0.0F && arm(crowd, agent, 1).length > 0.0F;
-    if (have_arms) pairs_.push_back({.grown_up = agent - 1, .child = agent});
+    const std::uint8_t grown_up = crowd.characters()[agent - 1], child = crowd.characters()[agent];
+    const bool have_arms = arms_[grown_up][0].length > 0.0F && arms_[child][1].length > 0.0F;
+    if (have_arms) pairs_.push_back({.grown_up = agent - 1, .child = agent, .characters = {grown_up, child}});
   }
   is_new_ = true;
 }
 
 void JoinedHands::go_back_to(const Moment& moment) {
   lent_.go_back_to(moment);
-  for (Pair& pair : pairs_) pair.joined = moment.wanted[pair.grown_up] != 0 && moment.wanted[pair.child] != 0;
+  for (Pair& pair : pairs_) pair.meets = moment.wanted[pair.grown_up] != 0 && moment.wanted[pair.child] != 0;
 }
 
-bool JoinedHands::is_near(const Pair& pair, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) const {
-  const float least = pair.joined ? pixels_to_go_on : pixels_to_begin;
-  return std::ranges::all_of(std::array{pair.grown_up, pair.child}, [&](std::uint32_t agent) {
+bool JoinedHands::is_near(const Pair& pair, std::span<const anim::VisibleAgent> visible) const {
+  const float least = pair.meets ? pixels_to_go_on : pixels_to_begin;
+  const auto is_seen = [&](std::uint32_t agent, std::size_t character) {
     const auto seen = std::ranges::lower_bound(visible, agent, {}, &anim::VisibleAgent::agent);
-    return seen != visible.end() && seen->agent == agent && seen->pixels_tall >= least && arms.holds(agent);
-  });
+    return seen != visible.end() && seen->agent == agent && seen->pixels_tall >= least &&
+           seen->bone_level < levels_with_hands_[character];
+  };
+  return is_seen(pair.grown_up, pair.characters[0]) && is_seen(pair.child, pair.characters[1]);
 }
 
-void JoinedHands::join(const Crowd& crowd, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) {
+void JoinedHands::find(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
   for (Pair& pair : pairs_) {
-    if (is_near(pair, arms, visible)) {
-      join(crowd, pair);
-    } else {
-      pair.joined = false;
-    }
-    if (pair.joined) continue;
+    pair.meets = is_near(pair, visible) && can_meet(crowd, pair);
+    away_[pair.grown_up] = away_[pair.child] = pair.meets ? 0 : 1;
+  }
+}
+
+/// The place lies between the palms as the clips have them, and not too far for either arm. The palm of the grown-up
+/// faces back, that of the child ahead.
+bool JoinedHands::can_meet(const Crowd& crowd, Pair& pair) const {
+  const Stand grown_up(crowd, pair.grown_up), child(crowd, pair.child);
+  const Arm& leads = arms_[pair.characters[0]][0];
+  const Arm& is_led = arms_[pair.characters[1]][1];
+  glm::vec3 middle = glm::mix(grown_up.to_world(leads.palm), child.to_world(is_led.palm), share_of_child);
+  middle = within(middle, child.to_world(is_led.shoulder), comfortable * child.scale * is_led.length);
+  middle = within(middle, grown_up.to_world(leads.shoulder), comfortable * grown_up.scale * leads.length);
+  const glm::vec3 apart = half_a_hand * grown_up.ahead;
+  pair.grown_ups = wrist_for(leads, grown_up.to_model(middle + grown_up.scale * apart));
+  pair.childs = wrist_for(is_led, child.to_model(middle - child.scale * apart));
+  const float stretched = std::max(glm::distance(pair.grown_ups, leads.shoulder) / leads.length,
+                                   glm::distance(pair.childs, is_led.shoulder) / is_led.length);
+  const bool are_beside = pair.grown_ups.x > least_aside && pair.childs.x < -least_aside &&
+                          std::min(pair.grown_ups.z, pair.childs.z) > -most_behind;
+  return are_beside && stretched < (pair.meets ? stretched_to_go_on : stretched_to_begin);
+}
+
+void JoinedHands::join(const HeldArms& arms) {
+  for (const Pair& pair : pairs_) {
+    const bool join = pair.meets && arms.holds(pair.grown_up) && arms.holds(pair.child) &&
+                      reach(pair.grown_up, arms_[pair.characters[0]][0], pair.grown_ups) &&
+                      reach(pair.child, arms_[pair.characters[1]][1], pair.childs);
+    if (join) continue;
     lent_.let_go(pair.grown_up, hand_fade);
     lent_.let_go(pair.child, hand_fade);
   }
   is_new_ = false;
-}
-
-/// The place lies between the palms as the clips have them. The palm of the grown-up faces back, that of the child
-/// ahead.
-void JoinedHands::join(const Crowd& crowd, Pair& pair) {
-  const Stand grown_up(crowd, pair.grown_up), child(crowd, pair.child);
-  const Arm& leads = arm(crowd, pair.grown_up, 0);
-  const Arm& is_led = arm(crowd, pair.child, 1);
-  const glm::vec3 middle = glm::mix(grown_up.to_world(leads.palm), child.to_world(is_led.palm), share_of_child);
-  const glm::vec3 apart = half_a_hand * grown_up.ahead;
-  const glm::vec3 first = wrist_for(leads, grown_up.to_model(middle + grown_up.scale * apart));
-  const glm::vec3 second = wrist_for(is_led, child.to_model(middle - child.scale * apart));
-  const float stretched = std::max(glm::distance(first, leads.shoulder) / leads.length,
-                                   glm::distance(second, is_led.shoulder) / is_led.length);
-  pair.joined = stretched < (pair.joined ? stretched_to_go_on : stretched_to_begin) &&
-                reach(pair.grown_up, leads, first) && reach(pair.child, is_led, second);
 }
 
 /// The hand keeps its angle to the forearm, which turns as the arm reaches.

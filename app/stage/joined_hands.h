@@ -19,7 +19,8 @@
 namespace throng::app {
 
 /// Hands of a grown-up and a child who go hand in hand. The clips of their arms bring the hands near each other; from
-/// there both reach for one place between them. A pair that is too far apart for its arms lets go.
+/// there both reach for one place between them, which follows from where the two stand. Where they cannot meet, or have
+/// no hands at their bone levels, neither holds one out.
 class JoinedHands {
  public:
   using Moment = LentProcesses<anim::ReachProcess>::Moment;
@@ -35,8 +36,12 @@ class JoinedHands {
   /// things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Joins the hands of those who are seen near by and whose arms are held out. Call it before an update.
-  void join(const Crowd& crowd, const HeldArms& arms, std::span<const anim::VisibleAgent> visible);
+  /// Finds whose hands can meet now. Call it before an update.
+  void find(const Crowd& crowd, std::span<const anim::VisibleAgent> visible);
+  /// Returns [agent] 1 for those who would hold a hand that is away, as HeldArms::show takes it.
+  std::span<const std::uint8_t> away() const { return away_; }
+  /// Joins the hands that can meet and are held out. Call it after HeldArms::show.
+  void join(const HeldArms& arms);
   /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.
   void take_back(std::span<const anim::VisibleAgent> visible) { lent_.take_back(visible); }
 
@@ -52,24 +57,24 @@ class JoinedHands {
   };
   struct Pair {
     std::uint32_t grown_up = 0, child = 0;
-    bool joined = false;
+    std::uint8_t characters[2] = {};
+    bool meets = false;                       ///< the hands can meet now
+    glm::vec3 grown_ups{0.0F}, childs{0.0F};  ///< places for the wrists to meet, each in its own model space
   };
-  static constexpr std::array<Role, 2> roles{Role::lead, Role::led};
 
   Arm arm_of(std::size_t character, Role role) const;
-  const Arm& arm(const Crowd& crowd, std::uint32_t agent, std::size_t side) const {
-    return arms_[crowd.characters()[agent]].at(side);
-  }
-  bool is_near(const Pair& pair, const HeldArms& arms, std::span<const anim::VisibleAgent> visible) const;
-  void join(const Crowd& crowd, Pair& pair);
+  bool is_near(const Pair& pair, std::span<const anim::VisibleAgent> visible) const;
+  bool can_meet(const Crowd& crowd, Pair& pair) const;
   static glm::vec3 wrist_for(const Arm& arm, const glm::vec3& palm);
   bool reach(std::uint32_t agent, const Arm& arm, const glm::vec3& target);
 
   std::span<const CharacterSource> characters_;
   std::span<const std::unique_ptr<anim::CharacterRigs>> rigs_;
-  std::vector<std::array<Arm, 2>> arms_;  // [character], of the grown-up and of the child
+  std::vector<std::array<Arm, 2>> arms_;        // [character], of the grown-up and of the child
+  std::vector<std::size_t> levels_with_hands_;  // [character] bone levels that have both wrists
   std::vector<Pair> pairs_;
-  bool is_new_ = true;  // nobody has been seen with free hands
+  std::vector<std::uint8_t> away_;  // [agent]
+  bool is_new_ = true;              // nobody has been seen with free hands
   LentProcesses<anim::ReachProcess> lent_;
 };
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/wardrobe/told_apart.h"
+
 namespace throng::app {
 namespace {
 
@@ -106,6 +108,7 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   const auto marching = std::ranges::find(rules.scenes, marching_scene, &SceneRule::scene);
   styles_ = choices_of(*rules.scene(occasion.scene), factors);
   marching_ = marching == rules.scenes.end() ? styles_ : choices_of(*marching, factors);
+  for (const Palette& palette : rules.palettes) seen_colors_.push_back(colors_told_apart(palette));
   for (const BodyRule& body : rules.bodies) {
     silhouettes_.push_back(silhouettes_for(body.name));
     std::vector<const WardrobePart*>& skin = skin_.emplace_back();
@@ -254,7 +257,7 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   look.tints.at(at) = render::tint_of(style.alike ? color : faded(color, random), pattern,
                                       rule == nullptr ? render::Fabric::cotton : rule->fabric);
   look.seconds.at(at) = render::second_of(other, size);
-  looks_like = mixed(mixed(looks_like, color), static_cast<std::uint64_t>(pattern));
+  looks_like = mixed(mixed(looks_like, seen_color(first, color)), static_cast<std::uint64_t>(pattern));
 }
 
 /// Silhouettes have an outermost layer above the waist, whatever it is, and legs below.
@@ -265,6 +268,15 @@ void Dresser::color_silhouette(const Worn& worn, render::AgentLook& look) {
   };
   if (!worn.fills("outer")) copy(render::Region::top, render::Region::outer);
   if (worn.fills("top") && !worn.fills("bottom")) copy(render::Region::top, render::Region::bottom);
+}
+
+/// Returns the first colour that nobody tells from this one.
+std::uint32_t Dresser::seen_color(std::string_view palette, std::uint32_t color) const {
+  const Palette* const found = rules_.palette(palette);
+  if (found == nullptr) return color;
+  const auto at = static_cast<std::size_t>(std::ranges::find(found->colors, color) - found->colors.begin());
+  const std::vector<std::uint32_t>& seen = seen_colors_[static_cast<std::size_t>(found - rules_.palettes.data())];
+  return at < seen.size() ? seen[at] : color;
 }
 
 Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const {

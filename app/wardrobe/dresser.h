@@ -80,14 +80,16 @@ class Dresser {
   static void color_silhouette(const Worn& worn, render::AgentLook& look);
   void color_part(const WardrobePart& part, const Style& style, const Person& person, Random& own,
                   render::AgentLook& look, std::uint64_t& looks_like) const;
+  std::uint32_t seen_color(std::string_view palette, std::uint32_t color) const;
   std::uint32_t one_of(std::string_view palette, const Person& person, bool is_second, Random& random) const;
 
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  Choices styles_, marching_;                           // of the scene, and of those who march
-  std::vector<Silhouettes> silhouettes_;                // [body]
-  std::vector<std::vector<const WardrobePart*>> skin_;  // [body]
+  Choices styles_, marching_;                            // of the scene, and of those who march
+  std::vector<Silhouettes> silhouettes_;                 // [body]
+  std::vector<std::vector<const WardrobePart*>> skin_;   // [body]
+  std::vector<std::vector<std::uint32_t>> seen_colors_;  // [palette][color] colors_told_apart
 };
 
 }  // namespace throng::app

@@ -31,6 +31,7 @@ class JoinedHandsTest : public test::WatchedStage {
     tuning.scene = Scene::plaza;
     tuning.agents = 240;
     tuning.lod.rule = anim::LodRule::off;
+    tuning.inspection.forced_bone_level = 0;
     tuning.system = {.pus = pus, .hash = true};
     tuning.wardrobe = true;
     auto made = Stage::create(std::move(characters), tuning, pages_);
@@ -91,7 +92,7 @@ class JoinedHandsTest : public test::WatchedStage {
 TEST_F(JoinedHandsTest, MeetPalmToPalmWhileTheirOwnersWalkAndStand) {
   // The bones of two palms that touch are two half hands apart.
   constexpr float touching = 0.034F, within = 0.02F;
-  int looks = 0, meet = 0, standing = 0;
+  int beside = 0, held = 0, meet = 0, standing = 0;
   ASSERT_GT(led_children().size(), 3U);
   for (int i = 0; i < 60; ++i) {
     pass_near(15);
@@ -99,7 +100,10 @@ TEST_F(JoinedHandsTest, MeetPalmToPalmWhileTheirOwnersWalkAndStand) {
       if (!is_seen(child) || !is_seen(child - 1)) continue;
       const auto& crowd = stage_->crowd();
       if (glm::distance(crowd.positions()[child], crowd.positions()[child - 1]) > 0.9F) continue;  // lost each other
-      ++looks;
+      ++beside;
+      const HeldArms& arms = held_arms_of(stage_->animated());
+      if (!arms.holds(child) || !arms.holds(child - 1)) continue;
+      ++held;
       standing += crowd.speeds()[child] < 0.1F ? 1 : 0;
       const float apart = glm::distance(palm(child - 1, ".L"), palm(child, ".R"));
       if (apart > touching + within) continue;
@@ -107,12 +111,13 @@ TEST_F(JoinedHandsTest, MeetPalmToPalmWhileTheirOwnersWalkAndStand) {
       EXPECT_GT(bend(child - 1, ".L"), 8.0F) << "an arm is never quite straight";
       EXPECT_LT(bend(child - 1, ".L"), 115.0F);
       EXPECT_GT(bend(child, ".R"), 8.0F);
-      EXPECT_LT(bend(child, ".R"), 140.0F);
+      EXPECT_LT(bend(child, ".R"), 148.0F);
     }
   }
-  ASSERT_GT(looks, 100);
+  ASSERT_GT(held, 100);
   EXPECT_GT(standing, 5);
-  EXPECT_GT(static_cast<double>(meet), 0.95 * looks);
+  EXPECT_GT(held, beside * 3 / 4) << "hands are away where a turn has parted the two";
+  EXPECT_GT(static_cast<double>(meet), 0.95 * held);
 }
 
 TEST_F(JoinedHandsTest, LetGoWhereTheyAreTooSmallToBeSeen) {

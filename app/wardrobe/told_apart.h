@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/wardrobe/cast_rules.h"
+
+namespace throng::app {
+
+/// Returns, for each colour of a palette, the first one that nobody tells from it on two people, since cloth fades.
+/// What is told from neither of two colours makes these one.
+std::vector<std::uint32_t> colors_told_apart(const Palette& palette);
+
+}  // namespace throng::app

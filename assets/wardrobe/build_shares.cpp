@@ -1,6 +1,7 @@
 #include "assets/wardrobe/build_shares.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "assets/mannequin/shape.h"
 #include "assets/wardrobe/body_skin.h"
 #include "assets/wardrobe/part.h"
+#include "assets/wardrobe/warp.h"
 
 namespace throng::wardrobe {
 namespace {
@@ -65,14 +67,14 @@ double arm_share(const mannequin::Weights& weights) {
   return share;
 }
 
-/// Returns normal and weights of the nearest skin of the same side and limb.
-mannequin::SkinPoint skin_below(const mannequin::SkinPoint& point) {
+/// Returns the nearest place on the skin of the same side and limb.
+SkinPlace place_below(const mannequin::SkinPoint& point) {
   static const std::vector<SkinTriangle> triangles = cut_skin();
   const auto& points = skin_with_normals().points;
   const dvec3 place = point.position;
   const bool of_arm = arm_share(point.weights) > 0.6;
   double nearest = std::numeric_limits<double>::infinity();
-  mannequin::SkinPoint best = point;
+  SkinPlace best;
   for (const SkinTriangle& triangle : triangles) {
     if (triangle.of_arm != of_arm || triangle.middle.x * place.x < -1e-4) continue;
     if (glm::distance(triangle.middle, place) - triangle.radius > nearest) continue;
@@ -82,14 +84,42 @@ mannequin::SkinPoint skin_below(const mannequin::SkinPoint& point) {
     const double distance = glm::distance(there, place);
     if (distance >= nearest - 1e-9) continue;
     nearest = distance;
-    best.normal =
-        glm::normalize(shares.x * points[a].normal + shares.y * points[b].normal + shares.z * points[c].normal);
-    for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
-      best.weights[j] =
-          shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
-    }
+    best = {triangle.corners, shares};
   }
   return best;
+}
+
+dvec3 normal_at(const SkinPlace& place, const Skin& skin) {
+  dvec3 normal(0);
+  for (int c = 0; c < 3; ++c) {
+    normal += place.shares[c] * skin.points[place.corners[static_cast<std::size_t>(c)]].normal;
+  }
+  return glm::normalize(normal);
+}
+
+dvec3 shape_at(const SkinPlace& place) {
+  mannequin::Weights weights{};
+  for (int c = 0; c < 3; ++c) {
+    const mannequin::Weights& of_corner =
+        skin_with_normals().points[place.corners[static_cast<std::size_t>(c)]].weights;
+    for (std::size_t j = 0; j < weights.size(); ++j) weights[j] += place.shares[c] * of_corner[j];
+  }
+  return mannequin::shape_by_joints(weights);
+}
+
+/// The skin of a body, with its own normals.
+const Skin& skin_of(Body body) {
+  static const std::array<Skin, all_bodies.size()> skins = [] {
+    std::array<Skin, all_bodies.size()> made;
+    for (const Body each : all_bodies) {
+      Skin& skin = made[static_cast<std::size_t>(each)];
+      skin = body_skin();
+      for (mannequin::SkinPoint& point : skin.points) point.position = warped(each, point.position, point.weights);
+      mannequin::compute_normals(skin);
+    }
+    return made;
+  }();
+  return skins[static_cast<std::size_t>(body)];
 }
 
 /// A belly is stouter than the joints behind it.
@@ -101,28 +131,26 @@ double belly(dvec3 place) {
 }  // namespace
 
 BuildShares::BuildShares(const Skin& surface) {
-  constexpr double faces_along = 0.35;  // the cosine from which a surface faces as the skin does
+  constexpr double along = 0.5;  // the cosine from which a surface faces as the skin does
   for (const mannequin::SkinPoint& point : surface.points) {
-    Below below;
-    const mannequin::SkinPoint skin = skin_below(point);
-    const dvec3 normal = skin.normal;
+    Below below{.place = place_below(point)};
     // Clothes over each other hang from other joints, but must grow alike. At the shoulder arms and trunk blend.
-    below.shares = glm::mix(mannequin::shape_by_joints(skin.weights), mannequin::shape_by_joints(point.weights),
+    below.shares = glm::mix(shape_at(below.place), mannequin::shape_by_joints(point.weights),
                             glm::smoothstep(0.1, 0.5, arm_share(point.weights)));
     below.shares.x += belly(point.position);
-    const double cosine = glm::dot(normal, point.normal);
-    if (cosine < -faces_along) below.shares *= dvec3(-1, -1, 1);
-    if (std::abs(cosine) <= faces_along) below.normal = normal;
+    const double cosine = glm::dot(normal_at(below.place, skin_with_normals()), point.normal);
+    if (cosine < -along) below.shares *= dvec3(-1, -1, 1);
+    below.faces_along = std::abs(cosine) <= along;
     below.shares = glm::clamp(below.shares, -1.0, 1.0);
     below_.push_back(below);
   }
 }
 
-void BuildShares::turn_normals(Skin& surface) const {
+void BuildShares::turn_normals(Skin& surface, Body body) const {
   for (std::size_t p = 0; p < below_.size(); ++p) {
-    if (below_[p].normal == dvec3(0)) continue;
-    surface.points[p].normal =
-        glm::round(below_[p].normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
+    if (!below_[p].faces_along) continue;
+    const dvec3 normal = normal_at(below_[p].place, skin_of(body));
+    surface.points[p].normal = glm::round(normal / mannequin::normal_step) * mannequin::normal_step + dvec3(0);
   }
 }
 

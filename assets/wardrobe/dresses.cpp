@@ -10,7 +10,7 @@ namespace {
 using glm::dvec3;
 using mannequin::Skin;
 
-constexpr double bare_from = 1.27;  ///< The height below which a dress covers the skin.
+constexpr double bare_from = 1.335;  ///< The height below which a dress covers the skin.
 
 void bind_neck(Cage& cage, const Row& neck) {
   const Row inner = moved(cage, neck, [](dvec3 p) { return dvec3(-p.x * 0.10, -0.008, p.z > -0.02 ? -0.009 : 0.009); });

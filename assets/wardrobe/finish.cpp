@@ -6,6 +6,7 @@
 #include <future>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <thread>
@@ -48,7 +49,7 @@ Skin warped_skin(const Skin& skin, Body body, const BuildShares* build) {
     point.position = glm::round(place / mannequin::position_step) * mannequin::position_step + dvec3(0);
   }
   mannequin::compute_normals(there);
-  if (build != nullptr) build->turn_normals(there);
+  if (build != nullptr) build->turn_normals(there, body);
   return there;
 }
 
@@ -99,11 +100,17 @@ void follow_face(Mesh& mesh) {
   }
 }
 
+bool covers(const Part& part, Slot slot) {
+  return std::find(part.covers.begin(), part.covers.end(), slot) != part.covers.end();
+}
+
 /// Returns smaller bounds for what lies close on something that would show through else, and for what is small.
 std::array<double, near_levels - 1> bounds_of(const Part& part) {
-  if (is_on_head(part.slot)) return {0.006, 0.014, 0.030};
-  if (part.slot == Slot::outer) return {0.008, 0.016, 0.030};
+  if (is_on_head(part.slot)) return {0.006, 0.012, 0.020};
+  if (part.slot == Slot::outer) return {0.008, 0.016, 0.022};
   if (part.slot == Slot::shoes) return {0.010, 0.020, 0.036};
+  const bool hangs_around_thighs = part.slot == Slot::bottom || covers(part, Slot::bottom);
+  if (hangs_around_thighs && !covers(part, Slot::thighs)) return {0.006, 0.012, 0.024};
   return level_bounds;
 }
 
@@ -146,10 +153,10 @@ Finished finish_part(const Part& part, bool with_levels) {
   Skin skin = part.make();
   lay_patterns(skin);
   mannequin::compute_normals(skin);
-  const BuildShares build(skin);
-  const bool is_cloth = lies_on_skin(part.slot);
+  std::optional<BuildShares> build;
+  if (lies_on_skin(part.slot)) build.emplace(skin);
   auto made = std::make_shared<MadePart>(MadePart{part.name, part.slot, &part, mannequin::make_mesh(skin), {}});
-  if (is_cloth) build.set_shares(made->mesh);
+  if (build) build->set_shares(made->mesh);
   if (is_on_head(part.slot)) follow_face(made->mesh);
   made->levels = all_levels(made->mesh, with_levels, bounds_of(part), points_of_bare_edges(made->mesh));
   keep_used(made->mesh, made->levels);
@@ -157,7 +164,7 @@ Finished finish_part(const Part& part, bool with_levels) {
   Finished finished{made, {}};
   for (const Body body : all_bodies) {
     if (fits(part.bodies, body))
-      finished.bodies.push_back(fit_to(body, skin, made->mesh, openness, is_cloth ? &build : nullptr));
+      finished.bodies.push_back(fit_to(body, skin, made->mesh, openness, build ? &*build : nullptr));
   }
   return finished;
 }

@@ -104,7 +104,7 @@ Skin make_tank_top() {
   rib_neck(half, top.neck, 1);
   hem_armhole(half, top.armhole, Region::shirt, 1);
   Skin cloth = mirrored_surface(half);
-  append(cloth, bare_skin(Slot::torso, 1.27));
+  append(cloth, bare_skin(Slot::torso, 1.335));
   return cloth;
 }
 

@@ -49,11 +49,11 @@ void show_things(const TabContext& context, CastTuning& tuning) {
   double things = static_cast<double>(tuning.things);
   const NumberScale scale{
       .highest = most_things_on_track, .decimals = 1, .suffix = " times", .most_typed = most_things};
-  if (context.widgets.number("Things in hands", things, static_cast<double>(context.report.wardrobe.standard.things),
-                             scale,
-                             {.what = "How much more often people hold a bag, a phone or an umbrella than their "
-                                      "styles say. 0: nobody does. Whoever holds a thing uses it now and then.",
-                              .cost = cost_of_dressing})) {
+  if (context.widgets.number(
+          "Things in hands", things, static_cast<double>(context.report.wardrobe.standard.things), scale,
+          {.what = "How much more often people hold a bag, a phone or an umbrella than their "
+                   "styles say. 0: who takes pictures alone. Whoever holds a thing uses it now and then.",
+           .cost = cost_of_dressing})) {
     tuning.things = static_cast<float>(things);
   }
 }

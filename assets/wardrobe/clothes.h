@@ -4,7 +4,7 @@
 
 namespace throng::wardrobe {
 
-// Makers of garments, on the man. tops.cpp, bottoms.cpp and shoes.cpp list them.
+// Makers of garments, on the man. clothes.cpp and shoes.cpp list them.
 
 mannequin::Skin make_t_shirt();
 mannequin::Skin make_polo();

@@ -35,7 +35,7 @@ dvec3 moved(const Finished& part, const Fitted& body, std::size_t v, double buil
 
 /// A hem is sewn of two edges that lie at one place.
 TEST(WardrobeBuild, HemsStaySewnWhoeverWearsThem) {
-  constexpr double widest_gap = 0.012;
+  constexpr double widest_gap = 0.025;  // between the ends of all builds
   ASSERT_EQ(clothes().size(), 8U);
   for (const Finished& part : clothes()) {
     for (const Fitted& body : part.bodies) {

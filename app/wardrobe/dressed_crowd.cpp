@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/settings/choices.h"
@@ -24,32 +26,59 @@ class Lookalikes {
  public:
   explicit Lookalikes(std::span<const glm::vec3> positions) : positions_(positions) {}
 
-  std::size_t people() const { return positions_.size(); }
-  bool has(std::uint64_t looks_like) const { return agents_.contains(looks_like); }
-  bool has_near(std::uint64_t looks_like, std::uint32_t agent) const {
-    const auto [first, last] = agents_.equal_range(looks_like);
-    return std::any_of(first, last, [&](const auto& other) {
-      return glm::distance(positions_[other.second], positions_[agent]) < alike_reach;
-    });
+  bool may_be_unique() const { return positions_.size() <= most_unique; }
+  bool has(const Dressed& worn) const { return agents_.contains(worn.looks_like); }
+  bool has_near(const Dressed& worn, std::uint32_t agent) const {
+    return has_within(alike_reach, agents_.equal_range(worn.looks_like), agent);
   }
-  void add(std::uint64_t looks_like, std::uint32_t agent) { agents_.emplace(looks_like, agent); }
+  /// Says whether somebody beside an agent wears the same above the waist.
+  bool has_beside(const Dressed& worn, std::uint32_t agent) const {
+    const auto [x, z] = cell_of(agent);
+    for (int beside_x = x - 1; beside_x <= x + 1; ++beside_x) {
+      for (int beside_z = z - 1; beside_z <= z + 1; ++beside_z) {
+        if (has_within(upper_alike_reach, uppers_.equal_range(key(worn, beside_x, beside_z)), agent)) return true;
+      }
+    }
+    return false;
+  }
+  void add(const Dressed& worn, std::uint32_t agent) {
+    agents_.emplace(worn.looks_like, agent);
+    const auto [x, z] = cell_of(agent);
+    if (may_be_unique()) uppers_.emplace(key(worn, x, z), agent);
+  }
 
  private:
+  using Agents = std::unordered_multimap<std::uint64_t, std::uint32_t>;
+
+  bool has_within(float metres, const auto& agents, std::uint32_t agent) const {
+    return std::any_of(agents.first, agents.second, [&](const auto& other) {
+      return glm::distance(positions_[other.second], positions_[agent]) < metres;
+    });
+  }
+  std::pair<int, int> cell_of(std::uint32_t agent) const {
+    const glm::vec3 cell = glm::floor(positions_[agent] / upper_alike_reach);
+    return {static_cast<int>(cell.x), static_cast<int>(cell.z)};
+  }
+  static std::uint64_t key(const Dressed& worn, int x, int z) {
+    constexpr std::uint64_t column = 0x9E3779B97F4A7C15ULL, row = 0xC2B2AE3D27D4EB4FULL;
+    return worn.upper_looks_like ^ (static_cast<std::uint64_t>(x) * column + static_cast<std::uint64_t>(z) * row);
+  }
+
   std::span<const glm::vec3> positions_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> agents_;
+  Agents agents_, uppers_;  // by Dressed::looks_like, and by what is worn above the waist and the cell of the ground
 };
 
-/// Draws until nobody at all looks like the person, since people walk about. Where that takes too long, it is enough
-/// that nobody near by does.
+/// Draws until nobody at all looks like the person, since people walk about, and nobody beside wears the same above the
+/// waist. Where that takes too long, it is enough that nobody near by looks like the person.
 Dressed dress_unlike_others(const Dresser& dresser, const Person& person, const Lookalikes& others,
                             render::AgentLook& look) {
-  const bool may_be_unique = others.people() <= most_unique;
   Dressed worn;
   for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
     worn = dresser.dress(person, attempt, look);
-    if (worn.style->alike || !others.has(worn.looks_like)) break;
-    if (may_be_unique && attempt + 1 < attempts_to_be_unique) continue;
-    if (!others.has_near(worn.looks_like, person.agent)) break;
+    if (worn.style->alike) break;
+    const bool is_choosy = others.may_be_unique() && attempt + 1 < attempts_to_be_unique;
+    if (is_choosy && (others.has(worn) || others.has_beside(worn, person.agent))) continue;
+    if (!others.has_near(worn, person.agent)) break;
   }
   return worn;
 }
@@ -145,7 +174,7 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
       person.hand_is_taken = true;
       worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
     }
-    lookalikes.add(worn.looks_like, agent);
+    lookalikes.add(worn, agent);
     if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
     give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));
     if (worn.style->old) {

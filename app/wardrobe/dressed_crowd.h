@@ -13,6 +13,9 @@ namespace throng::app {
 /// patterns and colours, unless they wear a uniform or nothing else can be found. Since people walk, few of a crowd
 /// have the same wherever they stand.
 inline constexpr float alike_reach = 15.0F;
+/// Two who begin within this many metres of each other seldom wear the same above the waist, in crowds of at most
+/// 20,000 people.
+inline constexpr float upper_alike_reach = 6.0F;
 
 /// Holds what everybody of a crowd wears, [agent].
 struct DressedCrowd {

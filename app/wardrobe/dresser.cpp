@@ -62,6 +62,11 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
   return (hash ^ value) * prime;
 }
 
+std::uint64_t mixed(std::uint64_t hash, std::string_view text) {
+  for (const char letter : text) hash = mixed(hash, static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
+  return hash;
+}
+
 /// Says whether people are told apart by what fills a slot. Shoes, hair and bags are too small for that.
 bool is_seen_first(std::string_view slot) {
   return slot == "top" || slot == "bottom" || slot == "outer" || slot == "headgear";
@@ -286,14 +291,18 @@ Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::Agen
   cover(person, worn);
   Dressed dressed{.outfit = {}, .style = worn.style};
   Random own = draws_of(seed_ + attempt, person.agent, color_stream);
-  dressed.looks_like = mixed(0xCBF29CE484222325ULL, person.body);
+  constexpr std::uint64_t basis = 0xCBF29CE484222325ULL;
+  dressed.looks_like = mixed(basis, person.body);
+  dressed.upper_looks_like = basis;
   for (const WardrobePart* part : worn.parts) {
     if (dressed.outfit.count == render::Outfit::most_pieces) break;
     dressed.outfit.pieces.at(dressed.outfit.count++) = part->piece;
     if (part->slot == "hand_right" || (part->slot == "hand_left" && dressed.in_hand == nullptr)) dressed.in_hand = part;
-    std::uint64_t seen = dressed.looks_like;
+    std::uint64_t seen = mixed(basis, part->name);
     color_part(*part, *worn.style, person, own, look, seen);
-    if (is_seen_first(part->slot)) dressed.looks_like = mixed(seen, part->piece);
+    if (is_seen_first(part->slot)) dressed.looks_like = mixed(dressed.looks_like, seen);
+    const bool is_upper = part->slot == "top" || part->slot == "outer";
+    if (is_upper) dressed.upper_looks_like = mixed(dressed.upper_looks_like, seen);
   }
   std::ranges::sort(std::span(dressed.outfit.pieces).first(dressed.outfit.count));
   dressed.outfit.silhouette = silhouette_of(person, worn);

@@ -32,6 +32,7 @@ struct Dressed {
   const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left one; null: nothing
   /// Equal for two of the same body whose top, bottom, coat and hat are the same, in the same patterns and colours.
   std::uint64_t looks_like = 0;
+  std::uint64_t upper_looks_like = 0;  ///< the same of what is worn above the waist, coats and jackets included
 };
 
 /// Says for what a crowd dresses.

@@ -1,4 +1,5 @@
 #include "assets/wardrobe/clothes.h"
+
 #include "assets/wardrobe/part.h"
 
 namespace throng::wardrobe {

@@ -26,12 +26,12 @@ namespace throng::app::idle_values_test {
 namespace {
 
 constexpr anim::Ticks frame = anim::ticks_per_second / 60;
-constexpr int frames = 20, agents = 120;
+constexpr int frames = 20, agents = 200;
 
 /// Another value than the default one, by which the crowd below shows a difference if it can.
 const std::map<std::string_view, std::string> other_values{
     {"scene", "grid"},
-    {"agents", "200"},
+    {"agents", "300"},
     {"seed", "2"},
     {"variety", "off"},
     {"tint", "0.3"},

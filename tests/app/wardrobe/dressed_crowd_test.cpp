@@ -140,6 +140,28 @@ TEST_F(DressedCrowdTest, ShowsNoTwoAlikeNearEachOther) {
   }
 }
 
+TEST_F(DressedCrowdTest, SeldomShowsTheSameAboveTheWaistSideBySide) {
+  const Tuning tuning = tuning_of(Scene::plaza, 1000);
+  const Crowd crowd = crowd_of(tuning);
+  const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
+  const auto upper = [&](std::size_t agent) {
+    std::set<std::string> names = seen_first(dressed, agent);
+    std::erase_if(names,
+                  [](const std::string& name) { return !name.starts_with("top ") && !name.starts_with("outer "); });
+    return names;
+  };
+  int same = 0;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    for (std::size_t other = agent + 1; other < crowd.size(); ++other) {
+      if (glm::distance(crowd.positions()[agent], crowd.positions()[other]) >= upper_alike_reach) continue;
+      const bool is_same =
+          upper(agent) == upper(other) && same_colors(dressed.looks[agent], dressed.looks[other], upper(agent));
+      same += is_same ? 1 : 0;
+    }
+  }
+  EXPECT_LT(same, 4) << "pairs of a thousand people";
+}
+
 TEST_F(DressedCrowdTest, LetsNobodyMeetSomebodyAlikeInAMinute) {
   const Tuning tuning = tuning_of(Scene::plaza, 1000);
   Crowd crowd = crowd_of(tuning);

@@ -106,11 +106,11 @@ bool covers(const Part& part, Slot slot) {
 
 /// Returns smaller bounds for what lies close on something that would show through else, and for what is small.
 std::array<double, near_levels - 1> bounds_of(const Part& part) {
-  if (is_on_head(part.slot)) return {0.006, 0.012, 0.020};
-  if (part.slot == Slot::outer) return {0.008, 0.016, 0.022};
+  if (is_on_head(part.slot)) return {0.006, 0.012, 0.030};
+  if (part.slot == Slot::outer) return {0.008, 0.016, 0.030};
   if (part.slot == Slot::shoes) return {0.010, 0.020, 0.036};
   const bool hangs_around_thighs = part.slot == Slot::bottom || covers(part, Slot::bottom);
-  if (hangs_around_thighs && !covers(part, Slot::thighs)) return {0.006, 0.012, 0.024};
+  if (hangs_around_thighs && !covers(part, Slot::thighs)) return {0.006, 0.012, 0.036};
   return level_bounds;
 }
 

@@ -14,7 +14,7 @@ namespace throng::render {
 enum SurfaceLocation : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
 
 /// Says whether a batch shows patterns, fabrics and faces: near pieces of outfits do.
-inline bool is_dressed(const CrowdBatch& batch) { return batch.piece != 0 && batch.mesh_lod < first_silhouette_lod; }
+inline bool is_dressed(const CrowdBatch& batch) { return batch.piece != 0 && batch.mesh_lod < first_plain_lod; }
 
 /// Adds the commands of a group, which has begun: those of all batches that are seen and `are_wanted`.
 void add_commands(std::span<const CrowdBatch> run, const CrowdMesh& mesh, int material, IndirectDraws& draws,

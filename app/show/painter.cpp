@@ -14,6 +14,9 @@
 namespace throng::app {
 namespace {
 
+// Nobody sees the pattern and the fabric of somebody who is smaller.
+constexpr float least_dressed_pixels = 45.0F;
+
 constexpr int software_window_agents = 300;
 constexpr float software_error_px = 3.0F;
 constexpr int software_triangles = 120'000;
@@ -190,6 +193,8 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
                            .looks_number = stage.crowd().looks().number,
                            .drawn = picture.drawn(),
                            .runs = picture.runs(),
+                           .first_plain_lod = stage.mesh_lods().first_below(stage.tuning(), least_dressed_pixels,
+                                                                            render::first_silhouette_lod),
                            .jobs = &jobs_};
   light_as_tuned(stage.tuning(), frame);
   return frame;

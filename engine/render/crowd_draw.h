@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/render/agent_look.h"
+#include "engine/render/crowd_mesh_data.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/job_runner.h"
 #include "engine/render/scene_ground.h"
@@ -72,6 +73,8 @@ struct CrowdFrame {
   std::span<const std::uint32_t> drawn = {};
   /// Has the runs of `instances` that share a page and a character; read where `drawn` is not empty.
   std::span<const CrowdBatch> runs = {};
+  /// The first mesh LOD at which pieces have the mean colours of their patterns, and no fabrics and faces of their own.
+  std::size_t first_plain_lod = first_silhouette_lod;
   JobRunner* jobs = nullptr;  ///< does parts of the work at once; null: the calling thread does all
 };
 

@@ -97,9 +97,6 @@ struct BakedLodData {
   std::vector<MeshPartData> parts;
 };
 
-/// The first mesh LOD at which pieces have the mean colours of their patterns, and no faces of their own: with the
-/// usual error nobody who is shown with it is taller than 41 pixels.
-inline constexpr std::size_t first_plain_lod = 2;
 /// The first mesh LOD at which silhouettes take the place of the pieces that agents wear.
 inline constexpr std::size_t first_silhouette_lod = 4;
 

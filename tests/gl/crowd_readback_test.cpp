@@ -32,7 +32,7 @@ Tuning tuning_of(anim::LodRule lod, anim::StreamKind stream,
   Tuning tuning;
   tuning.system.palettes = palette;
   tuning.agents = 40;
-  tuning.placed_feet = false;  // the reference has none
+  tuning.placed_feet = tuning.wardrobe = false;  // the reference has neither
   tuning.system.pus = 2;
   tuning.lod.rule = lod;
   tuning.lod.bone_lod = lod != anim::LodRule::off;

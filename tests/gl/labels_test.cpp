@@ -30,6 +30,7 @@ class LabelledCrowd {
     options.tuning = without_level_of_detail(Tuning());
     options.tuning.agents = agents;
     options.tuning.shadows = options.tuning.crowd_shade = false;
+    options.tuning.wardrobe = false;     // a run of instances is drawn as it is
     options.tuning.placed_feet = false;  // or exact poses are not known to the other way of asking for them
     options.msaa = 0;
     options.longest_tile = longest_tile;

@@ -84,7 +84,7 @@ void CrowdPass::begin(const CrowdFrame& frame, std::uint32_t light) {
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
   compose_surfaces(frame.batches, meshes, blended_, is_blended);
-  compose_dressed_surfaces(frame.batches, meshes, surfaces_);
+  compose_dressed_surfaces(frame, meshes, surfaces_);
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
     const CrowdMesh& mesh = meshes[group.character];

@@ -14,7 +14,9 @@ namespace throng::render {
 enum SurfaceLocation : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
 
 /// Says whether a batch shows patterns, fabrics and faces: near pieces of outfits do.
-inline bool is_dressed(const CrowdBatch& batch) { return batch.piece != 0 && batch.mesh_lod < first_plain_lod; }
+inline bool is_dressed(const CrowdBatch& batch, std::size_t first_plain_lod) {
+  return batch.piece != 0 && batch.mesh_lod < first_plain_lod;
+}
 
 /// Adds the commands of a group, which has begun: those of all batches that are seen and `are_wanted`.
 void add_commands(std::span<const CrowdBatch> run, const CrowdMesh& mesh, int material, IndirectDraws& draws,
@@ -42,16 +44,15 @@ void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const Crowd
 }
 
 /// Makes a group of each material of the crowd, and one more of what is dressed.
-inline void compose_dressed_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes,
-                                     IndirectDraws& draws) {
+inline void compose_dressed_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
   draws.clear();
-  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
+  for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
     const CrowdMesh& mesh = meshes[run[0].character];
     for (int material = 0; material < mesh.materials().size(); ++material) {
       for (const bool dressed : {true, false}) {
         draws.begin_group(run[0].page, run[0].character, material, dressed);
         add_commands(run, mesh, material, draws,
-                     [dressed](const CrowdBatch& batch) { return is_dressed(batch) == dressed; });
+                     [&](const CrowdBatch& batch) { return is_dressed(batch, frame.first_plain_lod) == dressed; });
       }
     }
   });

@@ -56,11 +56,11 @@ float MeshLods::seen_px(const Tuning& tuning, std::uint8_t character, int lod, f
   return loses_face ? std::max(off, allowed.surface) * face_weight : off;
 }
 
-std::size_t MeshLods::first_below(const Tuning& tuning, float pixels_tall, std::size_t lods) const {
+std::size_t MeshLods::first_below(const Tuning& tuning, std::size_t people, float pixels_tall, std::size_t lods) const {
   if (tuning.mesh_lod >= 0 || tuning.triangle_budget > 0) return lods;  // these may show any LOD near by
   const MeshTolerance allowed = mesh_tolerance(tuning);
   const auto is_small = [&](std::size_t lod) {
-    return std::ranges::all_of(shares_, [&](const std::vector<render::MeshError>& shares) {
+    return std::ranges::all_of(std::span(shares_).first(people), [&](const std::vector<render::MeshError>& shares) {
       return lod >= shares.size() || fine_below(shares[lod], allowed) <= pixels_tall;
     });
   };

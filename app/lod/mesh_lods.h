@@ -54,9 +54,9 @@ class MeshLods {
   float seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
-  /// Returns the first mesh LOD with which nobody is shown who is taller than so many pixels, as far as errors decide;
-  /// `lods` if there is none.
-  std::size_t first_below(const Tuning& tuning, float pixels_tall, std::size_t lods) const;
+  /// Returns the first mesh LOD with which nobody of the first `people` characters is shown who is taller than so many
+  /// pixels, as far as errors decide; `lods` if there is none.
+  std::size_t first_below(const Tuning& tuning, std::size_t people, float pixels_tall, std::size_t lods) const;
   /// Returns the errors of a character's mesh LODs, as they were set.
   std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }
   /// Returns the triangles of a character's mesh LODs, as they were set.

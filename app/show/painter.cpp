@@ -176,26 +176,27 @@ std::uint64_t Painter::completed_frame(const Stage& stage) {
 }
 
 render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) {
-  render::CrowdFrame frame{.camera = render::view_of(view.camera, view.aspect()),
-                           .instances = picture.instances(),
-                           .batches = picture.batches(),
-                           .now = stage.now(),
-                           .bones_as_lines = stage.tuning().bones_as_lines,
-                           .fill_pixels = !stage.tuning().taken_away.pixels,
-                           .lines = lines_,
-                           .ground_lines = trail_lines_,
-                           .morph_weights = picture.morph_weights(),
-                           .distance_scale = distance_scale_,
-                           .ground = scenery_.ground(),
-                           .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
-                           .scenery = stage.tuning().scenery,
-                           .looks = stage.crowd().looks().drawn,
-                           .looks_number = stage.crowd().looks().number,
-                           .drawn = picture.drawn(),
-                           .runs = picture.runs(),
-                           .first_plain_lod = stage.mesh_lods().first_below(stage.tuning(), least_dressed_pixels,
-                                                                            render::first_silhouette_lod),
-                           .jobs = &jobs_};
+  render::CrowdFrame frame{
+      .camera = render::view_of(view.camera, view.aspect()),
+      .instances = picture.instances(),
+      .batches = picture.batches(),
+      .now = stage.now(),
+      .bones_as_lines = stage.tuning().bones_as_lines,
+      .fill_pixels = !stage.tuning().taken_away.pixels,
+      .lines = lines_,
+      .ground_lines = trail_lines_,
+      .morph_weights = picture.morph_weights(),
+      .distance_scale = distance_scale_,
+      .ground = scenery_.ground(),
+      .scenery_error_px = std::max(1.0F, 2.0F * stage.tuning().mesh_error_px),
+      .scenery = stage.tuning().scenery,
+      .looks = stage.crowd().looks().drawn,
+      .looks_number = stage.crowd().looks().number,
+      .drawn = picture.drawn(),
+      .runs = picture.runs(),
+      .first_plain_lod = stage.mesh_lods().first_below(stage.tuning(), stage.people().size(), least_dressed_pixels,
+                                                       render::first_silhouette_lod),
+      .jobs = &jobs_};
   light_as_tuned(stage.tuning(), frame);
   return frame;
 }

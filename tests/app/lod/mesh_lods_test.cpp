@@ -65,6 +65,17 @@ TEST_F(ChosenMeshes, AreTheFixedOneWhereTheTuningHasOne) {
   EXPECT_EQ(lods_.choose(tuning_, 0, 1000.0F), 2) << "the coarsest that there is";
 }
 
+TEST_F(ChosenMeshes, SayWithWhichOneNobodyIsTall) {
+  lods_.set(1, {{}, {0.001F, 0.001F}, {0.002F, 0.002F}}, {1000, 500, 100});
+  EXPECT_EQ(lods_.first_below(tuning_, 1, 45.0F, 4), 2U);
+  EXPECT_EQ(lods_.first_below(tuning_, 1, 130.0F, 4), 1U);
+  EXPECT_EQ(lods_.first_below(tuning_, 2, 45.0F, 4), 3U) << "the second one is 250 pixels tall with its last";
+  tuning_ = {.error_px = 6.0F, .mesh_error_px = 3.0F};
+  EXPECT_EQ(lods_.first_below(tuning_, 1, 45.0F, 4), 3U);
+  tuning_.triangle_budget = 1000;
+  EXPECT_EQ(lods_.first_below(tuning_, 1, 200.0F, 4), 4U) << "a budget may show any";
+}
+
 TEST_F(ChosenMeshes, KeepTheFaceOfWhoIsAHundredPixelsTallUnderAnyLimit) {
   tuning_ = {.error_px = 100.0F, .mesh_error_px = 50.0F};
   EXPECT_EQ(lods_.choose(tuning_, 0, 99.0F), 2);

@@ -16,6 +16,9 @@ function(throng_add_suites folder program labels)
     string(REGEX MATCHALL "\n  " tests "${suite}")
     list(LENGTH tests count)
     math(EXPR seconds "50 + 10 * ${count}")
+    if(folder STREQUAL assets)  # programs make their files anew, which takes minutes on a busy core
+      math(EXPR seconds "600 + ${seconds}")
+    endif()
     if(labels MATCHES window)  # a person's afternoon is one test
       math(EXPR seconds "2 * ${seconds}")
     endif()

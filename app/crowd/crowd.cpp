@@ -53,9 +53,8 @@ CrowdLayout layout_with_company(Scene scene, std::size_t agents, std::uint32_t s
   if (!variety.bodies) return layout;
   draw_company(layout, seed);
   if (scene != Scene::plaza || variety.clothes != Clothes::own) return layout;
-  const std::vector<Fixture> fixtures = plan_plaza(agents, seed, roles).fixtures;
-  let_some_rest(layout, fixtures, agents, seed, roles);
-  draw_gatherings(layout, sights_of(fixtures), roles.spacing(), seed);
+  let_some_rest(layout, agents, seed, roles);
+  draw_gatherings(layout, sights_of(layout.fixtures), roles.spacing(), seed);
   return layout;
 }
 

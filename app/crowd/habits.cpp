@@ -73,7 +73,7 @@ constexpr Transition all_transitions[] = {
     // People who rest on a bench get up now and then.
     {Habit::rest, sit, look_around, 1.0F},
     {Habit::rest, look_around, sit, 1.0F},
-    // Who leans comes away from the wall for a phone, a cup or a camera, or to look for somebody.
+    // People who lean come away from the wall for a phone, a cup or a camera, or to look for somebody.
     {Habit::lean, lean, lean, 2.0F},
     {Habit::lean, lean, look_around, 0.5F},
     {Habit::lean, lean, phone, 2.0F},
@@ -97,7 +97,7 @@ constexpr Transition all_transitions[] = {
     {Habit::wait, call, stand, 1.0F},
     {Habit::wait, drink, stand, 1.0F},
     {Habit::wait, take_picture, stand, 1.0F},
-    // Those before a camera hold still, more or less.
+    // People before a camera hold still, and wave now and then.
     {Habit::photograph, take_picture, stand, 1.0F},
     {Habit::photograph, take_picture, look_around, 0.3F},
     {Habit::photograph, stand, take_picture, 1.0F},

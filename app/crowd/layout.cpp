@@ -120,6 +120,7 @@ CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const Character
   const GroupGround ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
   layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
   layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());
+  layout.fixtures = std::move(plan.fixtures);
   return layout;
 }
 

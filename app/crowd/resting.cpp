@@ -5,8 +5,10 @@
 #include <span>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd/cells.h"
 #include "app/crowd/numbers/random.h"
 #include "app/crowd/numbers/turn.h"
 #include "app/crowd/plaza_plan.h"
@@ -95,10 +97,51 @@ std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const Charac
   return places;
 }
 
-bool has_room(std::span<const StanderPlace> standers, const RestPlace& place, double room) {
-  return std::ranges::none_of(
-      standers, [&](const StanderPlace& other) { return glm::distance(other.position, place.position) < room; });
-}
+/// Finds whether somebody stands near a place while standers move to places.
+class StandersNear {
+ public:
+  StandersNear(std::span<const StanderPlace> standers, std::span<const RestPlace> places, double room)
+      : room_(room), stander_count_(standers.size()) {
+    for (const StanderPlace& stander : standers) add(stander.position, true);
+    for (const RestPlace& place : places) add(place.position, false);
+    glm::vec2 lowest(0.0F), highest(0.0F);
+    for (const Body& body : bodies_) {
+      lowest = glm::min(lowest, body.position);
+      highest = glm::max(highest, body.position);
+    }
+    constexpr float rounding = 0.01F;  // metres, of a position in a cell
+    cells_.set_aside(bodies_.size(), lowest, highest, static_cast<float>(room) + rounding);
+    cells_.sort(bodies_);
+  }
+
+  bool has_room(std::size_t place) const {
+    const glm::dvec2 here = positions_[stander_count_ + place];
+    bool is_free = true;
+    cells_.visit_near(glm::vec2(here), [&](const Body& body) {
+      is_free = is_free && !(is_taken_[body.agent] && glm::distance(positions_[body.agent], here) < room_);
+    });
+    return is_free;
+  }
+  void move(std::size_t stander, std::size_t place) {
+    is_taken_[stander] = false;
+    is_taken_[stander_count_ + place] = true;
+  }
+
+ private:
+  void add(glm::dvec2 position, bool is_taken) {
+    bodies_.push_back({.position = glm::vec2(position), .agent = static_cast<std::uint32_t>(bodies_.size())});
+    positions_.push_back(position);
+    is_taken_.push_back(is_taken);
+  }
+
+  double room_;  // metres
+  std::size_t stander_count_;
+  CrowdCells cells_;
+  // [stander], then [place]
+  std::vector<Body> bodies_;
+  std::vector<glm::dvec2> positions_;
+  std::vector<bool> is_taken_;
+};
 
 }  // namespace
 
@@ -131,23 +174,26 @@ std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spac
   return places;
 }
 
-void let_some_rest(CrowdLayout& layout, std::span<const Fixture> fixtures, std::size_t agents, std::uint32_t seed,
-                   const CharacterRoles& roles) {
+void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   const double spacing = roles.spacing();
-  std::vector<RestPlace> places = rest_places(fixtures, spacing);
+  std::vector<RestPlace> places = rest_places(layout.fixtures, spacing);
   const std::vector<RestPlace> on_steps = step_places(plaza_steps(agents, spacing), spacing);
   places.insert(places.end(), on_steps.begin(), on_steps.end());
   places = chosen_places(std::move(places), roles, Random(seed, resting_stream));
 
+  StandersNear near(layout.standers, places, room_of_person * spacing);
   // The last groups found a place where the crowd is thin already.
   const auto stands = [](const StanderPlace& place) { return place.habit == Habit::stand_about; };
   auto last = std::find_if_not(layout.standers.begin(), layout.standers.end(), stands);
   auto left = static_cast<std::size_t>(most_resting * static_cast<double>(layout.standers.size()));
-  for (const RestPlace& place : places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
     if (left == 0 || last == layout.standers.begin()) return;
-    if (!has_room(layout.standers, place, room_of_person * spacing)) continue;
+    if (!near.has_room(i)) continue;
     --left;
-    *--last = {.position = place.position, .heading = place.heading, .height = place.height, .habit = place.habit};
+    --last;
+    near.move(static_cast<std::size_t>(last - layout.standers.begin()), i);
+    const RestPlace& place = places[i];
+    *last = {.position = place.position, .heading = place.heading, .height = place.height, .habit = place.habit};
   }
 }
 

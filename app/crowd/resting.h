@@ -13,7 +13,7 @@
 
 namespace throng::app {
 
-/// Where somebody leans or sits: their feet, and what they do there.
+/// A place where somebody leans or sits: that of the feet, and the habit.
 struct RestPlace {
   glm::dvec2 position{0.0};
   Heading heading{};
@@ -25,14 +25,13 @@ struct RestPlace {
 /// trunk take its side.
 std::vector<RestPlace> rest_places(std::span<const Fixture> fixtures, double spacing);
 
-/// Returns where flights of steps of a plaza are: the middle of the lowest front, and the way that it looks.
+/// Returns the flights of steps of a plaza: the middle of the lowest front, and the way that it looks.
 std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 /// Returns the places on these steps.
 std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spacing);
 
-/// Moves some of those who stand about in a plaza to trunks, kiosks, rims and steps, as far as `roles` can lean and
+/// Moves some of those who stand about in a plaza to its trunks, kiosks, rims and steps, as far as `roles` can lean and
 /// sit there. Nobody goes where others stand.
-void let_some_rest(CrowdLayout& layout, std::span<const Fixture> fixtures, std::size_t agents, std::uint32_t seed,
-                   const CharacterRoles& roles);
+void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 }  // namespace throng::app

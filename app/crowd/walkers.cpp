@@ -150,7 +150,7 @@ glm::vec2 CrowdWalkers::place_beside(std::size_t walker) const {
   return bodies_[leader].position + spacing_ * (company_.sides[walker] * left - behind_leader * ahead);
 }
 
-// Who is on the wrong side, because the leader has turned, goes round behind the leader, who is in the way.
+// A follower on the wrong side, because the leader has turned, goes round behind the leader, who is in the way.
 glm::vec2 CrowdWalkers::way_beside(std::size_t walker) const {
   constexpr float round_behind = 0.8F;
   const std::size_t leader = company_.leader(walker);

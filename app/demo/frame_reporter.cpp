@@ -132,9 +132,15 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.placement = placement_of(source);
   report_.body = body_parts(source, show.stage().animated().rigs(character));
   describe_bones(*source.character);
-  report_wardrobe(show.stage(), character, report_.wardrobe);
+  report_wardrobe_of(show.stage());
   described_scene_ = show.stage().tuning().scene;
   read_standard_rules(show.stage(), character, report_.wardrobe);
+}
+
+// Other rules dress everybody anew, so that looks of the same number follow the same rules.
+void FrameReporter::report_wardrobe_of(const Stage& stage) {
+  report_wardrobe(stage, report_.character, report_.wardrobe);
+  reported_looks_ = stage.crowd().looks().number;
 }
 
 void FrameReporter::refuse_body(const NewBody& asked, const std::string& why) {
@@ -181,7 +187,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.agents = static_cast<int>(show.stage().crowd().size());
   add_moment(show.stage());
   add_cast(show.stage());
-  report_wardrobe(show.stage(), report_.character, report_.wardrobe);
+  if (show.stage().crowd().looks().number != reported_looks_) report_wardrobe_of(show.stage());
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
   report_.pose_hash = system.figures().pose_hash();

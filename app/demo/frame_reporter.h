@@ -60,6 +60,7 @@ class FrameReporter {
  private:
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
+  void report_wardrobe_of(const Stage& stage);
   void add_moment(const Stage& stage);
   void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
@@ -76,6 +77,7 @@ class FrameReporter {
   TrackedPersonReporter tracked_person_;
   std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
   Scene described_scene_ = Scene::plaza;        // whose rules of the wardrobe were read
+  std::uint64_t reported_looks_ = 0;            // CrowdLooks::number when the wardrobe was reported
   int mesh_levels_ = 1;                         // the most of a character
 };
 

@@ -1,4 +1,4 @@
-// Who wears what, in Crowd.
+// Draws the section Wardrobe of the tab Crowd.
 #include <algorithm>
 #include <cctype>
 

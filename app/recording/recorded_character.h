@@ -26,7 +26,7 @@ struct RecordedCharacter {
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
   /// The parts of the body that a person said; nothing in recordings of before they were kept.
   std::optional<std::vector<RigChoice>> rig = {};
-  /// Who wears what (CharacterSource::rules); nothing in recordings of before it was kept: what the files here say.
+  /// CharacterSource::rules. Older recordings have none, and the files here decide.
   std::optional<std::string> rules = {};
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;

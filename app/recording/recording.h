@@ -109,7 +109,7 @@ struct RecordedPlacement {
   std::uint32_t character = 0;
   anim::PlacementChoice choice;
 };
-/// Other rules of who wears what.
+/// Other rules by which a character's agents dress.
 struct RecordedRules {
   std::uint32_t character = 0;
   std::string rules;  ///< as RecordedCharacter::rules

@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// What a person chooses in the viewer of one character. The overlay edits a copy, as it does with the tuning.
+/// The choices of a person in the viewer of one character. The overlay edits a copy, as it does with the tuning.
 struct ViewerSettings {
   int clip = 0;  ///< among the character's clips
   bool plays = true;
@@ -78,7 +78,7 @@ struct ViewRequest {
   std::optional<RolePreview> preview = {};  ///< the clip to play at first, and the role that it is for
 };
 
-/// What a person asks of the viewer in a frame.
+/// The requests that a person makes of the viewer in a frame.
 struct ViewerCommands {
   std::optional<ViewRequest> view = {};         ///< shows a character alone
   bool view_selected = false;                   ///< shows the selected agent's character alone

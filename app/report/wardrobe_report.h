@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// The rules of who wears what among the agents of the character shown.
+/// The rules by which the agents of the character shown dress.
 struct WardrobeReport {
   CastTuning tuning;    ///< in force; without bodies where the character has no rules
   CastTuning standard;  ///< as the file says
@@ -22,7 +22,7 @@ struct NewCast {
   CastTuning tuning;
 };
 
-/// What a person asks of the rules in a frame.
+/// The requests that a person makes of the rules in a frame.
 struct WardrobeCommands {
   std::optional<NewCast> cast;
   std::optional<std::string> save;  ///< NAME of NAME.cast.json in the working folder

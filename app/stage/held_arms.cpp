@@ -141,11 +141,12 @@ void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visi
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
   for (const anim::VisibleAgent& seen : visible) {
+    if (seen.pixels_tall < pixels_to_go_on) continue;  // most are, and nothing else is read of them
     const std::uint32_t agent = seen.agent;
     if (arm_of_[agent] == none) continue;
     Arm& arm = arms_[arm_of_[agent]];
     const bool was_near = arm.near_in == before && before != 0;
-    if (seen.pixels_tall < (was_near ? pixels_to_go_on : pixels_to_begin)) continue;
+    if (!was_near && seen.pixels_tall < pixels_to_begin) continue;
     arm.near_in = frame_;
     const bool is_away = !away.empty() && away[agent] != 0;
     if (!is_away && arm_lies_over(things[agent], crowd.roles()[agent])) {

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What a person tunes of rules while a scene is shown.
+/// The values of rules that a person tunes while a scene is shown.
 struct CastTuning {
   WeighedNames bodies;     ///< with their shares, in the order of the rules
   WeighedNames styles;     ///< of the scene, with their weights

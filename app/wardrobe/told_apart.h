@@ -8,7 +8,7 @@
 namespace throng::app {
 
 /// Returns, for each colour of a palette, the first one that nobody tells from it on two people, since cloth fades.
-/// What is told from neither of two colours makes these one.
+/// Two colours count as one if a third is told from neither.
 std::vector<std::uint32_t> colors_told_apart(const Palette& palette);
 
 }  // namespace throng::app

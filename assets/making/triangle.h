@@ -1,5 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -26,6 +32,45 @@ inline glm::dvec3 nearest_shares(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::
   }
   const double sum = va + vb + vc;
   return {va / sum, vb / sum, vc / sum};
+}
+
+/// A triangle of a surface, with a ball around it.
+struct BoundedTriangle {
+  std::array<std::size_t, 3> corners;
+  glm::dvec3 middle;
+  double radius;
+};
+inline BoundedTriangle bounded(const std::array<std::size_t, 3>& corners, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+  const glm::dvec3 middle = (a + b + c) / 3.0;
+  const double radius = std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
+  return {corners, middle, radius};
+}
+
+/// A place on a surface, as shares of three of its points.
+struct PlaceOnTriangle {
+  std::array<std::size_t, 3> corners{};
+  glm::dvec3 shares{0};
+};
+
+/// Returns the place nearest to `p` on the triangles that `may_use(triangle)` accepts; of equally near ones, the first.
+/// `position(corner)` returns where a point of the surface is. Each triangle has a BoundedTriangle `bounds`.
+template <typename Triangle, typename Position, typename MayUse>
+PlaceOnTriangle nearest_place(glm::dvec3 p, std::span<const Triangle> triangles, const Position& position,
+                              const MayUse& may_use) {
+  constexpr double as_near = 1e-9;
+  double nearest = std::numeric_limits<double>::infinity();
+  PlaceOnTriangle best;
+  for (const Triangle& triangle : triangles) {
+    if (!may_use(triangle) || glm::distance(triangle.bounds.middle, p) - triangle.bounds.radius > nearest) continue;
+    const auto& [a, b, c] = triangle.bounds.corners;
+    const glm::dvec3 shares = nearest_shares(p, position(a), position(b), position(c));
+    const glm::dvec3 there = shares.x * position(a) + shares.y * position(b) + shares.z * position(c);
+    const double distance = glm::distance(there, p);
+    if (distance >= nearest - as_near) continue;
+    nearest = distance;
+    best = {triangle.bounds.corners, shares};
+  }
+  return best;
 }
 
 }  // namespace throng::making

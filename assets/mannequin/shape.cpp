@@ -14,7 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// What follows a joint, by the beginning of its name; the longest beginning counts.
+/// The shape of points that follow a joint, by the beginning of its name; the longest beginning counts.
 struct JointShape {
   std::string_view begins;
   double stout, broad, stooped;

@@ -11,17 +11,17 @@ namespace throng::mannequin {
 
 inline constexpr double shape_step = 1.0 / 127;
 
-/// How much of each of an instance's variations a point follows, -1 to 1 (shaders/variants.glsl says how far).
+/// The shares, -1 to 1, by which a point follows each of an instance's variations (shaders/variants.glsl says how far).
 struct Shape {
   glm::dvec3 body;  ///< Out of the skin when stout, out of it when broad-shouldered, forward when stooped.
   glm::dvec2 hair;  ///< Out of the head when full, down when long; zero but on hair.
 };
 
-/// One a point of the skin. A function of the point alone, so that regions never part.
+/// Returns a shape for each point of the skin. It is a function of the point alone, so that regions never part.
 std::vector<Shape> shapes_of(const Skin& skin);
 
-/// How much a point follows build, frame and posture by its joints alone, without the hips, waist and breasts that make
-/// one body a woman's or a man's.
+/// Returns the share by which a point follows build, frame and posture by its joints alone, without the hips, waist and
+/// breasts that make one body a woman's or a man's.
 glm::dvec3 shape_by_joints(const Weights& weights);
 
 }  // namespace throng::mannequin

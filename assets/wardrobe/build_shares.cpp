@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,11 +24,8 @@ using mannequin::Skin;
 
 bool is_of_arm(Slot piece) { return piece == Slot::upper_arms || piece == Slot::forearms || piece == Slot::hands; }
 
-/// A triangle of the man's skin, with a ball around it.
 struct SkinTriangle {
-  std::array<std::size_t, 3> corners;
-  dvec3 middle;
-  double radius;
+  making::BoundedTriangle bounds;
   bool of_arm;
 };
 
@@ -48,10 +45,8 @@ std::vector<SkinTriangle> cut_skin() {
     for (std::size_t c = 1; c + 1 < face.corners.size(); ++c) {
       const std::array<std::size_t, 3> corners{face.corners[0], face.corners[c], face.corners[c + 1]};
       const auto at = [&](std::size_t k) { return skin.points[corners[k]].position; };
-      const dvec3 middle = (at(0) + at(1) + at(2)) / 3.0;
-      const double radius =
-          std::max({glm::distance(at(0), middle), glm::distance(at(1), middle), glm::distance(at(2), middle)});
-      triangles.push_back({corners, middle, radius, is_of_arm(static_cast<Slot>(face.notes.piece))});
+      triangles.push_back(
+          {making::bounded(corners, at(0), at(1), at(2)), is_of_arm(static_cast<Slot>(face.notes.piece))});
     }
   }
   return triangles;
@@ -73,20 +68,11 @@ SkinPlace place_below(const mannequin::SkinPoint& point) {
   const auto& points = skin_with_normals().points;
   const dvec3 place = point.position;
   const bool of_arm = arm_share(point.weights) > 0.6;
-  double nearest = std::numeric_limits<double>::infinity();
-  SkinPlace best;
-  for (const SkinTriangle& triangle : triangles) {
-    if (triangle.of_arm != of_arm || triangle.middle.x * place.x < -1e-4) continue;
-    if (glm::distance(triangle.middle, place) - triangle.radius > nearest) continue;
-    const auto& [a, b, c] = triangle.corners;
-    const dvec3 shares = making::nearest_shares(place, points[a].position, points[b].position, points[c].position);
-    const dvec3 there = shares.x * points[a].position + shares.y * points[b].position + shares.z * points[c].position;
-    const double distance = glm::distance(there, place);
-    if (distance >= nearest - 1e-9) continue;
-    nearest = distance;
-    best = {triangle.corners, shares};
-  }
-  return best;
+  const auto may_use = [&](const SkinTriangle& triangle) {
+    return triangle.of_arm == of_arm && triangle.bounds.middle.x * place.x >= -1e-4;
+  };
+  const auto position = [&](std::size_t of) { return points[of].position; };
+  return making::nearest_place(place, std::span(triangles), position, may_use);
 }
 
 dvec3 normal_at(const SkinPlace& place, const Skin& skin) {

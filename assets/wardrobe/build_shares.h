@@ -1,21 +1,17 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "assets/making/triangle.h"
 #include "assets/mannequin/mesh.h"
 #include "assets/wardrobe/part.h"
 
 namespace throng::wardrobe {
 
-/// A place on the man's skin, as shares of three of its points.
-struct SkinPlace {
-  std::array<std::size_t, 3> corners{};
-  glm::dvec3 shares{0};
-};
+/// A place on the man's skin.
+using SkinPlace = making::PlaceOnTriangle;
 
 /// Says how points of a surface follow the build of a body. The shader moves a point along its normal, so what faces
 /// another way than the skin below it, as hems and linings do, would part from what it is sewn to.

@@ -21,10 +21,10 @@ std::vector<Level> coarser_levels(const mannequin::Mesh& mesh, std::span<const d
 
 /// Says how coarse a mesh for people far away may be.
 struct FarBound {
-  double error;           ///< Metres that it is off.
-  std::size_t triangles;  ///< It has no more, even where it is off further.
+  double error;           ///< metres by which it may be off the mesh
+  std::size_t triangles;  ///< the most that it has, even where that puts it further off
 };
-/// The coarsest meshes within bounds. Of several ways to merge points, each level takes the one that needs the fewest
+/// Returns the coarsest meshes within bounds. Of several ways to merge points, each level takes the one that needs the fewest
 /// triangles, or else the one that is off the least.
 std::vector<Level> far_levels(const mannequin::Mesh& mesh, std::span<const FarBound> bounds);
 

@@ -1,8 +1,9 @@
 #include "assets/wardrobe/make.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <map>
+#include <span>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -21,15 +22,17 @@ using mannequin::Weights;
 constexpr int fitting_rounds = 4;
 
 struct PieceTriangle {
-  std::array<std::size_t, 3> corners;
-  unsigned char piece;
+  making::BoundedTriangle bounds;
+  Slot piece;
 };
 
 std::vector<PieceTriangle> cut_pieces(const Skin& skin) {
   std::vector<PieceTriangle> triangles;
   for (const mannequin::SkinFace& face : skin.faces) {
     for (std::size_t c = 1; c + 1 < face.corners.size(); ++c) {
-      triangles.push_back({{face.corners[0], face.corners[c], face.corners[c + 1]}, face.notes.piece});
+      const std::array<std::size_t, 3> corners{face.corners[0], face.corners[c], face.corners[c + 1]};
+      const auto at = [&](std::size_t k) { return skin.points[corners[k]].position; };
+      triangles.push_back({making::bounded(corners, at(0), at(1), at(2)), static_cast<Slot>(face.notes.piece)});
     }
   }
   return triangles;
@@ -68,22 +71,17 @@ Weights weights_at(dvec3 place) { return weights_at(place, {}); }
 Weights weights_at(dvec3 place, std::initializer_list<Slot> pieces) {
   static const std::vector<PieceTriangle> triangles = cut_pieces(man_skin());
   const auto& points = man_skin().points;
-  double nearest = std::numeric_limits<double>::infinity();
-  Weights best{};
-  for (const PieceTriangle& triangle : triangles) {
-    if (pieces.size() > 0 && std::find(pieces.begin(), pieces.end(), static_cast<Slot>(triangle.piece)) == pieces.end())
-      continue;
-    const auto& [a, b, c] = triangle.corners;
-    const dvec3 shares = making::nearest_shares(place, points[a].position, points[b].position, points[c].position);
-    const dvec3 there = shares.x * points[a].position + shares.y * points[b].position + shares.z * points[c].position;
-    const double distance = glm::distance(there, place);
-    if (distance >= nearest - 1e-9) continue;
-    nearest = distance;
-    for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
-      best[j] = shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
-    }
+  const auto may_use = [&](const PieceTriangle& triangle) {
+    return pieces.size() == 0 || std::ranges::find(pieces, triangle.piece) != pieces.end();
+  };
+  const auto position = [&](std::size_t point) { return points[point].position; };
+  const auto [corners, shares] = making::nearest_place(place, std::span(triangles), position, may_use);
+  const auto& [a, b, c] = corners;
+  Weights weights{};
+  for (std::size_t j = 0; j < mannequin::joint_count; ++j) {
+    weights[j] = shares.x * points[a].weights[j] + shares.y * points[b].weights[j] + shares.z * points[c].weights[j];
   }
-  return best;
+  return weights;
 }
 
 Skin mirrored_surface(const Cage& half) { return whole_surface(mannequin::mirrored(half)); }

@@ -27,7 +27,7 @@ const std::vector<Finished>& clothes() {
   return parts;
 }
 
-/// Where the shader moves a vertex for a build and a frame, from -1 to 1.
+/// Returns the place to which the shader moves a vertex for a build and a frame, from -1 to 1.
 dvec3 moved(const Finished& part, const Fitted& body, std::size_t v, double build, double frame) {
   const glm::dvec3 shape = part.made->mesh.vertices[v].shape;
   return body.positions[v] + body.normals[v] * (stout_reach * build * shape.x + broad_reach * frame * shape.y);

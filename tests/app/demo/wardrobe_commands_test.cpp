@@ -1,4 +1,4 @@
-// What a person asks of the rules of who wears what, done to a show.
+// Requests of a person that change the rules by which a crowd dresses.
 
 #include "app/demo/wardrobe_commands.h"
 

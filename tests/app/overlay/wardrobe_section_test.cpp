@@ -1,4 +1,4 @@
-// Who wears what, in the Crowd tab.
+// The section Wardrobe of the tab Crowd.
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
-#include "engine/anim/asset/bone_mask.h"
+#include "tests/app/stage/hand_height.h"
 #include "tests/app/stage/watched_stage.h"
 
 namespace throng::app::held_arms_test {
@@ -31,13 +31,8 @@ class HeldArmsTest : public test::WatchedStage {
   void give(Held thing) { give_things(stage_->animated(), std::vector<Held>(people, thing)); }
   std::size_t shown() const { return held_arms_of(stage_->animated()).shown(); }
 
-  /// Metres above the ground of a place in the right hand, given for the left one at rest, from the wrist.
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
-    const anim::Skeleton& skeleton = stage_->characters()[0].character->skeleton;
-    const auto bones = static_cast<std::size_t>(skeleton.bone_count());
-    const auto hand = static_cast<std::size_t>(anim::find_bone(skeleton, "hand.R"));
-    const auto& row = joints_of(*stage_).of(agent, bones)[hand].rows[1];
-    return -row[0] * at_rest.x + row[1] * at_rest.y + row[2] * at_rest.z + row[3];
+    return test::height_in_hand(*stage_, agent, at_rest);
   }
 };
 

@@ -34,9 +34,7 @@ class JoinedHandsTest : public test::WatchedStage {
     tuning.inspection.forced_bone_level = 0;
     tuning.system = {.pus = pus, .hash = true};
     tuning.wardrobe = true;
-    auto made = Stage::create(std::move(characters), tuning, pages_);
-    ASSERT_TRUE(made);
-    stage_ = std::move(*made);
+    open(tuning, std::move(characters));
     ASSERT_TRUE(keep_joints(*stage_));
     camera_ = camera_at({.x = 0, .y = 20, .z = 28, .yaw = 0, .pitch = -36});
   }

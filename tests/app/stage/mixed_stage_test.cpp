@@ -10,45 +10,32 @@
 #include "app/demo/selection_reporter.h"
 #include "app/show/picture.h"
 #include "app/stage/stage.h"
-#include "app/view/fly_camera.h"
+#include "tests/app/stage/watched_stage.h"
 
 namespace throng::app::mixed_stage_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
 constexpr const char* mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
 
-class MixedStage : public testing::Test {
+class MixedStage : public test::WatchedStage {
  protected:
-  MixedStage() { open({.scene = Scene::grid, .agents = 60, .system = {.pus = 2}}); }
+  MixedStage() { open_mixed({.scene = Scene::grid, .agents = 60, .system = {.pus = 2}}); }
 
-  void open(const Tuning& tuning) {
+  void open_mixed(const Tuning& tuning) {
     std::vector<CharacterSource> characters;
     for (const char* file : {mannequin, pillar}) characters.push_back(*load_character(file, file));
-    auto made = Stage::create(std::move(characters), tuning, pages_);
-    ASSERT_TRUE(made);
-    stage_ = std::move(*made);
-  }
-  void pass(int frames) {
-    for (int i = 0; i < frames; ++i) {
-      stage_->move(frame);
-      stage_->pose(camera_, 1280, 720, frame, stage_->frame());
-    }
+    open(tuning, std::move(characters));
   }
   std::uint64_t hash_after(const Tuning& tuning, int frames) {
-    open(tuning);
+    open_mixed(tuning);
     pass(frames);
-    return stage_->system().figures().pose_hash();
+    return hash();
   }
   std::uint32_t first_of(std::uint8_t character) const {
     const auto characters = stage_->crowd().characters();
     return static_cast<std::uint32_t>(std::ranges::find(characters, character) - characters.begin());
   }
-
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
-  std::unique_ptr<Stage> stage_;
-  render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
 };
 
 TEST_F(MixedStage, EveryAgentIsAnimatedAsItsOwnCharacter) {
@@ -72,7 +59,7 @@ TEST_F(MixedStage, HasOnePoseHashHoweverItIsScheduled) {
 }
 
 TEST_F(MixedStage, SlotsAreAsLargeAsTheCharacterNeeds) {
-  open({.scene = Scene::grid, .agents = 60, .lod = {.rule = anim::LodRule::budget, .bone_lod = false}});
+  open_mixed({.scene = Scene::grid, .agents = 60, .lod = {.rule = anim::LodRule::budget, .bone_lod = false}});
   pass(2);
   const auto slot_of = [&](std::uint8_t character) {
     return stage_->shown().pose(first_of(character)).to.lines * render::palette_line_bytes;

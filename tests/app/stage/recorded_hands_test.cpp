@@ -11,6 +11,7 @@
 
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
+#include "tests/app/stage/hand_height.h"
 #include "tests/app/stage/tracks_stage.h"
 
 namespace throng::app::recorded_hands_test {
@@ -53,13 +54,8 @@ class RecordedHands : public TracksStage {
   }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
 
-  /// Metres above the ground of a place in the right hand, given for the left one at rest, from the wrist.
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
-    const anim::Skeleton& skeleton = stage_->characters()[0].character->skeleton;
-    const auto bones = static_cast<std::size_t>(skeleton.bone_count());
-    const auto hand = static_cast<std::size_t>(anim::find_bone(skeleton, "hand.R"));
-    const auto& row = joints_of(*stage_).of(agent, bones)[hand].rows[1];
-    return -row[0] * at_rest.x + row[1] * at_rest.y + row[2] * at_rest.z + row[3];
+    return test::height_in_hand(*stage_, agent, at_rest);
   }
 };
 

@@ -13,7 +13,7 @@
 
 namespace throng::app::test {
 
-/// A stage of the built-in character that a camera sees whole, and that may go back in time.
+/// A stage, of the built-in character where no others are given, that a camera sees whole, and that may go back in time.
 class WatchedStage : public testing::Test {
  protected:
   static constexpr anim::Ticks frame = anim::ticks_per_second / 60;
@@ -21,6 +21,9 @@ class WatchedStage : public testing::Test {
   void open(const Tuning& tuning) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+    open(tuning, std::move(characters));
+  }
+  void open(const Tuning& tuning, std::vector<CharacterSource> characters) {
     auto made = Stage::create(std::move(characters), tuning, pages_);
     ASSERT_TRUE(made);
     stage_ = std::move(*made);

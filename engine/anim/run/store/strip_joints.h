@@ -24,8 +24,8 @@ class StripJoints {
   /// Returns whether a packet has bones that a listed joint needs.
   bool needs(int packet) const { return job_.program != nullptr && job_.program->needs(packet); }
   void write(const StripPacket& about);
-  /// Has the kernel that makes palettes write the joints on its way.
-  void ride_on(ModelPaletteJob& job) const {
+  /// Makes the kernel that makes palettes write the joints too.
+  void write_with_palettes(ModelPaletteJob& job) const {
     job.joints = job_.program;
     job.joints_to = job_.to;
   }

@@ -30,13 +30,13 @@ StripPalettes::StripPalettes(const UpdateContext& context, const ModelScratch& s
     fades_ = fades_ || strip[i].fade_halves != 0;
   }
   if (job_.hashes != nullptr) std::ranges::fill(scratch.hashes, 0);
-  joints_ride_ = makes_palettes_ && context.locals_of == nullptr && job_.format == PaletteFormat::matrices;
-  if (joints_ride_) joints_.ride_on(job_);
+  joints_with_palettes_ = makes_palettes_ && context.locals_of == nullptr && job_.format == PaletteFormat::matrices;
+  if (joints_with_palettes_) joints_.write_with_palettes(job_);
 }
 
 void StripPalettes::write(const StripPacket& about) {
   if (fades_) fade(about);
-  if (!joints_ride_) joints_.write(about);
+  if (!joints_with_palettes_) joints_.write(about);
   if (!makes_palettes_) return;
   if (context_->locals_of != nullptr) [[unlikely]]
     return write_local_transforms(about);

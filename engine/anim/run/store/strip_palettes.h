@@ -37,7 +37,7 @@ class StripPalettes {
   void (*model_palette_)(const ModelPaletteJob& job) = nullptr;
   StripJoints joints_;
   bool makes_palettes_ = false;
-  bool joints_ride_ = false;  // on the walk that makes palettes
+  bool joints_with_palettes_ = false;  // one kernel writes both
   bool fades_ = false;        // bones of some character are on their way to where they stand still
   const UpdateContext* context_ = nullptr;
   std::span<const AgentWork> strip_{};

@@ -296,7 +296,7 @@ Dressed Dresser::dress(const Person& person, std::uint32_t attempt, render::Agen
   dressed.upper_looks_like = basis;
   for (const WardrobePart* part : worn.parts) {
     if (dressed.outfit.count == render::Outfit::most_pieces) break;
-    dressed.outfit.pieces.at(dressed.outfit.count++) = part->piece;
+    dressed.outfit.pieces.at(dressed.outfit.count++) = drawn_piece(*part, worn.parts);
     if (part->slot == "hand_right" || (part->slot == "hand_left" && dressed.in_hand == nullptr)) dressed.in_hand = part;
     std::uint64_t seen = mixed(basis, part->name);
     color_part(*part, *worn.style, person, own, look, seen);

@@ -12,18 +12,29 @@
 
 namespace throng::app {
 
+/// Names the piece that is drawn for a part below another one with a tag.
+struct PieceBelow {
+  std::string tag;
+  std::uint16_t piece = 0;
+};
+
 /// Describes a part (anim::ModelPart) as far as rules need it.
 struct WardrobePart {
   std::string name, slot;
   std::string body;  ///< empty: it fits everybody
   std::vector<std::string> covers, keeps_out, tags;
-  std::uint16_t piece = 0;  ///< of the character's mesh
+  std::uint16_t piece = 0;        ///< of the character's mesh
+  std::vector<PieceBelow> below;  ///< what is seen of it below other parts
 
   bool has_tag(std::string_view tag) const;
   bool fits(std::string_view whose) const { return body.empty() || body == whose; }
 };
 
-/// Knows all parts of a character. A part is at most once in a list, in the order of the file.
+/// Returns the piece that is drawn of one of the parts that somebody wears.
+std::uint16_t drawn_piece(const WardrobePart& part, std::span<const WardrobePart* const> worn);
+
+/// Knows all parts of a character. A part is at most once in a list, in the order of the file. A part "NAME/below_TAG"
+/// is none of its own: it is what is seen of the part NAME of the same body below one with the tag.
 class Wardrobe {
  public:
   Wardrobe() = default;
@@ -33,6 +44,8 @@ class Wardrobe {
   std::span<const WardrobePart> parts() const { return parts_; }
   /// Returns the part of that name that fits a body; null without one.
   const WardrobePart* find(std::string_view body, std::string_view name) const;
+  /// Returns the part that a piece shows, also below another part; null without one.
+  const WardrobePart* of_piece(std::uint16_t piece) const;
   /// Returns whether any body has a part of that name.
   bool knows(std::string_view name) const;
   /// Returns the names of all parts, each once.
@@ -41,6 +54,8 @@ class Wardrobe {
   std::vector<std::string> bodies() const;
 
  private:
+  bool add_below(const WardrobePart& part);
+
   std::vector<WardrobePart> parts_;
 };
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <glm/common.hpp>
@@ -40,10 +42,10 @@ Pose lean(double phase) {
   place_arm(pose, Side::right, {.shrug = 1 + 0.9 * wave(phase, 0.22, 2), .reach = 3 + 0.7 * wave(phase, 0.26, 2)});
   const Carried thigh(pose, "thigh.R");
   place_hand(pose, Side::right,
-             {.grip = thigh.place({-0.116, 0.760, 0.106}),
+             {.grip = thigh.place({-0.140, 0.772, 0.122}),
               .rotation = palm_towards(Side::right, thigh.way({0.10, 0, -1}), thigh.way({0.35, -1, 0})),
               .held = in_hand(0.060, 0, 0.020),
-              .elbow = {-0.9, -0.3, -0.25 + 0.03 * wave(phase, 0.3)}});
+              .elbow = {-1.0, 0.1, -0.10 + 0.03 * wave(phase, 0.3)}});
   for (const Side side : {Side::left, Side::right}) {
     curl_fingers(pose, side, [&](double late) {
       return (side == Side::left ? 9 : 5) + 2 * wave(phase, (side == Side::left ? 0.3 : 0.7) + 0.08 * late);
@@ -54,7 +56,15 @@ Pose lean(double phase) {
 
 constexpr double step_height = 0.32;      ///< Of the seat.
 constexpr double seat_above = 0.105;      ///< Of the hips above what they sit on.
-constexpr double elbow_on_thigh = 0.104;  ///< From the thigh's bone to the elbow's.
+constexpr double elbow_on_thigh = 0.126;  ///< From the thigh's bone to the elbow's, with clothes between them.
+
+/// Returns the place on a line that is so far from a point, or the nearest to that; the farther one along `way`.
+dvec3 along_line(dvec3 from, dvec3 way, dvec3 point, double distance) {
+  const dvec3 offset = from - point;
+  const double middle = -glm::dot(way, offset);
+  const double square = middle * middle - glm::dot(offset, offset) + distance * distance;
+  return from + way * (middle + std::sqrt(std::max(square, 0.0)));
+}
 
 /// On a step 0.32 m high, the elbows on the thighs and the hands before the shins.
 Pose sit_on_step(double phase) {
@@ -84,8 +94,8 @@ Pose sit_on_step(double phase) {
     const dvec3 along = glm::normalize(knee - hip);
     const dvec3 above = glm::normalize(dvec3(0, 1, 0) - along * along.y);
     const dvec3 shoulder = world[joint_index("upper_arm" + suffix)].position;
-    const dvec3 rest = knee - along * 0.055 + above * elbow_on_thigh + dvec3(out * 0.010, 0, 0);
-    const dvec3 upper = glm::normalize(rest - shoulder);
+    const dvec3 above_knee = knee + above * elbow_on_thigh + dvec3(out * 0.010, 0, 0);
+    const dvec3 upper = (along_line(above_knee, along, shoulder, elbow_distance) - shoulder) / elbow_distance;
     const dvec3 forearm = glm::normalize(dvec3(-out * 0.41, -0.12 + 0.02 * wave(phase, 0.32), 0.80));
     const dvec3 wrist = shoulder + upper * elbow_distance + forearm * (wrist_distance - elbow_distance);
     place_hand(pose, side,

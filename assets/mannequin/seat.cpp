@@ -17,7 +17,7 @@ using glm::dvec3;
 /// Of the hips from rest, on a seat 0.44 m high behind the feet.
 constexpr dvec3 seated_hips{0, -0.405, -0.385};
 constexpr std::array<double, 4> seated_pitch{-9, 5, 6, 4};  ///< Of hips, spine, chest and upper chest, degrees.
-constexpr double on_thigh = 0.014;  ///< Metres from the joints of a hand that rests to the cloth below it.
+constexpr double on_thigh = 0.024;  ///< Metres from the joints of a hand that rests to the cloth below it.
 constexpr std::array<const char*, 4> trunk{"hips", "spine", "chest", "upper_chest"};
 
 /// A hand on the thigh.

@@ -42,7 +42,7 @@ render::Outfit outfit_of(const app::Clothing& clothing, const std::string& body,
   }
   render::Outfit outfit;
   for (const WardrobePart* part : worn) {
-    if (!covered.contains(part->slot)) outfit.pieces.at(outfit.count++) = part->piece;
+    if (!covered.contains(part->slot)) outfit.pieces.at(outfit.count++) = drawn_piece(*part, worn);
   }
   std::ranges::sort(std::span(outfit.pieces).first(outfit.count));
   return outfit;

@@ -38,11 +38,11 @@ std::vector<Part> tops() {
 std::vector<Part> outer_clothes() {
   constexpr Slot outer = Slot::outer;
   return {
-      {"suit_jacket", outer, Fits::adults, {}, {"formal"}, {}, make_suit_jacket},
-      {"waistcoat", outer, Fits::adults, {}, {"formal"}, {}, make_waistcoat},
-      {"coat", outer, Fits::all, {}, {"coat", "cold", "formal"}, {}, make_coat},
-      {"cardigan", outer, Fits::all, {}, {"cold"}, {}, make_cardigan},
-      {"hi_vis", outer, Fits::adults, {}, {"work"}, {}, make_hi_vis},
+      {"suit_jacket", outer, Fits::adults, {}, {"formal", "sleeved"}, {}, make_suit_jacket},
+      {"waistcoat", outer, Fits::adults, {}, {"formal", "sleeveless"}, {}, make_waistcoat},
+      {"coat", outer, Fits::all, {}, {"coat", "cold", "formal", "sleeved"}, {}, make_coat},
+      {"cardigan", outer, Fits::all, {}, {"cold", "sleeved"}, {}, make_cardigan},
+      {"hi_vis", outer, Fits::adults, {}, {"work", "sleeveless"}, {}, make_hi_vis},
   };
 }
 

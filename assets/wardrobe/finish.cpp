@@ -283,6 +283,7 @@ std::vector<Finished> finish_wardrobe(const std::vector<std::string>& only, bool
   for (auto& worker : workers) worker.get();
   std::vector<Finished> all = bodies.get();
   std::move(parts.begin(), parts.end(), std::back_inserter(all));
+  find_seen_below(all);
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct Level {
   double error = 0;
 };
 
+/// The triangles of a part that are seen below outer clothes of a tag.
+struct Below {
+  std::string tag;
+  std::vector<Level> levels;  ///< as many as the part has
+};
+
 /// A part before it is warped: vertices where the man rests, and its levels, which all bodies share.
 struct MadePart {
   std::string name;
@@ -27,6 +34,7 @@ struct MadePart {
   const Part* part = nullptr;  ///< Null for a piece of skin.
   mannequin::Mesh mesh;        ///< Of the man; `openness` is not in its colours.
   std::vector<Level> levels;   ///< Level 0 first.
+  std::vector<Below> below = {};
 };
 
 /// A part on a body: what differs between bodies, one a vertex of the part's mesh.
@@ -44,5 +52,9 @@ struct Finished {
 /// The bodies' pieces, then all parts, finished; `only` names the parts that are wanted, or is empty.
 /// Without `with_levels` all have level 0 alone, which is quick.
 std::vector<Finished> finish_wardrobe(const std::vector<std::string>& only, bool with_levels);
+
+/// Fills MadePart::below of the tops among the parts: what all outer clothes of a tag hide is left out. Cloth that is
+/// worn below other cloth then cannot come through it.
+void find_seen_below(std::span<const Finished> parts);
 
 }  // namespace throng::wardrobe

@@ -186,8 +186,9 @@ class WardrobeWriter {
   void add(const Finished& finished) {
     const MadePart& made = *finished.made;
     const Json shared = add_shared(buffer_, made);
-    std::vector<std::size_t> indices;
-    for (const Level& level : made.levels) indices.push_back(indices_of(level));
+    const std::vector<std::size_t> indices = indices_of(made.levels);
+    std::vector<std::vector<std::size_t>> indices_below;
+    for (const Below& below : made.below) indices_below.push_back(indices_of(below.levels));
     for (const Fitted& fitted : finished.bodies) {
       Json attributes = add_fitted(buffer_, fitted, shared);
       const auto [found, fresh] = colours_.try_emplace(fitted.colours, 0);
@@ -196,7 +197,11 @@ class WardrobeWriter {
         found->second = write.add<Bytes4>("COLOR_0", fitted.colours, "VEC4", ComponentType::unsigned_byte, true);
       }
       attributes["COLOR_0"] = found->second;
-      add_nodes(made, fitted.body, attributes, indices);
+      add_nodes(made, {fitted.body, made.name}, attributes, indices);
+      for (std::size_t b = 0; b < indices_below.size(); ++b) {
+        const std::string name = made.name + "/below_" + made.below[b].tag;
+        add_nodes(made, {fitted.body, name}, attributes, indices_below[b]);
+      }
     }
   }
 
@@ -221,8 +226,19 @@ class WardrobeWriter {
     return buffer_.add<std::uint16_t>(level.indices, "SCALAR", ComponentType::unsigned_short, Target::index_data);
   }
 
-  void add_nodes(const MadePart& made, Body body, const Json& attributes, const std::vector<std::size_t>& indices) {
-    const std::string name = std::string(name_of(body)) + "/" + made.name;
+  std::vector<std::size_t> indices_of(const std::vector<Level>& levels) {
+    std::vector<std::size_t> indices;
+    for (const Level& level : levels) indices.push_back(indices_of(level));
+    return indices;
+  }
+
+  struct NodeName {
+    Body body;
+    std::string part;
+  };
+  void add_nodes(const MadePart& made, const NodeName& named, const Json& attributes,
+                 const std::vector<std::size_t>& indices) {
+    const std::string name = std::string(name_of(named.body)) + "/" + named.part;
     const std::size_t node = nodes_.size();
     finest_.push_back(node);
     Json lods = Json::array();
@@ -235,7 +251,7 @@ class WardrobeWriter {
       coarser_.push_back(node + level);
       lods.push_back({{"node", node + level}, {"error", made.levels[level].error}});
     }
-    nodes_[node]["extras"] = {{"throng_part", extras_of(made, body)}};
+    nodes_[node]["extras"] = {{"throng_part", extras_of(made, named.body)}};
     if (!lods.empty()) nodes_[node]["extras"]["throng_mesh_lods"] = lods;
   }
 

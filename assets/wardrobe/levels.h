@@ -24,8 +24,8 @@ struct FarBound {
   double error;           ///< metres by which it may be off the mesh
   std::size_t triangles;  ///< the most that it has, even where that puts it further off
 };
-/// Returns the coarsest meshes within bounds. Of several ways to merge points, each level takes the one that needs the fewest
-/// triangles, or else the one that is off the least.
+/// Returns the coarsest meshes within bounds. Of several ways to merge points, each level takes the one that needs the
+/// fewest triangles, or else the one that is off the least.
 std::vector<Level> far_levels(const mannequin::Mesh& mesh, std::span<const FarBound> bounds);
 
 /// Drops the vertices that no level uses. Returns the old numbers of those that stay.

@@ -32,7 +32,7 @@ void paint_plainly(MeshVertex& vertex) {
   vertex.region = 5;
 }
 
-void append(Mesh& all, const MadePart& made, const Fitted& fitted, std::size_t level, bool plain) {
+void append(Mesh& all, const MadePart& made, const Fitted& fitted, const Level& level, bool plain) {
   const std::size_t first = all.vertices.size();
   for (std::size_t v = 0; v < fitted.positions.size(); ++v) {
     MeshVertex vertex = made.mesh.vertices[v];
@@ -43,12 +43,21 @@ void append(Mesh& all, const MadePart& made, const Fitted& fitted, std::size_t l
     if (plain) paint_plainly(vertex);
     all.vertices.push_back(vertex);
   }
-  const std::vector<std::uint16_t>& indices = made.levels[std::min(level, made.levels.size() - 1)].indices;
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    all.triangles.push_back({static_cast<std::uint16_t>(first + indices[i]),
-                             static_cast<std::uint16_t>(first + indices[i + 1]),
-                             static_cast<std::uint16_t>(first + indices[i + 2])});
+  const auto moved = [&](std::size_t i) { return static_cast<std::uint16_t>(first + level.indices[i]); };
+  for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+    all.triangles.push_back({moved(i), moved(i + 1), moved(i + 2)});
   }
+}
+
+/// Returns the levels of a part that are seen, whatever is worn over it.
+const std::vector<Level>& seen_levels(const MadePart& made, const Outfit& outfit) {
+  for (const Below& below : made.below) {
+    for (const std::string& name : outfit.parts) {
+      const std::vector<std::string>& tags = find_part(name, outfit.body)->tags;
+      if (std::ranges::find(tags, below.tag) != tags.end()) return below.levels;
+    }
+  }
+  return made.levels;
 }
 
 }  // namespace
@@ -86,8 +95,10 @@ Mesh dressed(const Outfit& outfit, const std::vector<Finished>& parts, std::size
   Mesh all;
   for (const Finished& finished : parts) {
     if (!worn(finished) || covered.contains(finished.made->slot)) continue;
+    const std::vector<Level>& levels = seen_levels(*finished.made, outfit);
     for (const Fitted& fitted : finished.bodies) {
-      if (fitted.body == outfit.body) append(all, *finished.made, fitted, level, plain);
+      if (fitted.body != outfit.body) continue;
+      append(all, *finished.made, fitted, levels[std::min(level, levels.size() - 1)], plain);
     }
   }
   return all;

@@ -103,7 +103,7 @@ Skin make_puffer() {
     const double fat = r % 2 == 0 ? 0.012 : 0.036;
     TrunkRow row = trunk_row(std::max(height, 0.96), fat);
     row.height = height;
-    row.half_width -= 0.62 * fat;
+    row.half_width -= 0.85 * fat;  // arms hang beside it
     row.front += 0.010;
     row.back -= 0.004;
     rows.push_back(row);
@@ -118,7 +118,7 @@ Skin make_puffer() {
     const double along = 0.050 + 0.455 * r / (2.0 * sleeve_rolls);
     const double slim = 1 - 0.22 * r / (2.0 * sleeve_rolls);
     const double size = (r % 2 == 0 ? 0.054 : 0.073) * slim;
-    sleeve.push_back({along, size, size, 0, r % 2 == 0 ? 0.002 : 0.007, 0, 1});
+    sleeve.push_back({along, size, size, 0, r % 2 == 0 ? 0.004 : 0.010, 0, 1});
   }
   sleeve.push_back({0.540, 0.036, 0.032, 0, 0, 1});
   add_sleeve(half, top.armhole, Region::shirt, sleeve);

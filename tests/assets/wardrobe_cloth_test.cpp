@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -6,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "assets/wardrobe/finish.h"
 #include "tests/assets/worn_cloth.h"
 
 namespace throng::test::wardrobe_cloth_test {
@@ -42,6 +45,23 @@ bool go_together(const Part& inner, const Part& outer) {
   if (has(inner.keeps_out, outer.slot) || has(outer.keeps_out, inner.slot)) return false;
   const bool over_trousers = std::find(inner.tags.begin(), inner.tags.end(), "over_trousers") != inner.tags.end();
   return !over_trousers && !has(outer.covers, inner.slot);
+}
+
+/// Leaves out the triangles of a garment that a level does not have. The two may have other vertices at the same
+/// points.
+WornCloth with_triangles_of(WornCloth cloth, const mannequin::Mesh& made, const wardrobe::Level& level) {
+  std::set<std::array<std::uint32_t, 3>> kept;
+  const auto points = [](const mannequin::Mesh& mesh, std::size_t a, std::size_t b, std::size_t c) {
+    std::array<std::uint32_t, 3> all{mesh.vertices[a].point, mesh.vertices[b].point, mesh.vertices[c].point};
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+    kept.insert(points(made, level.indices[i], level.indices[i + 1], level.indices[i + 2]));
+  }
+  std::erase_if(cloth.mesh.triangles,
+                [&](const auto& t) { return !kept.contains(points(cloth.mesh, t[0], t[1], t[2])); });
+  return cloth;
 }
 
 class WardrobeCloth : public ::testing::TestWithParam<Body> {};
@@ -108,6 +128,31 @@ TEST_P(WardrobeCloth, KeepsWhatIsWornBelowItBelowIt) {
               << ' ' << covered.place().y << ' ' << covered.place().z;
         }
       }
+    }
+  }
+}
+
+/// The rest of a top lies along the edges of a coat, where it is seen.
+TEST_P(WardrobeCloth, LeavesOutWhatOuterClothesHide) {
+  constexpr double deepest = 0.008, least_left = 0.25, most_left = 0.70;
+  const std::vector<std::string> names{"t_shirt", "shirt", "jumper", "suit_jacket", "coat", "cardigan"};
+  for (const wardrobe::Finished& finished : wardrobe::finish_wardrobe(names, false)) {
+    const wardrobe::MadePart& made = *finished.made;
+    if (made.slot != Slot::top) continue;
+    ASSERT_FALSE(made.below.empty()) << made.name;
+    const wardrobe::Level& left = made.below.front().levels.front();
+    const auto share = static_cast<double>(left.indices.size()) / static_cast<double>(made.levels[0].indices.size());
+    EXPECT_GT(share, least_left) << made.name;
+    EXPECT_LT(share, most_left) << made.name;
+    const WornCloth seen = with_triangles_of(worn_part(*made.part, GetParam()), made.mesh, left);
+    for (const char* name : {"suit_jacket", "coat", "cardigan"}) {
+      const Part* outer = wardrobe::find_part(name, GetParam());
+      if (outer == nullptr) continue;
+      const WornCloth cloth = worn_part(*outer, GetParam());
+      const CoveredCloth covered(seen, cloth);
+      double worst = 0;
+      for (const ClipMoment& moment : clip_moments()) worst = std::max(worst, covered.deepest(moment.pose));
+      EXPECT_LE(worst, deepest) << made.name << " out of " << name;
     }
   }
 }

@@ -13,7 +13,8 @@
 
 namespace throng::app::test {
 
-/// A stage, of the built-in character where no others are given, that a camera sees whole, and that may go back in time.
+/// A stage, of the built-in character where no others are given, that a camera sees whole, and that may go back in
+/// time.
 class WatchedStage : public testing::Test {
  protected:
   static constexpr anim::Ticks frame = anim::ticks_per_second / 60;

@@ -48,7 +48,7 @@ class DressedCrowdTest : public testing::Test {
     std::set<std::string> names;
     const render::Outfit& outfit = dressed.outfits[agent];
     for (std::size_t i = 0; i < outfit.count; ++i) {
-      const WardrobePart& part = clothing_.wardrobe.parts()[outfit.pieces.at(i) - 1U];
+      const WardrobePart& part = *clothing_.wardrobe.of_piece(outfit.pieces.at(i));
       const bool is_skin = std::ranges::find(clothing_.rules.skin, part.slot) != clothing_.rules.skin.end();
       if (!is_skin && part.slot != "hair" && part.slot != "face") names.insert(part.name);
     }
@@ -60,7 +60,7 @@ class DressedCrowdTest : public testing::Test {
     std::set<std::string> names;
     const render::Outfit& outfit = dressed.outfits[agent];
     for (std::size_t i = 0; i < outfit.count; ++i) {
-      const WardrobePart& part = clothing_.wardrobe.parts()[outfit.pieces.at(i) - 1U];
+      const WardrobePart& part = *clothing_.wardrobe.of_piece(outfit.pieces.at(i));
       const bool counts =
           part.slot == "top" || part.slot == "bottom" || part.slot == "outer" || part.slot == "headgear";
       if (counts) names.insert(part.slot + " " + part.name);
@@ -252,7 +252,7 @@ TEST_F(DressedCrowdTest, ShowsSkirtsFromAfar) {
   int skirts = 0;
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     EXPECT_LT(dressed.outfits[agent].count, render::Outfit::most_pieces) << "nothing is left out";
-    const std::string silhouette = clothing_.wardrobe.parts()[dressed.outfits[agent].silhouette - 1U].name;
+    const std::string silhouette = clothing_.wardrobe.of_piece(dressed.outfits[agent].silhouette)->name;
     if (!clothes(dressed, agent).contains("knee_skirt")) continue;
     ++skirts;
     const std::string cut = clothes(dressed, agent).contains("coat") ? "coat" : "skirt";

@@ -52,7 +52,7 @@ class Dressing : public testing::Test {
   std::vector<std::string> names(const Dressed& dressed) const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < dressed.outfit.count; ++i) {
-      names.push_back(wardrobe_.parts()[dressed.outfit.pieces.at(i) - 1U].name);
+      names.push_back(wardrobe_.of_piece(dressed.outfit.pieces.at(i))->name);
     }
     return names;
   }
@@ -89,6 +89,23 @@ TEST_F(Dressing, LeavesASlotEmptyThatAnotherPartKeepsOut) {
   EXPECT_THAT(names(dress({.body = 1})), UnorderedElementsAre("head", "dress"));
 }
 
+TEST_F(Dressing, DrawsOfATopWhatIsSeenBelowACoat) {
+  parts_.push_back(part("t_shirt/below_coat", "top"));
+  const auto below = static_cast<std::uint16_t>(parts_.size());
+  read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}, "outer": {"coat": 1, "none": 1}}})");
+  int coats = 0;
+  for (std::uint32_t agent = 0; agent < 20; ++agent) {
+    const Dressed dressed = dress({.agent = agent});
+    const std::vector<std::string> worn = names(dressed);
+    const bool coat = std::ranges::find(worn, "coat") != worn.end();
+    EXPECT_THAT(worn, Contains("t_shirt"));
+    EXPECT_EQ(std::ranges::find(dressed.outfit.pieces, below) != dressed.outfit.pieces.end(), coat);
+    coats += coat ? 1 : 0;
+  }
+  EXPECT_GT(coats, 3);
+  EXPECT_LT(coats, 17);
+}
+
 TEST_F(Dressing, GivesNobodyAPartOfAnotherBody) {
   read_rules(R"("a": {"wears": {"top": {"dress": 9, "t_shirt": 1}}})");
   for (std::uint32_t agent = 0; agent < 50; ++agent) {
@@ -102,7 +119,7 @@ TEST_F(Dressing, TakesTheSilhouetteOfTheOutfit) {
     const Dressed dressed = dress({.agent = agent, .body = 1});
     const std::vector<std::string> worn = names(dressed);
     const bool is_dress = std::ranges::find(worn, "dress") != worn.end();
-    EXPECT_EQ(wardrobe_.parts()[dressed.outfit.silhouette - 1U].name,
+    EXPECT_EQ(wardrobe_.of_piece(dressed.outfit.silhouette)->name,
               is_dress ? "silhouette/skirt/short" : "silhouette/trousers/short");
   }
 }
@@ -128,7 +145,7 @@ TEST_F(Dressing, ColoursSilhouettesAsWhatIsSeenOfTheOutfit) {
 
 TEST_F(Dressing, TakesTheSilhouetteBeforeWhereAWardrobeHasNoneOfACut) {
   read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}, "outer": {"coat": 1}}})");
-  EXPECT_EQ(wardrobe_.parts()[dress({}).outfit.silhouette - 1U].name, "silhouette/skirt/short") << "for a coat";
+  EXPECT_EQ(wardrobe_.of_piece(dress({}).outfit.silhouette)->name, "silhouette/skirt/short") << "for a coat";
 }
 
 TEST_F(Dressing, ColoursClothesAsTheirRuleSays) {

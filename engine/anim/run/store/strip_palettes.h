@@ -38,7 +38,7 @@ class StripPalettes {
   StripJoints joints_;
   bool makes_palettes_ = false;
   bool joints_with_palettes_ = false;  // one kernel writes both
-  bool fades_ = false;        // bones of some character are on their way to where they stand still
+  bool fades_ = false;                 // bones of some character are on their way to where they stand still
   const UpdateContext* context_ = nullptr;
   std::span<const AgentWork> strip_{};
 };

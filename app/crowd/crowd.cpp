@@ -16,7 +16,7 @@
 #include "app/crowd/plaza_plan.h"
 #include "app/crowd/resting.h"
 #include "app/crowd/stadium.h"
-#include "app/crowd/tiles.h"
+#include "app/crowd/steering/tiles.h"
 
 namespace throng::app {
 namespace {

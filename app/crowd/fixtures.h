@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/crowd/lanes.h"
+#include "app/crowd/steering/obstacle.h"
 
 namespace throng::app {
 
@@ -17,12 +18,6 @@ struct Fixture {
   FixtureKind kind;
   glm::dvec2 position{0.0};  ///< x, z in metres
   Heading heading{};         ///< the way that its front faces
-};
-
-/// A disc of ground on which nobody walks or stands.
-struct Obstacle {
-  glm::dvec2 position{0.0};  ///< x, z in metres
-  double radius = 0.0;       ///< metres
 };
 
 /// Returns the ground that fixtures take. Whatever is long takes several discs. Sizes grow with `spacing`.

@@ -8,10 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/cells.h"
 #include "app/crowd/numbers/random.h"
 #include "app/crowd/numbers/turn.h"
 #include "app/crowd/plaza_plan.h"
+#include "app/crowd/steering/cells.h"
 
 namespace throng::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/crowd/lanes.h"
 #include "app/crowd/layout.h"
 #include "app/crowd/minds.h"
-#include "app/crowd/steering.h"
+#include "app/crowd/steering/steering.h"
 
 namespace throng::app {
 

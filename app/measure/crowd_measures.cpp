@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/crowd/tiles.h"
+#include "app/crowd/steering/tiles.h"
 
 namespace throng::app {
 namespace {

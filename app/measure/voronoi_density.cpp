@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/tiles.h"
+#include "app/crowd/steering/tiles.h"
 
 namespace throng::app {
 namespace {

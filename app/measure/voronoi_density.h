@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/crowd/cells.h"
+#include "app/crowd/steering/cells.h"
 #include "app/measure/walkable_area.h"
 #include "engine/anim/base/executor.h"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <future>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,7 +73,7 @@ std::vector<dvec3> ways_from(dvec3 normal) {
   std::vector<dvec3> ways{normal};
   for (const double tilt : {0.7, 1.2}) {
     for (int i = 0; i < around; ++i) {
-      const double turn = 2 * 3.14159265358979 * i / around;
+      const double turn = 2 * std::numbers::pi * i / around;
       ways.push_back(std::cos(tilt) * normal + std::sin(tilt) * (std::cos(turn) * aside + std::sin(turn) * across));
     }
   }

@@ -64,6 +64,7 @@ const std::vector<House>& houses() {
         {"character"},
         {"settings"},
         {"crowd/numbers"},
+        {"crowd/steering"},
         {"crowd"},
         {"wardrobe"},
         {"place"},

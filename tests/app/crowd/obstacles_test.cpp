@@ -7,7 +7,7 @@
 
 #include "app/crowd/crowd.h"
 #include "app/crowd/layout.h"
-#include "app/crowd/steering.h"
+#include "app/crowd/steering/steering.h"
 #include "engine/anim/run/pu_threads.h"
 #include "tests/app/crowd/crowd_person.h"
 

@@ -7,8 +7,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/crowd/cells.h"
-#include "app/crowd/fixtures.h"
+#include "app/crowd/steering/cells.h"
+#include "app/crowd/steering/obstacle.h"
 #include "engine/anim/base/executor.h"
 
 namespace throng::app {
@@ -39,6 +39,12 @@ class Steering {
     std::span<const Obstacle> obstacles = {};  ///< read by the constructor alone
   };
 
+  /// Obstacles never change, so copies of this object share them.
+  struct ObstacleCells {
+    CrowdCells cells;
+    BodyColumns columns;
+  };
+
   Steering() = default;
   Steering(std::size_t agents, const Ground& ground);
 
@@ -52,7 +58,8 @@ class Steering {
   float reach_ = 1.0F;
   float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
   CrowdCells cells_;
-  std::shared_ptr<const CrowdCells> obstacles_;  // never changes, so that copies share it; null: there are none
+  BodyColumns columns_;                             // of the bodies in the order of cells
+  std::shared_ptr<const ObstacleCells> obstacles_;  // null: there are none
 };
 
 }  // namespace throng::app

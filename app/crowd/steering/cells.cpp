@@ -1,4 +1,4 @@
-#include "app/crowd/cells.h"
+#include "app/crowd/steering/cells.h"
 
 #include <cassert>
 #include <cmath>

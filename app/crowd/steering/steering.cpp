@@ -1,4 +1,4 @@
-#include "app/crowd/steering.h"
+#include "app/crowd/steering/steering.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/tiles.h"
+#include "app/crowd/steering/near_bodies.h"
+#include "app/crowd/steering/tiles.h"
 
 namespace throng::app {
 namespace {
@@ -107,9 +108,6 @@ class Step {
   }
 
  private:
-  static float over(glm::vec2 velocity, const Limit& limit, float most) {
-    return glm::dot(velocity, limit.towards) - most;
-  }
   std::span<const Limit> limits() const { return {around_.limits.data(), around_.close}; }
 
   // Away from where the other will be seen at the closest approach, the sooner and the closer the more.
@@ -142,17 +140,26 @@ class Step {
                                        std::max(0.0F, share * gap / seconds_)};
   }
 
-  glm::vec2 politely(glm::vec2 velocity) const {
-    for (int pass = 0; pass < 3; ++pass) {
-      for (const Limit& limit : limits()) velocity -= limit.towards * std::max(0.0F, over(velocity, limit, limit.soft));
+  // Takes off what is over each limit, one after the other. Few are over any, so it asks first: a velocity that nothing
+  // changes does not wait for the limit before.
+  glm::vec2 cut(glm::vec2 velocity, float Limit::*most, int passes) const {
+    bool is_over = true;
+    for (int pass = 0; pass < passes && is_over; ++pass) {
+      is_over = false;
+      for (const Limit& limit : limits()) {
+        const float over = glm::dot(velocity, limit.towards) - limit.*most;
+        if (over > 0.0F) {
+          velocity -= limit.towards * over;
+          is_over = true;
+        }
+      }
     }
     return velocity;
   }
+  glm::vec2 politely(glm::vec2 velocity) const { return cut(velocity, &Limit::soft, 3); }
 
   glm::vec2 kept_apart(glm::vec2 velocity) const {
-    for (int pass = 0; pass < 2; ++pass) {
-      for (const Limit& limit : limits()) velocity -= limit.towards * std::max(0.0F, over(velocity, limit, limit.hard));
-    }
+    velocity = cut(velocity, &Limit::hard, 2);
     float kept = 1.0F;  // standing still is within every limit, so some part of the way there is too
     for (const Limit& limit : limits()) {
       const float speed = glm::dot(velocity, limit.towards);
@@ -172,7 +179,9 @@ class Step {
 /// The data that all agents share in a step.
 struct StepWork {
   const CrowdCells* cells;
+  const BodyColumns* columns;  // of the bodies in the order of cells
   const CrowdCells* obstacles;
+  const BodyColumns* obstacle_columns;
   std::span<Body> bodies;
   std::span<const Wish> wishes;
   float seconds;
@@ -181,18 +190,54 @@ struct StepWork {
   Reach reach;
 };
 
+/// Calls `see` for the bodies of `cells` that matter by `job`, in the order of cells.
+void see_near(NearBodiesJob job, const CrowdCells& cells, const auto& see) {
+  const CellRuns runs = cells.runs_near(job.position);
+  if (runs.count == 0) return;
+  job.runs = runs.runs();
+  NearBodiesCursor cursor;
+  NearBodies found;
+  bool is_done = false;
+  while (!is_done) {
+    is_done = find_near_bodies(job, cursor, found);
+    for (std::size_t i = 0; i < found.count; ++i) see(cells.bodies()[found.places[i]]);
+  }
+}
+
 void move_body(const StepWork& work, const Body& self) {
-  Step step(self, work.wishes[self.agent], work.seconds, work.reach);
-  work.cells->visit_near(self.position, [&](const Body& other) { step.see(other); });
+  const Wish& wish = work.wishes[self.agent];
+  Step step(self, wish, work.seconds, work.reach);
+  NearBodiesJob job{.columns = work.columns,
+                    .position = self.position,
+                    .velocity = wish.velocity,
+                    .sight = work.reach.sight,
+                    .passing_scale = comfort,
+                    .passing_offset = self.radius,
+                    .close_offset = self.radius,
+                    .close_reach = work.reach.closing,
+                    .horizon = horizon};
+  see_near(job, *work.cells, [&](const Body& other) { step.see(other); });
   if (work.obstacles != nullptr) {
-    work.obstacles->visit_near(self.position, [&](const Body& obstacle) { step.see_obstacle(obstacle); });
+    job.columns = work.obstacle_columns;
+    job.sight_per_radius = 1.0F;
+    job.passing_scale = 1.0F;
+    job.passing_offset = comfort_at_obstacle * self.radius;
+    see_near(job, *work.obstacles, [&](const Body& obstacle) { step.see_obstacle(obstacle); });
   }
   Body& moved = work.bodies[self.agent];
   moved.velocity = step.velocity(work.spacing, work.most_speed);
   moved.position = self.position + moved.velocity * work.seconds;
 }
 
-std::shared_ptr<const CrowdCells> cells_of(std::span<const Obstacle> obstacles, float reach) {
+void write_column(const Body& body, std::size_t place, BodyColumns& columns) {
+  columns.x[place] = body.position.x;
+  columns.z[place] = body.position.y;
+  columns.velocity_x[place] = body.velocity.x;
+  columns.velocity_z[place] = body.velocity.y;
+  columns.radius[place] = body.radius;
+}
+
+std::shared_ptr<const Steering::ObstacleCells> cells_of(std::span<const Obstacle> obstacles, float reach) {
   if (obstacles.empty()) return nullptr;
   std::vector<Body> bodies;
   glm::vec2 lowest(obstacles.front().position), highest = lowest;
@@ -205,10 +250,12 @@ std::shared_ptr<const CrowdCells> cells_of(std::span<const Obstacle> obstacles, 
     highest = glm::max(highest, bodies.back().position);
     largest = std::max(largest, bodies.back().radius);
   }
-  auto cells = std::make_shared<CrowdCells>();
-  cells->set_aside(bodies.size(), lowest, highest, reach + largest);
-  cells->sort(bodies);
-  return cells;
+  auto made = std::make_shared<Steering::ObstacleCells>();
+  made->cells.set_aside(bodies.size(), lowest, highest, reach + largest);
+  made->cells.sort(bodies);
+  made->columns.set_aside(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) write_column(made->cells.bodies()[i], i, made->columns);
+  return made;
 }
 
 }  // namespace
@@ -218,6 +265,7 @@ Steering::Steering(std::size_t agents, const Ground& ground)
   // Two agents see everybody that both can meet in one step.
   longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
   cells_.set_aside(agents, ground.lowest, ground.highest, reach_);
+  columns_.set_aside(agents);
   obstacles_ = cells_of(ground.obstacles, reach_);
   ground_.obstacles = {};
 }
@@ -234,7 +282,9 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
   const float most_speed = std::min(fastest, longest_step_ / seconds);
   const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);
   const StepWork work{.cells = &cells_,
-                      .obstacles = obstacles_.get(),
+                      .columns = &columns_,
+                      .obstacles = obstacles_ == nullptr ? nullptr : &obstacles_->cells,
+                      .obstacle_columns = obstacles_ == nullptr ? nullptr : &obstacles_->columns,
                       .bodies = bodies,
                       .wishes = wishes,
                       .seconds = seconds,
@@ -242,6 +292,7 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
                       .most_speed = most_speed,
                       .reach = {.sight = reach_, .closing = closing_reach}};
   const std::span<const Body> sorted = cells_.bodies();
+  visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) { write_column(sorted[body], body, columns_); });
   visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) {
     if (sorted[body].moves) move_body(work, sorted[body]);
   });

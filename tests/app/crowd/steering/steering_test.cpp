@@ -1,4 +1,4 @@
-#include "app/crowd/steering.h"
+#include "app/crowd/steering/steering.h"
 
 #include <algorithm>
 #include <cmath>

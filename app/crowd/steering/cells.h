@@ -1,12 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
+
+#include "app/crowd/steering/near_bodies.h"
 
 namespace throng::app {
 
@@ -18,6 +21,16 @@ struct Body {
   std::uint32_t agent = 0;
   std::uint32_t company = 0;  ///< the agent whom it keeps beside; its own, if it is alone
   bool moves = false;         ///< false: it stands still during the step
+};
+
+/// A run of bodies for each row of cells, the lowest row first.
+struct CellRuns {
+  static constexpr std::size_t most = 8;  ///< a cell is at least half as long as an agent looks
+
+  std::array<BodyRun, most> all;
+  std::size_t count = 0;
+
+  std::span<const BodyRun> runs() const { return {all.data(), count}; }
 };
 
 /// A uniform grid over the ground. It sorts bodies by cell, and by agent within a cell, so that the bodies near a point
@@ -34,14 +47,23 @@ class CrowdCells {
   /// Returns all bodies, in the order of cells.
   std::span<const Body> bodies() const { return sorted_; }
 
+  /// Returns the runs of bodies() that hold everybody within reach of `position`, and some beyond it.
+  CellRuns runs_near(glm::vec2 position) const {
+    const std::size_t left = column(position.x - reach_), right = column(position.x + reach_);
+    const std::size_t top = row(position.y - reach_), bottom = row(position.y + reach_);
+    CellRuns runs;
+    for (std::size_t at = top; at <= bottom; ++at) {
+      const BodyRun run{first_[at * columns_ + left], first_[at * columns_ + right + 1]};
+      if (run.first != run.end) runs.all[runs.count++] = run;
+    }
+    return runs;
+  }
+
   /// Calls `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
   template <typename Visit>
   void visit_near(glm::vec2 position, const Visit& visit) const {
-    const std::size_t left = column(position.x - reach_), right = column(position.x + reach_);
-    const std::size_t top = row(position.y - reach_), bottom = row(position.y + reach_);
-    for (std::size_t at = top; at <= bottom; ++at) {
-      const std::uint32_t end = first_[at * columns_ + right + 1];
-      for (std::uint32_t body = first_[at * columns_ + left]; body < end; ++body) visit(sorted_[body]);
+    for (const BodyRun& run : runs_near(position).runs()) {
+      for (std::uint32_t body = run.first; body < run.end; ++body) visit(sorted_[body]);
     }
   }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/anim/kernel/targets.h"
+// After targets.h, which says what Highway compiles for.
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "app/crowd/steering/near_bodies.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -27,6 +29,13 @@ enum class Habit : std::uint8_t {
   follow,       ///< is where a recorded crowd has it (Followers)
   accompany,    ///< walks beside somebody who strolls, and stops with them (Company)
 };
+
+/// Words that say what each habit is, in its order.
+inline constexpr std::array<const char*, 15> habit_words = {
+    "strolls", "stands about",           "marches",      "watches",        "has a seat",          "rests on a bench",
+    "leans",   "sits on a step",         "waits",        "takes pictures", "poses for a picture", "trains",
+    "acts",    "is where its file says", "keeps company"};
+static_assert(static_cast<std::size_t>(Habit::accompany) + 1 == habit_words.size());
 
 /// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and
 /// does so in proportion to `weight`, if what it holds lets it.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/crowd/habits.h"
 #include "app/overlay/cards.h"
 #include "app/overlay/controls/plots.h"
 #include "app/overlay/tabs.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/crowd/habits.h"
 #include "app/overlay/cards.h"
 #include "app/overlay/controls/card.h"
 #include "app/overlay/tracked_person_view.h"

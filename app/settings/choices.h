@@ -20,9 +20,6 @@ inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 3> error_sampling_words = {"some", "all", "off"};
 inline constexpr std::array<const char*, 3> split_words = {"off", "exact | LOD", "difference"};
-inline constexpr std::array<const char*, 10> habit_words = {
-    "strolls", "stands about",           "marches",      "watches", "has a seat", "rests on a bench", "trains",
-    "acts",    "is where its file says", "keeps company"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 8> debug_view_words = {"none",  "interval", "bones",   "mesh",
                                                                 "error", "speed",    "density", "presence"};

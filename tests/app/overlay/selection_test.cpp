@@ -54,6 +54,16 @@ TEST_F(SelectionCard, ShowsWhoWasSelectedWithEachEntity) {
   EXPECT_FALSE(driver.sees("Selected"));
 }
 
+TEST_F(SelectionCard, NamesEveryHabitHereAndInTheAgentTab) {
+  driver.overlay.show_tab("agent");
+  select();
+  for (std::size_t habit = 0; habit < habit_words.size(); ++habit) {
+    driver.report.selected->habit = static_cast<Habit>(habit);
+    EXPECT_NO_THROW(driver.frames()) << habit_words.at(habit);
+    EXPECT_TRUE(driver.sees("Selected"));
+  }
+}
+
 TEST_F(SelectionCard, OfALongGraphShowsTheEndAndStaysInThePicture) {
   select();
   driver.report.selected->entities.resize(64);

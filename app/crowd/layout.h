@@ -48,7 +48,7 @@ struct CrowdLayout {
   Lane route;  ///< the marchers' route, with its speed
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
-  std::vector<Fixture> fixtures;    ///< of a plaza: the things that stand about
+  std::vector<Fixture> fixtures;    ///< the things that stand about in a plaza
   std::vector<Obstacle> obstacles;  ///< ground that nobody walks on
   double wave_seconds = 0.0;        ///< time that a wave of cheering takes to come round; 0: there is none
   double wave_begins = 2.0;         ///< seconds

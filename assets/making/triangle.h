@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -32,6 +33,27 @@ inline glm::dvec3 nearest_shares(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::
   }
   const double sum = va + vb + vc;
   return {va / sum, vb / sum, vc / sum};
+}
+
+/// A triangle as rays meet it: a corner, and the edges from there to the others.
+struct RayTriangle {
+  glm::dvec3 corner, edge_a, edge_b;
+};
+
+/// Returns the distance to a triangle along a ray, or `reach` where that is less (Moeller and Trumbore 1997). Both
+/// sides count.
+inline double hit(const RayTriangle& triangle, glm::dvec3 origin, glm::dvec3 direction, double reach) {
+  const glm::dvec3 p = glm::cross(direction, triangle.edge_b);
+  const double determinant = glm::dot(triangle.edge_a, p);
+  if (std::abs(determinant) < 1e-14) return reach;
+  const glm::dvec3 offset = origin - triangle.corner;
+  const double u = glm::dot(offset, p) / determinant;
+  if (u < 0 || u > 1) return reach;
+  const glm::dvec3 q = glm::cross(offset, triangle.edge_a);
+  const double v = glm::dot(direction, q) / determinant;
+  if (v < 0 || u + v > 1) return reach;
+  const double distance = glm::dot(triangle.edge_b, q) / determinant;
+  return distance > 0 ? std::min(distance, reach) : reach;
 }
 
 /// A triangle of a surface, with a ball around it.

@@ -6,19 +6,18 @@
 
 #include <glm/geometric.hpp>
 
+#include "assets/making/triangle.h"
+
 namespace throng::mannequin {
 namespace {
 
 using glm::dvec3;
+using making::RayTriangle;
 
 constexpr std::size_t ray_count = 64;
 constexpr double reach = 0.25;  ///< Metres; further surface does not darken.
 constexpr double clearance = 0.002;
 constexpr double strength = 0.62;  ///< Of full occlusion.
-
-struct RayTriangle {
-  dvec3 corner, edge_a, edge_b;
-};
 
 /// Directions over the whole sphere on a Fibonacci spiral, even and free of chance.
 std::array<dvec3, ray_count * 2> sphere_directions() {
@@ -30,21 +29,6 @@ std::array<dvec3, ray_count * 2> sphere_directions() {
     directions[i] = {radius * std::cos(angle), height, radius * std::sin(angle)};
   }
   return directions;
-}
-
-/// Distance to the triangle along the ray, or `reach` (Moeller and Trumbore 1997).
-double hit(const RayTriangle& triangle, dvec3 origin, dvec3 direction) {
-  const dvec3 p = glm::cross(direction, triangle.edge_b);
-  const double determinant = glm::dot(triangle.edge_a, p);
-  if (std::abs(determinant) < 1e-14) return reach;
-  const dvec3 offset = origin - triangle.corner;
-  const double u = glm::dot(offset, p) / determinant;
-  if (u < 0 || u > 1) return reach;
-  const dvec3 q = glm::cross(offset, triangle.edge_a);
-  const double v = glm::dot(direction, q) / determinant;
-  if (v < 0 || u + v > 1) return reach;
-  const double distance = glm::dot(triangle.edge_b, q) / determinant;
-  return distance > 0 ? std::min(distance, reach) : reach;
 }
 
 /// The triangles within reach that have a corner above the tangent plane.
@@ -77,7 +61,7 @@ std::vector<double> bake_openness(std::span<const dvec3> positions, std::span<co
       const double cosine = glm::dot(direction, normals[v]);
       if (cosine <= 0.05) continue;
       double distance = reach;
-      for (const RayTriangle& triangle : near) distance = std::min(distance, hit(triangle, origin, direction));
+      for (const RayTriangle& triangle : near) distance = std::min(distance, hit(triangle, origin, direction, reach));
       occluded += cosine * (1 - distance / reach);
       total += cosine;
     }

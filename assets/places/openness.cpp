@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/making/triangle.h"
 #include "assets/places/arithmetic.h"
 
 namespace throng::places {
@@ -17,8 +18,10 @@ constexpr int ray_count = 96;       ///< over the whole sphere
 constexpr double strength = 0.65;   ///< of full occlusion
 constexpr double clearance = 0.01;  ///< metres
 
-struct RayTriangle {
-  dvec3 corner, edge_a, edge_b, low, high;
+/// A triangle with a box around it.
+struct BoxedTriangle {
+  making::RayTriangle triangle;
+  dvec3 low, high;
 };
 
 std::vector<dvec3> ray_directions() {
@@ -32,10 +35,10 @@ std::vector<dvec3> ray_directions() {
   return directions;
 }
 
-std::vector<RayTriangle> ray_triangles(const std::vector<Face>& faces) {
-  std::vector<RayTriangle> triangles;
+std::vector<BoxedTriangle> ray_triangles(const std::vector<Face>& faces) {
+  std::vector<BoxedTriangle> triangles;
   const auto add = [&](dvec3 a, dvec3 b, dvec3 c) {
-    triangles.push_back({a, b - a, c - a, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+    triangles.push_back({{a, b - a, c - a}, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
   };
   for (const Face& face : faces) {
     if (!face.corners[0].paint.baked) continue;
@@ -46,25 +49,10 @@ std::vector<RayTriangle> ray_triangles(const std::vector<Face>& faces) {
   return triangles;
 }
 
-/// Distance to the triangle along the ray, or `reach` (Moeller and Trumbore 1997). Both sides count.
-double hit(const RayTriangle& triangle, dvec3 origin, dvec3 direction, double reach) {
-  const dvec3 p = glm::cross(direction, triangle.edge_b);
-  const double determinant = glm::dot(triangle.edge_a, p);
-  if (std::abs(determinant) < 1e-14) return reach;
-  const dvec3 offset = origin - triangle.corner;
-  const double u = glm::dot(offset, p) / determinant;
-  if (u < 0 || u > 1) return reach;
-  const dvec3 q = glm::cross(offset, triangle.edge_a);
-  const double v = glm::dot(direction, q) / determinant;
-  if (v < 0 || u + v > 1) return reach;
-  const double distance = glm::dot(triangle.edge_b, q) / determinant;
-  return distance > 0 ? std::min(distance, reach) : reach;
-}
-
-double openness_at(dvec3 origin, dvec3 normal, const std::vector<RayTriangle>& triangles, double reach) {
+double openness_at(dvec3 origin, dvec3 normal, const std::vector<BoxedTriangle>& triangles, double reach) {
   static const std::vector<dvec3> directions = ray_directions();
-  std::vector<const RayTriangle*> near;
-  for (const RayTriangle& triangle : triangles) {
+  std::vector<const BoxedTriangle*> near;
+  for (const BoxedTriangle& triangle : triangles) {
     const dvec3 gap = glm::max(dvec3(0), glm::max(triangle.low - origin, origin - triangle.high));
     if (glm::dot(gap, gap) < reach * reach) near.push_back(&triangle);
   }
@@ -75,7 +63,8 @@ double openness_at(dvec3 origin, dvec3 normal, const std::vector<RayTriangle>& t
     if (slope <= 0.05) continue;
     double distance = reach;
     if (direction.y < 0 && origin.y > 0) distance = std::min(distance, origin.y / -direction.y);
-    for (const RayTriangle* triangle : near) distance = std::min(distance, hit(*triangle, origin, direction, reach));
+    for (const BoxedTriangle* triangle : near)
+      distance = std::min(distance, hit(triangle->triangle, origin, direction, reach));
     closed += slope * (1 - distance / reach);
     total += slope;
   }
@@ -108,7 +97,7 @@ void even_out(const std::vector<Face>& faces, std::vector<std::array<double, 4>>
 }  // namespace
 
 std::vector<std::array<double, 4>> corner_openness(const std::vector<Face>& faces, double reach) {
-  const std::vector<RayTriangle> triangles = ray_triangles(faces);
+  const std::vector<BoxedTriangle> triangles = ray_triangles(faces);
   std::vector<std::array<double, 4>> open(faces.size(), {1, 1, 1, 1});
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Face& face = faces[f];

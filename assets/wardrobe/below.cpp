@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "assets/making/triangle.h"
 #include "assets/mannequin/skeleton.h"
 #include "assets/wardrobe/finish.h"
 
@@ -17,6 +18,7 @@ namespace throng::wardrobe {
 namespace {
 
 using glm::dvec3;
+using making::RayTriangle;
 using mannequin::Mesh;
 using mannequin::MeshVertex;
 
@@ -35,26 +37,8 @@ bool goes_below(const MadePart& made) {
          std::ranges::find(made.part->keeps_out, Slot::outer) == made.part->keeps_out.end();
 }
 
-/// A triangle of outer cloth, as rays meet it from either side.
-struct Cloth {
-  dvec3 corner, edge_a, edge_b;
-};
-
-bool is_hit(const Cloth& cloth, dvec3 from, dvec3 way) {
-  const dvec3 p = glm::cross(way, cloth.edge_b);
-  const double determinant = glm::dot(cloth.edge_a, p);
-  if (std::abs(determinant) < 1e-14) return false;
-  const dvec3 offset = from - cloth.corner;
-  const double u = glm::dot(offset, p) / determinant;
-  if (u < 0 || u > 1) return false;
-  const dvec3 q = glm::cross(offset, cloth.edge_a);
-  const double v = glm::dot(way, q) / determinant;
-  const double distance = glm::dot(cloth.edge_b, q) / determinant;
-  return v >= 0 && u + v <= 1 && distance > 0 && distance < reach;
-}
-
-std::vector<Cloth> cloth_near(const Mesh& outer, dvec3 place) {
-  std::vector<Cloth> near;
+std::vector<RayTriangle> cloth_near(const Mesh& outer, dvec3 place) {
+  std::vector<RayTriangle> near;
   for (const auto& t : outer.triangles) {
     const dvec3 corner = outer.vertices[t[0]].position;
     if (glm::distance(corner, place) > 1.5 * reach) continue;
@@ -94,9 +78,9 @@ bool is_in_armpit(const MeshVertex& vertex) {
 bool is_hidden(const MeshVertex& vertex, const Mesh& outer) {
   constexpr double poking_out = 0.008;  // metres
   const dvec3 normal = glm::normalize(dvec3(vertex.normal)), place = dvec3(vertex.position) - poking_out * normal;
-  const std::vector<Cloth> near = cloth_near(outer, place);
+  const std::vector<RayTriangle> near = cloth_near(outer, place);
   return std::ranges::all_of(ways_from(normal), [&](dvec3 way) {
-    return std::ranges::any_of(near, [&](const Cloth& cloth) { return is_hit(cloth, place, way); });
+    return std::ranges::any_of(near, [&](const RayTriangle& cloth) { return hit(cloth, place, way, reach) < reach; });
   });
 }
 
@@ -113,7 +97,7 @@ void hide_linings(const Mesh& mesh, std::vector<bool>& hidden) {
       ++sewn_to;
       of_these_hidden += outside[o] ? 1U : 0U;
     }
-    if (sewn_to > 0 && of_these_hidden > 0 && 2 * of_these_hidden >= sewn_to) hidden[v] = true;
+    if (of_these_hidden > 0 && 2 * of_these_hidden >= sewn_to) hidden[v] = true;
   }
 }
 

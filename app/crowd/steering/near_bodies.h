@@ -10,7 +10,8 @@
 
 namespace throng::app {
 
-/// What steering reads of many bodies, each number in an array of its own so that vectors are loaded from it:
+/// Holds the numbers of many bodies that a search reads. Each has an array of its own, so that vectors are loaded from
+/// it:
 ///
 ///     x        [body 0][body 1] ... [body count-1][padding: most_lanes]
 ///     z        the same; then velocity_x, velocity_z and radius

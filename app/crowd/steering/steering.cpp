@@ -178,10 +178,8 @@ class Step {
 
 /// The data that all agents share in a step.
 struct StepWork {
-  const CrowdCells* cells;
-  const BodyColumns* columns;  // of the bodies in the order of cells
-  const CrowdCells* obstacles;
-  const BodyColumns* obstacle_columns;
+  const Steering::Searched* agents;
+  const Steering::Searched* obstacles;  // null: there are none
   std::span<Body> bodies;
   std::span<const Wish> wishes;
   float seconds;
@@ -190,25 +188,25 @@ struct StepWork {
   Reach reach;
 };
 
-/// Calls `see` for the bodies of `cells` that matter by `job`, in the order of cells.
-void see_near(NearBodiesJob job, const CrowdCells& cells, const auto& see) {
-  const CellRuns runs = cells.runs_near(job.position);
+/// Calls `see` for those of the bodies that matter by `job`, in the order of cells.
+void see_near(NearBodiesJob job, const Steering::Searched& bodies, const auto& see) {
+  const CellRuns runs = bodies.cells.runs_near(job.position);
   if (runs.count == 0) return;
+  job.columns = &bodies.columns;
   job.runs = runs.runs();
   NearBodiesCursor cursor;
   NearBodies found;
   bool is_done = false;
   while (!is_done) {
     is_done = find_near_bodies(job, cursor, found);
-    for (std::size_t i = 0; i < found.count; ++i) see(cells.bodies()[found.places[i]]);
+    for (std::size_t i = 0; i < found.count; ++i) see(bodies.cells.bodies()[found.places[i]]);
   }
 }
 
 void move_body(const StepWork& work, const Body& self) {
   const Wish& wish = work.wishes[self.agent];
   Step step(self, wish, work.seconds, work.reach);
-  NearBodiesJob job{.columns = work.columns,
-                    .position = self.position,
+  NearBodiesJob job{.position = self.position,
                     .velocity = wish.velocity,
                     .sight = work.reach.sight,
                     .passing_scale = comfort,
@@ -216,9 +214,8 @@ void move_body(const StepWork& work, const Body& self) {
                     .close_offset = self.radius,
                     .close_reach = work.reach.closing,
                     .horizon = horizon};
-  see_near(job, *work.cells, [&](const Body& other) { step.see(other); });
+  see_near(job, *work.agents, [&](const Body& other) { step.see(other); });
   if (work.obstacles != nullptr) {
-    job.columns = work.obstacle_columns;
     job.sight_per_radius = 1.0F;
     job.passing_scale = 1.0F;
     job.passing_offset = comfort_at_obstacle * self.radius;
@@ -237,7 +234,7 @@ void write_column(const Body& body, std::size_t place, BodyColumns& columns) {
   columns.radius[place] = body.radius;
 }
 
-std::shared_ptr<const Steering::ObstacleCells> cells_of(std::span<const Obstacle> obstacles, float reach) {
+std::shared_ptr<const Steering::Searched> cells_of(std::span<const Obstacle> obstacles, float reach) {
   if (obstacles.empty()) return nullptr;
   std::vector<Body> bodies;
   glm::vec2 lowest(obstacles.front().position), highest = lowest;
@@ -250,7 +247,7 @@ std::shared_ptr<const Steering::ObstacleCells> cells_of(std::span<const Obstacle
     highest = glm::max(highest, bodies.back().position);
     largest = std::max(largest, bodies.back().radius);
   }
-  auto made = std::make_shared<Steering::ObstacleCells>();
+  auto made = std::make_shared<Steering::Searched>();
   made->cells.set_aside(bodies.size(), lowest, highest, reach + largest);
   made->cells.sort(bodies);
   made->columns.set_aside(bodies.size());
@@ -264,8 +261,8 @@ Steering::Steering(std::size_t agents, const Ground& ground)
     : ground_(ground), reach_(std::max(reach_in_spacings * ground.spacing, 8.0F * ground.largest_radius)) {
   // Two agents see everybody that both can meet in one step.
   longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
-  cells_.set_aside(agents, ground.lowest, ground.highest, reach_);
-  columns_.set_aside(agents);
+  agents_.cells.set_aside(agents, ground.lowest, ground.highest, reach_);
+  agents_.columns.set_aside(agents);
   obstacles_ = cells_of(ground.obstacles, reach_);
   ground_.obstacles = {};
 }
@@ -273,7 +270,7 @@ Steering::Steering(std::size_t agents, const Ground& ground)
 void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
                     int jobs) {
   assert(bodies.size() == wishes.size() && seconds > 0.0F && jobs > 0);
-  cells_.sort(bodies);
+  agents_.cells.sort(bodies);
   float fastest = 0.0F;
   for (const Body& body : bodies) {
     if (body.moves) fastest = std::max(fastest, wishes[body.agent].most_speed);
@@ -281,18 +278,17 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
   if (fastest == 0.0F) return;
   const float most_speed = std::min(fastest, longest_step_ / seconds);
   const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);
-  const StepWork work{.cells = &cells_,
-                      .columns = &columns_,
-                      .obstacles = obstacles_ == nullptr ? nullptr : &obstacles_->cells,
-                      .obstacle_columns = obstacles_ == nullptr ? nullptr : &obstacles_->columns,
+  const StepWork work{.agents = &agents_,
+                      .obstacles = obstacles_.get(),
                       .bodies = bodies,
                       .wishes = wishes,
                       .seconds = seconds,
                       .spacing = ground_.spacing,
                       .most_speed = most_speed,
                       .reach = {.sight = reach_, .closing = closing_reach}};
-  const std::span<const Body> sorted = cells_.bodies();
-  visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) { write_column(sorted[body], body, columns_); });
+  const std::span<const Body> sorted = agents_.cells.bodies();
+  visit_in_tiles(sorted.size(), executor, jobs,
+                 [&](std::size_t body) { write_column(sorted[body], body, agents_.columns); });
   visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) {
     if (sorted[body].moves) move_body(work, sorted[body]);
   });

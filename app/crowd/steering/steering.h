@@ -39,8 +39,8 @@ class Steering {
     std::span<const Obstacle> obstacles = {};  ///< read by the constructor alone
   };
 
-  /// Obstacles never change, so copies of this object share them.
-  struct ObstacleCells {
+  /// Bodies that are searched: sorted by cell, and their columns in that order.
+  struct Searched {
     CrowdCells cells;
     BodyColumns columns;
   };
@@ -57,9 +57,8 @@ class Steering {
   Ground ground_;
   float reach_ = 1.0F;
   float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
-  CrowdCells cells_;
-  BodyColumns columns_;                             // of the bodies in the order of cells
-  std::shared_ptr<const ObstacleCells> obstacles_;  // null: there are none
+  Searched agents_;
+  std::shared_ptr<const Searched> obstacles_;  // never changes, so that copies share it; null: there are none
 };
 
 }  // namespace throng::app

@@ -25,6 +25,16 @@ bool is_person(const CharacterRoles& character) { return !character.is_prop; }
 bool is_prop(const CharacterRoles& character) { return character.is_prop; }
 bool can_walk(const CharacterRoles& character) { return is_person(character) && character.can_walk(); }
 
+GaitSpeeds gait_speeds(const CharacterRoles& character) {
+  GaitSpeeds speeds;
+  for (const Role gait : {Role::walk, Role::jog, Role::run}) {
+    const Role played = character.playable(gait).value_or(Role::walk);
+    speeds.own[index_of(gait)] = static_cast<float>(character.ground_speed(gait));
+    speeds.played[index_of(gait)] = static_cast<float>(character.ground_speed(played));
+  }
+  return speeds;
+}
+
 }  // namespace
 
 CharacterRoles common_roles(std::span<const CharacterRoles> characters) {
@@ -38,7 +48,8 @@ CharacterRoles common_roles(std::span<const CharacterRoles> characters) {
 }
 
 CrowdCast::CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed)
-    : characters_(characters.begin(), characters.end()), spacing_(common_roles(characters).spacing()) {
+    : spacing_(common_roles(characters).spacing()) {
+  take_roles(characters);
   assert(!characters_.empty() && characters_.size() <= 256 && is_person(characters_.front()));
   const Numbers walking = those_who(characters, can_walk), people = those_who(characters, is_person);
   const Numbers props = those_who(characters, is_prop);
@@ -59,6 +70,12 @@ CrowdCast::CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayo
     if (place.part == Part::bystander) numbers_.push_back(*bystander++);
     if (place.part == Part::prop) numbers_.push_back(*thing++);
   }
+}
+
+void CrowdCast::take_roles(std::span<const CharacterRoles> characters) {
+  characters_.assign(characters.begin(), characters.end());
+  speeds_.clear();
+  for (const CharacterRoles& character : characters_) speeds_.push_back(gait_speeds(character));
 }
 
 }  // namespace throng::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,12 @@
 #include "app/crowd/layout.h"
 
 namespace throng::app {
+
+/// The speeds of a character's gaits at scale 1, by Role, in metres a second.
+struct GaitSpeeds {
+  std::array<float, role_count + 1> own{};     ///< of the clip of that very gait; 0: there is none, or it is no gait
+  std::array<float, role_count + 1> played{};  ///< of the clip that is played for that gait; 0: it is no gait
+};
 
 /// The characters of a crowd. It says which of them each agent is.
 class CrowdCast {
@@ -21,16 +28,16 @@ class CrowdCast {
 
   /// Takes other roles of the same characters, which stay as large as they are. Agents stay the characters that they
   /// are.
-  void take_roles(std::span<const CharacterRoles> characters) {
-    characters_.assign(characters.begin(), characters.end());
-  }
+  void take_roles(std::span<const CharacterRoles> characters);
 
   const CharacterRoles& of(std::size_t agent) const { return characters_[numbers_[agent]]; }
+  const GaitSpeeds& speeds_of(std::size_t agent) const { return speeds_[numbers_[agent]]; }
   std::span<const std::uint8_t> numbers() const { return numbers_; }  ///< [agent] index of its character
   double spacing() const { return spacing_; }                         ///< CharacterRoles::spacing of the widest
 
  private:
   std::vector<CharacterRoles> characters_;
+  std::vector<GaitSpeeds> speeds_;  // [character]
   std::vector<std::uint8_t> numbers_;
   double spacing_;
 };

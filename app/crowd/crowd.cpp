@@ -135,7 +135,8 @@ void Crowd::place(const CrowdLayout& layout) {
     state_.positions[agent] = {place.position.x, place.height, place.position.y};
     state_.headings[agent++] = place.heading;
   }
-  follow_walkers();
+  anim::InOrder here;
+  follow_walkers(here, 1);
   for (agent = walkers(); agent < size(); ++agent) match_playback(agent);
 }
 
@@ -165,20 +166,19 @@ void Crowd::lead_wave() {
 }
 
 void Crowd::match_playback(std::size_t agent) {
-  const auto own_speed = static_cast<float>(cast_.of(agent).ground_speed(roles()[agent])) * scales()[agent];
-  const bool goes = is_gait(roles()[agent]) && own_speed > 0.0F;
+  const float own_speed = cast_.speeds_of(agent).own[index_of(roles()[agent])] * scales()[agent];
   state_.playback_speeds[agent] =
-      goes ? std::clamp(state_.speeds[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
+      own_speed > 0.0F ? std::clamp(state_.speeds[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
 }
 
-void Crowd::follow_walkers() {
-  for (std::size_t walker = 0; walker < walkers(); ++walker) {
+void Crowd::follow_walkers(anim::Executor& executor, int jobs) {
+  visit_in_tiles(walkers(), executor, jobs, [this](std::size_t walker) {
     const Body& body = state_.walkers.bodies()[walker];
     state_.positions[walker] = {body.position.x, 0.0F, body.position.y};
     state_.headings[walker] = state_.walkers.headings()[walker];
     state_.speeds[walker] = glm::length(body.velocity);
     match_playback(walker);
-  }
+  });
 }
 
 double Crowd::marching_time(std::size_t marcher, anim::Ticks dt) {
@@ -226,7 +226,7 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
   lead_wave();
   if (dt > anim::Ticks{}) {
     state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
-    follow_walkers();
+    follow_walkers(executor, jobs);
     march(dt);
     turn_standers(dt);
   }

@@ -131,7 +131,7 @@ class Crowd {
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();
-  void follow_walkers();
+  void follow_walkers(anim::Executor& executor, int jobs);
   void march(anim::Ticks dt);
   void march_at(double speed);
   void turn_standers(anim::Ticks dt);

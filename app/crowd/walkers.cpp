@@ -77,7 +77,8 @@ CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::
       moved_at_(starts_.size()),
       new_gait_at_(starts_.size()),
       bodies_(std::move(bodies)),
-      wishes_(bodies_.size()) {
+      wishes_(bodies_.size()),
+      next_gaits_(starts_.size(), Role::other) {
   assert(paces_.size() == starts_.size() && bodies_.size() >= starts_.size());
   if (starts_.empty()) return;
   for (std::size_t walker = 0; walker < count(); ++walker) begin_walking(walker);
@@ -95,9 +96,7 @@ void CrowdWalkers::begin_walking(std::size_t walker) {
 }
 
 float CrowdWalkers::speed_of(std::size_t walker, Role gait) const {
-  const CharacterRoles& character = cast_->of(walker);
-  const double speed = character.ground_speed(character.playable(gait).value_or(Role::walk));
-  return static_cast<float>(speed) * paces_[walker];
+  return cast_->speeds_of(walker).played[index_of(gait)] * paces_[walker];
 }
 
 // Goes to the nearest of a few places on another lane, if one is near enough.
@@ -211,12 +210,12 @@ void CrowdWalkers::stop(std::size_t walker) {
   wishes_[walker] = {};
 }
 
-void CrowdWalkers::turn(std::size_t walker, float seconds) {
+// `most` is the cosine and sine of the angle that anybody turns by in a step.
+void CrowdWalkers::turn(std::size_t walker, glm::vec2 most) {
   const glm::vec2 velocity = bodies_[walker].velocity;
   const float speed = glm::length(velocity);
   if (speed < standing_speed) return;
-  const glm::dvec2 most = cosine_sine(4.0 * turns_a_second * static_cast<double>(seconds));
-  headings_[walker] = turned(headings_[walker], {velocity.y / speed, velocity.x / speed}, glm::vec2(most));
+  headings_[walker] = turned(headings_[walker], {velocity.y / speed, velocity.x / speed}, most);
 }
 
 // The gait whose range the speed is in; a little beyond it, still the one that is shown.
@@ -224,7 +223,7 @@ Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
   const float speed = glm::length(bodies_[walker].velocity);
   Role fitting = Role::walk;
   for (const Role faster : {Role::jog, Role::run}) {
-    if (cast_->of(walker).playable(faster) != faster) continue;
+    if (cast_->speeds_of(walker).own[index_of(faster)] == 0.0F) continue;
     const float border = std::sqrt(speed_of(walker, fitting) * speed_of(walker, faster));
     const bool is_shown = is_gait(shown) && shown >= faster;
     if (speed > (is_shown ? border / gait_band : border * gait_band)) fitting = faster;
@@ -232,22 +231,45 @@ Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
   return fitting;
 }
 
-void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds) {
+/// Returns the gait that a walker goes over to, or Role::other. Whoever has been stuck for long goes another way.
+Role CrowdWalkers::next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds) {
   const Role shown = minds.roles()[walker];
   const bool steps = glm::length(bodies_[walker].velocity) > share_of_walk_to_step * speed_of(walker, Role::walk);
   if (steps) moved_at_[walker] = now;
-  if (now - new_gait_at_[walker] < least_time_in_gait) return;
+  if (now - new_gait_at_[walker] < least_time_in_gait) return Role::other;
   const anim::Ticks held_up = now - moved_at_[walker];
   if (!company_.follows(walker) && held_up >= patience && now - new_gait_at_[walker] >= patience) {
     new_gait_at_[walker] = now;
     turn_aside(walker, minds.whim(walker));
-    return;
+    return Role::other;
   }
   const bool is_held_up = held_up > least_time_in_gait;
   const Role fitting = is_held_up ? Role::stand : gait(walker, shown);
-  if (fitting == shown || (fitting == Role::stand && !cast_->of(walker).playable(fitting))) return;
+  if (fitting == shown || (fitting == Role::stand && !cast_->of(walker).playable(fitting))) return Role::other;
   new_gait_at_[walker] = now;
-  minds.show(walker, fitting);
+  return fitting;
+}
+
+// Few change, and their requests come in the order of the agents.
+void CrowdWalkers::show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
+  visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
+    const bool goes = is_gait(minds.intentions()[walker]) && !minds.holds(walker);
+    next_gaits_[walker] = goes ? next_gait(walker, now, minds) : Role::other;
+  });
+  for (std::size_t walker = 0; walker < count(); ++walker) {
+    if (next_gaits_[walker] != Role::other) minds.show(walker, next_gaits_[walker]);
+  }
+}
+
+/// A leader and those who keep it company see what those before them do in this step, whichever PU has them.
+void CrowdWalkers::wish_together(std::size_t leader, const CrowdMinds& minds) {
+  for (std::size_t walker = leader; walker < company_.end_of(leader); ++walker) {
+    if (minds.holds(walker)) {
+      stop(walker);
+    } else {
+      wish(walker, minds.intentions()[walker]);
+    }
+  }
 }
 
 void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
@@ -260,20 +282,15 @@ void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, a
   const auto steps =
       static_cast<int>(std::min<std::int64_t>((dt + longest_step - anim::Ticks{1}) / longest_step, most_steps));
   const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
+  const glm::vec2 most_turn(cosine_sine(4.0 * turns_a_second * static_cast<double>(seconds)));
   for (int step = 0; step < steps; ++step) {
     visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
-      if (minds.holds(walker)) {
-        stop(walker);
-      } else {
-        wish(walker, minds.intentions()[walker]);
-      }
+      if (!company_.follows(walker)) wish_together(walker, minds);
     });
     steering_.step(bodies_, wishes_, seconds, executor, jobs);
-    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) { turn(walker, seconds); });
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) { turn(walker, most_turn); });
   }
-  for (std::size_t walker = 0; walker < count(); ++walker) {
-    if (is_gait(minds.intentions()[walker]) && !minds.holds(walker)) show_gait(walker, now, minds);
-  }
+  show_gaits(now, minds, executor, jobs);
 }
 
 }  // namespace throng::app

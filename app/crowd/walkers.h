@@ -42,15 +42,17 @@ class CrowdWalkers {
   void set_out(std::size_t walker, Random& whim);
   void turn_aside(std::size_t walker, Random& whim);
   void look_ahead(std::size_t walker);
+  void wish_together(std::size_t leader, const CrowdMinds& minds);
   void wish(std::size_t walker, Role intention);
   void keep_company(std::size_t walker);
   glm::vec2 place_beside(std::size_t walker) const;
   glm::vec2 way_beside(std::size_t walker) const;
   float patient_speed(std::size_t leader, float speed) const;
   void stop(std::size_t walker);
-  void turn(std::size_t walker, float seconds);
+  void turn(std::size_t walker, glm::vec2 most);
   Role gait(std::size_t walker, Role shown) const;
-  void show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds);
+  Role next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds);
+  void show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs);
 
   const CrowdCast* cast_;
   float spacing_;
@@ -64,6 +66,7 @@ class CrowdWalkers {
   std::vector<anim::Ticks> new_gait_at_;  // the time at which it last changed gait
   std::vector<Body> bodies_;
   std::vector<Wish> wishes_;
+  std::vector<Role> next_gaits_;  // [walker] the gait that it goes over to in this frame; Role::other: it does not
   Steering steering_;
 };
 

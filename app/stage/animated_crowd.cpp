@@ -92,6 +92,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   track_players_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
+  new_speeds_.reserve(agents);
   if (tuning.scene == Scene::tracks) {
     track_players_ = std::make_unique<TrackPlayers>(*system_, *crowd_, characters_);
     if (event_sums_) event_sums_->reset(agents);
@@ -137,11 +138,13 @@ void AnimatedCrowd::move(anim::Ticks delta) {
 void AnimatedCrowd::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
   const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  new_speeds_.clear();
   for (std::uint32_t agent = 0; agent < movers; ++agent) {
     if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
-    system_->agent(agent).set_speed(static_cast<double>(speeds[agent]));
+    new_speeds_.push_back({.agent = {agent}, .speed = speeds[agent]});
     played_speeds_[agent] = speeds[agent];
   }
+  system_->set_speeds(new_speeds_);
 }
 
 void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {

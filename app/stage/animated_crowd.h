@@ -169,6 +169,7 @@ class AnimatedCrowd {
   std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes
   std::unique_ptr<TrackPlayers> track_players_;  // the same
   std::vector<float> played_speeds_;             // of each agent's clip, as the system was told
+  std::vector<anim::AgentSpeed> new_speeds_;     // of this frame
   std::vector<std::uint8_t> left_out_;           // [agent] 1: is one of fallen_
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;

@@ -95,7 +95,7 @@ const std::vector<Part>& parts() {
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},
       {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
       {"glad/", {"engine/render/"}},
-      {"hwy/", {"engine/anim/kernel/", "app/crowd/steering/near_bodies.cpp"}},
+      {"hwy/", {"engine/anim/kernel/", "app/crowd/steering/near_bodies.cpp", "app/crowd/steering/step_strip.cpp"}},
       {"oneapi/tbb/", {"engine/anim/run/tbb_executor.h", "engine/anim/run/tbb_executor.cpp"}},
       {"stb_image", {"engine/anim/import/pixels/"}},
       {"webp/", {"engine/anim/import/pixels/"}},

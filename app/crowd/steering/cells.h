@@ -23,6 +23,17 @@ struct Body {
   bool moves = false;         ///< false: it stands still during the step
 };
 
+/// Writes what the columns have of a body.
+inline void write_body(const Body& body, std::size_t place, BodyColumns& columns) {
+  columns.x[place] = body.position.x;
+  columns.z[place] = body.position.y;
+  columns.velocity_x[place] = body.velocity.x;
+  columns.velocity_z[place] = body.velocity.y;
+  columns.radius[place] = body.radius;
+  columns.share_of_gap[place] = body.moves ? 0.5F : 1.0F;
+  columns.company[place] = body.company;
+}
+
 /// A run of bodies for each row of cells, the lowest row first.
 struct CellRuns {
   static constexpr std::size_t most = 8;  ///< a cell is at least half as long as an agent looks

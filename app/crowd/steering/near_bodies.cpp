@@ -17,6 +17,7 @@ namespace throng::app::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+constexpr float margin = 1.0001F;  // of a squared distance: more than roundings can take off it
 using Floats = hn::ScalableTag<float>;
 using Vector = hn::Vec<Floats>;
 
@@ -58,10 +59,11 @@ HWY_INLINE hn::Mask<Floats> matter(const BodyColumns& columns, std::size_t first
   const Vector speed_squared = squared(relative_x, relative_z);
   const Vector closing = hn::Neg(hn::Add(hn::Mul(x, relative_x), hn::Mul(z, relative_z)));
   const auto comes_near = hn::And(hn::Gt(closing, hn::Zero(d)), hn::Lt(closing, hn::Mul(self.horizon, speed_squared)));
-  const Vector time = hn::Div(closing, speed_squared);
-  const Vector miss = squared(hn::Add(x, hn::Mul(relative_x, time)), hn::Add(z, hn::Mul(relative_z, time)));
+  // It passes at |cross| / |relative|; compared like this nothing is divided.
+  const Vector cross = hn::Sub(hn::Mul(x, relative_z), hn::Mul(z, relative_x));
   const Vector passing = hn::Mul(self.passing_scale, hn::Add(self.passing_offset, radius));
-  const auto passes_near = hn::And(comes_near, hn::Lt(miss, hn::Mul(passing, passing)));
+  const Vector passing_squared = hn::Mul(hn::Mul(passing, passing), hn::Set(d, margin));
+  const auto passes_near = hn::And(comes_near, hn::Lt(hn::Mul(cross, cross), hn::Mul(passing_squared, speed_squared)));
   return hn::And(in_sight, hn::Or(is_close, passes_near));
 }
 
@@ -72,6 +74,7 @@ bool find(const NearBodiesJob& job, NearBodiesCursor& cursor, NearBodies& found)
   const hn::RebindToUnsigned<Floats> numbers;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
   const Lanes self(job);
+  const auto count_up = hn::Iota(numbers, 0);
   found.count = 0;
   for (; cursor.run < job.runs.size(); ++cursor.run, cursor.passed = 0) {
     const BodyRun run = job.runs[cursor.run];
@@ -82,8 +85,10 @@ bool find(const NearBodiesJob& job, NearBodiesCursor& cursor, NearBodies& found)
       }
       const auto in_run = hn::FirstN(d, std::min(run.end - first, lanes));
       const auto mask = hn::RebindMask(numbers, hn::And(in_run, matter(*job.columns, first, self)));
-      const auto places = hn::Iota(numbers, first);
-      found.count += hn::CompressStore(places, mask, numbers, &found.places[found.count]);
+      const auto places = hn::Add(count_up, hn::Set(numbers, first));
+      // Some processors compress to memory by the lane, so this compresses in a register. The room holds a vector.
+      hn::StoreU(hn::Compress(places, mask), numbers, &found.places[found.count]);
+      found.count += hn::CountTrue(numbers, mask);
     }
   }
   return true;
@@ -98,9 +103,10 @@ namespace throng::app {
 HWY_EXPORT(find);
 
 void BodyColumns::set_aside(std::size_t bodies) {
-  for (std::vector<float>* column : {&x, &z, &velocity_x, &velocity_z, &radius}) {
+  for (std::vector<float>* column : {&x, &z, &velocity_x, &velocity_z, &radius, &share_of_gap}) {
     column->assign(bodies + most_lanes, 0.0F);
   }
+  company.assign(bodies + most_lanes, 0);
 }
 
 bool is_valid(const NearBodiesJob& job) {

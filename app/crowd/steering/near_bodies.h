@@ -10,17 +10,18 @@
 
 namespace throng::app {
 
-/// Holds the numbers of many bodies that a search reads. Each has an array of its own, so that vectors are loaded from
-/// it:
+/// Holds what steering reads of many bodies. Each number has an array of its own, so that vectors are loaded from it:
 ///
 ///     x        [body 0][body 1] ... [body count-1][padding: most_lanes]
-///     z        the same; then velocity_x, velocity_z and radius
+///     z        the same; then the others
 ///
 /// A vector that begins at a body may reach into the padding.
 struct BodyColumns {
   static constexpr std::size_t most_lanes = 64;  ///< floats in a vector of any target
 
-  std::vector<float> x, z, velocity_x, velocity_z, radius;
+  std::vector<float> x, z, velocity_x, velocity_z, radius;  ///< read by the search
+  std::vector<float> share_of_gap;     ///< that others may take of what lies between: half, or all of it if it stands
+  std::vector<std::uint32_t> company;  ///< whom it keeps beside
 
   void set_aside(std::size_t bodies);
 };
@@ -54,7 +55,7 @@ struct NearBodiesCursor {
 
 /// The bodies that a search found, by their places in the columns, in the order of the runs.
 struct NearBodies {
-  static constexpr std::size_t most = 128;  ///< in one go
+  static constexpr std::size_t most = 64;  ///< in one go
 
   std::array<std::uint32_t, most + BodyColumns::most_lanes> places;
   std::size_t count = 0;
@@ -63,7 +64,7 @@ struct NearBodies {
 bool is_valid(const NearBodiesJob& job);
 
 /// Searches from the cursor on until all runs are done, or `found` has no room for another vector. Returns whether all
-/// is done. Comparisons have the same rounding on every target.
+/// is done. A body that passes by as near as roundings can tell may be found too; who reads the places decides.
 bool find_near_bodies(const NearBodiesJob& job, NearBodiesCursor& cursor, NearBodies& found);
 
 }  // namespace throng::app

@@ -8,13 +8,11 @@
 #include <glm/vec2.hpp>
 
 #include "app/crowd/steering/cells.h"
-#include "app/crowd/steering/obstacle.h"
+#include "app/crowd/steering/obstacle_map.h"
+#include "app/crowd/steering/step_strip.h"
 #include "engine/anim/base/executor.h"
 
 namespace throng::app {
-
-/// Two agents never come nearer than this share of their radii summed, if they were not when they began.
-inline constexpr float least_share_of_radii = 0.82F;
 
 /// The velocity that an agent would have if nobody was in its way.
 struct Wish {
@@ -39,10 +37,19 @@ class Steering {
     std::span<const Obstacle> obstacles = {};  ///< read by the constructor alone
   };
 
-  /// Bodies that are searched: sorted by cell, and their columns in that order.
-  struct Searched {
-    CrowdCells cells;
-    BodyColumns columns;
+  /// Agents that are searched: sorted by cell, and their columns in that order.
+  class Searched : public CrowdCells {
+   public:
+    void set_aside(std::size_t agents, glm::vec2 lowest, glm::vec2 highest, float reach) {
+      CrowdCells::set_aside(agents, lowest, highest, reach);
+      columns_.set_aside(agents);
+    }
+    const BodyColumns& columns() const { return columns_; }
+    /// Writes the columns of a body that has been sorted.
+    void write(std::size_t place) { write_body(bodies()[place], place, columns_); }
+
+   private:
+    BodyColumns columns_;
   };
 
   Steering() = default;
@@ -58,7 +65,7 @@ class Steering {
   float reach_ = 1.0F;
   float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
   Searched agents_;
-  std::shared_ptr<const Searched> obstacles_;  // never changes, so that copies share it; null: there are none
+  std::shared_ptr<const ObstacleMap> obstacles_;  // never changes, so that copies share it; null: there are none
 };
 
 }  // namespace throng::app

@@ -105,13 +105,18 @@ bool Agent::set_speed(double speed) {
   constexpr const char* call = "Agent::set_speed";
   const Turn turn(system_->turn, call);
   if (!turn) return false;
-  if (!exists()) return report_misuse({call, no_agent});
-  if (!is_speed(speed)) return report_misuse({call, not_a_speed});
+  const char* const fault = try_set_speed(speed);
+  return fault == nullptr || report_misuse({call, fault});
+}
+
+/// Returns why it cannot. Agents may be set at once on several threads.
+const char* Agent::try_set_speed(double speed) const {
+  if (!exists()) return no_agent;
+  if (!is_speed(speed)) return not_a_speed;
   const CrossFadeChannel* const channel = first_channel();
-  if (channel == nullptr || !channel->state().valid())
-    return report_misuse({call, "the agent's first channel plays no clip"});
+  if (channel == nullptr || !channel->state().valid()) return "the agent's first channel plays no clip";
   channel->set_speed(builder(), speed);
-  return true;
+  return nullptr;
 }
 
 Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings) {

@@ -121,6 +121,7 @@ class Agent : public AgentView {
   /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
+  /// AnimationSystem::set_speeds does so for many.
   bool set_speed(double speed);
 
   /// Lays a channel over those that the agent has. Errors: it is null, or not valid for this character; the agent's
@@ -173,6 +174,7 @@ class Agent : public AgentView {
   }
 
  private:
+  friend class AnimationSystem;
   AgentGraphs& own_graphs() const { return system_->population.character_of(number()).agents; }
   EntityBuilder builder() const { return system_->population.builder(number()); }
   template <typename Change>
@@ -185,6 +187,7 @@ class Agent : public AgentView {
   CrossFadeChannel* first_channel() const;
   bool play(CrossFadeChannel& channel, const PlayRequest& request);
   const char* fault_of(const PlayRequest& request) const;
+  const char* try_set_speed(double speed) const;
   Status channel_changed();
   Status process_changed(ProcessId process);
 

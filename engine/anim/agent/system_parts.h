@@ -14,11 +14,11 @@ namespace throng::anim {
 /// comes while another is at work is refused, on whatever thread.
 class Turn {
  public:
-  Turn(std::atomic<bool>& taken, const char* call) : taken_(&taken), has_it_(!taken.exchange(true)) {
+  Turn(std::atomic<bool>& taken, const char* call) : taken_(&taken), has_it_(!taken.exchange(true, std::memory_order_acquire)) {
     if (!has_it_) report_misuse({call, "the system is in the middle of another call, on this thread or another one"});
   }
   ~Turn() {
-    if (has_it_) taken_->store(false);
+    if (has_it_) taken_->store(false, std::memory_order_release);
   }
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;

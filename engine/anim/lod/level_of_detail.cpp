@@ -117,7 +117,7 @@ LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
                  .number = turn_,
                  .stands_still = request_.frame_step == Ticks{}};
   frame.rules.tolerance_pixels = controller_.tolerance_pixels();
-  frame.rules.counts_cost = request_.rules.rule == LodRule::budget;
+  frame.rules.counts_cost = has_budget();
   return frame;
 }
 
@@ -146,9 +146,13 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Exe
   list_updates(crowd);
 }
 
+// The controller reads what tolerances cost for a budget alone.
+bool LevelOfDetail::has_budget() const {
+  return request_.rules.rule == LodRule::budget && request_.limits.budget_nanoseconds > 0.0;
+}
+
 bool LevelOfDetail::find_first_tolerance() {
-  const bool has_budget = request_.rules.rule == LodRule::budget && request_.limits.budget_nanoseconds > 0.0;
-  if (!has_budget || !controller_.is_new()) return false;
+  if (!has_budget() || !controller_.is_new()) return false;
   controller_.begin(request_.limits, selection_.cost.by_tolerance);
   return true;
 }

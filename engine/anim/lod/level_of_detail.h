@@ -112,6 +112,7 @@ class LevelOfDetail {
   void set_turn_length(Ticks length);
   void pass_time(Ticks frame_step);
   LodFrame frame(const LodCrowd& crowd) const;
+  bool has_budget() const;
   bool find_first_tolerance();
   void list_updates(const LodCrowd& crowd);
   BoneStep step_bones(const DueAgent& due);

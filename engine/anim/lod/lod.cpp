@@ -220,11 +220,11 @@ struct LodTile {
               .fresh = frames_seen == 0 || state.is_called[agent] != 0,
               .motion = motion_of(frame, agent)};
     const float distance = std::max(std::sqrt(seen.squared_distance), near_enough_to_divide);
-    if (is_visible && frame.rules.rule == LodRule::budget) {
-      seen.metres_a_pixel = metres_a_pixel(frame, cosine_of_centre, agent, from_camera, distance);
-    }
     const bool turn_has_come = seen.fresh || (!frame.stands_still && frame.number >= state.next_update[agent]);
     const bool is_due = frame.rules.rule == LodRule::off || (is_visible && turn_has_come);
+    if (frame.rules.rule == LodRule::budget && is_visible && (is_due || frame.rules.counts_cost)) {
+      seen.metres_a_pixel = metres_a_pixel(frame, cosine_of_centre, agent, from_camera, distance);
+    }
     if (is_due) {
       const Decision decision = decide(frame, squares, state, agent, character.level_count, seen);
       update(state, agent, frame.number, decision);

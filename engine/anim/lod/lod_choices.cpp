@@ -1,7 +1,9 @@
 #include "engine/anim/lod/lod_choices.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace throng::anim {
@@ -11,6 +13,28 @@ constexpr float coarser_margin = 0.9F;  // of the allowance: a cheaper pair must
 constexpr float sixtieths_a_second = 60.0F;
 
 float exact_step(float metres) { return steps_an_octave * std::log2(metres / least_allowance_metres); }
+
+constexpr std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+/// Returns the least allowance whose step is `step`; steps grow with allowances, so it is found by halving.
+float begin_of_step(int step) {
+  std::uint32_t below = bits_of(least_allowance_metres * 0.5F), at = bits_of(std::numeric_limits<float>::max());
+  while (at - below > 1) {
+    const std::uint32_t middle = below + (at - below) / 2;
+    (exact_step(std::bit_cast<float>(middle)) >= static_cast<float>(step) ? at : below) = middle;
+  }
+  return std::bit_cast<float>(at);
+}
+
+/// The least allowance of each step, so that no agent takes a logarithm; [0] is least_allowance_metres.
+const std::array<float, allowance_steps + 1>& begins_of_steps() {
+  static const auto begins = [] {
+    std::array<float, allowance_steps + 1> all{};
+    for (int step = 0; step <= allowance_steps; ++step) all[static_cast<std::size_t>(step)] = begin_of_step(step);
+    return all;
+  }();
+  return begins;
+}
 
 // A fade eases in and out over 0.3 s and so bends the way from one pose to the other. The poses are `apart` times the
 // character's height from each other. The error comes on top of that of a walking person.
@@ -30,8 +54,15 @@ float metres_at(int step) { return least_allowance_metres * std::exp2(static_cas
 }  // namespace
 
 int allowance_step(float metres) {
-  if (metres < least_allowance_metres) return -1;
-  return static_cast<int>(std::min(static_cast<float>(allowance_steps), exact_step(metres)));
+  if (!(metres >= least_allowance_metres)) return -1;
+  const std::array<float, allowance_steps + 1>& begins = begins_of_steps();
+  if (metres >= begins.back()) return allowance_steps;
+  // The upper bits are the octave and the eighth of it, a step below the one on the logarithm's scale at most.
+  static_assert(steps_an_octave == 8);
+  auto step = (bits_of(metres) >> 20U) - (bits_of(least_allowance_metres) >> 20U);
+  while (metres >= begins[step + 1]) ++step;
+  while (metres < begins[step]) --step;
+  return static_cast<int>(step);
 }
 
 MotionLod::MotionLod(const LodCharacter& character, const SkipError& motion, const LodRules& rules,
@@ -77,10 +108,8 @@ LodChoice MotionLod::choose(float metres, LodChoice shown) const {
 std::size_t MotionLod::clamped(int step) { return static_cast<std::size_t>(std::clamp(step, 0, allowance_steps - 1)); }
 
 void MotionLod::add_cost(float metres_a_pixel, std::span<std::uint32_t, tolerance_steps> by_tolerance) const {
-  // In this order the least wins over NaN, and the most over infinity, before it becomes a whole number.
-  const float finest = std::max(least_allowance_metres, metres_a_pixel * least_tolerance_pixels);
-  const float step_of_finest = std::min(static_cast<float>(allowance_steps - tolerance_steps), exact_step(finest));
-  const std::uint32_t* const cost = cost_.data() + static_cast<int>(step_of_finest);
+  const int step_of_finest = allowance_step(metres_a_pixel * least_tolerance_pixels);
+  const std::uint32_t* const cost = cost_.data() + std::clamp(step_of_finest, 0, allowance_steps - tolerance_steps);
   for (std::size_t step = 0; step < tolerance_steps; ++step) by_tolerance[step] += cost[step];
 }
 

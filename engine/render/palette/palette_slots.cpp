@@ -13,6 +13,9 @@ std::uint32_t whole_lines(std::size_t bytes) {
   return static_cast<std::uint32_t>((bytes + palette_line_bytes - 1) / palette_line_bytes);
 }
 
+constexpr std::uint32_t bits_a_word = 64;
+constexpr std::uint64_t bit_of(std::uint32_t line) { return std::uint64_t{1} << (line % bits_a_word); }
+
 /// Finds the smallest of the descending sizes that is large enough.
 std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t lines) {
   const auto smaller = std::ranges::find_if(sizes, [lines](std::uint32_t size) { return size < lines; });
@@ -62,7 +65,7 @@ bool PaletteSlots::add_page() {
   // Reserves as many as the page has room for, so that no frame allocates. Memory that is never used is never touched.
   for (std::size_t i = 0; i < sizes_.size(); ++i) page.free_by_size[i].reserve(lines / sizes_[i]);
   retired_.reserve(retired_.capacity() + lines / sizes_.back());
-  page.acquired.resize(lines);
+  page.acquired.resize(lines / bits_a_word + 1);
   pages_.push_back(std::move(page));
   return true;
 }
@@ -85,7 +88,7 @@ PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t lines) {
     slot.first_line = from.free_by_size[size].back();
     from.free_by_size[size].pop_back();
   }
-  from.acquired[slot.first_line] = slot.lines;
+  from.acquired[slot.first_line / bits_a_word] |= bit_of(slot.first_line);
   from.lines_in_use += slot.lines;
   ++in_use_;
   bytes_in_use_ += slot.lines * palette_line_bytes;
@@ -94,7 +97,7 @@ PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t lines) {
 
 void PaletteSlots::retire(const PaletteSlot& slot, std::uint64_t last_frame) {
   assert(is_acquired(slot));
-  pages_[slot.page].acquired[slot.first_line] = 0;
+  pages_[slot.page].acquired[slot.first_line / bits_a_word] &= ~bit_of(slot.first_line);
   retired_.push_back({slot, last_frame});
 }
 
@@ -119,7 +122,8 @@ std::size_t PaletteSlots::size_index(std::uint32_t lines) const {
 }
 
 bool PaletteSlots::is_acquired(const PaletteSlot& slot) const {
-  return slot.valid() && slot.page < pages_.size() && pages_[slot.page].acquired[slot.first_line] == slot.lines;
+  if (!slot.valid() || slot.page >= pages_.size()) return false;
+  return (pages_[slot.page].acquired[slot.first_line / bits_a_word] & bit_of(slot.first_line)) != 0;
 }
 
 std::byte* PaletteSlots::memory(const PaletteSlot& slot) const {

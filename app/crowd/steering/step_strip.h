@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "app/crowd/steering/near_bodies.h"
+
+namespace throng::app {
+
+/// Two agents never come nearer than this share of their radii summed, if they were not when they began.
+inline constexpr float least_share_of_radii = 0.82F;
+inline constexpr float steering_horizon = 2.5F;  ///< seconds that an agent looks ahead
+
+/// What a step is for all walkers. Lengths are metres.
+struct StepRules {
+  float seconds = 0.0F;
+  float spacing = 1.0F;     ///< CharacterRoles::spacing
+  float most_speed = 0.0F;  ///< metres a second that nobody exceeds
+  float sight = 0.0F;       ///< as far as an agent looks, from middle to middle
+  float closing = 0.0F;     ///< the most by which two come nearer in a step
+};
+
+/// What agents keep to of bodies of one kind; r is the radius of such a body, s that of the agent.
+struct KeptDistances {
+  float sight_per_radius;      ///< it sees as far as sight + sight_per_radius * r
+  float passing_scale;         ///< it would like to pass at passing_scale * (passing_per_radius * s + r)
+  float passing_per_radius;    ///< see above
+  float least_share_of_radii;  ///< it is never nearer than this share of s + r
+};
+inline constexpr KeptDistances kept_from_agents{0.0F, 1.5F, 1.0F, least_share_of_radii};
+inline constexpr KeptDistances kept_from_obstacles{1.0F, 1.0F, 1.8F, 1.0F};
+
+/// Walkers that take a step side by side, and what each has seen so far. Each number has a row of lanes:
+///
+///     x           [walker 0][walker 1] ... [walker 15]
+///     z, ...      the same
+///     soft        16 lanes of limit 0, 16 lanes of limit 1, ...
+///
+/// A limit is a half-plane of velocities: velocity . towards is at most `soft` to be polite and `hard` to stay apart.
+/// Lanes without a limit hold infinities there.
+struct StepStrip {
+  static constexpr std::size_t lanes = 16;
+  static constexpr std::uint32_t most_limits = 32;  ///< no more discs fit within a step's reach
+  static constexpr std::uint32_t nowhere = UINT32_MAX;
+  using Floats = std::array<float, lanes>;
+  using Numbers = std::array<std::uint32_t, lanes>;
+
+  std::size_t count = 0;  ///< of walkers; the other lanes hold zeros
+  alignas(64) Floats x{}, z{}, velocity_x{}, velocity_z{}, radius{}, wish_x{}, wish_z{}, most_speed{};
+  alignas(64) Numbers company{};  ///< whom the walker keeps beside, as in BodyColumns
+  alignas(64) Numbers place{};    ///< of the walker among the agents
+
+  alignas(64) Floats turn_x{}, turn_z{};  ///< metres a second, away from others
+  alignas(64) Numbers limit_count{};      ///< most_limits + 1: more are close than can be told apart
+  std::uint32_t limit_rows = 0;           ///< of the four below: the largest count
+  alignas(64) std::array<Floats, most_limits> towards_x, towards_z, soft, hard;
+};
+
+/// The places of the bodies that matter to the walker of each lane, in the order in which it sees them.
+struct FoundByLane {
+  std::array<StepStrip::Numbers, NearBodies::most> places;  ///< [k][lane]; beyond the lane's count: anything
+  StepStrip::Numbers count{};
+};
+
+/// Bodies that the walkers of a strip see. Two walkers of one company are not polite to each other.
+struct SeeJob {
+  const BodyColumns* bodies = nullptr;
+  const FoundByLane* found = nullptr;
+  KeptDistances keeps = kept_from_agents;
+  bool are_agents = true;  ///< a walker does not see itself, by its place
+  StepRules rules;
+};
+
+bool is_valid(const SeeJob& job, const StepStrip& strip);
+
+/// Adds to what the walkers see: the way they turn, and limits. Each lane has the bits of the same sums in a loop.
+void see(const SeeJob& job, StepStrip& strip);
+
+/// Replaces velocity and place of each walker by those after the step, from all that was seen.
+void take_step(const StepRules& rules, StepStrip& strip);
+
+}  // namespace throng::app

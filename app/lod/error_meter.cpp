@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/anim/base/run_jobs.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
 
 namespace throng::app {
@@ -16,6 +17,7 @@ constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
 // A frame. Of a crowd that is cheap to pose, some are measured all the same, and as many as may be until a ninety-ninth
 // percentile is known.
+constexpr std::size_t most_jobs = 8;
 constexpr std::size_t most_measured_of_few = 24, least_measured_of_few = 4;
 
 glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
@@ -55,7 +57,7 @@ void ErrorMeter::set_character(std::size_t character, const CharacterSource& sou
   measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
                   cost_of_point * static_cast<double>(measured.points.count());
   most_entries_ = std::max(most_entries_, measured.entries);
-  blended_.resize(most_entries_);
+  blended_.resize(most_jobs * most_entries_);
 }
 
 void ErrorMeter::reset(std::size_t agents) {
@@ -80,6 +82,7 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
     exact_palettes_ =
         anim::allocate_aligned(watched * anim::palette_stride(most_entries_, anim::PaletteFormat::matrices));
     chosen_.reserve(watched);
+    measured_.reserve(watched);
     exact_.reserve(watched);
     if (sampling == ErrorSampling::some) {
       window_.reserve(most_measured_of_few);
@@ -145,17 +148,32 @@ void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& f
   pose_window_.begin_frame();
   choose_whom_to_measure(system, frame);
   if (!exact_.empty()) system.pose_exactly(exact_);
-  for (std::size_t i = 0; i < chosen_.size(); ++i) {
-    measure(watched_.all()[chosen_[i]], exact_[i].palette, frame);
+  measure_chosen(system, frame);
+  for (const Measured& measured : measured_) {
+    pose_window_.add(measured.pose);
+    window_.add(measured.picture);
   }
   figures_ = window_.figures();
   history_.add({.p99 = figures_.p99, .pop = window_.newest_pop()});
 }
 
-void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame) {
+void ErrorMeter::measure_chosen(anim::AnimationSystem& system, const MeasuredFrame& frame) {
+  measured_.resize(chosen_.size());
+  const std::size_t jobs = std::min({chosen_.size(), static_cast<std::size_t>(system.options().pus), most_jobs});
+  if (jobs == 0) return;
+  anim::run_jobs(system.executor(), jobs, [&](std::size_t job) {
+    const std::span room = std::span(blended_).subspan(job * most_entries_, most_entries_);
+    for (std::size_t i = job; i < chosen_.size(); i += jobs) {
+      measured_[i] = measure(watched_.all()[chosen_[i]], exact_[i].palette, frame, room);
+    }
+  });
+}
+
+ErrorMeter::Measured ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact,
+                                         const MeasuredFrame& frame, std::span<anim::PaletteMatrix> room) {
   const MeasuredCharacter& character = characters_[frame.crowd.characters()[watched.agent]];
   const ShownPose& pose = frame.shown.pose(watched.agent);
-  const std::span blended = std::span(blended_).first(character.entries);
+  const std::span blended = room.first(character.entries);
   const bool packed = watched.format == anim::PaletteFormat::packed;
   anim::blend_shown_palette({.from = anim::PaletteDestination(watched.blends ? watched.from : watched.to),
                              .to = anim::PaletteDestination(watched.to),
@@ -172,10 +190,10 @@ void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact
   if (watched.measured_in + 1 == frame.number) sample.pop = anim::largest_change(watched.errors, errors);
   watched.errors = errors;
   watched.measured_in = frame.number;
-  pose_window_.add(sample);
-  sample.error += mesh_error(watched.agent, frame);
-  errors_[watched.agent] = sample.error;
-  window_.add(sample);
+  Measured measured{.pose = sample, .picture = sample};
+  measured.picture.error += mesh_error(watched.agent, frame);
+  errors_[watched.agent] = measured.picture.error;
+  return measured;
 }
 
 float ErrorMeter::mesh_error(std::uint32_t agent, const MeasuredFrame& frame) {

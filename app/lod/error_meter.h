@@ -87,7 +87,13 @@ class ErrorMeter {
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
-  void measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame);
+  /// The error of a pose alone, and with that of the mesh.
+  struct Measured {
+    anim::ErrorSample pose, picture;
+  };
+  void measure_chosen(anim::AnimationSystem& system, const MeasuredFrame& frame);
+  Measured measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame,
+                   std::span<anim::PaletteMatrix> room);
   static float mesh_error(std::uint32_t agent, const MeasuredFrame& frame);
 
   std::vector<MeasuredCharacter> characters_;
@@ -100,7 +106,8 @@ class ErrorMeter {
   double credit_ = 0;                  // in bones evaluated
   std::vector<anim::ExactPose> exact_;
   anim::AlignedBytes exact_palettes_;
-  std::vector<anim::PaletteMatrix> blended_;
+  std::vector<Measured> measured_;               // [place in chosen_]
+  std::vector<anim::PaletteMatrix> blended_;     // a room for each job
   std::vector<float> errors_;  // [agent]
   anim::ErrorWindow window_;   // of poses and meshes together
   anim::ErrorWindow pose_window_;

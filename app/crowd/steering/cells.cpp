@@ -18,19 +18,22 @@ void CrowdCells::set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highe
   rows_ = static_cast<std::size_t>(extent.y * cells_per_metre_) + 1;
   first_.assign(columns_ * rows_ + 1, 0);
   cells_.assign(bodies, 0);
+  order_.assign(bodies, 0);
   sorted_.assign(bodies, Body{});
 }
 
 void CrowdCells::sort(std::span<const Body> bodies) {
-  assert(bodies.size() == sorted_.size());
+  anim::InOrder here;
+  sort(bodies, here, 1, [](const Body&, std::size_t) {});
+}
+
+// Counting is quick beside all else, so one thread does it.
+void CrowdCells::find_order() {
   std::ranges::fill(first_, 0U);
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    cells_[body] = static_cast<std::uint32_t>(cell(bodies[body].position));
-    ++first_[cells_[body]];
-  }
+  for (const std::uint32_t cell : cells_) ++first_[cell];
   std::uint32_t end = 0;
   for (std::uint32_t& first : first_) first = end += first;
-  for (std::size_t body = bodies.size(); body-- > 0;) sorted_[--first_[cells_[body]]] = bodies[body];
+  for (std::size_t body = cells_.size(); body-- > 0;) order_[--first_[cells_[body]]] = static_cast<std::uint32_t>(body);
 }
 
 }  // namespace throng::app

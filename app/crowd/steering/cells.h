@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/crowd/steering/near_bodies.h"
+#include "app/crowd/steering/tiles.h"
 
 namespace throng::app {
 
@@ -54,6 +56,17 @@ class CrowdCells {
 
   /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
+  /// Does the same in `jobs` jobs, and calls `visit(const Body&, std::size_t place)` for each with its place in bodies().
+  template <typename Visit>
+  void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const Visit& visit) {
+    assert(bodies.size() == sorted_.size());
+    visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t body) { find_cell(body, bodies[body]); });
+    find_order();
+    visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t place) {
+      sorted_[place] = bodies[order_[place]];
+      visit(sorted_[place], place);
+    });
+  }
 
   /// Returns all bodies, in the order of cells.
   std::span<const Body> bodies() const { return sorted_; }
@@ -79,6 +92,8 @@ class CrowdCells {
   }
 
  private:
+  void find_cell(std::size_t body, const Body& from) { cells_[body] = static_cast<std::uint32_t>(cell(from.position)); }
+  void find_order();
   std::size_t column(float x) const { return clamped((x - lowest_.x) * cells_per_metre_, columns_); }
   std::size_t row(float z) const { return clamped((z - lowest_.y) * cells_per_metre_, rows_); }
   std::size_t cell(glm::vec2 position) const { return row(position.y) * columns_ + column(position.x); }
@@ -92,6 +107,7 @@ class CrowdCells {
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_;  // [cell] where it begins in sorted_; one more element marks the end
   std::vector<std::uint32_t> cells_;  // [body]
+  std::vector<std::uint32_t> order_;  // [place in sorted_] the body
   std::vector<Body> sorted_;
 };
 

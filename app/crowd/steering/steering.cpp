@@ -155,7 +155,7 @@ Steering::Steering(std::size_t agents, const Ground& ground)
 void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
                     int jobs) {
   assert(bodies.size() == wishes.size() && seconds > 0.0F && jobs > 0);
-  agents_.sort(bodies);
+  agents_.sort(bodies, executor, jobs);
   float fastest = 0.0F;
   for (const Body& body : bodies) {
     if (body.moves) fastest = std::max(fastest, wishes[body.agent].most_speed);
@@ -172,10 +172,7 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
                                 .most_speed = most_speed,
                                 .sight = reach_,
                                 .closing = closing_reach}};
-  const std::span<const Body> sorted = agents_.bodies();
-  visit_in_tiles(sorted.size(), executor, jobs,
-                 [&](std::size_t body) { agents_.write(body); });
-  visit_tiles(sorted.size(), executor, jobs,
+  visit_tiles(bodies.size(), executor, jobs,
               [&](std::size_t first, std::size_t end) { move_tile(work, first, end); });
 }
 

@@ -45,8 +45,10 @@ class Steering {
       columns_.set_aside(agents);
     }
     const BodyColumns& columns() const { return columns_; }
-    /// Writes the columns of a body that has been sorted.
-    void write(std::size_t place) { write_body(bodies()[place], place, columns_); }
+    void sort(std::span<const Body> agents, anim::Executor& executor, int jobs) {
+      CrowdCells::sort(agents, executor, jobs,
+                       [this](const Body& agent, std::size_t place) { write_body(agent, place, columns_); });
+    }
 
    private:
     BodyColumns columns_;

@@ -1,33 +1,54 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 
-#include "engine/anim/base/executor.h"
+#include "engine/anim/base/run_jobs.h"
 
 namespace throng::app {
+
+/// Tiles of numbers, shared out over jobs. Each job has a part of its own, the same in each frame, so that its data stay
+/// near its core; who is done takes tiles of the others.
+class SharedTiles {
+ public:
+  static constexpr std::size_t tile = 128, most_jobs = 64;
+
+  SharedTiles(std::size_t count, std::size_t jobs) : count_(count), tiles_((count + tile - 1) / tile), jobs_(jobs) {
+    for (std::size_t job = 0; job < jobs; ++job) parts_[job].next.store(begin(job), std::memory_order_relaxed);
+  }
+
+  template <typename Visit>
+  void run(std::size_t job, const Visit& visit) {
+    for (std::size_t i = 0; i < jobs_; ++i) {
+      const std::size_t part = (job + i) % jobs_, end = begin(part + 1);
+      for (std::size_t at = take(part); at < end; at = take(part)) {
+        visit(at * tile, std::min((at + 1) * tile, count_));
+      }
+    }
+  }
+
+ private:
+  struct alignas(64) Part {
+    std::atomic<std::size_t> next{0};
+  };
+  std::size_t begin(std::size_t part) const { return tiles_ * part / jobs_; }
+  std::size_t take(std::size_t part) { return parts_[part].next.fetch_add(1, std::memory_order_relaxed); }
+
+  std::size_t count_, tiles_, jobs_;
+  std::array<Part, most_jobs> parts_;
+};
 
 /// Calls visit(first, end) for tiles of the numbers below `count`, and shares them out over `jobs` jobs. Two visits must
 /// not write the same data, and no visit may read what another writes.
 template <typename Visit>
 void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
-  constexpr std::size_t tile = 128;
-  struct Work {
-    std::size_t count;
-    Visit* visit;
-    std::atomic<std::size_t> next_tile{0};
-  } work{count, &visit};
-  const auto run = [](void* context, int) {
-    auto& shared = *static_cast<Work*>(context);
-    for (;;) {
-      const std::size_t first = tile * shared.next_tile.fetch_add(1, std::memory_order_relaxed);
-      if (first >= shared.count) return;
-      (*shared.visit)(first, std::min(first + tile, shared.count));
-    }
-  };
-  const auto tiles = static_cast<int>(std::min<std::size_t>((count + tile - 1) / tile, 256));
-  if (tiles > 0) executor.run(std::min(jobs, tiles), {run, &work});
+  if (count == 0) return;
+  const std::size_t tiles = (count + SharedTiles::tile - 1) / SharedTiles::tile;
+  const std::size_t used = std::min({tiles, static_cast<std::size_t>(jobs), SharedTiles::most_jobs});
+  SharedTiles shared(count, used);
+  anim::run_jobs(executor, used, [&](std::size_t job) { shared.run(job, visit); });
 }
 
 /// Calls visit(i) for each i below `count`, in such tiles.

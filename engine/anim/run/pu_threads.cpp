@@ -12,8 +12,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// About the time that putting a thread to sleep and waking it takes on virtual cores.
-constexpr std::chrono::microseconds waits_awake(50);
+/// A few times what putting a thread to sleep and waking it takes on virtual cores, since a frame has many rounds with
+/// short pauses in between.
+constexpr std::chrono::microseconds waits_awake(200);
 
 std::atomic<ThreadHook> hook_of_the_host{nullptr};
 

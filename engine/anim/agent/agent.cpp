@@ -113,9 +113,9 @@ bool Agent::set_speed(double speed) {
 const char* Agent::try_set_speed(double speed) const {
   if (!exists()) return no_agent;
   if (!is_speed(speed)) return not_a_speed;
-  const CrossFadeChannel* const channel = first_channel();
-  if (channel == nullptr || !channel->state().valid()) return "the agent's first channel plays no clip";
-  channel->set_speed(builder(), speed);
+  const Handle player = graphs().newest_player(index());
+  if (!player.valid() || !pools().alive(player)) return "the agent's first channel plays no clip";
+  builder().set_speed(player, speed);
   return nullptr;
 }
 

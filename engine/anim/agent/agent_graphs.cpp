@@ -29,6 +29,7 @@ std::uint32_t AgentGraphs::add() {
   agents_.emplace_back().processes.reserve(usual_processes);
   graphs_.emplace_back().entities.reserve(usual_steps);
   next_updates_.push_back(never);
+  newest_players_.emplace_back();
   return count() - 1;
 }
 
@@ -36,6 +37,7 @@ void AgentGraphs::remove(std::uint32_t agent) {
   destroy(agents_[agent]);
   graphs_[agent].clear();
   next_updates_[agent] = never;
+  newest_players_[agent] = {};
   free_.push_back(agent);
 }
 
@@ -44,6 +46,7 @@ void AgentGraphs::make_room(std::uint32_t agents) {
   anim::make_room(agents_, agents_.size() + fresh);
   anim::make_room(graphs_, graphs_.size() + fresh);
   anim::make_room(next_updates_, next_updates_.size() + fresh);
+  anim::make_room(newest_players_, newest_players_.size() + fresh);
   free_.reserve(agents_.capacity());
   spare_channels_.reserve(agents_.capacity());
 }
@@ -177,6 +180,13 @@ void AgentGraphs::find_next_update(std::uint32_t agent) {
   next_updates_[agent] = next;
 }
 
+void AgentGraphs::find_newest_player(std::uint32_t agent) {
+  const std::vector<Layer>& layers = agents_[agent].layers;
+  const bool fades = !layers.empty() && layers.front().own.type == type_tag<CrossFadeChannel>();
+  newest_players_[agent] =
+      fades ? static_cast<const CrossFadeChannel&>(*layers.front().own.part).newest_player() : Handle{};
+}
+
 // A layer whose channel plays nothing leaves what is below as it is.
 Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
   layer.own.part->lie_over(build, below);
@@ -202,6 +212,7 @@ Status AgentGraphs::rebuild(const EntityBuilder& build, std::uint32_t agent_inde
     for (const Layer& layer : agent.layers) layer.own.part->cut_fades(build);
   }
   find_next_update(agent_index);
+  find_newest_player(agent_index);
   for (Layer& layer : agent.layers) root = lay(build, layer, root);
   if (!root.valid()) {
     graphs_[agent_index].clear();
@@ -284,6 +295,7 @@ void AgentGraphs::restream(const EntityBuilder& build, std::uint32_t agent_index
     for (Handle& source : pools_->sources(handle)) rename(source);
   });
   for (Handle& entity : graphs_[agent_index].entities) rename(entity);
+  find_newest_player(agent_index);
   for (const auto& [from, to] : renamed) build.destroy(from);
 }
 
@@ -296,6 +308,7 @@ StoreNeeds AgentGraphs::largest_needs() const {
 AgentGraphs AgentGraphs::clone() const {
   AgentGraphs copy(*pools_, *programs_, owners_);
   copy.next_updates_ = next_updates_;
+  copy.newest_players_ = newest_players_;
   copy.graphs_ = graphs_;
   copy.free_ = free_;
   copy.agents_.reserve(agents_.size());
@@ -317,7 +330,7 @@ AgentGraphs AgentGraphs::clone() const {
 
 std::size_t AgentGraphs::bytes() const {
   std::size_t bytes = agents_.capacity() * sizeof(Agent) + graphs_.capacity() * sizeof(PoseGraph) +
-                      next_updates_.capacity() * sizeof(Ticks);
+                      next_updates_.capacity() * sizeof(Ticks) + newest_players_.capacity() * sizeof(Handle);
   for (const Agent& agent : agents_) {
     bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(OwnedProcess);
   }

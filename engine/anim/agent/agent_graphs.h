@@ -57,6 +57,9 @@ class AgentGraphs {
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
+  /// Returns the player of the first channel that was asked for last, if that is a CrossFadeChannel that plays; else an
+  /// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many.
+  Handle newest_player(std::uint32_t agent) const { return newest_players_[agent]; }
 
   enum class Fades : unsigned char { go_on, are_cut };
 
@@ -129,6 +132,7 @@ class AgentGraphs {
   static void end_fade(const EntityBuilder& build, Layer& layer);
   void rebuild_with_less(const EntityBuilder& build, std::uint32_t agent);
   void find_next_update(std::uint32_t agent);
+  void find_newest_player(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
   void destroy(Agent& agent);
   bool all_alive(const PoseGraph& graph) const;
@@ -139,6 +143,7 @@ class AgentGraphs {
   std::vector<Agent> agents_;
   std::vector<PoseGraph> graphs_;  // [agent], beside each other: the part that every frame reads
   std::vector<Ticks> next_updates_;
+  std::vector<Handle> newest_players_;
   std::vector<std::uint32_t> free_;                                // numbers of removed agents; the last is given next
   std::vector<std::unique_ptr<CrossFadeChannel>> spare_channels_;  // of removed agents
 };

@@ -67,8 +67,8 @@ void CrossFadeChannel::interrupt(const EntityBuilder& build, const PlayRequest& 
   retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life_of(request.fade));
 }
 
-void CrossFadeChannel::set_speed(const EntityBuilder& build, double speed) const {
-  build.set_speed(tree_.entities[player_place(tree_.player_count() - 1)], speed);
+Handle CrossFadeChannel::newest_player() const {
+  return tree_.empty() ? Handle{} : tree_.entities[player_place(tree_.player_count() - 1)];
 }
 
 bool CrossFadeChannel::update(const EntityBuilder& build) {

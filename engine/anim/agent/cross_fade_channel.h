@@ -97,8 +97,8 @@ class CrossFadeChannel final : public Channel {
   /// are taken.
   bool play(const EntityBuilder& build, const PlayRequest& request);
 
-  /// Sets the speed of the clip asked for last, from now on. There must be one.
-  void set_speed(const EntityBuilder& build, double speed) const;
+  /// Returns the player of the clip asked for last; invalid: it plays nothing.
+  Handle newest_player() const;
 
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
   bool update(const EntityBuilder& build) override;

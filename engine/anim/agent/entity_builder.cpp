@@ -133,12 +133,12 @@ void EntityBuilder::set_speed(Handle player, double speed) const {
     report_misuse({"EntityBuilder::set_speed", not_a_speed});
     return;
   }
-  const auto& own = as<Player>(player);
+  auto& own = as<Player>(player);
+  FineTicks at = own.position - distance(lead(), own.speed);
   const bool looping = (own.flags & Player::looping) != 0;
-  const FineTicks length = clips_[own.clip].duration * fine_ticks_per_tick;
-  const FineTicks at = looping ? position(player) : std::clamp(position(player), FineTicks{0}, length);
-  as<Player>(player).speed = fixed_point(speed);
-  seek(player, at);
+  if (!looping) at = std::clamp(at, FineTicks{0}, clips_[own.clip].duration * fine_ticks_per_tick);
+  own.speed = fixed_point(speed);
+  own.position = at + distance(lead(), own.speed);
 }
 
 }  // namespace throng::anim

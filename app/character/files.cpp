@@ -3,40 +3,26 @@
 #include <utility>
 
 #include "app/character/body_parts.h"
-#include "app/character/bone_lod.h"
+#include "app/character/built_in.h"
 #include "app/character/role_table.h"
-#include "app/character/wardrobe_file.h"
 #include "app/files/data_folder.h"
 
 namespace throng::app {
 
-namespace {
-
-anim::Status take_wardrobe(CharacterSource& source, const std::string& data_option, const LoadOptions& options) {
-  const std::vector<std::filesystem::path> folders = data_folders(data_option);
-  const auto rules = find_data(folders, "assets/cast.json");
-  if (!rules) return rules.error();
-  source.cast_rules = rules->string();
-  if (!options.wardrobe) return anim::Done{};
-  const auto file = find_data(folders, "assets/wardrobe.glb");
-  if (!file) return file.error();
-  return add_parts(source, *file);
-}
-
-}  // namespace
-
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
-  const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
-  if (!file) return file.error();
-  const BoneLodFile kept{{}};
-  auto source = load_character(file->string(), "mannequin (built in)", &kept, options);
+  const auto files = find_built_in(data_option);
+  if (!files) return files.error();
+  const auto rules = find_data(data_folders(data_option), "assets/cast.json");
+  if (!rules) return rules.error();
+  auto taken = take_built_in(*files, options);
+  auto source = taken ? anim::Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options);
   if (!source) return source;
-  if (const anim::Status dressed = take_wardrobe(*source, data_option, options); !dressed) return dressed.error();
+  source->cast_rules = rules->string();
   const auto rig = RoleFile({}).read_rig();
   if (!rig) return rig.error();
   if (rig->empty()) return source;
-  const anim::Status taken = take_rig(*source, *rig);
-  if (!taken) return anim::Error{"the rig kept for " + source->name + ": " + taken.error().message};
+  const anim::Status rigged = take_rig(*source, *rig);
+  if (!rigged) return anim::Error{"the rig kept for " + source->name + ": " + rigged.error().message};
   return source;
 }
 

@@ -53,7 +53,7 @@ void move_images(anim::Material& material, int first_image) {
 
 }  // namespace
 
-anim::Status add_parts(CharacterSource& source, const std::filesystem::path& file) {
+anim::Status add_parts(anim::Model& model, const std::string& character, const std::filesystem::path& file) {
   auto imported = import::import_file(file.string());
   if (!imported) return imported.error();
   anim::Model& wardrobe = imported->models.front();
@@ -61,9 +61,9 @@ anim::Status add_parts(CharacterSource& source, const std::filesystem::path& fil
   if (wardrobe.parts.empty()) {
     return anim::Error{name + ": it has no parts to wear; engine/anim/import/README.md says how a node becomes one"};
   }
-  const std::vector<std::uint16_t> entries = entries_in(wardrobe.skeleton, source.model.skeleton);
-  const auto first_material = static_cast<int>(source.model.materials.size());
-  const auto first_image = static_cast<int>(source.model.images.size());
+  const std::vector<std::uint16_t> entries = entries_in(wardrobe.skeleton, model.skeleton);
+  const auto first_material = static_cast<int>(model.materials.size());
+  const auto first_image = static_cast<int>(model.images.size());
   int unknown = -1;
   anim::visit_surfaces(wardrobe, [&](std::vector<anim::SkinnedMesh>& meshes) {
     for (anim::SkinnedMesh& mesh : meshes) unknown = std::max(unknown, move_mesh(mesh, entries, first_material));
@@ -71,12 +71,12 @@ anim::Status add_parts(CharacterSource& source, const std::filesystem::path& fil
   if (unknown >= 0) {
     const auto bone = static_cast<std::size_t>(wardrobe.skeleton.palette[static_cast<std::size_t>(unknown)].bone);
     return anim::Error{name + ": its joint " + anim::in_quotes(wardrobe.skeleton.bones[bone].name) + " is none of " +
-                       source.name + "; export it with the skeleton of that character"};
+                       character + "; export it with the skeleton of that character"};
   }
   for (anim::Material& material : wardrobe.materials) move_images(material, first_image);
-  std::ranges::move(wardrobe.materials, std::back_inserter(source.model.materials));
-  std::ranges::move(wardrobe.images, std::back_inserter(source.model.images));
-  std::ranges::move(wardrobe.parts, std::back_inserter(source.model.parts));
+  std::ranges::move(wardrobe.materials, std::back_inserter(model.materials));
+  std::ranges::move(wardrobe.images, std::back_inserter(model.images));
+  std::ranges::move(wardrobe.parts, std::back_inserter(model.parts));
   return anim::Done{};
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -106,13 +107,18 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
   reader.value("MODEL", "...", "glTF files (.glb or .gltf), or packs", add)
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
-      ->required()
+      ->required(std::ranges::find(arguments, "--built-in") == arguments.end())
+      ->group("Model");
+  reader.flag("--built-in", options.built_in, "The built-in character with all that it may wear, instead of models")
+      ->excludes("MODEL")
       ->group("Model");
   reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
   reader.parts_remover(options.remove_parts);
   clips_from(reader, options.clips_from);
   reading(reader, options.reading);
   declare_placement(reader, options.placement);
+  reader.option_defaults()->group("Files");
+  reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
   reader.footer("Example:\n  throng bake fox.glb horse.glb -o animals.pack");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;

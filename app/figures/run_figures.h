@@ -16,8 +16,8 @@ class RunFigures {
 
   /// Keeps from now on what each PU does, for `--trace`.
   void keep_timeline() { timeline_.emplace(); }
-  /// Takes how long it took to make the crowd.
-  void set_spawn(double milliseconds) { statistics_.set_spawn(milliseconds); }
+  /// Returns the times of the start, to be written.
+  StartTimes& start() { return statistics_.start; }
   /// Takes how long it took to lay out the overlay in this frame; call it when that is done.
   void add_overlay(double milliseconds);
   /// Takes an update that began at `start` and posed the crowd in `milliseconds`.

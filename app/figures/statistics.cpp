@@ -123,6 +123,16 @@ std::string hex_string(std::uint64_t bits) {
   return text;
 }
 
+void Statistics::add_update(double milliseconds) {
+  if (!first_update_ms_) first_update_ms_ = milliseconds;
+  update_ms_.add(milliseconds);
+}
+
+void Statistics::add_drawn_frame(double milliseconds) {
+  if (!first_picture_ms_) first_picture_ms_ = milliseconds;
+  frame_ms_.add(milliseconds);
+}
+
 void Statistics::set_draw(std::uint32_t draw_calls, std::uint64_t triangles) {
   draw_calls_ = draw_calls;
   triangles_ = triangles;
@@ -150,7 +160,12 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["bones_per_agent"] = bones_per_agent(stage);
   json["frames"] = frames_;
   add_scheduling(json, stage);
-  json["spawn_ms"] = spawn_ms_;
+  json["start_characters_ms"] = start.characters_ms;
+  json["start_device_ms"] = start.device_ms;
+  json["spawn_ms"] = start.spawn_ms;
+  json["start_meshes_ms"] = start.meshes_ms;
+  json["first_update_ms"] = first_update_ms_ ? Json(*first_update_ms_) : Json(nullptr);
+  json["first_picture_ms"] = first_picture_ms_ ? Json(*first_picture_ms_) : Json(nullptr);
   json["update_ms_median"] = update_ms_.quantile(0.5);
   json["update_ms_p99"] = update_ms_.quantile(0.99);
   json["update_ms_mean"] = update_ms_.mean();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,22 @@ struct DrawnBy {
   std::string gl_version, gl_renderer;  ///< empty without GL
 };
 
+/// The milliseconds of the parts of a start, in their order. The first update and the first picture follow.
+struct StartTimes {
+  double characters_ms = 0;  ///< files are imported and baked, or taken out of packs
+  double device_ms = 0;      ///< the device is opened, shaders are compiled, scenery is loaded
+  double spawn_ms = 0;       ///< the crowd is made: places, agents, clips, blocks
+  double meshes_ms = 0;      ///< surfaces are simplified and copied to the device
+};
+
 /// Collects a run's figures and writes them as one flat JSON object (app/command_line/README.md). It does not grow with
 /// the run.
 class Statistics {
  public:
-  /// Takes the time that making the crowd took: places, agents, clips, blocks.
-  void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
-  void add_update(double milliseconds) { update_ms_.add(milliseconds); }
-  void add_drawn_frame(double milliseconds) { frame_ms_.add(milliseconds); }
+  StartTimes start;  ///< written by whoever starts the run
+
+  void add_update(double milliseconds);
+  void add_drawn_frame(double milliseconds);
   /// Takes the time that laying out the overlay took.
   void add_overlay(double milliseconds) { overlay_ms_.add(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
@@ -35,7 +44,7 @@ class Statistics {
 
  private:
   SampleCounts update_ms_, frame_ms_, overlay_ms_;
-  double spawn_ms_ = 0;
+  std::optional<double> first_update_ms_, first_picture_ms_;
   std::uint32_t draw_calls_ = 0;
   std::uint64_t triangles_ = 0;
   std::uint64_t frames_ = 0;

@@ -10,9 +10,8 @@ namespace fs = std::filesystem;
 
 /// The data folder of an installed program; empty if the system does not say where the program is.
 fs::path share_folder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : (program.parent_path() / "../share/throng").lexically_normal();
+  const fs::path program = program_folder();
+  return program.empty() ? program : (program / "../share/throng").lexically_normal();
 }
 
 fs::path environment_folder() {
@@ -21,6 +20,12 @@ fs::path environment_folder() {
 }
 
 }  // namespace
+
+fs::path program_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
 
 std::vector<fs::path> data_folders(const std::string& data_option) {
   std::vector<fs::path> folders;

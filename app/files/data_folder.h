@@ -8,6 +8,9 @@
 
 namespace throng::app {
 
+/// Returns the folder of the running program; empty if the system does not say where it is.
+std::filesystem::path program_folder();
+
 /// Returns the folders that may hold `shaders/` and `assets/`, in the order in which they are tried: --data,
 /// $THRONG_DATA, <program>/../share/throng, the source tree recorded when the program was built.
 std::vector<std::filesystem::path> data_folders(const std::string& data_option);

@@ -43,14 +43,24 @@ double time_of(const auto& work) {
 // A part of the frame is taken away of the usual picture alone, so that one sees what it costs.
 bool splits(const Tuning& tuning) { return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{}; }
 
+/// Returns whether a scene may show a character. Only some scenes have things, and simplifying the balloon takes longer
+/// than all else that a start does.
+bool may_show(const Stage& stage, std::size_t character) {
+  return !stage.characters()[character].roles.is_prop ||
+         std::ranges::find(stage.crowd().characters(), character) != stage.crowd().characters().end();
+}
+
 // A character that was made anew, or whose bones are in another order, is another one. Two of a cast may be the same.
 std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
                                                     std::vector<std::weak_ptr<const anim::Character>> loaded) {
   std::vector<render::CharacterToLoad> meshes;
-  for (const CharacterSource& source : stage.characters()) {
+  for (std::size_t character = 0; character < stage.characters().size(); ++character) {
+    const CharacterSource& source = stage.characters()[character];
     const auto same = std::ranges::find_if(loaded, [&](const auto& each) { return each.lock() == source.character; });
     if (same == loaded.end()) {
-      meshes.emplace_back(mesh_data(source));
+      render::CrowdMeshData data = mesh_data(source);
+      if (!may_show(stage, character)) data.parts.clear();
+      meshes.emplace_back(std::move(data));
     } else {
       same->reset();
       meshes.emplace_back(static_cast<std::size_t>(same - loaded.begin()));
@@ -141,7 +151,9 @@ anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
   if (anim::Status loaded = renderer_->load_characters(meshes_to_load(stage, loaded_)); !loaded) return loaded;
   loaded_.clear();
-  for (const CharacterSource& character : stage.characters()) loaded_.emplace_back(character.character);
+  for (std::size_t i = 0; i < stage.characters().size(); ++i) {
+    loaded_.push_back(may_show(stage, i) ? stage.characters()[i].character : nullptr);
+  }
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   looks_number_ = 0;

@@ -57,7 +57,7 @@ class Painter {
   /// Takes back every palette page, once the stage that had them goes.
   void reset_palette_pages();
   /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs. Characters that were
-  /// loaded before, and have not changed since, keep theirs.
+  /// loaded before, and have not changed since, keep theirs. Things that the scene does not show have none.
   anim::Status load_meshes(Stage& stage);
   /// Tells a stage whose crowd was dressed anew the errors of its mesh LODs.
   void follow_outfits(Stage& stage);

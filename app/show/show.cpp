@@ -45,18 +45,25 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   show->height = options.height;
   show->load_options_ = app::load_options(options);
   show->data_ = options.data;
+  StartTimes& times = show->figures_.start();
+  auto start = RunFigures::Clock::now();
+  const auto lap = [&start] { return milliseconds_since(std::exchange(start, RunFigures::Clock::now())); };
   auto cast = load_starting_characters(options, error);
   if (!cast) return nullptr;
+  times.characters_ms = lap();
   show->left_out_ = std::move(cast->left_out);
   if (!options.trace.empty()) show->figures_.keep_timeline();
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   show->painter_ = std::move(*painter);
+  times.device_ms = lap();
   if (live != nullptr && !show->open_live(options, std::move(live), error)) return nullptr;
   if (!show->open_stage(std::move(cast->characters), options, error)) return nullptr;
+  start = RunFigures::Clock::now();
   if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
+  times.meshes_ms = lap();
   if (!show->place_camera(options, error)) return nullptr;
   if (options.view && !show->begin_viewing(*options.view, error)) return nullptr;
   show->update_notice();
@@ -76,7 +83,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   }
   const auto start = RunFigures::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), 0, std::move(trajectories));
-  figures_.set_spawn(milliseconds_since(start));
+  figures_.start().spawn_ms = milliseconds_since(start);
   if (!stage) return fail(error, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
   if (!begin_tracks(options, error)) return false;
@@ -111,6 +118,7 @@ anim::Status Show::apply(const Tuning& tuning) {
   if (tuning.scene == Scene::tracks && recorder_.is_recording()) return anim::Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
+  if (applied && another_scene) applied = painter_->load_meshes(*stage_);
   if (!applied) return applied;
   if (another_scene) camera = guide.begin_scene(*stage_), films = true;
   update_notice();

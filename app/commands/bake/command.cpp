@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/built_in.h"
 #include "app/character/clip_files.h"
 #include "app/character/model_file.h"
 #include "app/character/skin_choice.h"
@@ -120,13 +121,20 @@ std::string told_of(const std::string& path, const pack::FileToPack& file) {
          (notice.empty() ? "" : notice + "\n");
 }
 
+anim::Result<pack::FileToPack> bake_built_in(const BakeOptions& options) {
+  const auto files = find_built_in(options.data);
+  if (!files) return files.error();
+  return built_in_to_pack(*files);
+}
+
 anim::Status bake(const BakeOptions& options) {
   std::vector<pack::FileToPack> files;
   PackSizes sizes;
-  for (const std::string& path : options.models) {
-    auto file = bake_file(path, options);
+  const std::vector<std::string> models = options.built_in ? std::vector<std::string>{""} : options.models;
+  for (const std::string& path : models) {
+    auto file = options.built_in ? bake_built_in(options) : bake_file(path, options);
     if (!file) return file.error();
-    file->name = name_for(path, files);
+    if (!options.built_in) file->name = name_for(path, files);
     if (anim::Status told = print(told_of(path, *file)); !told) return told;
     sizes.add(*file);
     files.push_back(std::move(*file));

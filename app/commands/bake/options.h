@@ -11,6 +11,8 @@ namespace throng::app {
 /// The options of `throng bake`.
 struct BakeOptions {
   std::vector<std::string> models;
+  bool built_in = false;                ///< bakes the built-in character with its wardrobe, and no models
+  std::string data;                     ///< folder of assets; empty: the usual ones
   std::string pack;                     ///< the file to write
   bool remove_parts = false;            ///< what killed runs left beside the files to write is removed
   std::vector<std::string> clips_from;  ///< files whose clips every model plays too

@@ -77,7 +77,7 @@ void add_file(const FileToPack& packed, std::size_t file, Tables& tables) {
   const auto models = static_cast<std::uint32_t>(packed.file.models.size());
   std::vector<std::string> names;
   for (const CharacterToPack& character : packed.characters) names.push_back(character.name);
-  tables.add(SectionKind::file, file, 0, packed.name, models, names, packed.file);
+  tables.add(SectionKind::file, file, 0, packed.name, models, names, packed.made_of, packed.file);
   for (std::size_t i = 0; i < packed.characters.size(); ++i) {
     const CharacterToPack& character = packed.characters[i];
     tables.add(SectionKind::character, file, i, character.prepared, *character.character);
@@ -96,6 +96,16 @@ std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
   Tables tables;
   for (std::size_t file = 0; file < files.size(); ++file) add_file(files[file], file, tables);
   return tables.join();
+}
+
+anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files) {
+  std::uint64_t fingerprint = 0;
+  for (const std::string& file : files) {
+    const auto mapped = map_file(file, "a file to bake");
+    if (!mapped) return anim::Error{anim::plain_text(file) + ": " + mapped.error().message};
+    fingerprint = checksum_of(mapped->bytes, fingerprint);
+  }
+  return fingerprint;
 }
 
 bool is_pack(const std::string& path) {
@@ -124,7 +134,8 @@ anim::Status Pack::read_files() {
   if (files == 0) return damaged();
   for (std::size_t file = 0; file < static_cast<std::size_t>(files); ++file) {
     PackedFile& packed = files_.emplace_back();
-    anim::Status taken = read(SectionKind::file, file, 0, packed.name, packed.models, packed.names, packed.header);
+    anim::Status taken =
+        read(SectionKind::file, file, 0, packed.name, packed.models, packed.names, packed.made_of, packed.header);
     if (!taken) return taken;
     packed.header.file = path_;
     if (packed.names.empty() || packed.names.size() > packed.models) return damaged();

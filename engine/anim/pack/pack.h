@@ -44,10 +44,14 @@ struct FileToPack {
   std::string name;                         ///< by which the pack names it
   anim::ImportedFile file;                  ///< at least one model
   std::vector<CharacterToPack> characters;  ///< 1 to file.models.size()
+  std::uint64_t made_of = 0;                ///< what fingerprint_of() says of its sources; 0: nobody asks
 };
 
 /// Returns the image of a pack. The same input gives the same bytes.
 std::vector<std::byte> write_pack(std::span<const FileToPack> files);
+
+/// Returns a number that is another one, as good as surely, when a byte of one of the files is another.
+anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
 
 /// Says whether a file is a pack, by its first bytes, or by its name that ends in ".pack"; false for one that cannot be
 /// read.
@@ -64,6 +68,8 @@ class Pack {
 
   std::size_t file_count() const { return files_.size(); }
   const std::string& file_name(std::size_t file) const { return files_[file].name; }
+  /// Returns FileToPack::made_of.
+  std::uint64_t made_of(std::size_t file) const { return files_[file].made_of; }
   /// Returns the names of the models of a file that were baked. They are the first of its models; at least one.
   std::span<const std::string> names(std::size_t file) const { return files_[file].names; }
 
@@ -88,6 +94,7 @@ class Pack {
     std::string name;
     std::uint32_t models = 0;
     std::vector<std::string> names;  // of the baked ones
+    std::uint64_t made_of = 0;
     anim::ImportedFile header;
   };
 

@@ -19,8 +19,7 @@ std::uint64_t checksum(const PackHeader& header, std::span<const std::byte> pack
   PackHeader without = header;
   without.checksum = 0;
   const std::uint64_t start = XXH3_64bits(&without, sizeof without);
-  const std::span<const std::byte> rest = pack.subspan(sizeof header);
-  return XXH3_64bits_withSeed(rest.data(), rest.size(), start);
+  return checksum_of(pack.subspan(sizeof header), start);
 }
 
 anim::Error refusal(const std::string& what) { return {what + "; bake it again"}; }
@@ -50,6 +49,10 @@ bool lies_within(const Section& section, std::size_t first, std::size_t size) {
 }
 
 }  // namespace
+
+std::uint64_t checksum_of(std::span<const std::byte> bytes, std::uint64_t before) {
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), before);
+}
 
 std::vector<std::byte> join_sections(std::span<const SectionBytes> sections, std::uint64_t layout,
                                      std::uint32_t version) {

@@ -64,7 +64,10 @@ constexpr std::size_t block_after(std::size_t size) {
 }
 
 /// Raise it when what bytes mean changes while their layout stays.
-inline constexpr std::uint32_t pack_version = 1;
+inline constexpr std::uint32_t pack_version = 2;
+
+/// Returns the XXH3 of bytes that follow others, whose checksum `before` is.
+std::uint64_t checksum_of(std::span<const std::byte> bytes, std::uint64_t before);
 
 /// A section to be written.
 struct SectionBytes {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/character/source.h"
+#include "engine/anim/pack/pack.h"
+
+namespace throng::app {
+
+/// The pack of the built-in character and all that it may wear, which the build makes beside the program. So a start
+/// neither imports nor bakes nor simplifies anything.
+inline constexpr const char* built_in_pack_name = "built_in.pack";
+
+/// The files that the built-in character is made of.
+struct BuiltInFiles {
+  std::filesystem::path mannequin, wardrobe;
+};
+
+/// Finds them in the folders that --data leads.
+anim::Result<BuiltInFiles> find_built_in(const std::string& data_option);
+
+/// Imports and bakes the built-in character. It has the parts of the wardrobe if LoadOptions::wardrobe says so.
+anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options);
+
+/// Takes the same out of a pack beside the program or the files. Returns nothing if there is none of these very files,
+/// or if the options ask for what was not baked.
+std::optional<CharacterSource> take_built_in(const BuiltInFiles& files, const LoadOptions& options);
+
+/// Returns the built-in character, with all parts of its wardrobe, as a pack takes it.
+anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files);
+
+}  // namespace throng::app

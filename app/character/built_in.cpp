@@ -79,10 +79,11 @@ anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files) {
   anim::Status dressed = add_parts(imported->models.front(), source->name, files.wardrobe);
   if (!dressed) return dressed.error();
   pack::FileToPack file{.name = "mannequin", .file = std::move(*imported), .characters = {}, .made_of = *fingerprint};
-  file.characters.push_back({.name = source->cast.front(),
-                             .prepared = {std::move(source->placement), {}},
-                             .character = source->character,
-                             .surface = render::pack_surface(render::view_of(render::build_surface(mesh_data(*source))))});
+  file.characters.push_back(
+      {.name = source->cast.front(),
+       .prepared = {std::move(source->placement), {}},
+       .character = source->character,
+       .surface = render::pack_surface(render::view_of(render::build_surface(mesh_data(*source))))});
   return file;
 }
 

@@ -167,8 +167,9 @@ void Crowd::lead_wave() {
 
 void Crowd::match_playback(std::size_t agent) {
   const float own_speed = cast_.speeds_of(agent).own[index_of(roles()[agent])] * scales()[agent];
-  state_.playback_speeds[agent] =
-      own_speed > 0.0F ? std::clamp(state_.speeds[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
+  state_.playback_speeds[agent] = own_speed > 0.0F
+                                      ? std::clamp(state_.speeds[agent] / own_speed, least_playback, most_playback)
+                                      : looks_.paces[agent];
 }
 
 void Crowd::follow_walkers(anim::Executor& executor, int jobs) {

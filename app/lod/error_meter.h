@@ -106,10 +106,10 @@ class ErrorMeter {
   double credit_ = 0;                  // in bones evaluated
   std::vector<anim::ExactPose> exact_;
   anim::AlignedBytes exact_palettes_;
-  std::vector<Measured> measured_;               // [place in chosen_]
-  std::vector<anim::PaletteMatrix> blended_;     // a room for each job
-  std::vector<float> errors_;  // [agent]
-  anim::ErrorWindow window_;   // of poses and meshes together
+  std::vector<Measured> measured_;            // [place in chosen_]
+  std::vector<anim::PaletteMatrix> blended_;  // a room for each job
+  std::vector<float> errors_;                 // [agent]
+  anim::ErrorWindow window_;                  // of poses and meshes together
   anim::ErrorWindow pose_window_;
   anim::ErrorFigures figures_;
   ErrorHistory history_;

@@ -144,7 +144,7 @@ void AnimatedCrowd::match_playback() {
     new_speeds_.push_back({.agent = {agent}, .speed = speeds[agent]});
     played_speeds_[agent] = speeds[agent];
   }
-  system_->set_speeds(new_speeds_);
+  set_speeds(*system_, new_speeds_);
 }
 
 void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {

@@ -56,7 +56,8 @@ class CrowdCells {
 
   /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
-  /// Does the same in `jobs` jobs, and calls `visit(const Body&, std::size_t place)` for each with its place in bodies().
+  /// Does the same in `jobs` jobs, and calls `visit(const Body&, std::size_t place)` for each with its place in
+  /// bodies().
   template <typename Visit>
   void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const Visit& visit) {
     assert(bodies.size() == sorted_.size());

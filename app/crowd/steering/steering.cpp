@@ -172,8 +172,7 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
                                 .most_speed = most_speed,
                                 .sight = reach_,
                                 .closing = closing_reach}};
-  visit_tiles(bodies.size(), executor, jobs,
-              [&](std::size_t first, std::size_t end) { move_tile(work, first, end); });
+  visit_tiles(bodies.size(), executor, jobs, [&](std::size_t first, std::size_t end) { move_tile(work, first, end); });
 }
 
 }  // namespace throng::app

@@ -92,8 +92,7 @@ struct Others {
                  hn::GatherIndex(d, columns.velocity_z.data(), places)},
         radius(hn::GatherIndex(d, columns.radius.data(), places)),
         share_of_gap(hn::GatherIndex(d, columns.share_of_gap.data(), places)),
-        is_company(
-            hn::RebindMask(d, hn::Eq(hn::GatherIndex(numbers, columns.company.data(), places), company))) {}
+        is_company(hn::RebindMask(d, hn::Eq(hn::GatherIndex(numbers, columns.company.data(), places), company))) {}
 };
 
 /// Returns the way to turn from where the other will be seen at the closest approach, the sooner and the closer the
@@ -103,8 +102,8 @@ HWY_INLINE Vector2 avoid(const Walkers& self, const Others& other, Vector2 apart
   const Vector2 relative = other.velocity - self.wish;
   const Vector speed_squared = squared(relative);
   const Vector closing = hn::Neg(dot(apart, relative));
-  const Mask comes = hn::And(hn::Gt(closing, hn::Zero(d)),
-                             hn::Lt(closing, hn::Mul(all(steering_horizon), speed_squared)));
+  const Mask comes =
+      hn::And(hn::Gt(closing, hn::Zero(d)), hn::Lt(closing, hn::Mul(all(steering_horizon), speed_squared)));
   const Vector time = hn::Div(closing, speed_squared);
   const Vector2 miss = apart + relative * time;
   const Mask turns = hn::And(hn::And(seen, comes), hn::Lt(squared(miss), hn::Mul(passing, passing)));
@@ -113,8 +112,7 @@ HWY_INLINE Vector2 avoid(const Walkers& self, const Others& other, Vector2 apart
   const Vector2 away = right * hn::IfThenElse(head_on, all(to_the_right_head_on), all(to_the_right)) - miss;
   const Vector soon = hn::Sub(all(1.0F), hn::Div(time, all(steering_horizon)));
   const Vector close = hn::Sub(all(1.0F), hn::Div(length(miss), passing));
-  const Vector strength =
-      hn::Mul(hn::Mul(hn::Mul(hn::Mul(all(avoidance), self.wished_speed), close), soon), soon);
+  const Vector strength = hn::Mul(hn::Mul(hn::Mul(hn::Mul(all(avoidance), self.wished_speed), close), soon), soon);
   return if_else_zero(turns, with_length(away, strength));
 }
 
@@ -126,8 +124,8 @@ struct Limits {
 
 HWY_INLINE Limits limits_of(const Others& other, Vector2 apart, Vector distance, Vector polite, Vector least,
                             Vector seconds) {
-  const Vector2 towards = if_else_zero(hn::Gt(distance, hn::Zero(d)),
-                                       {hn::Div(apart.x, distance), hn::Div(apart.z, distance)});
+  const Vector2 towards =
+      if_else_zero(hn::Gt(distance, hn::Zero(d)), {hn::Div(apart.x, distance), hn::Div(apart.z, distance)});
   const Vector lead = at_least_zero(dot(other.velocity, towards));
   const Vector to_polite = hn::Mul(other.share_of_gap, hn::Sub(distance, polite));
   const Vector to_least = hn::Mul(other.share_of_gap, hn::Sub(distance, least));
@@ -181,10 +179,11 @@ void see_lanes(const SeeJob& job, std::size_t lane, StepStrip& strip) {
     const Vector sight = hn::Add(all(job.rules.sight), hn::Mul(all(keeps.sight_per_radius), other.radius));
     const Mask is_other = hn::RebindMask(d, hn::AndNot(hn::Eq(places, own), has_one));
     const Mask seen = hn::And(is_other, hn::Le(square, hn::Mul(sight, sight)));
+    const Mask is_polite = job.are_agents ? hn::AndNot(other.is_company, seen) : seen;
     const Vector radii = hn::Add(self.radius, other.radius);
-    const Vector passing = hn::Mul(all(keeps.passing_scale),
-                                   hn::Add(hn::Mul(all(keeps.passing_per_radius), self.radius), other.radius));
-    turn = turn + avoid(self, other, apart, radii, passing, hn::AndNot(other.is_company, seen));
+    const Vector passing =
+        hn::Mul(all(keeps.passing_scale), hn::Add(hn::Mul(all(keeps.passing_per_radius), self.radius), other.radius));
+    turn = turn + avoid(self, other, apart, radii, passing, is_polite);
     const Vector close = hn::Add(radii, all(job.rules.closing));
     const Mask is_close = hn::And(seen, hn::Lt(square, hn::Mul(close, close)));
     if (hn::AllFalse(d, is_close)) continue;
@@ -231,11 +230,13 @@ HWY_INLINE Vector2 cut(const Rows& rows, Vector2 velocity, const Most& most, int
 }
 
 HWY_INLINE Vector2 politely(const Rows& rows, Vector2 velocity) {
-  return cut(rows, velocity, [&](std::uint32_t row) { return rows.soft(row); }, 3);
+  return cut(
+      rows, velocity, [&](std::uint32_t row) { return rows.soft(row); }, 3);
 }
 
 HWY_INLINE Vector2 kept_apart(const Rows& rows, Vector2 velocity) {
-  velocity = cut(rows, velocity, [&](std::uint32_t row) { return rows.hard(row); }, 2);
+  velocity = cut(
+      rows, velocity, [&](std::uint32_t row) { return rows.hard(row); }, 2);
   Vector kept = all(1.0F);  // standing still is within every limit, so some part of the way there is too
   for (std::uint32_t row = 0; row < rows.count(); ++row) {
     const Vector speed = dot(velocity, rows.towards(row)), hard = rows.hard(row);
@@ -262,8 +263,7 @@ HWY_INLINE Vector2 velocity_of(const StepRules& rules, const StepStrip& strip, s
   const Vector change = hn::Mul(hn::Mul(rate, all(rules.spacing)), all(rules.seconds));
   velocity = self.velocity + no_longer_than(velocity - self.velocity, change);
   velocity = kept_apart(rows, no_longer_than(velocity, all(rules.most_speed)));
-  const auto is_crowded =
-      hn::Gt(hn::Load(numbers, &strip.limit_count[lane]), hn::Set(numbers, StepStrip::most_limits));
+  const auto is_crowded = hn::Gt(hn::Load(numbers, &strip.limit_count[lane]), hn::Set(numbers, StepStrip::most_limits));
   return if_else(hn::RebindMask(d, is_crowded), {hn::Zero(d), hn::Zero(d)}, velocity);
 }
 

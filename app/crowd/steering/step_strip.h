@@ -59,8 +59,8 @@ struct StepStrip {
 
 /// The places of the bodies that matter to the walker of each lane, in the order in which it sees them.
 struct FoundByLane {
-  std::array<StepStrip::Numbers, NearBodies::most> places;  ///< [k][lane]; beyond the lane's count: anything
-  StepStrip::Numbers count{};
+  alignas(64) std::array<StepStrip::Numbers, NearBodies::most> places;  ///< [k][lane]; beyond the count: anything
+  alignas(64) StepStrip::Numbers count{};
 };
 
 /// Bodies that the walkers of a strip see. Two walkers of one company are not polite to each other.
@@ -68,7 +68,7 @@ struct SeeJob {
   const BodyColumns* bodies = nullptr;
   const FoundByLane* found = nullptr;
   KeptDistances keeps = kept_from_agents;
-  bool are_agents = true;  ///< a walker does not see itself, by its place
+  bool are_agents = true;  ///< a walker does not see itself, by its place, and may be in company with others
   StepRules rules;
 };
 

@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// Tiles of numbers, shared out over jobs. Each job has a part of its own, the same in each frame, so that its data stay
-/// near its core; who is done takes tiles of the others.
+/// Tiles of numbers, shared out over jobs. Each job has a part of its own, the same in each frame, so that its data
+/// stay near its core; who is done takes tiles of the others.
 class SharedTiles {
  public:
   static constexpr std::size_t tile = 128, most_jobs = 64;
@@ -40,8 +40,8 @@ class SharedTiles {
   std::array<Part, most_jobs> parts_;
 };
 
-/// Calls visit(first, end) for tiles of the numbers below `count`, and shares them out over `jobs` jobs. Two visits must
-/// not write the same data, and no visit may read what another writes.
+/// Calls visit(first, end) for tiles of the numbers below `count`, and shares them out over `jobs` jobs. Two visits
+/// must not write the same data, and no visit may read what another writes.
 template <typename Visit>
 void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
   if (count == 0) return;

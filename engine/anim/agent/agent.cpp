@@ -113,7 +113,7 @@ bool Agent::set_speed(double speed) {
 const char* Agent::try_set_speed(double speed) const {
   if (!exists()) return no_agent;
   if (!is_speed(speed)) return not_a_speed;
-  const Handle player = graphs().newest_player(index());
+  const Handle player = newest_player(graphs(), index());
   if (!player.valid() || !pools().alive(player)) return "the agent's first channel plays no clip";
   builder().set_speed(player, speed);
   return nullptr;

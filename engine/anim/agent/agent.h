@@ -14,6 +14,14 @@
 
 namespace throng::anim {
 
+class AnimationSystem;
+
+/// The speed, as a multiple of the clip's own, at which an agent plays from now on.
+struct AgentSpeed {
+  AgentId agent;
+  float speed = 1.0F;
+};
+
 /// A view of one agent of an AnimationSystem, to read from. It is as cheap to copy as a pointer. When the agent is
 /// gone, it shows an agent that has nothing and plays nothing.
 class AgentView {
@@ -121,7 +129,7 @@ class Agent : public AgentView {
   /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
-  /// AnimationSystem::set_speeds does so for many.
+  /// set_speeds() does so for many.
   bool set_speed(double speed);
 
   /// Lays a channel over those that the agent has. Errors: it is null, or not valid for this character; the agent's
@@ -174,7 +182,7 @@ class Agent : public AgentView {
   }
 
  private:
-  friend class AnimationSystem;
+  friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AgentGraphs& own_graphs() const { return system_->population.character_of(number()).agents; }
   EntityBuilder builder() const { return system_->population.builder(number()); }
   template <typename Change>

@@ -57,9 +57,6 @@ class AgentGraphs {
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
-  /// Returns the player of the first channel that was asked for last, if that is a CrossFadeChannel that plays; else an
-  /// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many.
-  Handle newest_player(std::uint32_t agent) const { return newest_players_[agent]; }
 
   enum class Fades : unsigned char { go_on, are_cut };
 
@@ -113,6 +110,7 @@ class AgentGraphs {
   std::size_t bytes() const;
 
  private:
+  friend Handle newest_player(const AgentGraphs& graphs, std::uint32_t agent);
   struct Layer {
     OwnedChannel own;
     LayerSettings settings;
@@ -147,5 +145,9 @@ class AgentGraphs {
   std::vector<std::uint32_t> free_;                                // numbers of removed agents; the last is given next
   std::vector<std::unique_ptr<CrossFadeChannel>> spare_channels_;  // of removed agents
 };
+
+/// Returns the player of the first channel that was asked for last, if that is a CrossFadeChannel that plays; else an
+/// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many.
+inline Handle newest_player(const AgentGraphs& graphs, std::uint32_t agent) { return graphs.newest_players_[agent]; }
 
 }  // namespace throng::anim

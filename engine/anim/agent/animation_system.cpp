@@ -111,18 +111,17 @@ AgentId AnimationSystem::id(std::uint32_t number) const {
   return parts_.population.numbers().has(number) ? parts_.population.numbers().id(number) : AgentId{};
 }
 
-bool AnimationSystem::set_speeds(std::span<const AgentSpeed> speeds) {
-  constexpr const char* call = "AnimationSystem::set_speeds";
-  const Turn turn(parts_.turn, call);
+bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
+  constexpr const char* call = "set_speeds";
+  const Turn turn(system.parts_.turn, call);
   if (!turn) return false;
   constexpr std::size_t speeds_worth_a_job = 256;
-  const auto pus = static_cast<std::size_t>(options().pus);
+  const auto pus = static_cast<std::size_t>(system.options().pus);
   const std::size_t jobs = std::clamp<std::size_t>(speeds.size() / speeds_worth_a_job, 1, pus);
   std::atomic<const char*> fault{nullptr};
-  run_jobs(executor(), jobs, [&](std::size_t job) {
+  run_jobs(system.executor(), jobs, [&](std::size_t job) {
     for (std::size_t i = speeds.size() * job / jobs; i < speeds.size() * (job + 1) / jobs; ++i) {
-      const char* const refused =
-          Agent(parts_, speeds[i].agent).try_set_speed(static_cast<double>(speeds[i].speed));
+      const char* const refused = Agent(system.parts_, speeds[i].agent).try_set_speed(static_cast<double>(speeds[i].speed));
       if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
     }
   });

@@ -17,12 +17,6 @@ namespace throng::anim {
 /// AnimationSystem::snapshot.
 class SystemSnapshot;
 
-/// The speed, as a multiple of the clip's own, at which an agent plays from now on.
-struct AgentSpeed {
-  AgentId agent;
-  float speed = 1.0F;
-};
-
 /// A crowd of agents, mostly of one character, of several if they are added (the façade, paper 2.1.2). One thread calls
 /// it; the PUs are inside. A call that breaks its contract is reported (base/misuse.h) and ignored. It has three parts:
 ///     characters()      what agents are, and what they share; to be told at load time
@@ -82,10 +76,6 @@ class AnimationSystem {
   Agent agent(std::uint32_t number) { return {parts_, id(number)}; }
   AgentView agent(std::uint32_t number) const { return {parts_, id(number)}; }
 
-  /// Does what Agent::set_speed does for many agents, each once, on all PUs. Agents that cannot play so are left out;
-  /// false: there were some, and one of them was reported.
-  bool set_speeds(std::span<const AgentSpeed> speeds);
-
   /// Moves the clock of every agent, by no negative time.
   void advance(Ticks delta);
   Ticks clock() const { return parts_.population.clock(); }
@@ -113,6 +103,7 @@ class AnimationSystem {
   Figures figures() const { return Figures(parts_); }
 
  private:
+  friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AnimationSystem() = default;
   bool add(std::uint32_t count, CharacterId character, const char* call);
   void make_room();
@@ -120,5 +111,9 @@ class AnimationSystem {
   SystemParts parts_;
   Characters characters_{parts_};
 };
+
+/// Does what Agent::set_speed does for many agents, each once, on all PUs. Agents that cannot play so are left out;
+/// false: there were some, and one of them was reported.
+bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
 
 }  // namespace throng::anim

@@ -14,7 +14,8 @@ namespace throng::anim {
 /// comes while another is at work is refused, on whatever thread.
 class Turn {
  public:
-  Turn(std::atomic<bool>& taken, const char* call) : taken_(&taken), has_it_(!taken.exchange(true, std::memory_order_acquire)) {
+  Turn(std::atomic<bool>& taken, const char* call)
+      : taken_(&taken), has_it_(!taken.exchange(true, std::memory_order_acquire)) {
     if (!has_it_) report_misuse({call, "the system is in the middle of another call, on this thread or another one"});
   }
   ~Turn() {

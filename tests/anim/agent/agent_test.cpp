@@ -1,13 +1,16 @@
 // An agent of a system: a small value that reads one agent, and takes requests for it alone.
 
+#include <array>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/simple_channel.h"
 #include "tests/anim/agent/crowd_rig.h"
+#include "tests/anim/agent/heard_misuses.h"
 
 namespace throng::anim::agent_test {
 namespace {
@@ -56,6 +59,51 @@ TEST(Agent, ChangesTheSpeedOfWhatItPlays) {
   };
   EXPECT_EQ(position(1), 0);
   EXPECT_EQ(position(0), 2 * frame_ticks * fine_ticks_per_tick);
+}
+
+/// Fades, layers and cuts, so that the clip asked for last is at every place of a graph.
+void ask_for_much(CrowdRig& crowd) {
+  crowd->agent(0).play({.clip = 1, .fade = ticks_per_second / 2});
+  crowd->agent(1).play({.clip = 2, .fade = ticks_per_second / 2});
+  crowd.step(3);
+  crowd->agent(1).play({.clip = 3, .fade = ticks_per_second / 4});
+  ASSERT_TRUE(crowd->agent(2).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
+  crowd->agent(3).play({.clip = 4});
+}
+
+TEST(Agent, IsSetWithManyOthersAsAlone) {
+  constexpr std::uint32_t agents = 600;
+  CrowdRig together({.pus = 2}, agents), alone({}, agents);
+  std::vector<AgentSpeed> speeds;
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    speeds.push_back({.agent = {agent}, .speed = 0.5F + static_cast<float>(agent % 7) / 4.0F});
+    for (CrowdRig* crowd : {&together, &alone}) (*crowd)->agent(agent).play({.clip = static_cast<int>(agent % 5)});
+  }
+  for (CrowdRig* crowd : {&together, &alone}) ask_for_much(*crowd);
+  EXPECT_TRUE(set_speeds(*together, speeds));
+  for (const AgentSpeed& each : speeds) alone->agent(each.agent).set_speed(static_cast<double>(each.speed));
+  for (CrowdRig* crowd : {&together, &alone}) crowd->step(40);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    ASSERT_TRUE(together.bones_unlike(alone, agent).empty()) << "agent " << agent;
+  }
+}
+
+TEST(Agent, IsLeftOutOfManyIfItCannotPlayAtASpeed) {
+  const HeardMisuses heard;
+  CrowdRig crowd({}, 3);
+  crowd->agent(0).play({.clip = 0});
+  crowd->agent(2).play({.clip = 0});
+  const std::array speeds{AgentSpeed{{0}, 0.0F}, AgentSpeed{{1}, 0.0F}, AgentSpeed{{2}, 1e9F}};
+  EXPECT_FALSE(set_speeds(*crowd, speeds));
+  EXPECT_EQ(HeardMisuses::all().size(), 1U);
+  crowd->agent(1).play({.clip = 0});
+  crowd.step(2);
+  const auto position = [&](std::uint32_t agent) {
+    const AgentView view = std::as_const(*crowd).agent(agent);
+    return view.pools().as<Player>(view.graph().root()).position;
+  };
+  EXPECT_EQ(position(0), 0);
+  EXPECT_EQ(position(2), 2 * frame_ticks * fine_ticks_per_tick);
 }
 
 TEST(Agent, HandsTheChannelsThatItHasOut) {

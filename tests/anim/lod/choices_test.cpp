@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +23,16 @@ struct LodChoicesTest : testing::Test {
 
   MotionLod motion(const SkipError& clip = {}) const { return MotionLod(character, clip, rules, frame_seconds); }
 };
+
+TEST(AllowanceStep, IsTheWholePartOfALogarithm) {
+  for (float metres = least_allowance_metres; metres < 40.0F; metres *= 1.0007F) {
+    const float exact = steps_an_octave * std::log2(metres / least_allowance_metres);
+    ASSERT_EQ(allowance_step(metres), std::min(static_cast<int>(exact), allowance_steps)) << metres << " m";
+  }
+  EXPECT_EQ(allowance_step(std::nextafter(least_allowance_metres, 0.0F)), -1);
+  EXPECT_EQ(allowance_step(std::numeric_limits<float>::infinity()), allowance_steps);
+  EXPECT_EQ(allowance_step(std::numeric_limits<float>::quiet_NaN()), -1);
+}
 
 TEST_F(LodChoicesTest, WhoMayNotBeOffIsUpdatedEachFrameWithAllBones) {
   EXPECT_EQ(motion().choose(0.0F), LodChoice{});

@@ -14,6 +14,14 @@ namespace {
 
 constexpr anim::Ticks frame = anim::ticks_per_second / 30;
 
+/// Runs the last job first.
+class Backwards final : public anim::Executor {
+ public:
+  void run(int count, anim::Job job) override {
+    for (int index = count; index-- > 0;) job.run(job.context, index);
+  }
+};
+
 /// A plaza with bodies of several kinds, and hence with company.
 class CompanyOfAPlaza : public testing::Test {
  protected:
@@ -55,6 +63,20 @@ TEST_F(CompanyOfAPlaza, WalksBesideItsLeader) {
     }
   }
   EXPECT_GT(static_cast<double>(beside), 0.93 * static_cast<double>(looks));
+}
+
+// Leaders and those beside them lie in tiles that several jobs have.
+TEST_F(CompanyOfAPlaza, GoesTheSameWayWhoeverComputesIt) {
+  Crowd one(Scene::plaza, 3000, 3, std::span(&roles_, 1), {.bodies = true});
+  Crowd other(Scene::plaza, 3000, 3, std::span(&roles_, 1), {.bodies = true});
+  Backwards backwards;
+  for (int i = 0; i < 20 * 30; ++i) {
+    one.advance(frame);
+    other.advance(frame, backwards, 5);
+  }
+  for (std::size_t agent = 0; agent < one.size(); ++agent) {
+    ASSERT_EQ(one.positions()[agent], other.positions()[agent]) << "agent " << agent;
+  }
 }
 
 TEST_F(CompanyOfAPlaza, KeepsItsSide) {

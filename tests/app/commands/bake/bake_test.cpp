@@ -1,4 +1,5 @@
 // `throng bake`, and what every command makes of the pack.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/character/built_in.h"
 #include "app/character/cast_files.h"
 #include "app/character/model_file.h"
 #include "app/character/packed.h"
@@ -42,6 +44,19 @@ class Bake : public test::TemporaryFolder {
   }
   ProgramRun run_;
 };
+
+/// Copies the files of the built-in character, and bakes a pack of them beside the copies.
+BuiltInFiles baked_built_in(const std::filesystem::path& folder) {
+  BuiltInFiles files{folder / "assets/mannequin.glb", folder / "assets/wardrobe.glb"};
+  std::filesystem::create_directories(folder / "assets");
+  for (const std::filesystem::path& file : {files.mannequin, files.wardrobe}) {
+    std::filesystem::copy_file(std::filesystem::path(THRONG_SOURCE_DIR) / "assets" / file.filename(), file);
+  }
+  const std::string pack = (folder / "assets" / built_in_pack_name).string();
+  const ProgramRun run = run_program({"bake", "--built-in", "--data", folder.string(), "-o", pack});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  return files;
+}
 
 nlohmann::json posed(const std::string& model, const std::string& stream) {
   const ProgramRun run =
@@ -190,6 +205,33 @@ TEST_F(Bake, IsRefusedInEveryCommandOnceABitIsFlipped) {
     EXPECT_THAT(run.errors, HasSubstr("town.pack: it is damaged: its checksum does not fit; bake it again"));
     EXPECT_EQ(run.output, "");
   }
+}
+
+TEST_F(Bake, MakesThePackThatTheBuiltInCharacterIsTakenFrom) {
+  const BuiltInFiles files = baked_built_in(folder_);
+  const auto made = make_built_in(files, {.wardrobe = true});
+  const auto taken = take_built_in(files, {.wardrobe = true});
+  ASSERT_TRUE(made && taken);
+  EXPECT_EQ(taken->name, made->name);
+  EXPECT_EQ(taken->cast, made->cast);
+  EXPECT_EQ(taken->clip_names, made->clip_names);
+  EXPECT_EQ(taken->roles.clips, made->roles.clips);
+  ASSERT_EQ(taken->model.parts.size(), made->model.parts.size());
+  for (std::size_t part = 0; part < made->model.parts.size(); ++part) {
+    ASSERT_EQ(taken->model.parts[part].name, made->model.parts[part].name);
+    ASSERT_EQ(taken->model.parts[part].meshes.front().positions, made->model.parts[part].meshes.front().positions);
+  }
+  const auto surface = render::pack_surface(render::view_of(render::build_surface(mesh_data(*made))));
+  EXPECT_TRUE(std::ranges::equal(taken->surface.bytes, surface)) << "pictures are the same";
+}
+
+TEST_F(Bake, LeavesABuiltInCharacterAloneThatIsAskedForInAnotherWay) {
+  const BuiltInFiles files = baked_built_in(folder_);
+  EXPECT_TRUE(take_built_in(files, {})->model.parts.empty()) << "nobody dresses";
+  EXPECT_FALSE(take_built_in(files, {.placement = {.scale = 2.0}}));
+  EXPECT_FALSE(take_built_in(files, {.clips_from = {person}}));
+  std::ofstream(files.wardrobe, std::ios::app) << ' ';
+  EXPECT_FALSE(take_built_in(files, {})) << "the pack is of another wardrobe";
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ TEST_F(FiguresInTheWindow, TheSliderOverSnapshotsTakesTheCrowdBack) {
   wait_for("snapshots", [](const Json& map) { return map["report"]["snapshots"] >= 4; });
   press("space");
   const Json before = wait_for("the pause", [](const Json& map) { return map["tuning"]["paused"] == true; });
+  bring_into_sight("Back by");
   drag("Back by", 0.7);
   wait_for("fewer snapshots",
            [&](const Json& map) { return map["report"]["snapshots"] < before["report"]["snapshots"].get<int>() - 1; });

@@ -82,7 +82,7 @@ TEST_F(LookAtLod, TheCrowdIsTakenBackInTime) {
   press("space");
   const int kept =
       wait_for("the pause", [](const Json& map) { return map["tuning"]["paused"] == true; })["report"]["snapshots"];
-  click("Rewind");
+  click_in_tab("Rewind");
   wait_for("one snapshot fewer", [&](const Json& map) { return map["report"]["snapshots"] == kept - 1; });
   press("space");
   next_map(5);

@@ -92,8 +92,8 @@ class WholeOverlay : public WindowDriver {
   }
   void select_somebody_and_scrub() {
     click("tab:Crowd");
-    click("Scene:grid");
-    type_into("Agents.field", "1");
+    click_in_tab("Scene:grid");
+    type_in_tab("Agents.field", "1");
     wait_for("one agent", [](const Json& map) { return map["report"]["agents"] == 1 && map["report"]["drawn"] == 1; });
     click_at({0.0F, 1.2F, 0.0F});
     click("tab:Agent");
@@ -107,12 +107,12 @@ class WholeOverlay : public WindowDriver {
   void go_back_in_time() {
     click("tab:Crowd");
     wait_for("two moments", [](const Json& map) { return map["report"]["snapshots"] >= 2; });
-    click("Pause");
+    click_in_tab("Pause");
     const int kept =
         wait_for("a pause", [](const Json& map) { return map["tuning"]["paused"].get<bool>(); })["report"]["snapshots"];
-    click("Rewind");
+    click_in_tab("Rewind");
     wait_for("an earlier moment", [&](const Json& map) { return map["report"]["snapshots"] == kept - 1; });
-    click("Pause");
+    click_in_tab("Pause");
   }
   void begin_a_recording() {
     press("r");

@@ -40,18 +40,18 @@ std::optional<pack::Pack> open_pack(const BuiltInFiles& files) {
 
 }  // namespace
 
-anim::Result<BuiltInFiles> find_built_in(const std::string& data_option) {
+anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe) {
   const std::vector<fs::path> folders = data_folders(data_option);
   const auto mannequin = find_data(folders, "assets/mannequin.glb");
   if (!mannequin) return mannequin.error();
   const auto wardrobe = find_data(folders, "assets/wardrobe.glb");
-  if (!wardrobe) return wardrobe.error();
-  return BuiltInFiles{*mannequin, *wardrobe};
+  if (!wardrobe && needs_wardrobe) return wardrobe.error();
+  return BuiltInFiles{*mannequin, wardrobe ? *wardrobe : fs::path()};
 }
 
-anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options) {
-  const BoneLodFile kept{{}};
-  auto source = load_character(files.mannequin.string(), built_in_name, &kept, options);
+anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
+                                            const BoneLodFile* kept) {
+  auto source = load_character(files.mannequin.string(), built_in_name, kept, options);
   if (!source || !options.wardrobe) return source;
   const anim::Status dressed = add_parts(source->model, source->name, files.wardrobe);
   if (!dressed) return dressed.error();

@@ -15,20 +15,24 @@ inline constexpr const char* built_in_pack_name = "built_in.pack";
 
 /// The files that the built-in character is made of.
 struct BuiltInFiles {
-  std::filesystem::path mannequin, wardrobe;
+  std::filesystem::path mannequin;
+  std::filesystem::path wardrobe;  ///< empty: there is none
 };
 
-/// Finds them in the folders that --data leads.
-anim::Result<BuiltInFiles> find_built_in(const std::string& data_option);
+/// Finds them in the folders that --data leads. A wardrobe that is not needed may be missing.
+anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe);
 
-/// Imports and bakes the built-in character. It has the parts of the wardrobe if LoadOptions::wardrobe says so.
-anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options);
+/// Imports and bakes the built-in character, with the order of its bones that `kept` has, if any. It has the parts of
+/// the wardrobe if LoadOptions::wardrobe says so.
+anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
+                                            const BoneLodFile* kept = nullptr);
 
 /// Takes the same out of a pack beside the program or the files. Returns nothing if there is none of these very files,
 /// or if the options ask for what was not baked.
 std::optional<CharacterSource> take_built_in(const BuiltInFiles& files, const LoadOptions& options);
 
-/// Returns the built-in character, with all parts of its wardrobe, as a pack takes it.
+/// Returns the built-in character, with all parts of its wardrobe, as a pack takes it: as its file has it, whatever a
+/// person keeps for it.
 anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files);
 
 }  // namespace throng::app

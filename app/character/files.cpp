@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/character/body_parts.h"
+#include "app/character/bone_lod.h"
 #include "app/character/built_in.h"
 #include "app/character/role_table.h"
 #include "app/files/data_folder.h"
@@ -10,12 +11,13 @@
 namespace throng::app {
 
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
-  const auto files = find_built_in(data_option);
+  const auto files = find_built_in(data_option, options.wardrobe);
   if (!files) return files.error();
   const auto rules = find_data(data_folders(data_option), "assets/cast.json");
   if (!rules) return rules.error();
+  const BoneLodFile kept{{}};
   auto taken = take_built_in(*files, options);
-  auto source = taken ? anim::Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options);
+  auto source = taken ? anim::Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options, &kept);
   if (!source) return source;
   source->cast_rules = rules->string();
   const auto rig = RoleFile({}).read_rig();

@@ -70,7 +70,8 @@ std::unique_ptr<Studio> Studio::open(bool with_wardrobe) {
   if (!character) return complain(character.error().message), nullptr;
   studio->character_ = std::move(*character);
   if (with_wardrobe) {
-    const auto added = app::add_parts(studio->character_.model, studio->character_.name, source + "/assets/wardrobe.glb");
+    const auto added =
+        app::add_parts(studio->character_.model, studio->character_.name, source + "/assets/wardrobe.glb");
     if (!added) return complain(added.error().message), nullptr;
     studio->character_.cast_rules = source + "/assets/cast.json";
     auto clothing = app::clothing_of(studio->character_);

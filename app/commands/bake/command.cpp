@@ -122,7 +122,7 @@ std::string told_of(const std::string& path, const pack::FileToPack& file) {
 }
 
 anim::Result<pack::FileToPack> bake_built_in(const BakeOptions& options) {
-  const auto files = find_built_in(options.data);
+  const auto files = find_built_in(options.data, true);
   if (!files) return files.error();
   return built_in_to_pack(*files);
 }

@@ -121,7 +121,8 @@ bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
   std::atomic<const char*> fault{nullptr};
   run_jobs(system.executor(), jobs, [&](std::size_t job) {
     for (std::size_t i = speeds.size() * job / jobs; i < speeds.size() * (job + 1) / jobs; ++i) {
-      const char* const refused = Agent(system.parts_, speeds[i].agent).try_set_speed(static_cast<double>(speeds[i].speed));
+      const char* const refused =
+          Agent(system.parts_, speeds[i].agent).try_set_speed(static_cast<double>(speeds[i].speed));
       if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
     }
   });

@@ -1,6 +1,7 @@
 #include "app/character/built_in.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "app/character/wardrobe_file.h"
 #include "app/files/data_folder.h"
 #include "engine/anim/import/import.h"
+#include "engine/files/free_memory.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {
@@ -18,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* built_in_name = "mannequin (built in)";
+constexpr std::uintmax_t spaces_for_a_pack = 4;  // a process that may take less does without, as half of it is copied
 
 anim::Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {
   const std::array paths{files.mannequin.string(), files.wardrobe.string()};
@@ -31,7 +34,8 @@ std::optional<pack::Pack> open_pack(const BuiltInFiles& files) {
   for (const fs::path& folder : {program_folder(), files.mannequin.parent_path()}) {
     std::error_code error;
     const fs::path path = folder / built_in_pack_name;
-    if (!fs::exists(path, error)) continue;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    if (error || bytes > free_address_space() / spaces_for_a_pack) continue;
     auto pack = pack::Pack::open(path.string());
     if (pack && pack->made_of(0) == *fingerprint) return std::move(*pack);
   }

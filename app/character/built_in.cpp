@@ -29,15 +29,14 @@ anim::Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {
 
 /// Opens the pack beside the program, or the one that was installed with the files.
 std::optional<pack::Pack> open_pack(const BuiltInFiles& files) {
-  const auto fingerprint = fingerprint_of(files);
-  if (!fingerprint) return {};
   for (const fs::path& folder : {program_folder(), files.mannequin.parent_path()}) {
     std::error_code error;
     const fs::path path = folder / built_in_pack_name;
     const std::uintmax_t bytes = fs::file_size(path, error);
     if (error || bytes > free_address_space() / spaces_for_a_pack) continue;
     auto pack = pack::Pack::open(path.string());
-    if (pack && pack->made_of(0) == *fingerprint) return std::move(*pack);
+    const auto fingerprint = fingerprint_of(files);
+    if (pack && fingerprint && pack->made_of(0) == *fingerprint) return std::move(*pack);
   }
   return {};
 }

@@ -109,16 +109,21 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
       ->allow_extra_args()
       ->required(std::ranges::find(arguments, "--built-in") == arguments.end())
       ->group("Model");
-  reader.flag("--built-in", options.built_in, "The built-in character with all that it may wear, instead of models")
-      ->excludes("MODEL")
-      ->group("Model");
   reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
   reader.parts_remover(options.remove_parts);
   clips_from(reader, options.clips_from);
   reading(reader, options.reading);
   declare_placement(reader, options.placement);
-  reader.option_defaults()->group("Files");
-  reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
+  CLI::Option* const built_in =
+      reader
+          .flag("--built-in", options.built_in, "The built-in character with all that it may wear, instead of models")
+          ->group("Model");
+  for (const char* other : {"MODEL", "--clips-from", "--strict", "--memory-limit", "--scale", "--up", "--ground"}) {
+    built_in->excludes(other);
+  }
+  reader.value("--data", "DIR", "Folder of assets for --built-in", existing_folder(options.data))
+      ->needs(built_in)
+      ->group("Model");
   reader.footer("Example:\n  throng bake fox.glb horse.glb -o animals.pack");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;

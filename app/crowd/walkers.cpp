@@ -261,7 +261,7 @@ void CrowdWalkers::show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor
   }
 }
 
-/// A leader and those who keep it company see what those before them do in this step, whichever PU has them.
+/// Decides for a leader and then for those beside it, in one job, because they read what the leader has just decided.
 void CrowdWalkers::wish_together(std::size_t leader, const CrowdMinds& minds) {
   for (std::size_t walker = leader; walker < company_.end_of(leader); ++walker) {
     if (minds.holds(walker)) {

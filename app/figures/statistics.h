@@ -30,7 +30,7 @@ struct StartTimes {
 /// the run.
 class Statistics {
  public:
-  StartTimes start;  ///< written by whoever starts the run
+  StartTimes start;  ///< Show::create writes it
 
   void add_update(double milliseconds);
   void add_drawn_frame(double milliseconds);

@@ -11,13 +11,13 @@ namespace throng::app {
 namespace {
 
 constexpr float not_measured = -1.0F;
+constexpr std::size_t most_jobs = 8;  // each has room for a palette
 // Of measuring one agent, in bones of a crowd that is posed: the exact pose comes from blocks and rows that nobody has
 // just read, then every point is skinned twice and projected.
 constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
 // A frame. Of a crowd that is cheap to pose, some are measured all the same, and as many as may be until a ninety-ninth
 // percentile is known.
-constexpr std::size_t most_jobs = 8;
 constexpr std::size_t most_measured_of_few = 24, least_measured_of_few = 4;
 
 glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {

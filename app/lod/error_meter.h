@@ -87,7 +87,7 @@ class ErrorMeter {
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
-  /// The error of a pose alone, and with that of the mesh.
+  /// Holds the error of a pose alone, and that of pose and mesh together.
   struct Measured {
     anim::ErrorSample pose, picture;
   };

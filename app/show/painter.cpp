@@ -59,7 +59,7 @@ std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
     const auto same = std::ranges::find_if(loaded, [&](const auto& each) { return each.lock() == source.character; });
     if (same == loaded.end()) {
       render::CrowdMeshData data = mesh_data(source);
-      if (!may_show(stage, character)) data.parts.clear();
+      if (!may_show(stage, character)) data.parts.clear(), data.baked_lods.clear();
       meshes.emplace_back(std::move(data));
     } else {
       same->reset();
@@ -149,10 +149,12 @@ void Painter::reset_palette_pages() {
 
 anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
-  if (anim::Status loaded = renderer_->load_characters(meshes_to_load(stage, loaded_)); !loaded) return loaded;
+  const std::vector<render::CharacterToLoad> meshes = meshes_to_load(stage, loaded_);
+  if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
   loaded_.clear();
-  for (std::size_t i = 0; i < stage.characters().size(); ++i) {
-    loaded_.push_back(may_show(stage, i) ? stage.characters()[i].character : nullptr);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const bool has_mesh = std::holds_alternative<std::size_t>(meshes[i]) || may_show(stage, i);
+    loaded_.push_back(has_mesh ? stage.characters()[i].character : nullptr);
   }
   const CharacterRoles common = common_roles(roles_of(stage.characters()));
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));

@@ -121,24 +121,36 @@ std::string told_of(const std::string& path, const pack::FileToPack& file) {
          (notice.empty() ? "" : notice + "\n");
 }
 
-anim::Result<pack::FileToPack> bake_built_in(const BakeOptions& options) {
+using FilesToPack = std::vector<pack::FileToPack>;
+
+anim::Result<FilesToPack> bake_built_in(const BakeOptions& options) {
   const auto files = find_built_in(options.data, true);
   if (!files) return files.error();
-  return built_in_to_pack(*files);
+  auto file = built_in_to_pack(*files);
+  if (!file) return file.error();
+  FilesToPack packed;
+  packed.push_back(std::move(*file));
+  return packed;
+}
+
+anim::Result<FilesToPack> bake_models(const BakeOptions& options) {
+  FilesToPack files;
+  for (const std::string& path : options.models) {
+    auto file = bake_file(path, options);
+    if (!file) return file.error();
+    file->name = name_for(path, files);
+    if (anim::Status told = print(told_of(path, *file)); !told) return told.error();
+    files.push_back(std::move(*file));
+  }
+  return files;
 }
 
 anim::Status bake(const BakeOptions& options) {
-  std::vector<pack::FileToPack> files;
+  const auto baked = options.built_in ? bake_built_in(options) : bake_models(options);
+  if (!baked) return baked.error();
+  const FilesToPack& files = *baked;
   PackSizes sizes;
-  const std::vector<std::string> models = options.built_in ? std::vector<std::string>{""} : options.models;
-  for (const std::string& path : models) {
-    auto file = options.built_in ? bake_built_in(options) : bake_file(path, options);
-    if (!file) return file.error();
-    if (!options.built_in) file->name = name_for(path, files);
-    if (anim::Status told = print(told_of(path, *file)); !told) return told;
-    sizes.add(*file);
-    files.push_back(std::move(*file));
-  }
+  for (const pack::FileToPack& file : files) sizes.add(file);
   const std::vector<std::byte> pack = pack::write_pack(files);
   anim::Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
   if (!written) return written;

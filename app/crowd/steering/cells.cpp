@@ -1,22 +1,15 @@
 #include "app/crowd/steering/cells.h"
 
-#include <cassert>
-#include <cmath>
+#include <algorithm>
 
 namespace throng::app {
 
 void CrowdCells::set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highest, float reach) {
-  assert(reach > 0.0F && highest.x >= lowest.x && highest.y >= lowest.y);
-  lowest_ = lowest;
-  reach_ = reach;
-  const glm::vec2 extent = highest - lowest;
   // A few bodies strewn far apart get larger cells, not more of them than four a body.
   const float most_cells = 4.0F * static_cast<float>(bodies) + 64.0F;
-  const float side = std::max(0.5F * reach, std::sqrt(extent.x * extent.y / most_cells));
-  cells_per_metre_ = 1.0F / std::max(side, std::max(extent.x, extent.y) / most_cells);
-  columns_ = static_cast<std::size_t>(extent.x * cells_per_metre_) + 1;
-  rows_ = static_cast<std::size_t>(extent.y * cells_per_metre_) + 1;
-  first_.assign(columns_ * rows_ + 1, 0);
+  grid_ = GroundGrid(lowest, highest, 0.5F * reach, most_cells);
+  reach_ = reach;
+  first_.assign(grid_.cell_count() + 1, 0);
   cells_.assign(bodies, 0);
   order_.assign(bodies, 0);
   sorted_.assign(bodies, Body{});

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -10,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/crowd/steering/ground_grid.h"
 #include "app/crowd/steering/near_bodies.h"
 #include "app/crowd/steering/tiles.h"
 
@@ -61,7 +61,9 @@ class CrowdCells {
   template <typename Visit>
   void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const Visit& visit) {
     assert(bodies.size() == sorted_.size());
-    visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t body) { find_cell(body, bodies[body]); });
+    visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t body) {
+      cells_[body] = static_cast<std::uint32_t>(grid_.cell(bodies[body].position));
+    });
     find_order();
     visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t place) {
       sorted_[place] = bodies[order_[place]];
@@ -74,11 +76,11 @@ class CrowdCells {
 
   /// Returns the runs of bodies() that hold everybody within reach of `position`, and some beyond it.
   CellRuns runs_near(glm::vec2 position) const {
-    const std::size_t left = column(position.x - reach_), right = column(position.x + reach_);
-    const std::size_t top = row(position.y - reach_), bottom = row(position.y + reach_);
+    const std::size_t left = grid_.column(position.x - reach_), right = grid_.column(position.x + reach_);
+    const std::size_t top = grid_.row(position.y - reach_), bottom = grid_.row(position.y + reach_);
     CellRuns runs;
     for (std::size_t at = top; at <= bottom; ++at) {
-      const BodyRun run{first_[at * columns_ + left], first_[at * columns_ + right + 1]};
+      const BodyRun run{first_[at * grid_.columns + left], first_[at * grid_.columns + right + 1]};
       if (run.first != run.end) runs.all[runs.count++] = run;
     }
     return runs;
@@ -93,19 +95,10 @@ class CrowdCells {
   }
 
  private:
-  void find_cell(std::size_t body, const Body& from) { cells_[body] = static_cast<std::uint32_t>(cell(from.position)); }
   void find_order();
-  std::size_t column(float x) const { return clamped((x - lowest_.x) * cells_per_metre_, columns_); }
-  std::size_t row(float z) const { return clamped((z - lowest_.y) * cells_per_metre_, rows_); }
-  std::size_t cell(glm::vec2 position) const { return row(position.y) * columns_ + column(position.x); }
-  static std::size_t clamped(float cells, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(cells, 0.0F, static_cast<float>(count - 1)));
-  }
 
-  glm::vec2 lowest_{0.0F};
+  GroundGrid grid_;
   float reach_ = 0.0F;
-  float cells_per_metre_ = 1.0F;
-  std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_;  // [cell] where it begins in sorted_; one more element marks the end
   std::vector<std::uint32_t> cells_;  // [body]
   std::vector<std::uint32_t> order_;  // [place in sorted_] the body

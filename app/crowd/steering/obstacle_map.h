@@ -8,13 +8,14 @@
 #include <glm/vec2.hpp>
 
 #include "app/crowd/steering/cells.h"
+#include "app/crowd/steering/ground_grid.h"
 #include "app/crowd/steering/near_bodies.h"
 #include "app/crowd/steering/obstacle.h"
 
 namespace throng::app {
 
-/// Tells which obstacles are in sight from each place. It never changes, so it keeps a list for each square of the
-/// ground, and one run of bodies is all that somebody looks through. An obstacle lies in the lists of all squares from
+/// Tells which obstacles are in sight from each place. It never changes, so it keeps a list for each cell of a
+/// grid, and one run of bodies is all that somebody looks through. An obstacle lies in the lists of all cells from
 /// which it can be seen.
 class ObstacleMap {
  public:
@@ -22,31 +23,19 @@ class ObstacleMap {
   /// as a rule; elsewhere they see all the same.
   ObstacleMap(std::span<const Obstacle> obstacles, glm::vec2 lowest, glm::vec2 highest, float sight);
 
-  /// Returns the obstacles as bodies that stand, each once a square.
+  /// Returns the obstacles as bodies that stand, each once a cell.
   const BodyColumns& columns() const { return columns_; }
   /// Returns the runs of columns() that hold all that is in sight of `position`, and some beyond it: one at most.
   CellRuns runs_near(glm::vec2 position) const {
-    const std::size_t at = row(position.y) * squares_.x + column(position.x);
+    const std::size_t at = grid_.cell(position);
     CellRuns runs;
     if (first_[at] != first_[at + 1]) runs.all[runs.count++] = {first_[at], first_[at + 1]};
     return runs;
   }
 
  private:
-  struct Squares {
-    std::size_t x = 1, z = 1;
-  };
-  std::size_t column(float x) const { return clamped((x - lowest_.x) * squares_a_metre_, squares_.x); }
-  std::size_t row(float z) const { return clamped((z - lowest_.y) * squares_a_metre_, squares_.z); }
-  static std::size_t clamped(float squares, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(squares, 0.0F, static_cast<float>(count - 1)));
-  }
-  void list(std::span<const Obstacle> obstacles, float sight);
-
-  glm::vec2 lowest_;
-  float squares_a_metre_ = 1.0F;
-  Squares squares_;
-  std::vector<std::uint32_t> first_;  // [square] where its list begins; one more element marks the end
+  GroundGrid grid_;
+  std::vector<std::uint32_t> first_;  // [cell] where its list begins; one more element marks the end
   BodyColumns columns_;
 };
 

@@ -119,9 +119,9 @@ void see_all(const Bodies& bodies, SeeJob job, StepStrip& strip) {
 }
 
 void move_strip(const StepWork& work, WalkersInStrip& walkers) {
-  see_all(*work.agents, {.keeps = kept_from_agents, .are_agents = true, .rules = work.rules}, walkers.strip);
+  see_all(*work.agents, {.keeps = kept_from_agents, .rules = work.rules}, walkers.strip);
   if (work.obstacles != nullptr) {
-    see_all(*work.obstacles, {.keeps = kept_from_obstacles, .are_agents = false, .rules = work.rules}, walkers.strip);
+    see_all(*work.obstacles, {.keeps = kept_from_obstacles, .rules = work.rules}, walkers.strip);
   }
   take_step(work.rules, walkers.strip);
   walkers.write(work.bodies);

@@ -38,8 +38,9 @@ class Steering {
   };
 
   /// Agents that are searched: sorted by cell, and their columns in that order.
-  class Searched : public CrowdCells {
+  class Searched : CrowdCells {
    public:
+    using CrowdCells::bodies, CrowdCells::runs_near;
     void set_aside(std::size_t agents, glm::vec2 lowest, glm::vec2 highest, float reach) {
       CrowdCells::set_aside(agents, lowest, highest, reach);
       columns_.set_aside(agents);

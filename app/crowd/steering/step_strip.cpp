@@ -165,10 +165,10 @@ HWY_INLINE void keep(const Limits& limits, Mask mask, std::size_t first_lane, St
 
 void see_lanes(const SeeJob& job, std::size_t lane, StepStrip& strip) {
   const Walkers self(strip, lane);
-  const auto company = hn::Load(numbers, &strip.company[lane]);
-  const auto own = job.are_agents ? hn::Load(numbers, &strip.place[lane]) : hn::Set(numbers, StepStrip::nowhere);
-  const auto counts = hn::Load(numbers, &job.found->count[lane]);
   const KeptDistances& keeps = job.keeps;
+  const auto company = hn::Load(numbers, &strip.company[lane]);
+  const auto own = keeps.are_agents ? hn::Load(numbers, &strip.place[lane]) : hn::Set(numbers, StepStrip::nowhere);
+  const auto counts = hn::Load(numbers, &job.found->count[lane]);
   Vector2 turn{hn::Load(d, &strip.turn_x[lane]), hn::Load(d, &strip.turn_z[lane])};
   for (std::uint32_t k = 0; !hn::AllFalse(numbers, hn::Gt(counts, hn::Set(numbers, k))); ++k) {
     const auto has_one = hn::Gt(counts, hn::Set(numbers, k));
@@ -179,7 +179,7 @@ void see_lanes(const SeeJob& job, std::size_t lane, StepStrip& strip) {
     const Vector sight = hn::Add(all(job.rules.sight), hn::Mul(all(keeps.sight_per_radius), other.radius));
     const Mask is_other = hn::RebindMask(d, hn::AndNot(hn::Eq(places, own), has_one));
     const Mask seen = hn::And(is_other, hn::Le(square, hn::Mul(sight, sight)));
-    const Mask is_polite = job.are_agents ? hn::AndNot(other.is_company, seen) : seen;
+    const Mask is_polite = keeps.are_agents ? hn::AndNot(other.is_company, seen) : seen;
     const Vector radii = hn::Add(self.radius, other.radius);
     const Vector passing =
         hn::Mul(all(keeps.passing_scale), hn::Add(hn::Mul(all(keeps.passing_per_radius), self.radius), other.radius));

@@ -12,7 +12,7 @@ namespace throng::app {
 inline constexpr float least_share_of_radii = 0.82F;
 inline constexpr float steering_horizon = 2.5F;  ///< seconds that an agent looks ahead
 
-/// What a step is for all walkers. Lengths are metres.
+/// Holds what all walkers share in a step. Lengths are metres.
 struct StepRules {
   float seconds = 0.0F;
   float spacing = 1.0F;     ///< CharacterRoles::spacing
@@ -21,15 +21,27 @@ struct StepRules {
   float closing = 0.0F;     ///< the most by which two come nearer in a step
 };
 
-/// What agents keep to of bodies of one kind; r is the radius of such a body, s that of the agent.
+/// Says how far a walker keeps from bodies of one kind. The walker has the radius s, the other body the radius r.
+///
+///     it sees        sight + sight_per_radius * r
+///     it passes at   passing_scale * (passing_per_radius * s + r), if it can
+///     it stays at    least_share_of_radii * (s + r), at least
 struct KeptDistances {
-  float sight_per_radius;      ///< it sees as far as sight + sight_per_radius * r
-  float passing_scale;         ///< it would like to pass at passing_scale * (passing_per_radius * s + r)
-  float passing_per_radius;    ///< see above
-  float least_share_of_radii;  ///< it is never nearer than this share of s + r
+  float sight_per_radius;
+  float passing_scale, passing_per_radius;
+  float least_share_of_radii;
+  bool are_agents;  ///< a walker is one of them, and is not polite to its company
 };
-inline constexpr KeptDistances kept_from_agents{0.0F, 1.5F, 1.0F, least_share_of_radii};
-inline constexpr KeptDistances kept_from_obstacles{1.0F, 1.0F, 1.8F, 1.0F};
+inline constexpr KeptDistances kept_from_agents{.sight_per_radius = 0.0F,
+                                                .passing_scale = 1.5F,
+                                                .passing_per_radius = 1.0F,
+                                                .least_share_of_radii = least_share_of_radii,
+                                                .are_agents = true};
+inline constexpr KeptDistances kept_from_obstacles{.sight_per_radius = 1.0F,
+                                                   .passing_scale = 1.0F,
+                                                   .passing_per_radius = 1.8F,
+                                                   .least_share_of_radii = 1.0F,
+                                                   .are_agents = false};
 
 /// Walkers that take a step side by side, and what each has seen so far. Each number has a row of lanes:
 ///
@@ -63,12 +75,11 @@ struct FoundByLane {
   alignas(64) StepStrip::Numbers count{};
 };
 
-/// Bodies that the walkers of a strip see. Two walkers of one company are not polite to each other.
+/// Lets the walkers of a strip see bodies that were found for them.
 struct SeeJob {
   const BodyColumns* bodies = nullptr;
   const FoundByLane* found = nullptr;
   KeptDistances keeps = kept_from_agents;
-  bool are_agents = true;  ///< a walker does not see itself, by its place, and may be in company with others
   StepRules rules;
 };
 

@@ -27,14 +27,11 @@ float begin_of_step(int step) {
 }
 
 /// The least allowance of each step, so that no agent takes a logarithm; [0] is least_allowance_metres.
-const std::array<float, allowance_steps + 1>& begins_of_steps() {
-  static const auto begins = [] {
-    std::array<float, allowance_steps + 1> all{};
-    for (int step = 0; step <= allowance_steps; ++step) all[static_cast<std::size_t>(step)] = begin_of_step(step);
-    return all;
-  }();
+const auto begins_of_steps = [] {
+  std::array<float, allowance_steps + 1> begins{};
+  for (int step = 0; step <= allowance_steps; ++step) begins[static_cast<std::size_t>(step)] = begin_of_step(step);
   return begins;
-}
+}();
 
 // A fade eases in and out over 0.3 s and so bends the way from one pose to the other. The poses are `apart` times the
 // character's height from each other. The error comes on top of that of a walking person.
@@ -55,13 +52,12 @@ float metres_at(int step) { return least_allowance_metres * std::exp2(static_cas
 
 int allowance_step(float metres) {
   if (!(metres >= least_allowance_metres)) return -1;
-  const std::array<float, allowance_steps + 1>& begins = begins_of_steps();
-  if (metres >= begins.back()) return allowance_steps;
+  if (metres >= begins_of_steps.back()) return allowance_steps;
   // The upper bits are the octave and the eighth of it, a step below the one on the logarithm's scale at most.
   static_assert(steps_an_octave == 8);
   auto step = (bits_of(metres) >> 20U) - (bits_of(least_allowance_metres) >> 20U);
-  while (metres >= begins[step + 1]) ++step;
-  while (metres < begins[step]) --step;
+  while (metres >= begins_of_steps[step + 1]) ++step;
+  while (metres < begins_of_steps[step]) --step;
   return static_cast<int>(step);
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A few times what putting a thread to sleep and waking it takes on virtual cores, since a frame has many rounds with
-/// short pauses in between.
+/// A thread waits awake a few times as long as sleeping and waking take on virtual cores, because a frame has many
+/// rounds with short pauses in between.
 constexpr std::chrono::microseconds waits_awake(200);
 
 std::atomic<ThreadHook> hook_of_the_host{nullptr};

@@ -23,6 +23,12 @@ CrowdRig two_agents() {
   return crowd;
 }
 
+/// Returns where an agent is in the clip that it plays alone.
+FineTicks position_of(const CrowdRig& crowd, std::uint32_t agent) {
+  const AgentView view = std::as_const(*crowd).agent(agent);
+  return view.pools().as<Player>(view.graph().root()).position;
+}
+
 TEST(Agent, IsCopiedAsIs) {
   static_assert(std::is_trivially_copyable_v<Agent> && sizeof(Agent) <= 32);
   const CrowdRig crowd = two_agents();
@@ -53,12 +59,8 @@ TEST(Agent, ChangesTheSpeedOfWhatItPlays) {
   CrowdRig crowd = two_agents();
   crowd->agent(1).set_speed(0.0);
   crowd.step(2);
-  const auto position = [&](std::uint32_t agent) {
-    const AgentView view = std::as_const(*crowd).agent(agent);
-    return view.pools().as<Player>(view.graph().root()).position;
-  };
-  EXPECT_EQ(position(1), 0);
-  EXPECT_EQ(position(0), 2 * frame_ticks * fine_ticks_per_tick);
+  EXPECT_EQ(position_of(crowd, 1), 0);
+  EXPECT_EQ(position_of(crowd, 0), 2 * frame_ticks * fine_ticks_per_tick);
 }
 
 /// Fades, layers and cuts, so that the clip asked for last is at every place of a graph.
@@ -98,12 +100,8 @@ TEST(Agent, IsLeftOutOfManyIfItCannotPlayAtASpeed) {
   EXPECT_EQ(HeardMisuses::all().size(), 1U);
   crowd->agent(1).play({.clip = 0});
   crowd.step(2);
-  const auto position = [&](std::uint32_t agent) {
-    const AgentView view = std::as_const(*crowd).agent(agent);
-    return view.pools().as<Player>(view.graph().root()).position;
-  };
-  EXPECT_EQ(position(0), 0);
-  EXPECT_EQ(position(2), 2 * frame_ticks * fine_ticks_per_tick);
+  EXPECT_EQ(position_of(crowd, 0), 0);
+  EXPECT_EQ(position_of(crowd, 2), 2 * frame_ticks * fine_ticks_per_tick);
 }
 
 TEST(Agent, HandsTheChannelsThatItHasOut) {

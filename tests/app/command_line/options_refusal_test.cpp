@@ -210,6 +210,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(Bake, Refusal,
                          testing::Values(Refused{"WithoutAModel", "bake -o a.pack", "MODEL is required"},
                                          Refused{"WithoutAPack", "bake a.glb", "-o is required"},
+                                         Refused{"BuiltInAndAModel", "bake --built-in a.glb -o a.pack",
+                                                 "MODEL excludes --built-in; give one of them"},
+                                         Refused{"BuiltInOfAnotherSize", "bake --built-in --scale 2 -o a.pack",
+                                                 "--scale excludes --built-in; give one of them"},
                                          Refused{"IntoAnotherKindOfFile", "bake a.glb -o a.glb",
                                                  "-o a.glb: must be a file name that ends in .pack"}),
                          name_of);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/crowd/crowd.h"
+#include "app/crowd/steering/tiles.h"
 #include "tests/app/crowd/crowd_person.h"
 
 namespace throng::app::company_test {
@@ -65,18 +66,23 @@ TEST_F(CompanyOfAPlaza, WalksBesideItsLeader) {
   EXPECT_GT(static_cast<double>(beside), 0.93 * static_cast<double>(looks));
 }
 
-// Leaders and those beside them lie in tiles that several jobs have.
-TEST_F(CompanyOfAPlaza, GoesTheSameWayWhoeverComputesIt) {
-  Crowd one(Scene::plaza, 3000, 3, std::span(&roles_, 1), {.bodies = true});
-  Crowd other(Scene::plaza, 3000, 3, std::span(&roles_, 1), {.bodies = true});
-  Backwards backwards;
-  for (int i = 0; i < 20 * 30; ++i) {
-    one.advance(frame);
-    other.advance(frame, backwards, 5);
+// Leaders decide before those beside them, also where a tile ends between the two and comes last.
+TEST_F(CompanyOfAPlaza, GoesTheSameWayWhicheverTileComesFirst) {
+  int compared = 0;
+  for (std::uint32_t seed = 1; seed < 100 && compared < 4; ++seed) {
+    Crowd one(Scene::plaza, 400, seed, std::span(&roles_, 1), {.bodies = true});
+    const bool is_cut = one.walkers() > SharedTiles::tile && one.habits()[SharedTiles::tile] == Habit::accompany;
+    if (!is_cut) continue;
+    ++compared;
+    Crowd other(Scene::plaza, 400, seed, std::span(&roles_, 1), {.bodies = true});
+    Backwards backwards;
+    for (int i = 0; i < 60 * 30; ++i) {
+      one.advance(frame);
+      other.advance(frame, backwards, 2);
+    }
+    EXPECT_TRUE(std::ranges::equal(one.positions(), other.positions())) << "seed " << seed;
   }
-  for (std::size_t agent = 0; agent < one.size(); ++agent) {
-    ASSERT_EQ(one.positions()[agent], other.positions()[agent]) << "agent " << agent;
-  }
+  EXPECT_EQ(compared, 4);
 }
 
 TEST_F(CompanyOfAPlaza, KeepsItsSide) {

@@ -10,7 +10,7 @@
 
 #include "app/crowd/steering/steering.h"
 
-/// The rule of steering for one agent, a body after the other, as it was before it had lanes. The lanes give its bits.
+/// Holds the rule of steering for one agent that looks at one body after the other. Lanes must give its bits.
 namespace throng::app::plain {
 
 constexpr float horizon = 2.5F;              // seconds that an agent looks ahead

@@ -65,6 +65,7 @@ class StripOfWalkers : public testing::Test {
   }
 
   void expect_plain_steps() {
+    take_step(rules, strip_);
     for (std::size_t lane = 0; lane < strip_.count; ++lane) {
       plain::PlainStep plain(bodies_[lane], wishes_[lane], rules);
       for (const std::uint32_t body : seen_[lane]) plain.see(bodies_[body]);
@@ -77,6 +78,12 @@ class StripOfWalkers : public testing::Test {
     }
   }
 
+  void expect_plain_steps_of(std::uint32_t bodies, float half_side, std::size_t walkers) {
+    strew(bodies, half_side, walkers);
+    see_some();
+    expect_plain_steps();
+  }
+
   Random random_{7, 1};
   std::vector<Body> bodies_;
   std::vector<Wish> wishes_;
@@ -87,31 +94,16 @@ class StripOfWalkers : public testing::Test {
 };
 
 TEST_F(StripOfWalkers, StepsAsEachWouldAloneToTheBit) {
-  for (int i = 0; i < 200; ++i) {
-    strew(40, 3.0F, StepStrip::lanes);
-    see_some();
-    take_step(rules, strip_);
-    expect_plain_steps();
-  }
+  for (int i = 0; i < 200; ++i) expect_plain_steps_of(40, 3.0F, StepStrip::lanes);
   EXPECT_GT(turned_, 2000) << "others matter";
 }
 
 TEST_F(StripOfWalkers, MayBePartlyEmpty) {
-  for (const std::size_t walkers : {1U, 5U, 15U}) {
-    strew(30, 2.0F, walkers);
-    see_some();
-    take_step(rules, strip_);
-    expect_plain_steps();
-  }
+  for (const std::size_t walkers : {1U, 5U, 15U}) expect_plain_steps_of(30, 2.0F, walkers);
 }
 
 TEST_F(StripOfWalkers, StandsWhereMoreAreCloseThanCanBeToldApart) {
-  for (int i = 0; i < 20; ++i) {
-    strew(60, 0.8F, StepStrip::lanes);
-    see_some();
-    take_step(rules, strip_);
-    expect_plain_steps();
-  }
+  for (int i = 0; i < 20; ++i) expect_plain_steps_of(60, 0.8F, StepStrip::lanes);
   EXPECT_GT(crowded_, 100);
 }
 
@@ -122,8 +114,7 @@ TEST_F(StripOfWalkers, KeepsFartherFromObstaclesThanFromPeople) {
   FoundByLane found;
   found.count[0] = 1;
   found.places[0][0] = 1;
-  see({.bodies = &columns_, .found = &found, .keeps = kept_from_obstacles, .are_agents = false, .rules = rules},
-      strip_);
+  see({.bodies = &columns_, .found = &found, .keeps = kept_from_obstacles, .rules = rules}, strip_);
   plain::PlainStep plain(bodies_[0], wishes_[0], rules);
   plain.see_obstacle(bodies_[1]);
   take_step(rules, strip_);

@@ -32,10 +32,18 @@
 #define THRONG_ALIASING_VECTOR(bytes) [[gnu::vector_size(bytes), gnu::may_alias]]
 #endif
 
+/// THRONG_ALWAYS_INLINE is `inline` that holds in every case. A function that only prefetches needs it: GCC sees that such
+/// a function changes nothing and returns nothing, and leaves out all calls that it has not inlined by then.
+#if defined(_MSC_VER) && !defined(__clang__)
+#define THRONG_ALWAYS_INLINE __forceinline
+#else
+#define THRONG_ALWAYS_INLINE [[gnu::always_inline]] inline
+#endif
+
 namespace throng::anim {
 
 /// Asks for the cache line at `address`, to read it soon. Any address will do.
-inline void prefetch([[maybe_unused]] const void* address) {
+THRONG_ALWAYS_INLINE void prefetch([[maybe_unused]] const void* address) {
 #if !defined(_MSC_VER) || defined(__clang__)
   __builtin_prefetch(address, 0, 3);
 #elif defined(_M_X64)
@@ -46,7 +54,7 @@ inline void prefetch([[maybe_unused]] const void* address) {
 }
 
 /// Asks for the cache line at `address`, to write it soon.
-inline void prefetch_to_write([[maybe_unused]] void* address) {
+THRONG_ALWAYS_INLINE void prefetch_to_write([[maybe_unused]] void* address) {
 #if !defined(_MSC_VER) || defined(__clang__)
   __builtin_prefetch(address, 1, 3);
 #else

@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/encode_rows.h"
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/kernel/kernels.h"
@@ -77,7 +77,7 @@ Skeleton branching_skeleton() {
 SampledRows turning_rows(double pace) {
   SampledRows rows;
   rows.bone_count = bones;
-  rows.row_step = ticks_per_second / 30;
+  rows.step = ticks_per_second / 30;
   rows.row_count = 31;
   rows.rows.assign(static_cast<std::size_t>(rows.row_count) * packets * packet_floats, 0.0F);
   for (int row = 0; row < rows.row_count; ++row) {
@@ -92,14 +92,11 @@ SampledRows turning_rows(double pace) {
   return rows;
 }
 
-Lines stream_of(const SampledRows& rows) {
-  const std::size_t size = sampled_stream_bytes(rows);
-  Lines lines((size + sizeof(Line) - 1) / sizeof(Line));
-  encode_sampled_stream(rows, ticks_per_second, {reinterpret_cast<std::byte*>(lines.data()), size});
-  return lines;
-}
+AlignedBytes stream_of(const SampledRows& rows) { return encode_rows(rows, ticks_per_second); }
 
-const SampledStream& as_stream(const Lines& lines) { return *reinterpret_cast<const SampledStream*>(lines.data()); }
+const SampledStream& as_stream(const AlignedBytes& block) {
+  return *reinterpret_cast<const SampledStream*>(block.get());
+}
 
 struct Character {
   Ticks first_time;
@@ -163,7 +160,7 @@ class Crowd {
 
   PaletteFormat format_;
   HierarchyProgram program_;
-  Lines first_, second_;
+  AlignedBytes first_, second_;
   std::vector<Character> characters_;
   Lines local_ = floats(widest_strip * packet_floats);
   Lines other_ = floats(packet_floats);
@@ -243,7 +240,7 @@ class Workbench {
   NoiseMoment noise_moment_ = noise_moment(1, noise_at(Ticks{12345678}, 3.0F), 0.02F);
   ShakenBones shaken_;
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
-  Lines stream_ = stream_of(turning_rows(1.0));
+  AlignedBytes stream_ = stream_of(turning_rows(1.0));
   Lines from_ = unit_pose(0.3F), to_ = unit_pose(0.8F), out_ = floats(packet_floats);
   Lines velocities_ = floats(packet_floats);
   Lines mask_ = unit_pose(0.5F);

@@ -34,6 +34,17 @@ std::string rate_text(const anim::BakedClip& clip) {
   return clip.sampled() == nullptr ? "its keys" : fixed(clip.sampled_rate, 0) + " Hz";
 }
 
+/// Rows lie only where the error bound asks for them, so there are fewer than the rate gives.
+std::string rows_text(const anim::BakedClip& clip) {
+  const anim::SampledStream* const stream = clip.sampled();
+  if (stream == nullptr) return "none";
+  return std::to_string(stream->row_count) + " of " + std::to_string(stream->step_count + 1);
+}
+
+std::uint32_t bytes_of(const anim::BakedClip& clip) {
+  return clip.sampled() != nullptr ? clip.sampled()->total_size : clip.keyframe().total_size;
+}
+
 std::string error_text(const anim::BakedClip& clip) {
   return clip.sampled() == nullptr ? "exact" : fixed(clip.sampled_error * 1000.0, 2) + " mm";
 }
@@ -96,13 +107,14 @@ TextTable skin_table(const anim::Model& model) {
 }
 
 TextTable clip_table(const anim::Model& model, const anim::Character& character) {
-  TextTable table({"clip", "name", "length", "bones", "keys", "played from", "off by", "root motion", "loops"});
+  TextTable table(
+      {"clip", "name", "length", "bones", "keys", "played from", "rows", "bytes", "off by", "root motion", "loops"});
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const anim::Clip& clip = model.clips[i];
     const anim::BakedClip& baked = character.clips[i];
     table.add({std::to_string(clip.animation), name_text(clip.name), fixed(clip.length(), 2) + " s",
-               std::to_string(clip.tracks.size()), std::to_string(count_keys(clip)), rate_text(baked),
-               error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
+               std::to_string(clip.tracks.size()), std::to_string(count_keys(clip)), rate_text(baked), rows_text(baked),
+               std::to_string(bytes_of(baked)), error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
   }
   return table;
 }

@@ -28,7 +28,8 @@ class RoundedRow {
   RoundedRow(const Skeleton& skeleton, const SampledRows& rows, SampledStream& stream, int row)
       : skeleton_(skeleton),
         stream_(stream),
-        exact_(std::span(rows.rows).subspan(static_cast<std::size_t>(row) * floats_in_row(rows), floats_in_row(rows))),
+        exact_(
+            std::span(rows.rows).subspan(static_cast<std::size_t>(row) * rows.floats_in_row(), rows.floats_in_row())),
         row_(reinterpret_cast<std::byte*>(&stream) + stream.rows_offset +
              static_cast<std::size_t>(row) * stream.row_stride),
         exact_axes_(skeleton.bones.size()),
@@ -39,10 +40,6 @@ class RoundedRow {
   }
 
  private:
-  static std::size_t floats_in_row(const SampledRows& rows) {
-    return pose_bytes(rows.bone_count, rows.components) / sizeof(float);
-  }
-
   void round(int bone) {
     const auto index = static_cast<std::size_t>(bone);
     const Bone& own = skeleton_.bones[index];
@@ -81,13 +78,16 @@ class RoundedRow {
   bool moves(int bone) const { return packet(bone).rotation_offset >= 0; }
   std::int16_t& lane(int bone, int component) const {
     auto* const lanes = reinterpret_cast<std::int16_t*>(row_ + packet(bone).rotation_offset);
-    return lanes[rotation_lane(component, bone % packet_bones)];
+    return lanes[rotation_lane(packet(bone), component, bone % packet_bones)];
+  }
+  double constant(int bone, int axis) const {
+    const auto& rotations = packet(bone).at<PacketRotations>(packet(bone).rotation_constants);
+    return static_cast<double>(rotations.lanes[axis][bone % packet_bones]);
   }
   glm::dquat stored(int bone) const {
     double q[4];
     for (int axis = 0; axis < 4; ++axis) {
-      q[axis] = moves(bone) ? static_cast<double>(lane(bone, axis))
-                            : static_cast<double>(packet(bone).rotation[axis][bone % packet_bones]);
+      q[axis] = moves(bone) ? static_cast<double>(lane(bone, axis)) : constant(bone, axis);
     }
     return glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));
   }

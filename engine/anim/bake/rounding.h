@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/sampled_rows.h"
 #include "engine/anim/asset/skeleton.h"
 
 namespace throng::anim {

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "engine/anim/asset/encode_rows.h"
 #include "engine/anim/bake/root_motion.h"
-#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/bake/sampled_error.h"
+#include "engine/anim/bake/thin_rows.h"
 
 namespace throng::anim {
 
@@ -13,23 +19,10 @@ namespace {
 
 /// The most floats of a stream: half an hour of a character at 30 Hz. More would cost more memory than they are worth.
 constexpr std::int64_t most_floats = 1 << 25;
-
-/// Times the bound: rounding alone errs less, so other rounding cannot mend more.
-constexpr double hopeless = 4.0;
+static_assert(most_floats / (rigid_components * packet_bones) < SampledStep::most_rows);
 
 /// Positions nearer to each other than this part of the error bound count as one: 2 micrometres of a person.
 constexpr double rounding_of_bound = 0.01;
-
-/// Errors are measured at these fractions of the way between two rows: on a row, midway (CUBICSPLINE), and where a
-/// chord strays most from its arc.
-constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
-
-/// Between rows whose error comes this near to the largest, they are measured again at so many times.
-constexpr double near_largest = 0.9;
-constexpr int close_probes = 16;
-
-/// The kernels round fractions between two rows, so that a pose may be early or late by so much of the way.
-constexpr double fraction_rounding = 0.5 / sample_fraction_one;
 
 std::int64_t floats_in_pose(const KeyframeStream& stream) {
   const std::size_t floats = pose_bytes(stream.bone_count, stream.components) / sizeof(float);
@@ -40,7 +33,7 @@ SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks 
   SampledRows rows;
   rows.bone_count = source.exact.bone_count;
   rows.components = source.exact.components;
-  rows.row_step = row_step;
+  rows.step = row_step;
   rows.first_row = grid.first;
   const bool drifts = source.travel != glm::dvec3(0.0);
   if (drifts && grid.first > Ticks{}) rows.first_row -= (grid.first + row_step - Ticks{1}) / row_step * row_step;
@@ -67,8 +60,9 @@ void extend_drift(const SampleSource& source, double seconds_outside, std::span<
 
 void fill_rows(const SampleSource& source, SampledRows& rows) {
   ExactPoses exact(source.exact);
+  Ticks time = rows.first_row;
   for (int row = 0; row < rows.row_count; ++row) {
-    const Ticks time = rows.first_row + row * rows.row_step;
+    if (row > 0) time += rows.gap_behind(row - 1) * rows.step;
     const Ticks within = std::clamp(time, Ticks{}, source.exact.duration);
     const std::span<float> pose = exact.at(within);
     const std::size_t start = rows.rows.size();
@@ -105,10 +99,7 @@ void drop_rounding_of_positions(SampledRows& rows, float negligible) {
 AlignedBytes sample(const SampleSource& source, SampledRows& rows) {
   fill_rows(source, rows);
   drop_rounding_of_positions(rows, static_cast<float>(rounding_of_bound * source.error_bound));
-  const std::size_t size = sampled_stream_bytes(rows);
-  AlignedBytes block = allocate_aligned(size);
-  encode_sampled_stream(rows, source.exact.duration, {block.get(), size});
-  return block;
+  return encode_rows(rows, source.exact.duration);
 }
 
 SampledStream& stream_of(const AlignedBytes& block) { return *reinterpret_cast<SampledStream*>(block.get()); }
@@ -116,88 +107,46 @@ SampledStream& stream_of(const AlignedBytes& block) { return *reinterpret_cast<S
 /// Makes a stream with rotations rounded to the nearest, and with carried rounding if they are too far off.
 SampledBake encode(const SampleSource& source, SampledRows& rows) {
   SampledBake bake{.block = sample(source, rows),
-                   .rate = static_cast<double>(ticks_per_second.count()) / static_cast<double>(rows.row_step.count())};
+                   .rate = static_cast<double>(ticks_per_second.count()) / static_cast<double>(rows.step.count())};
   bake.error =
       turns_too_far(rows) ? std::numeric_limits<double>::infinity() : measure_error(source, stream_of(bake.block));
-  if (bake.error <= source.error_bound || bake.error > hopeless * source.error_bound) return bake;
+  if (bake.error <= source.error_bound || bake.error > hopeless_error * source.error_bound) return bake;
   carry_rounding(source.skeleton, rows, stream_of(bake.block));
   bake.rounding = Rounding::carried;
   bake.error = measure_error(source, stream_of(bake.block));
   return bake;
 }
 
-/// Compares a sampled stream with the exact one on the surface.
-class ErrorMeter {
- public:
-  ErrorMeter(const SampleSource& source, const SampledStream& stream)
-      : source_(source),
-        stream_(stream),
-        exact_(source.exact),
-        bytes_(allocate_aligned(pose_bytes(stream.bone_count, stream.components))),
-        expected_(source.skeleton.bones.size()),
-        sampled_(source.skeleton.bones.size()) {}
-
-  double at(Ticks time) {
-    const Ticks within = std::clamp(time, Ticks{}, stream_.duration);
-    compute_frames(source_.skeleton, exact_.at(within), expected_);
-    compute_frames(source_.skeleton, sampled_pose(within), sampled_);
-    return largest_distance(source_.proxy, expected_, sampled_);
+std::vector<std::uint8_t> gaps_of(const SampledStream& stream) {
+  std::vector<std::uint8_t> gaps;
+  for (int step = 0; step < stream.step_count; step += gaps.back()) {
+    gaps.push_back(static_cast<std::uint8_t>(stream.steps()[step].steps()));
   }
+  return gaps;
+}
 
-  /// Returns the distance that the exact surface moves from the time of the last call of this function.
-  double motion_to(Ticks time) {
-    compute_frames(source_.skeleton, exact_.at(std::clamp(time, Ticks{}, stream_.duration)), expected_);
-    const double motion = last_.empty() ? 0.0 : largest_distance(source_.proxy, last_, expected_);
-    last_ = expected_;
-    return motion;
+/// Parts of the error bound that thinning may use, tried in this order: what it does not look at may err a little more.
+constexpr double shares_of_bound[] = {0.98, 0.9, 0.75};
+
+/// Leaves out rows, if the stream stays within its bound.
+SampledBake thinned(const SampleSource& source, const SampledRows& all, SampledBake&& even) {
+  if (all.row_count <= 2) return std::move(even);
+  for (const double share : shares_of_bound) {
+    SampledRows rows{.bone_count = all.bone_count,
+                     .components = all.components,
+                     .first_row = all.first_row,
+                     .step = all.step,
+                     .gaps = thin_rows(source, all, stream_of(even.block), share * source.error_bound),
+                     .rows = {}};
+    rows.row_count = static_cast<int>(rows.gaps.size()) + 1;
+    if (rows.row_count == all.row_count) break;
+    SampledBake bake = encode(source, rows);
+    if (bake.error <= source.error_bound) return bake;
   }
-
-  /// Measures at a part of the way from one row to the next.
-  double behind(int row, double part) {
-    const Ticks between{static_cast<std::int64_t>(part * static_cast<double>(stream_.row_step.count()))};
-    return at(stream_.first_row + row * stream_.row_step + between);
-  }
-
- private:
-  std::span<const float> sampled_pose(Ticks time) {
-    const Kernels& kernels = best_kernels();
-    auto* const pose = reinterpret_cast<float*>(bytes_.get());
-    for (int packet = 0; packet < stream_.packet_count(); ++packet) {
-      float* const out = pose + static_cast<std::ptrdiff_t>(packet) * stream_.components * packet_bones;
-      kernels.sample({.stream = &stream_, .point = locate(stream_, time), .packet = packet, .pose = out});
-    }
-    return {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)};
-  }
-
-  const SampleSource& source_;
-  const SampledStream& stream_;
-  ExactPoses exact_;
-  AlignedBytes bytes_;
-  std::vector<BoneFrame> expected_, sampled_, last_;
-};
+  return std::move(even);
+}
 
 }  // namespace
-
-double measure_error(const SampleSource& source, const SampledStream& stream) {
-  ErrorMeter meter(source, stream);
-  std::vector<double> of_rows(static_cast<std::size_t>(stream.row_count), 0.0);
-  double largest = 0.0, fastest = 0.0;
-  for (int row = 0; row < stream.row_count; ++row) {
-    fastest = std::max(fastest, meter.motion_to(stream.first_row + row * stream.row_step));
-    double& of_row = of_rows[static_cast<std::size_t>(row)];
-    for (const double probe : probes) of_row = std::max(of_row, meter.behind(row, probe));
-    largest = std::max(largest, of_row);
-    if (largest > hopeless * source.error_bound) return largest;
-  }
-  double error = largest;
-  for (int row = 0; row < stream.row_count; ++row) {
-    if (of_rows[static_cast<std::size_t>(row)] < near_largest * largest) continue;
-    for (int i = 1; i < close_probes; ++i) error = std::max(error, meter.behind(row, i / double{close_probes}));
-  }
-  const Ticks instant = Ticks{std::int64_t{1} << source.exact.time_shift};
-  for (const Ticks step : source.steps) error = std::max({error, meter.at(step - instant), meter.at(step)});
-  return error + fraction_rounding * fastest;
-}
 
 SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks last_key) {
   SampledBake best{.block = {}, .error = std::numeric_limits<double>::infinity()};
@@ -206,7 +155,7 @@ SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks 
     SampledRows rows = lay_out_rows(source, grid, row_step, last_key);
     if (rows.row_count > most_floats / floats_in_pose(source.exact)) break;
     SampledBake bake = encode(source, rows);
-    if (bake.error <= source.error_bound) return bake;
+    if (bake.error <= source.error_bound) return thinned(source, rows, std::move(bake));
     best.error = std::min(best.error, bake.error);
   }
   return best;
@@ -216,8 +165,9 @@ AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream, 
   SampledRows rows{.bone_count = stream.bone_count,
                    .components = stream.components,
                    .first_row = stream.first_row,
-                   .row_step = stream.row_step,
+                   .step = Ticks{stream.step_ticks},
                    .row_count = stream.row_count,
+                   .gaps = gaps_of(stream),
                    .rows = {}};
   AlignedBytes block = sample(source, rows);
   if (rounding == Rounding::carried) carry_rounding(source.skeleton, rows, stream_of(block));
@@ -228,7 +178,7 @@ SampledBake bake_still(const SampleSource& source) {
   SampledRows rows;
   rows.bone_count = source.exact.bone_count;
   rows.components = source.exact.components;
-  rows.row_step = ticks_per_second;
+  rows.step = ticks_per_second;
   rows.row_count = 1;
   return encode(source, rows);
 }

@@ -32,8 +32,8 @@
 #define THRONG_ALIASING_VECTOR(bytes) [[gnu::vector_size(bytes), gnu::may_alias]]
 #endif
 
-/// THRONG_ALWAYS_INLINE is `inline` that holds in every case. A function that only prefetches needs it: GCC sees that such
-/// a function changes nothing and returns nothing, and leaves out all calls that it has not inlined by then.
+/// THRONG_ALWAYS_INLINE is `inline` that holds in every case. A function that only prefetches needs it: GCC sees that
+/// such a function changes nothing and returns nothing, and leaves out all calls that it has not inlined by then.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define THRONG_ALWAYS_INLINE __forceinline
 #else

@@ -114,13 +114,12 @@ Ticks time_of(const Player& player, const ClipStreams& clip) {
   return Ticks{static_cast<std::int64_t>(position / std::uint64_t{fine_ticks_per_tick.count()})};
 }
 
-/// Prefetches both rows (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row has time to arrive.
+/// Prefetches both rows, which are neighbours (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row
+/// has time to arrive.
 void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
-  constexpr std::uint32_t line = 64;
-  for (std::uint32_t offset = 0; offset < stream.row_stride; offset += line) {
-    prefetch(point.from + offset);
-    prefetch(point.to + offset);
-  }
+  constexpr std::ptrdiff_t line = 64;
+  const std::byte* const end = point.to + stream.row_stride;
+  for (const std::byte* at = point.from; at < end; at += line) prefetch(at);
 }
 
 const BoneSelection* selection_of(const Player& player, const EntityAssets& assets) {

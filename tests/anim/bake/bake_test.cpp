@@ -79,8 +79,8 @@ TEST(Bake, SamplesAtTheClipsOwnGrid) {
   const BakedClip clip = bake_one(rod_model(), swing(0.1F, 30), 1.0);
   EXPECT_EQ(clip.sampled_rate, 30.0);
   ASSERT_NE(clip.sampled(), nullptr);
-  EXPECT_EQ(clip.sampled()->row_count, 31);
-  EXPECT_EQ(clip.sampled()->row_step, ticks_per_second / 30);
+  EXPECT_EQ(clip.sampled()->step_count, 30);
+  EXPECT_EQ(Ticks{clip.sampled()->step_ticks}, ticks_per_second / 30);
   EXPECT_LE(clip.sampled_error, clip.error_bound);
   EXPECT_NEAR(clip.error_bound, 0.0002, 1e-9);
   EXPECT_EQ(clip.note, "");
@@ -183,7 +183,7 @@ TEST(Bake, KeepsBonesThatRoundingMovesWhereTheyStand) {
   BakedClip clip;
   const SampledPacket& packet = swing_at(0.1F, 0.5e-6F, clip).packets()[0];
   EXPECT_LT(packet.position_offset[0], 0);
-  EXPECT_NEAR(packet.position_base[0][0], 0.1F, 1e-6F);
+  EXPECT_NEAR(packet.at<QuadRange>(packet.position_range[0]).base[0], 0.1F, 1e-6F);
 }
 
 TEST(Bake, KeepsATwentiethOfAMillimetre) {

@@ -60,7 +60,7 @@ TEST_P(LateClip, IsAsLongAsFromItsFirstKeyToItsLast) {
 TEST_P(LateClip, IsSampledAtItsOwnKeysAlone) {
   ASSERT_NE(clip_.sampled(), nullptr) << clip_.note;
   EXPECT_EQ(clip_.sampled_rate, 30.0);
-  EXPECT_EQ(clip_.sampled()->row_count, steps + 1);
+  EXPECT_EQ(clip_.sampled()->step_count, steps);
 }
 
 TEST_P(LateClip, ShowsThePosesOfItsFile) {

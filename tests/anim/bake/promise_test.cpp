@@ -8,10 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/anim/asset/encode_rows.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/rounding.h"
 #include "engine/anim/bake/sampled.h"
+#include "engine/anim/bake/sampled_error.h"
 #include "tests/anim/asset/clip_fixtures.h"
 #include "tests/anim/bake/definition_error.h"
 
@@ -138,24 +140,23 @@ TEST(CarriedRounding, HoldsOnTheGeneralPathToo) {
   const SampleSource source{model.skeleton, proxy, stream_in(keys), {}, 0.0002};
   SampledRows rows{.bone_count = 40,
                    .components = general_components,
-                   .row_step = ticks_per_second / 240,
+                   .step = ticks_per_second / 240,
                    .row_count = 241,
+                   .gaps = {},
                    .rows = {}};
   ExactPoses poses(source.exact);
   for (int row = 0; row < rows.row_count; ++row) {
-    const auto pose = poses.at(row * rows.row_step);
+    const auto pose = poses.at(row * rows.step);
     rows.rows.insert(rows.rows.end(), pose.begin(), pose.end());
   }
-  const std::size_t bytes = sampled_stream_bytes(rows);
-  const AlignedBytes block = allocate_aligned(bytes);
-  encode_sampled_stream(rows, ticks_per_second, {block.get(), bytes});
+  const AlignedBytes block = encode_rows(rows, ticks_per_second);
   auto& stream = *reinterpret_cast<SampledStream*>(block.get());
   const auto on_rows = [&] {
     double worst = 0.0;
     std::vector<BoneFrame> expected(40), shown(40);
     alignas(64) std::array<float, 3 * general_components * packet_bones> pose{};
     for (int row = 0; row < rows.row_count; ++row) {
-      const Ticks time = row * rows.row_step;
+      const Ticks time = row * rows.step;
       compute_frames(model.skeleton, poses.at(time), expected);
       for (int packet = 0; packet < 3; ++packet) {
         float* const out = pose.data() + packet * general_components * packet_bones;

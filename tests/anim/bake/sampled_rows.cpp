@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace throng::anim::sampled_rows {
 namespace {
-
-constexpr std::byte guard{0x5A};
 
 std::size_t index_of(const SampledRows& rows, int row, int packet, int component, int lane) {
   const int packet_index = row * packets_for(rows.bone_count) + packet;
@@ -18,8 +17,8 @@ SampledRows identity_rows(int bones, int components, int row_count) {
   SampledRows rows;
   rows.bone_count = bones;
   rows.components = components;
-  rows.row_step = ticks_per_second / 30;
-  rows.first_row = -rows.row_step / 2;
+  rows.step = ticks_per_second / 30;
+  rows.first_row = -rows.step / 2;
   rows.row_count = row_count;
   rows.rows.resize(index_of(rows, row_count, 0, 0, 0), 0.0F);
   for (int row = 0; row < row_count; ++row) {
@@ -79,19 +78,11 @@ SampledRows still_rows(int bones, int components, int row_count) {
   return rows;
 }
 
-StreamBlock::StreamBlock(const SampledRows& rows) : size_(sampled_stream_bytes(rows)), lines_((size_ + 63) / 64 + 1) {
-  std::byte* bytes = lines_.front().bytes;
-  std::fill(bytes, bytes + lines_.size() * sizeof(Line), guard);
-  encode_sampled_stream(rows, (rows.row_count - 1) * rows.row_step, {bytes, size_});
-}
+StreamBlock::StreamBlock(const SampledRows& rows) : block_(encode_rows(rows, duration_of(rows))) {}
 
-const SampledStream& StreamBlock::stream() const {
-  return *reinterpret_cast<const SampledStream*>(lines_.front().bytes);
-}
-
-bool StreamBlock::guard_intact() const {
-  const std::byte* bytes = lines_.front().bytes;
-  return std::all_of(bytes + size_, bytes + lines_.size() * sizeof(Line), [](std::byte b) { return b == guard; });
+Ticks StreamBlock::duration_of(const SampledRows& rows) {
+  const int steps = rows.gaps.empty() ? rows.row_count - 1 : std::accumulate(rows.gaps.begin(), rows.gaps.end(), 0);
+  return steps * rows.step;
 }
 
 }  // namespace throng::anim::sampled_rows

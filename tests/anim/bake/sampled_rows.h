@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
-#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/encode_rows.h"
 
 /// Rows to encode, and streams of them.
 namespace throng::anim::sampled_rows {
@@ -18,19 +15,15 @@ SampledRows still_rows(int bones, int components, int row_count);
 float& row_value(SampledRows& rows, int row, int packet, int component, int lane);
 float row_value(const SampledRows& rows, int row, int packet, int component, int lane);
 
-/// An encoded stream in aligned memory, with guard bytes behind it.
+/// An encoded stream, whose clip ends with its last row.
 class StreamBlock {
  public:
   explicit StreamBlock(const SampledRows& rows);
-  const SampledStream& stream() const;
-  bool guard_intact() const;
+  const SampledStream& stream() const { return *reinterpret_cast<const SampledStream*>(block_.get()); }
 
  private:
-  struct alignas(64) Line {
-    std::byte bytes[64];
-  };
-  std::size_t size_;
-  std::vector<Line> lines_;
+  static Ticks duration_of(const SampledRows& rows);
+  AlignedBytes block_;
 };
 
 }  // namespace throng::anim::sampled_rows

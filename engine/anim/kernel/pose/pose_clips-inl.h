@@ -81,7 +81,9 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
   } else {
     for (std::size_t k = 0; k < both; ++k) factors[k] = factor_to_unit(packet_of(job, *moments[k]), q[k]);
   }
-  for (std::size_t k = 0; k < both; ++k) q[k] = scaled(q[k], factors[k]);
+  for (std::size_t k = 0; k < both; ++k) {
+    q[k] = with_identity_behind(packet_of(job, *moments[k]), bone, scaled(q[k], factors[k]));
+  }
   Floats weights[count];
   for (std::size_t k = 0; k < count; ++k) weights[k] = hn::Set(d, blends.shown[k]->fraction);
   blend_rotations<count>(d, q, q + count, weights, q);

@@ -111,19 +111,24 @@ HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
   for (std::size_t k = 0; k < count; ++k) factors[k] = hn::MulAdd(lack[k], factors[k], constant);
 }
 
-/// Interpolates the rows of a packet whose rotations move. sampled_to_unit brings the result to unit length.
+/// Interpolates the rows of a packet whose rotations move. sampled_to_unit brings the result to unit length. Lanes
+/// behind the packet's bones get what lies behind in the row; with_identity_behind replaces it.
 HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
   Quaternions<Floats> q;
+  const std::ptrdiff_t part = packet.rotation_part / static_cast<std::ptrdiff_t>(sizeof(std::int16_t));
   weigh_pair(from, to, bone, point.weights, q.x, q.y);
-  weigh_pair(from + 2 * packet_bones, to + 2 * packet_bones, bone, point.weights, q.z, q.w);
+  weigh_pair(from + part, to + part, bone, point.weights, q.z, q.w);
   return q;
 }
 
 /// The same for a packet that moves or stands still. factor_to_unit brings the result to unit length.
 HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
-  if (packet.rotation_offset < 0) return load_quaternions(BoneLanes(), &packet.rotation[0][0] + bone, packet_bones);
+  if (packet.rotation_offset < 0) {
+    const auto& constants = packet.at<PacketRotations>(packet.rotation_constants);
+    return load_quaternions(BoneLanes(), &constants.lanes[0][0] + bone, packet_bones);
+  }
   return moving_rotations(point, packet, bone);
 }
 
@@ -136,33 +141,44 @@ HWY_INLINE Floats factor_to_unit(const SampledPacket& packet, const Quaternions<
   return factor;
 }
 
+/// Puts the identity into the lanes that the rows of a packet do not store. The first lane is that of `bone`.
+HWY_INLINE Quaternions<Floats> with_identity_behind(const SampledPacket& packet, int bone,
+                                                    const Quaternions<Floats>& q) {
+  const BoneLanes d;
+  if (packet.lanes == packet_bones) return q;
+  const auto held = hn::FirstN(d, static_cast<std::size_t>(HWY_MAX(packet.lanes - bone, 0)));
+  return {hn::IfThenElseZero(held, q.x), hn::IfThenElseZero(held, q.y), hn::IfThenElseZero(held, q.z),
+          hn::IfThenElse(held, q.w, hn::Set(d, 1.0F))};
+}
+
 HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const Quaternions<Floats> q = weighed_rotations(point, packet, bone);
-  return scaled(q, factor_to_unit(packet, q));
+  return with_identity_behind(packet, bone, scaled(q, factor_to_unit(packet, q)));
 }
 
 /// The encoding of positions or scales of a packet: base + step * weighed value, quad by quad.
-struct SampledRange {
+struct SampledRanges {
+  const SampledPacket& packet;
   const std::int32_t* offsets;
-  const float (*base)[quad_lanes];
-  const float (*step)[quad_lanes];
+  const std::int32_t* ranges;
 };
-HWY_INLINE SampledRange positions_of(const SampledPacket& packet) {
-  return {packet.position_offset, packet.position_base, packet.position_step};
+HWY_INLINE SampledRanges positions_of(const SampledPacket& packet) {
+  return {packet, packet.position_offset, packet.position_range};
 }
-HWY_INLINE SampledRange scales_of(const SampledPacket& packet) {
-  return {packet.scale_offset, packet.scale_base, packet.scale_step};
+HWY_INLINE SampledRanges scales_of(const SampledPacket& packet) {
+  return {packet, packet.scale_offset, packet.scale_range};
 }
 
 /// The lanes of a quad from `lane` on.
-HWY_INLINE Floats sampled_quad(const SamplePoint& point, const SampledRange& range, int quad, int lane) {
+HWY_INLINE Floats sampled_quad(const SamplePoint& point, const SampledRanges& ranges, int quad, int lane) {
   const BoneLanes d;
-  const Floats base = hn::Load(d, range.base[quad] + lane);
-  const std::int32_t offset = range.offsets[quad];
+  const auto& range = ranges.packet.at<QuadRange>(ranges.ranges[quad]);
+  const Floats base = hn::Load(d, range.base + lane);
+  const std::int32_t offset = ranges.offsets[quad];
   if (offset < 0) return base;
   const Floats weighed =
       weigh_lanes(group_words(point.from, offset), group_words(point.to, offset), lane, point.weights);
-  return hn::MulAdd(weighed, hn::Load(d, range.step[quad] + lane), base);
+  return hn::MulAdd(weighed, hn::Load(d, range.step + lane), base);
 }
 
 /// Calls pose_quad(quad, lane) for all lanes of `quads`, one vector after the other.
@@ -174,9 +190,9 @@ HWY_INLINE void for_each_quad(QuadMask quads, PoseQuad&& pose_quad) {
   }
 }
 
-HWY_INLINE void sample_quads(const SamplePoint& point, const SampledRange& range, QuadMask quads, float* planes) {
+HWY_INLINE void sample_quads(const SamplePoint& point, const SampledRanges& ranges, QuadMask quads, float* planes) {
   for_each_quad(quads, [&](int quad, int lane) {
-    store_quad(BoneLanes(), sampled_quad(point, range, quad, lane), lane, planes + quad * quad_bones);
+    store_quad(BoneLanes(), sampled_quad(point, ranges, quad, lane), lane, planes + quad * quad_bones);
   });
 }
 

@@ -88,7 +88,7 @@ class PoseClips : public ::testing::TestWithParam<int> {
   }
 
   static ClipMoment moment(const StreamBlock& block, int eighths) {
-    const Ticks time = block.stream().first_row + eighths * block.stream().row_step / 8;
+    const Ticks time = block.stream().first_row + eighths * Ticks{block.stream().step_ticks} / 8;
     return {.stream = &block.stream(), .point = locate(block.stream(), time)};
   }
 
@@ -197,7 +197,7 @@ TEST(PoseClipsThatDisplaceSomeQuads, WritesRotationsAndTheirPositionsAndNoOthers
     const StreamBlock block(rows_displaced_in(displaced, wavy_rows(16, rigid_components, 4)));
     const StreamBlock still(rows_displaced_in(displaced, still_rows(16, rigid_components, 4)));
     ASSERT_EQ(quads_of_packet(block.stream().displaced_quads, 0), displaced);
-    const Ticks time = block.stream().row_step / 3;
+    const Ticks time = Ticks{block.stream().step_ticks} / 3;
     const ClipMoment clip{.stream = &block.stream(), .point = locate(block.stream(), time)};
     const ClipMoment other{.stream = &still.stream(), .point = locate(still.stream(), time)};
     const std::array<ShownClips, 2> shown = {{{.clip = &clip}, {.clip = &clip, .blended = &other, .fraction = 0.25F}}};

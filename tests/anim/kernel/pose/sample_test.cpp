@@ -73,7 +73,7 @@ TEST_P(Sample, AgreesWithTheRowsToTheirQuantisationOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {
     for (int step = 0; step <= 8 * 7; ++step) {
       const double row = step / 7.0;
-      const Ticks time = rows_.first_row + Ticks{std::llround(row * static_cast<double>(rows_.row_step.count()))};
+      const Ticks time = rows_.first_row + Ticks{std::llround(row * static_cast<double>(rows_.step.count()))};
       const int from = std::min(step / 7, rows_.row_count - 1);
       for (int packet = 0; packet < packets_for(rows_.bone_count); ++packet) {
         const Packet out = sample(kernels, block_.stream(), time, packet);
@@ -100,15 +100,16 @@ TEST_P(Sample, ShowsARowItselfAtItsTime) {
   const SampledPacket& header = block_.stream().packets()[0];
   for (const Kernels& kernels : runnable_kernels()) {
     for (int row = 0; row < rows_.row_count; ++row) {
-      const Packet out = sample(kernels, block_.stream(), rows_.first_row + row * rows_.row_step, 0);
+      const Packet out = sample(kernels, block_.stream(), rows_.first_row + row * rows_.step, 0);
       for (int axis = 0; axis < 3; ++axis) {
         for (int bone = 0; bone < packet_bones; ++bone) {
           const int quad = bone / quad_bones;
           const int lane = lane_in_quad(axis, bone);
           std::int16_t word = 0;
           std::memcpy(&word, block_.stream().row(row) + header.position_offset[quad] + lane * 2, 2);
-          const float step = header.position_step[quad][lane] / row_weight_unit;
-          const float expected = header.position_base[quad][lane] + step * word;
+          const auto& range = header.at<QuadRange>(header.position_range[quad]);
+          const float step = range.step[lane] / row_weight_unit;
+          const float expected = range.base[lane] + step * word;
           ASSERT_NEAR(out.lanes[4 + axis][bone], expected, 1e-6F) << kernels.target << " " << row << " " << bone;
         }
       }
@@ -119,10 +120,23 @@ TEST_P(Sample, ShowsARowItselfAtItsTime) {
 TEST_P(Sample, LeavesRotationsUnitToAMillionth) {
   for (const Kernels& kernels : runnable_kernels()) {
     for (int step = 0; step <= 64; ++step) {
-      const Packet out = sample(kernels, block_.stream(), rows_.first_row + step * rows_.row_step / 8, step % 3);
+      const Packet out = sample(kernels, block_.stream(), rows_.first_row + step * rows_.step / 8, step % 3);
       for (int lane = 0; lane < packet_bones; ++lane) {
         const glm::dquat q(out.lanes[3][lane], out.lanes[0][lane], out.lanes[1][lane], out.lanes[2][lane]);
         ASSERT_NEAR(glm::length(q), 1.0, 1e-6) << kernels.target << " " << step << " " << lane;
+      }
+    }
+  }
+}
+
+TEST_P(Sample, HoldsTheIdentityBehindTheLastBone) {
+  const int last = packets_for(rows_.bone_count) - 1;
+  for (const Kernels& kernels : runnable_kernels()) {
+    const Packet out = sample(kernels, block_.stream(), rows_.first_row + rows_.step / 3, last);
+    for (int lane = rows_.bone_count - last * packet_bones; lane < packet_bones; ++lane) {
+      for (int component = 0; component < rows_.components; ++component) {
+        EXPECT_NEAR(out.lanes[component][lane], component == 3 || component >= 7 ? 1.0F : 0.0F, 1e-6F)
+            << kernels.target << " " << lane;
       }
     }
   }
@@ -132,7 +146,7 @@ TEST_P(Sample, IsTheSameToTheBitAmongTargetsThatFuse) {
   for (const Kernels& kernels : runnable_kernels()) {
     if (kernels.fused_multiply_add != best_kernels().fused_multiply_add) continue;
     for (int step = 0; step <= 64; ++step) {
-      const Ticks time = rows_.first_row + step * rows_.row_step / 8;
+      const Ticks time = rows_.first_row + step * rows_.step / 8;
       const Packet out = sample(kernels, block_.stream(), time, step % 3);
       const Packet best = sample(best_kernels(), block_.stream(), time, step % 3);
       ASSERT_EQ(bits(out), bits(best)) << kernels.target << " " << step;
@@ -156,7 +170,7 @@ TEST(SampleOfRowsAsFarApartAsTheyMayBe, LeavesRotationsUnitToAMillionth) {
   const StreamBlock block(rows);
   for (const Kernels& kernels : runnable_kernels()) {
     for (int step = 0; step <= 64; ++step) {
-      const Packet out = sample(kernels, block.stream(), rows.first_row + step * rows.row_step / 64, 0);
+      const Packet out = sample(kernels, block.stream(), rows.first_row + step * rows.step / 64, 0);
       for (int lane = 0; lane < packet_bones; ++lane) {
         const glm::dquat q(out.lanes[3][lane], out.lanes[0][lane], out.lanes[1][lane], out.lanes[2][lane]);
         ASSERT_NEAR(glm::length(q), 1.0, 1e-6) << kernels.target << " " << step << " " << lane;
@@ -179,7 +193,7 @@ TEST(SampleOfAConstantClip, IsExactlyTheStoredPose) {
   const SampledRows rows = still_rows(16, general_components, 4);
   const StreamBlock block(rows);
   for (const Kernels& kernels : runnable_kernels()) {
-    const Packet out = sample(kernels, block.stream(), rows.row_step, 0);
+    const Packet out = sample(kernels, block.stream(), rows.step, 0);
     for (int component = 0; component < general_components; ++component) {
       for (int lane = 0; lane < packet_bones; ++lane) {
         EXPECT_NEAR(out.lanes[component][lane], row_value(rows, 0, 0, component, lane), 1e-7F) << kernels.target;

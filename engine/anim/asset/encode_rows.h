@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/anim/asset/sampled_rows.h"
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::anim {
+
+/// Makes a SampledStream of rows. `duration` is that of the clip.
+AlignedBytes encode_rows(const SampledRows& rows, Ticks duration);
+
+}  // namespace throng::anim

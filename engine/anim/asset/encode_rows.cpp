@@ -135,11 +135,11 @@ class Encoder {
     }
 
     AlignedBytes block = allocate_aligned(stream.total_size);
+    const std::span<const std::byte> step_bytes = std::as_bytes(std::span(steps));
     std::memcpy(block.get(), &stream, sizeof(stream));
-    std::memcpy(block.get() + sizeof(stream), packets_.data(), packets_.size() * sizeof(SampledPacket));
-    std::memcpy(block.get() + constants_offset(), constants_.floats().data(), constants_.floats().size_bytes());
-    std::memcpy(block.get() + rows_offset - steps.size() * sizeof(SampledStep), steps.data(),
-                steps.size() * sizeof(SampledStep));
+    std::ranges::copy(std::as_bytes(std::span(packets_)), block.get() + sizeof(stream));
+    std::ranges::copy(std::as_bytes(constants_.floats()), block.get() + constants_offset());
+    std::ranges::copy(step_bytes, block.get() + rows_offset - step_bytes.size());
     for (int row = 0; row < shape.row_count; ++row) {
       write_row(row, block.get() + rows_offset + static_cast<std::size_t>(row) * stride_);
     }

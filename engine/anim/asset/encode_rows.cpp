@@ -26,6 +26,9 @@ struct Group {
 constexpr Group rotation_group{0, 4, packet_bones};
 constexpr Group position_group{4, 3, quad_bones};
 constexpr Group scale_group{7, 3, quad_bones};
+constexpr std::size_t rotation_bytes(int lanes) {
+  return std::size_t{4} * sizeof(std::int16_t) * static_cast<std::size_t>(lanes);
+}
 constexpr std::size_t quad_bytes = std::size_t{3} * quad_bones * sizeof(std::int16_t);
 
 std::size_t round_up_to_lines(std::size_t bytes) { return (bytes + line_bytes - 1) / line_bytes * line_bytes; }
@@ -167,8 +170,7 @@ class Encoder {
     for (int packet = 0; packet < rows_.packets(); ++packet) {
       SampledPacket& of = header(packet);
       of.lanes = (rows_.bones_of(packet) + quad_bones - 1) / quad_bones * quad_bones;
-      of.rotation_part = rotation_part_of(of.lanes);
-      of.rotation_offset = place(packet, rotation_group, 0, 2 * static_cast<std::size_t>(of.rotation_part));
+      of.rotation_offset = place(packet, rotation_group, 0, rotation_bytes(of.lanes));
     }
     for (int packet = 0; packet < rows_.packets(); ++packet)
       place_quads(packet, position_group, header(packet).position_offset);
@@ -248,11 +250,11 @@ class Encoder {
     std::int16_t lanes[4 * packet_bones] = {};
     for (int axis = 0; axis < 4; ++axis) {
       for (int bone = 0; bone < of.lanes; ++bone) {
-        lanes[rotation_lane(of, axis, bone)] =
+        lanes[rotation_lane(of.lanes, axis, bone)] =
             quantise(rows_.value(row, packet, axis, bone), 0.0F, 1.0F / quantised_one);
       }
     }
-    std::memcpy(out + of.rotation_offset, lanes, 2 * static_cast<std::size_t>(of.rotation_part));
+    std::memcpy(out + of.rotation_offset, lanes, rotation_bytes(of.lanes));
   }
   void write_quads(int row, int packet, const Group& group, const std::vector<QuadRange>& ranges,
                    const std::int32_t (&offsets)[packet_quads], std::byte* out) {

@@ -25,6 +25,15 @@ double AlignedRows::dot(int row, int other, int packet, int lane) const {
   return dot;
 }
 
+bool AlignedRows::turns_too_far(int row, int other) const {
+  for (int packet = 0; packet < packets_; ++packet) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      if (dot(row, other, packet, lane) < least_row_dot) return true;
+    }
+  }
+  return false;
+}
+
 ComponentRange AlignedRows::range(int packet, int component, int lane) const {
   ComponentRange range{value(0, packet, component, lane), value(0, packet, component, lane)};
   for (int row = 1; row < shape_.row_count; ++row) {
@@ -52,11 +61,7 @@ void AlignedRows::align_hemispheres(int row, int packet) {
 bool turns_too_far(const SampledRows& rows) {
   const AlignedRows aligned(rows);
   for (int row = 1; row < rows.row_count; ++row) {
-    for (int packet = 0; packet < aligned.packets(); ++packet) {
-      for (int lane = 0; lane < packet_bones; ++lane) {
-        if (aligned.dot(row - 1, row, packet, lane) < least_row_dot) return true;
-      }
-    }
+    if (aligned.turns_too_far(row - 1, row)) return true;
   }
   return false;
 }

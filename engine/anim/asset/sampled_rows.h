@@ -48,12 +48,14 @@ class AlignedRows {
   float value(int row, int packet, int component, int lane) const {
     return values_[index(row, packet, component, lane)];
   }
-  /// The dot product of a bone's quaternions in two rows.
-  double dot(int row, int other, int packet, int lane) const;
+  /// Says whether a bone turns farther between two rows than least_row_dot allows.
+  bool turns_too_far(int row, int other) const;
   ComponentRange range(int packet, int component, int lane) const;
 
  private:
   std::size_t index(int row, int packet, int component, int lane) const;
+  /// Returns the dot product of a bone's quaternions in two rows.
+  double dot(int row, int other, int packet, int lane) const;
   void align_hemispheres(int row, int packet);
 
   const SampledRows& shape_;

@@ -20,8 +20,8 @@ inline constexpr int most_steps_between_rows = 32;
 ///     SampledStream | SampledPacket x packets | constants | SampledStep x steps | row 0 | ... | last row | 64 bytes
 ///
 /// A loop's last row repeats its first. Rows lie on an even grid of steps, but not on all of its places: a row stands
-/// where the clip needs one, up to 32 steps behind the row before. The 64 bytes let kernels load whole vectors
-/// anywhere.
+/// where the clip needs one, up to 32 steps behind the row before. Kernels load whole vectors, which at the end of the
+/// last row reach into the 64 bytes behind it.
 ///
 /// A row holds moving values as int16: the rotations of every packet with moving ones (8 bytes a bone, by whole quads),
 /// then the positions of every quad with moving ones (24), then scales (24). Values that stay constant over the clip
@@ -35,23 +35,22 @@ inline constexpr int most_steps_between_rows = 32;
 /// A rotation is int16 / 32767, and not unit until it is normalised. A position or scale is base + step * int16 /
 /// row_weight_unit, since kernels get rows already multiplied by their weights.
 struct SampledPacket {
-  std::int32_t lanes;                          ///< 4, 8, 12 or 16 that rows store; kernels fill up with the identity
+  std::int32_t lanes;                          ///< that rows store: 4, 8, 12 or 16; kernels put the identity in others
   std::int32_t rotation_offset;                ///< bytes into a row, or -1: the packet's rotations are constant
-  std::int32_t rotation_part;                  ///< bytes from x and y of its rotations to z and w
   std::int32_t rotation_constants;             ///< where rotation_offset is -1: bytes from here to float [4][16], unit
   std::int32_t position_offset[packet_quads];  ///< bytes into a row, or -1
   std::int32_t position_range[packet_quads];   ///< bytes from here to the quad's QuadRange
   std::int32_t scale_offset[packet_quads];     ///< bytes into a row, or -1
-  std::int32_t scale_range[packet_quads];      ///< as of positions; on rigid skeletons nobody reads them
+  std::int32_t scale_range[packet_quads];      ///< bytes from here to the quad's QuadRange; unused on rigid skeletons
 
   template <typename Value>
   const Value& at(std::int32_t bytes_from_here) const {
     return *reinterpret_cast<const Value*>(reinterpret_cast<const std::byte*>(this) + bytes_from_here);
   }
 };
-static_assert(sizeof(SampledPacket) == 80);
+static_assert(sizeof(SampledPacket) == 76);
 
-/// Positions or scales of a quad. A quad that is constant has no steps: other constants may follow.
+/// Positions or scales of a quad. A constant quad has only its base: other constants may follow.
 struct alignas(64) QuadRange {
   float base[quad_lanes];
   float step[quad_lanes];
@@ -81,7 +80,7 @@ class SampledStep {
  private:
   std::uint32_t bits_;
 };
-static_assert(sizeof(SampledStep) == 4);
+static_assert(sizeof(SampledStep) == 4 && most_steps_between_rows == 1 << 5);
 
 struct alignas(64) SampledStream {
   std::uint32_t total_size;   ///< bytes, this header included
@@ -108,12 +107,10 @@ struct alignas(64) SampledStream {
 };
 static_assert(sizeof(SampledStream) == 64);
 
-/// Returns the bytes of x and y, or of z and w, of rotations in so many lanes.
-constexpr int rotation_part_of(int lanes) { return 2 * lanes * static_cast<int>(sizeof(std::int16_t)); }
-
-/// Returns which int16 of a packet's rotations holds a component of a bone. `bone` counts inside the packet.
-constexpr int rotation_lane(const SampledPacket& packet, int component, int bone) {
-  return component / 2 * packet.rotation_part / 2 + bone / 4 * 8 + component % 2 * 4 + bone % 4;
+/// Returns which int16 of rotations in so many stored lanes holds a component of a bone. `bone` counts inside the
+/// packet.
+constexpr int rotation_lane(int lanes, int component, int bone) {
+  return component / 2 * 2 * lanes + bone / 4 * 8 + component % 2 * 4 + bone % 4;
 }
 
 /// Returns which lane of its quad holds a component of a position or scale.

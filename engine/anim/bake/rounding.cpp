@@ -78,7 +78,7 @@ class RoundedRow {
   bool moves(int bone) const { return packet(bone).rotation_offset >= 0; }
   std::int16_t& lane(int bone, int component) const {
     auto* const lanes = reinterpret_cast<std::int16_t*>(row_ + packet(bone).rotation_offset);
-    return lanes[rotation_lane(packet(bone), component, bone % packet_bones)];
+    return lanes[rotation_lane(packet(bone).lanes, component, bone % packet_bones)];
   }
   double constant(int bone, int axis) const {
     const auto& rotations = packet(bone).at<PacketRotations>(packet(bone).rotation_constants);

@@ -125,7 +125,7 @@ std::vector<std::uint8_t> gaps_of(const SampledStream& stream) {
   return gaps;
 }
 
-/// Parts of the error bound that thinning may use, tried in this order: what it does not look at may err a little more.
+/// Parts of the error bound that thinning may use, tried in this order: instants that it skips may err a little more.
 constexpr double shares_of_bound[] = {0.98, 0.9, 0.75};
 
 /// Leaves out rows, if the stream stays within its bound.

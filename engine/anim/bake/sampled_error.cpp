@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/anim/kernel/kernels.h"
-
 namespace throng::anim {
 
 namespace {
@@ -27,14 +25,14 @@ class ErrorMeter {
       : source_(source),
         stream_(stream),
         exact_(source.exact),
-        bytes_(allocate_aligned(pose_bytes(stream.bone_count, stream.components))),
+        poses_(stream),
         expected_(source.skeleton.bones.size()),
         sampled_(source.skeleton.bones.size()) {}
 
   double at(Ticks time) {
     const Ticks within = std::clamp(time, Ticks{}, stream_.duration);
     compute_frames(source_.skeleton, exact_.at(within), expected_);
-    compute_frames(source_.skeleton, sampled_pose(within), sampled_);
+    compute_frames(source_.skeleton, poses_.at(locate(stream_, within)), sampled_);
     return largest_distance(source_.proxy, expected_, sampled_);
   }
 
@@ -54,20 +52,10 @@ class ErrorMeter {
   Ticks time_of(int step) const { return stream_.first_row + step * Ticks{stream_.step_ticks}; }
 
  private:
-  std::span<const float> sampled_pose(Ticks time) {
-    const Kernels& kernels = best_kernels();
-    auto* const pose = reinterpret_cast<float*>(bytes_.get());
-    for (int packet = 0; packet < stream_.packet_count(); ++packet) {
-      float* const out = pose + static_cast<std::ptrdiff_t>(packet) * stream_.components * packet_bones;
-      kernels.sample({.stream = &stream_, .point = locate(stream_, time), .packet = packet, .pose = out});
-    }
-    return {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)};
-  }
-
   const SampleSource& source_;
   const SampledStream& stream_;
   ExactPoses exact_;
-  AlignedBytes bytes_;
+  SampledPoses poses_;
   std::vector<BoneFrame> expected_, sampled_, last_;
 };
 

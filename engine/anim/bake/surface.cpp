@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/anim/asset/keyframe_stream_clip.h"
+#include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
 
@@ -157,6 +158,18 @@ std::span<float> ExactPoses::at(Ticks time) {
                        pose.subspan(static_cast<std::size_t>(packet) * packet_floats, packet_floats));
   }
   return pose;
+}
+
+SampledPoses::SampledPoses(const SampledStream& stream)
+    : stream_(stream), pose_(allocate_aligned(pose_bytes(stream.bone_count, stream.components))) {}
+
+std::span<const float> SampledPoses::at(const SamplePoint& point) {
+  auto* const pose = reinterpret_cast<float*>(pose_.get());
+  for (int packet = 0; packet < stream_.packet_count(); ++packet) {
+    float* const out = pose + static_cast<std::ptrdiff_t>(packet) * stream_.components * packet_bones;
+    best_kernels().sample({.stream = &stream_, .point = point, .packet = packet, .pose = out});
+  }
+  return {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)};
 }
 
 }  // namespace throng::anim

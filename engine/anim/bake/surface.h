@@ -8,6 +8,7 @@
 
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
+#include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/kernel/keyframe/keyframe_player.h"
 #include "engine/anim/survey/model_extent.h"
 
@@ -49,6 +50,18 @@ class ExactPoses {
   const KeyframeStream& stream_;
   KeyframeCursor cursor_;
   AlignedBytes interpolations_;
+  AlignedBytes pose_;
+};
+
+/// Poses a sampled stream.
+class SampledPoses {
+ public:
+  explicit SampledPoses(const SampledStream& stream);
+  /// Returns the whole pose between two rows, valid until the next call.
+  std::span<const float> at(const SamplePoint& point);
+
+ private:
+  const SampledStream& stream_;
   AlignedBytes pose_;
 };
 

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdlib>
 #include <span>
-
-#include "engine/anim/base/aligned_bytes.h"
-#include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
 
@@ -24,7 +20,7 @@ class GapMeter {
         aligned_(rows),
         allowed_(allowed),
         exact_(source.exact),
-        pose_(allocate_aligned(pose_bytes(stream.bone_count, stream.components))),
+        poses_(stream),
         sampled_(source.skeleton.bones.size()) {
     for (KnownFrames& known : known_) known.frames.resize(source.skeleton.bones.size());
   }
@@ -32,7 +28,7 @@ class GapMeter {
   /// Two rows that are neighbours always fit.
   bool fits(int row, int gap) {
     if (gap == 1) return true;
-    if (turns_too_far(row, row + gap)) return false;
+    if (aligned_.turns_too_far(row, row + gap)) return false;
     const int probes = gap * probes_of_step;
     // From the middle outwards, where most is off.
     for (int i = 0; i < probes - 1; ++i) {
@@ -48,29 +44,14 @@ class GapMeter {
     std::vector<BoneFrame> frames;
   };
 
-  bool turns_too_far(int row, int other) const {
-    for (int packet = 0; packet < aligned_.packets(); ++packet) {
-      for (int lane = 0; lane < packet_bones; ++lane) {
-        if (aligned_.dot(row, other, packet, lane) < least_row_dot) return true;
-      }
-    }
-    return false;
-  }
-
   double distance(int row, int gap, int probe) {
     const int fraction = sample_fraction_one * probe / (gap * probes_of_step);
     const SamplePoint point{stream_.row(row), stream_.row(row + gap), row_weights(fraction)};
-    auto* const pose = reinterpret_cast<float*>(pose_.get());
-    for (int packet = 0; packet < stream_.packet_count(); ++packet) {
-      float* const out = pose + static_cast<std::ptrdiff_t>(packet) * stream_.components * packet_bones;
-      best_kernels().sample({.stream = &stream_, .point = point, .packet = packet, .pose = out});
-    }
-    compute_frames(source_.skeleton, {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)},
-                   sampled_);
+    compute_frames(source_.skeleton, poses_.at(point), sampled_);
     return largest_distance(source_.proxy, exact_frames(row * probes_of_step + probe), sampled_);
   }
 
-  /// Keeps as many as the longest gap looks at.
+  /// Computes each once: known_ has room for all that the longest gap looks at.
   std::span<const BoneFrame> exact_frames(int probe) {
     KnownFrames& known = known_[static_cast<std::size_t>(probe) % std::size(known_)];
     if (known.probe != probe) {
@@ -86,7 +67,7 @@ class GapMeter {
   AlignedRows aligned_;
   double allowed_;
   ExactPoses exact_;
-  AlignedBytes pose_;
+  SampledPoses poses_;
   std::vector<BoneFrame> sampled_;
   KnownFrames known_[most_steps_between_rows * probes_of_step];
 };

@@ -10,8 +10,8 @@ namespace throng::anim {
 
 /// Finds out which rows of a clip a stream needs, so that no point of the proxy is farther off than `allowed`. From
 /// each row it looks for the farthest next one. `stream` has all `rows`, one step apart. Returns the gaps of the rows
-/// that stay (SampledRows::gaps). The error is looked at on each step and midway between two, so the caller measures
-/// what becomes of it.
+/// that stay (SampledRows::gaps). It looks at each step and midway between two, and no closer: the caller measures
+/// the thinned stream.
 std::vector<std::uint8_t> thin_rows(const SampleSource& source, const SampledRows& rows, const SampledStream& stream,
                                     double allowed);
 

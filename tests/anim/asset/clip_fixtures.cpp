@@ -80,6 +80,17 @@ Model one_bone_model() {
   return model;
 }
 
+Model rod_model() {
+  Model model = one_bone_model();
+  SkinnedMesh mesh;
+  mesh.positions = {glm::vec3(0.0F), glm::vec3(0.0F, 1.8F, 0.0F), glm::vec3(0.1F, 0.9F, 0.0F)};
+  mesh.palette_entries.assign(3, glm::u16vec4(0));
+  mesh.weights.assign(3, glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
+  mesh.indices = {0, 1, 2};
+  model.meshes.push_back(mesh);
+  return model;
+}
+
 Clip one_bone_clip(const BoneTracks& tracks, double seconds) {
   Clip clip;
   clip.name = "clip";

@@ -20,6 +20,8 @@ Clip wild_clip(const Skeleton& skeleton, Interpolation interpolation, double sec
 
 /// Returns a model of one bone, bound at the origin.
 Model one_bone_model();
+/// Returns that model with a rod of 1.8 m on its bone, standing upright.
+Model rod_model();
 /// Returns a clip of that bone, which has the given tracks.
 Clip one_bone_clip(const BoneTracks& tracks, double seconds);
 

@@ -16,18 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One bone with a rod of 1.8 m on it, standing upright.
-Model rod_model() {
-  Model model = one_bone_model();
-  SkinnedMesh mesh;
-  mesh.positions = {glm::vec3(0.0F), glm::vec3(0.0F, 1.8F, 0.0F), glm::vec3(0.1F, 0.9F, 0.0F)};
-  mesh.palette_entries.assign(3, glm::u16vec4(0));
-  mesh.weights.assign(3, glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
-  mesh.indices = {0, 1, 2};
-  model.meshes.push_back(mesh);
-  return model;
-}
-
 BakedClip bake_one(Model model, const BoneTracks& tracks, double seconds, const BakeOptions& options = {}) {
   model.clips.push_back(one_bone_clip(tracks, seconds));
   return std::move(bake_character(model, options).clips.front());

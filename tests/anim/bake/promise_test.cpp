@@ -61,13 +61,7 @@ Clip slow_waves() {
 
 /// A rod of 1.8 m that swings there and back in `frames` keys at 30 Hz.
 Model swinging_rod(double reach, int frames) {
-  Model model = one_bone_model();
-  SkinnedMesh mesh;
-  mesh.positions = {glm::vec3(0.0F), glm::vec3(0.0F, 1.8F, 0.0F), glm::vec3(0.1F, 0.9F, 0.0F)};
-  mesh.palette_entries.assign(3, glm::u16vec4(0));
-  mesh.weights.assign(3, glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
-  mesh.indices = {0, 1, 2};
-  model.meshes.push_back(mesh);
+  Model model = rod_model();
   BoneTracks tracks;
   for (int frame = 0; frame <= frames; ++frame) {
     tracks.rotation.times.push_back(static_cast<float>(frame) / 30.0F);

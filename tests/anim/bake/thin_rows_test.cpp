@@ -15,13 +15,7 @@ namespace {
 /// A rod of 1.8 m whose angle is a function of time, in 91 keys at 30 Hz.
 template <typename Angle>
 Model rod(Angle&& angle) {
-  Model model = one_bone_model();
-  SkinnedMesh mesh;
-  mesh.positions = {glm::vec3(0.0F), glm::vec3(0.0F, 1.8F, 0.0F), glm::vec3(0.1F, 0.9F, 0.0F)};
-  mesh.palette_entries.assign(3, glm::u16vec4(0));
-  mesh.weights.assign(3, glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
-  mesh.indices = {0, 1, 2};
-  model.meshes.push_back(mesh);
+  Model model = rod_model();
   BoneTracks tracks;
   for (int frame = 0; frame <= 90; ++frame) {
     const float seconds = static_cast<float>(frame) / 30.0F;

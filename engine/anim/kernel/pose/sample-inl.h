@@ -112,14 +112,14 @@ HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
 }
 
 /// Interpolates the rows of a packet whose rotations move. sampled_to_unit brings the result to unit length. Lanes
-/// behind the packet's bones get what lies behind in the row; with_identity_behind replaces it.
+/// that the rows do not store get what lies behind in memory; with_identity_behind replaces it.
 HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
   Quaternions<Floats> q;
-  const std::ptrdiff_t part = packet.rotation_part / static_cast<std::ptrdiff_t>(sizeof(std::int16_t));
+  const std::ptrdiff_t to_zw = std::ptrdiff_t{2} * packet.lanes;
   weigh_pair(from, to, bone, point.weights, q.x, q.y);
-  weigh_pair(from + part, to + part, bone, point.weights, q.z, q.w);
+  weigh_pair(from + to_zw, to + to_zw, bone, point.weights, q.z, q.w);
   return q;
 }
 

@@ -92,6 +92,7 @@ const char* Agent::fault_of(const PlayRequest& request) const {
   const EntityBuilder build = builder();
   if (const char* fault = build.fault_of(start_of(request)); fault != nullptr) return fault;
   if (!is_fade(request.fade)) return not_a_fade;
+  if (!build.has_room()) return too_many_entities;
   const bool is_fraction = !request.held_fraction || (*request.held_fraction >= 0.0F && *request.held_fraction <= 1.0F);
   if (!is_fraction) return "held_fraction is from 0 to 1";
   return build.has_mask(request.mask) ? nullptr : not_a_mask;
@@ -128,6 +129,7 @@ Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag t
   const EntityBuilder build = builder();
   if (!(settings.weight >= 0.0F && settings.weight <= 1.0F)) return refuse({call, "a weight is from 0 to 1"});
   if (!build.has_mask(settings.mask)) return refuse({call, not_a_mask});
+  if (!build.has_room()) return refuse({call, too_many_entities});
   if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
   const Status added =
       settle([&] { return own_graphs().add_channel(build, index(), std::move(channel), type, settings); });
@@ -160,8 +162,10 @@ bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
 }
 
 Status Agent::channel_changed() {
-  const Turn turn(system_->turn, "Agent::change");
+  constexpr const char* call = "Agent::change";
+  const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
+  if (!builder().has_room()) return refuse({call, too_many_entities});
   return system_->pus.update_channels(system_->population, number());
 }
 
@@ -172,6 +176,7 @@ Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, 
   if (!exists()) return refuse({call, no_agent});
   if (process == nullptr) return refuse({call, "the post process is null"});
   const EntityBuilder build = builder();
+  if (!build.has_room()) return refuse({call, too_many_entities});
   if (const char* fault = process->fault(build); fault != nullptr) return refuse({call, fault});
   const Status added = settle([&] { return own_graphs().add_post_process(build, index(), std::move(process), type); });
   const std::size_t place = post_process_count() - 1;
@@ -206,10 +211,12 @@ std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
 }
 
 Status Agent::process_changed(ProcessId process) {
-  const Turn turn(system_->turn, "Agent::change_process");
+  constexpr const char* call = "Agent::change_process";
+  const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
   const std::optional<std::size_t> place = graphs().place(index(), process);
-  if (!place) return refuse({"Agent::change_process", no_process});
+  if (!place) return refuse({call, no_process});
+  if (!builder().has_room()) return refuse({call, too_many_entities});
   Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), *place); });
   if (changed) return changed;
   own_graphs().post_process(index(), *place).part->destroy_entities(builder());

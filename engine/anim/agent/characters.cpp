@@ -215,7 +215,7 @@ bool Characters::reserve_entities(EntityPools::Kind kind, std::size_t count, Cha
   if (!has(character)) return report_misuse({call, no_character});
   if (kind >= of(character).pools.kind_count())
     return report_misuse({call, "the character has no entities of this kind"});
-  if (count > Handle::max_blocks) return report_misuse({call, "at most 1,048,576 entities of a kind live at a time"});
+  if (count > Handle::max_blocks) return report_misuse({call, too_many_entities});
   of(character).pools.pool(kind).reserve(count);
   return true;
 }
@@ -228,6 +228,7 @@ Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, TypeTag 
   if (channel == nullptr) return refuse({call, "the channel is null"});
   Population& population = system_->population;
   AgentGraphs& shared = of(character).shared;
+  if (!of(character).pools.has_room()) return refuse({call, too_many_entities});
   const char* const fault = channel->fault(population.shared_builder(of(character), shared.count()));
   if (fault != nullptr) return refuse({call, fault});
   const std::uint32_t graph = shared.add();

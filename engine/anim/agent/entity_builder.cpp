@@ -63,7 +63,7 @@ Handle EntityBuilder::create(EntityPools::Kind kind) const {
   }
   const Handle entity = pools_->create(kind, (about_.owner & shared_owner) != 0);
   if (!entity.valid()) {
-    report_misuse({"EntityBuilder::create", "at most 1,048,576 entities of a kind live at a time"});
+    report_misuse({"EntityBuilder::create", too_many_entities});
     return entity;
   }
   pools_->state(entity).owner = about_.owner;

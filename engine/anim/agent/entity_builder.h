@@ -34,6 +34,8 @@ inline constexpr double slowest_speed = 1.0 / 65536.0;  ///< a player that is sl
 /// Returns whether something can fade for so long, so that the clock can be added to it.
 constexpr bool is_fade(Ticks time) { return time >= Ticks{} && time <= 24 * 3600 * ticks_per_second; }
 
+inline constexpr const char* too_many_entities = "at most 1,048,576 entities of a kind live at a time";
+
 /// Makes the entities of channels and post processes, at a frame boundary. An agent's entities may stand ahead of the
 /// clock (smooth skipping) or behind it; an entity that is made now stands where they do.
 class EntityBuilder {
@@ -68,6 +70,7 @@ class EntityBuilder {
     return clip >= 0 && static_cast<std::size_t>(clip) < clips_.size() && !this->clip(clip).is_empty();
   }
   bool has_mask(int mask) const { return mask >= EaseBlender::no_mask && mask < static_cast<int>(about_.masks); }
+  bool has_room() const { return pools_->has_room(); }
   bool has_kind(EntityPools::Kind kind, EntityType type) const {
     return kind < pools_->kind_count() && pools_->layout(kind).kind->type == type;
   }

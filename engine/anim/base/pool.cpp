@@ -36,6 +36,7 @@ void Pool::reserve(std::size_t blocks) {
 }
 
 Handle Pool::create() {
+  if (room() == 0) return {};
   if (tables_.alive_count() == tables_.place_count()) grow_to(slabs_.size() + 1);
   const std::uint32_t index = tables_.bind();
   std::memset(block_at(tables_.place_of(index)), 0, block_size_);

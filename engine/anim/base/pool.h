@@ -78,8 +78,10 @@ class Pool {
   /// live at a time; the fewer, the sooner the bits of a dead handle name a new block (see pool_tables.h).
   Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks = Handle::max_blocks);
 
-  /// Creates a zeroed block in the lowest free place.
+  /// Creates a zeroed block in the lowest free place. The handle is invalid if as many blocks live as can.
   Handle create();
+  /// Returns how many more blocks can live.
+  std::size_t room() const { return tables_.max_indices() - tables_.alive_count(); }
   void destroy(Handle handle);
   bool alive(Handle handle) const;
   std::byte* block(Handle handle) const {

@@ -52,6 +52,7 @@ class PoolTables {
   std::size_t slab_count() const { return alive_in_slab_.size(); }
   std::uint32_t place_count() const { return static_cast<std::uint32_t>(owners_.size()); }
   std::size_t alive_count() const { return alive_count_; }
+  std::uint32_t max_indices() const { return max_indices_; }
   std::size_t bytes() const;
 
  private:

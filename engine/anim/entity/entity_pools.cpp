@@ -1,5 +1,6 @@
 #include "engine/anim/entity/entity_pools.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "engine/anim/entity/additive_layer.h"
@@ -12,8 +13,12 @@
 
 namespace throng::anim {
 
-EntityPools::EntityPools(int bone_count, int components, Residency residency)
-    : bone_count_(bone_count), components_(components), residency_(residency), layouts_(std::size_t{2} * first_shared) {
+EntityPools::EntityPools(int bone_count, int components, Residency residency, std::uint32_t max_blocks)
+    : bone_count_(bone_count),
+      components_(components),
+      max_blocks_(max_blocks),
+      residency_(residency),
+      layouts_(std::size_t{2} * first_shared) {
   own_.reserve(most_kinds);
   shared_.reserve(most_kinds);
   for (const EntityKind* kind : {&sampled_player_kind, &keyframe_player_kind, &ease_blender_kind, &mixer_kind,
@@ -29,9 +34,14 @@ EntityPools::Kind EntityPools::add_kind(const EntityKind& kind) {
   const Kind index = kind_count();
   layouts_[index] = entity_layout(kind, residency_, bone_count_, components_);
   layouts_[first_shared + index] = entity_layout(kind, Residency::resident, bone_count_, components_);
-  own_.emplace_back(index, layouts_[index].total_size);
-  shared_.emplace_back(first_shared + index, layouts_[first_shared + index].total_size);
+  own_.emplace_back(index, layouts_[index].total_size, max_blocks_);
+  shared_.emplace_back(first_shared + index, layouts_[first_shared + index].total_size, max_blocks_);
   return index;
+}
+
+bool EntityPools::has_room() const {
+  const auto has_some = [](const Pool& pool) { return pool.room() >= most_at_once; };
+  return std::ranges::all_of(own_, has_some) && std::ranges::all_of(shared_, has_some);
 }
 
 Handle EntityPools::create(Kind kind, bool shared) {

@@ -30,14 +30,18 @@ class EntityPools {
   };
   static constexpr Kind most_kinds = 15;
 
-  EntityPools(int bone_count, int components, Residency residency);
+  /// At most `max_blocks` entities of a kind live at a time.
+  EntityPools(int bone_count, int components, Residency residency, std::uint32_t max_blocks = Handle::max_blocks);
 
   /// Adds a kind at load time. `kind` outlives the pools.
   Kind add_kind(const EntityKind& kind);
   Kind kind_count() const { return static_cast<Kind>(own_.size()); }
   const EntityKind& kind(Handle handle) const { return *layout(handle).kind; }
 
-  /// Creates a block with its system information filled in.
+  /// Returns true if every kind has room for the entities of one more channel or post process.
+  bool has_room() const;
+
+  /// Creates a block with its system information filled in. The handle is invalid if there is no room.
   Handle create(Kind kind, bool shared = false);
   void destroy(Handle handle) { pool_of(handle).destroy(handle); }
   bool alive(Handle handle) const;
@@ -77,11 +81,13 @@ class EntityPools {
 
  private:
   static constexpr std::uint32_t first_shared = 16;
+  static constexpr std::size_t most_at_once = 32;  // of a kind, in one channel or post process
 
   Pool& pool_of(Handle handle) { return const_cast<Pool&>(std::as_const(*this).pool_of(handle)); }
 
   int bone_count_;
   int components_;
+  std::uint32_t max_blocks_;
   Residency residency_;
   std::vector<EntityLayout> layouts_;  // [kind] own, [first_shared + kind] shared
   std::vector<Pool> own_;              // [kind]

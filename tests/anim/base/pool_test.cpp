@@ -118,6 +118,18 @@ TEST(Pool, NoHandleComesBackBeforeAllOthersAreWorn) {
   for (const Handle handle : living) EXPECT_TRUE(pool.alive(handle));
 }
 
+TEST(Pool, CreatesNothingMoreWhereAsManyLiveAsCan) {
+  constexpr std::uint32_t most_blocks = 5;
+  Pool pool(0, 64, most_blocks);
+  std::vector<Handle> living;
+  for (std::uint32_t i = 0; i < most_blocks; ++i) living.push_back(pool.create());
+  EXPECT_EQ(pool.room(), 0U);
+  EXPECT_FALSE(pool.create().valid());
+  EXPECT_EQ(pool.alive_count(), most_blocks);
+  pool.destroy(living.back());
+  EXPECT_TRUE(pool.create().valid());
+}
+
 TEST(Handle, PacksPoolGenerationAndIndex) {
   const Handle handle = Handle::make(30, 127, Handle::max_blocks - 1);
   EXPECT_EQ(handle.pool(), 30U);

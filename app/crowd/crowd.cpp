@@ -118,6 +118,7 @@ Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::sp
              .playback_speeds = std::vector<float>(looks_.scales.size(), 1.0F),
              .track_clock = {},
              .absent = {}} {
+  due_.set_aside(looks_.scales.size());
   place(layout);
   if (layout.wave_seconds > 0.0) expect_wave(layout);
   if (scene == Scene::tracks) follow(tracks, seed);
@@ -206,30 +207,41 @@ void Crowd::march(anim::Ticks dt) {
 }
 
 // The turn of a clip is not in its pose. Who walks or marches turns by the way that it goes.
-void Crowd::turn_standers(anim::Ticks dt) {
-  for (std::size_t agent = walkers() + marchers(); agent < size(); ++agent) {
-    if (state_.minds.holds(agent) || habits()[agent] == Habit::act) continue;
-    const double quarters_a_second = cast_.of(agent).turn(clips()[agent]);
-    if (quarters_a_second == 0.0) continue;
-    const auto pace = static_cast<double>(state_.playback_speeds[agent]);
-    const glm::dvec2 turn = cosine_sine(quarters_a_second * pace * anim::to_seconds(dt));
-    const glm::dvec2 before(state_.headings[agent].cosine, state_.headings[agent].sine);
-    const glm::dvec2 after(before.x * turn.x - before.y * turn.y, before.y * turn.x + before.x * turn.y);
-    const glm::dvec2 unit = after / glm::length(after);
-    state_.headings[agent] = {static_cast<float>(unit.x), static_cast<float>(unit.y)};
-  }
+void Crowd::turn_standers(anim::Ticks dt, anim::Executor& executor, int jobs) {
+  const std::size_t movers = walkers() + marchers();
+  visit_in_tiles(size() - movers, executor, jobs, [&](std::size_t stander) { turn_stander(movers + stander, dt); });
+}
+
+void Crowd::turn_stander(std::size_t agent, anim::Ticks dt) {
+  if (state_.minds.holds(agent) || habits()[agent] == Habit::act) return;
+  const double quarters_a_second = cast_.of(agent).turn(clips()[agent]);
+  if (quarters_a_second == 0.0) return;
+  const auto pace = static_cast<double>(state_.playback_speeds[agent]);
+  const glm::dvec2 turn = cosine_sine(quarters_a_second * pace * anim::to_seconds(dt));
+  const glm::dvec2 before(state_.headings[agent].cosine, state_.headings[agent].sine);
+  const glm::dvec2 after(before.x * turn.x - before.y * turn.y, before.y * turn.x + before.x * turn.y);
+  const glm::dvec2 unit = after / glm::length(after);
+  state_.headings[agent] = {static_cast<float>(unit.x), static_cast<float>(unit.y)};
+}
+
+void Crowd::decide(anim::Executor& executor, int jobs) {
+  const auto due = due_.gather(size(), executor, jobs, [this](std::size_t agent, std::uint32_t& listed) {
+    listed = static_cast<std::uint32_t>(agent);
+    return state_.minds.is_due(agent, state_.now);
+  });
+  state_.minds.decide(state_.now, due);
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
   assert(dt >= anim::Ticks{});
   state_.now += dt;
-  state_.minds.decide(state_.now);
+  decide(executor, jobs);
   lead_wave();
   if (dt > anim::Ticks{}) {
     state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
     follow_walkers(executor, jobs);
     march(dt);
-    turn_standers(dt);
+    turn_standers(dt, executor, jobs);
   }
   if (followers_) {
     app::advance(state_.track_clock, anim::to_seconds(dt));

@@ -16,6 +16,7 @@
 #include "app/crowd/followers.h"
 #include "app/crowd/layout.h"
 #include "app/crowd/minds.h"
+#include "app/crowd/steering/gathered.h"
 #include "app/crowd/walkers.h"
 #include "app/live/live_crowd.h"
 #include "app/settings/settings.h"
@@ -134,7 +135,9 @@ class Crowd {
   void follow_walkers(anim::Executor& executor, int jobs);
   void march(anim::Ticks dt);
   void march_at(double speed);
-  void turn_standers(anim::Ticks dt);
+  void decide(anim::Executor& executor, int jobs);
+  void turn_standers(anim::Ticks dt, anim::Executor& executor, int jobs);
+  void turn_stander(std::size_t agent, anim::Ticks dt);
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
   void follow(const TrackSource& tracks, std::uint32_t seed);
@@ -147,6 +150,7 @@ class Crowd {
   std::vector<MarcherStart> marchers_;
   CrowdLooks looks_;
   CrowdState state_;
+  Gathered<std::uint32_t> due_;  // agents that go over to another role in this frame
   anim::Ticks wave_period_{};
   std::optional<Followers> followers_;
 };

@@ -88,15 +88,15 @@ void CrowdMinds::take_new_clip(std::size_t agent) {
   if (clips_[agent] != before) fade_to(agent, roles_[agent], clips_[agent], shortest_fade);
 }
 
-void CrowdMinds::decide(anim::Ticks now) {
+void CrowdMinds::decide(anim::Ticks now, std::span<const std::uint32_t> agents) {
   now_ = now;
   requests_.clear();
   changed_.clear();
-  for (std::size_t agent = 0; agent < habits_.size(); ++agent) {
-    if (holds(agent)) continue;
+  for (const std::uint32_t agent : agents) {
+    if (!is_due(agent, now)) continue;
     if (now >= arrivals_[agent].at) {
       arrive(agent);
-    } else if (now >= next_changes_[agent]) {
+    } else {
       change_role(agent, now);
     }
   }

@@ -31,8 +31,13 @@ class CrowdMinds {
   /// Gives each agent its first role and clip. `cast` outlives this.
   CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed);
 
-  /// Begins a frame: forgets requests and changes, then lets each agent whose time has come go over to another role.
-  void decide(anim::Ticks now);
+  /// Returns whether the time has come for an agent to go over to another role.
+  bool is_due(std::size_t agent, anim::Ticks now) const {
+    return !holds(agent) && (now >= arrivals_[agent].at || now >= next_changes_[agent]);
+  }
+  /// Begins a frame: forgets requests and changes, then lets those of `agents`, which ascend, who are due go over to
+  /// another role.
+  void decide(anim::Ticks now, std::span<const std::uint32_t> agents);
   /// Lets the agent do `role` at once, if its character can, until the clock says `until`. Then next_role() decides.
   void interrupt(std::size_t agent, Role role, anim::Ticks until);
   /// Shows `role` if the character can play it; the agent has the same in mind as before.

@@ -17,17 +17,19 @@ void ShownPoses::reset(std::size_t agents, std::uint64_t last_frame) {
   poses_.assign(agents, {});
   shown_.clear();
   shown_.reserve(agents);
+  gone_.set_aside(agents);
   out_of_memory_ = false;
 }
 
-void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame) {
-  auto seen = visible.begin();
-  for (const std::uint32_t agent : shown_) {
-    while (seen != visible.end() && seen->agent < agent) ++seen;
-    if (seen == visible.end() || seen->agent != agent) hide(poses_[agent], last_frame);
+void ShownPoses::hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, anim::Executor& executor,
+                             int jobs) {
+  const auto is_gone = [&](std::size_t i, std::uint32_t& listed) { return !lod.is_visible(listed = shown_[i]); };
+  for (const std::uint32_t agent : gone_.gather(shown_.size(), executor, jobs, is_gone)) {
+    hide(poses_[agent], last_frame);
   }
-  shown_.clear();
-  for (const anim::VisibleAgent& agent : visible) shown_.push_back(agent.agent);
+  const std::span<const anim::VisibleAgent> visible = lod.selection().visible;
+  shown_.resize(visible.size());
+  visit_in_tiles(visible.size(), executor, jobs, [&](std::size_t i) { shown_[i] = visible[i].agent; });
 }
 
 anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {

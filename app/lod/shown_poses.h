@@ -4,8 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "app/crowd/steering/gathered.h"
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/lod/lod.h"
+#include "engine/anim/base/compiler.h"
+#include "engine/anim/base/executor.h"
+#include "engine/anim/lod/level_of_detail.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/palette/palette_slots.h"
 
@@ -53,8 +56,10 @@ class ShownPoses {
   /// Gives back everything shown, as of the last drawn frame, and makes room for `agents`.
   void reset(std::size_t agents, std::uint64_t last_frame);
 
-  /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
-  void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
+  /// Gives back the slots of agents that are not in view any more. `jobs` run at once.
+  void hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, anim::Executor& executor, int jobs);
+  /// Asks the caches for the pose of an agent, for which show() is called soon.
+  THRONG_ALWAYS_INLINE void prefetch_pose(std::uint32_t agent) const { anim::prefetch(&poses_[agent]); }
 
   /// Returns the memory of a slot for a new pose of a visible agent. The shader blends to it from the pose shown so
   /// far. A pose of `now` is shown at once. So is a pose of an agent that must move to another page; pose().to_time is
@@ -75,6 +80,7 @@ class ShownPoses {
   render::PaletteSlots* slots_;
   std::vector<ShownPose> poses_;
   std::vector<std::uint32_t> shown_;  // ascending agents
+  Gathered<std::uint32_t> gone_;
   bool out_of_memory_ = false;
 };
 

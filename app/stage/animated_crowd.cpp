@@ -92,7 +92,8 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
   track_players_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
-  new_speeds_.reserve(agents);
+  new_speeds_.set_aside(agents);
+  near_.set_aside(agents);
   if (tuning.scene == Scene::tracks) {
     track_players_ = std::make_unique<TrackPlayers>(*system_, *crowd_, characters_);
     if (event_sums_) event_sums_->reset(agents);
@@ -111,6 +112,20 @@ void give_things(AnimatedCrowd& animated, std::vector<Held> things) {
   give(*animated.crowd_, std::move(things));
   animated.held_arms_->reset(*animated.crowd_);
   animated.joined_hands_->reset(*animated.crowd_);
+}
+
+void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
+  if (animated.held_arms_->empty()) return;
+  anim::AnimationSystem& system = *animated.system_;
+  static_assert(JoinedHands::pixels_to_go_on >= HeldArms::pixels_to_go_on);
+  const auto is_near = [visible](std::size_t i, anim::VisibleAgent& listed) {
+    listed = visible[i];
+    return visible[i].pixels_tall >= HeldArms::pixels_to_go_on;
+  };
+  const auto near = animated.near_.gather(visible.size(), system.executor(), system.options().pus, is_near);
+  animated.joined_hands_->find(*animated.crowd_, near);
+  animated.held_arms_->show(*animated.crowd_, near, animated.joined_hands_->away());
+  animated.joined_hands_->join(*animated.held_arms_);
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.
@@ -138,13 +153,14 @@ void AnimatedCrowd::move(anim::Ticks delta) {
 void AnimatedCrowd::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
   const std::size_t movers = crowd_->walkers() + crowd_->marchers();
-  new_speeds_.clear();
-  for (std::uint32_t agent = 0; agent < movers; ++agent) {
-    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
-    new_speeds_.push_back({.agent = {agent}, .speed = speeds[agent]});
+  const auto pick = [&](std::size_t i, anim::AgentSpeed& listed) {
+    const auto agent = static_cast<std::uint32_t>(i);
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) return false;
+    listed = {.agent = {agent}, .speed = speeds[agent]};
     played_speeds_[agent] = speeds[agent];
-  }
-  set_speeds(*system_, new_speeds_);
+    return true;
+  };
+  set_speeds(*system_, new_speeds_.gather(movers, system_->executor(), system_->options().pus, pick));
 }
 
 void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {

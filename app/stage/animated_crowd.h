@@ -11,6 +11,7 @@
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
+#include "app/crowd/steering/gathered.h"
 #include "app/settings/settings.h"
 #include "app/stage/cut_scene.h"
 #include "app/stage/event_sums.h"
@@ -130,11 +131,7 @@ class AnimatedCrowd {
  private:
   friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
   friend void give_things(AnimatedCrowd& animated, std::vector<Held> things);
-  friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
-    animated.joined_hands_->find(*animated.crowd_, visible);
-    animated.held_arms_->show(*animated.crowd_, visible, animated.joined_hands_->away());
-    animated.joined_hands_->join(*animated.held_arms_);
-  }
+  friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible);
   friend const HeldArms& held_arms_of(const AnimatedCrowd& animated) { return *animated.held_arms_; }
   friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
   friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
@@ -169,7 +166,8 @@ class AnimatedCrowd {
   std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes
   std::unique_ptr<TrackPlayers> track_players_;  // the same
   std::vector<float> played_speeds_;             // of each agent's clip, as the system was told
-  std::vector<anim::AgentSpeed> new_speeds_;     // of this frame
+  Gathered<anim::AgentSpeed> new_speeds_;        // of this frame
+  Gathered<anim::VisibleAgent> near_;            // those in view whose arms can be seen
   std::vector<std::uint8_t> left_out_;           // [agent] 1: is one of fallen_
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;

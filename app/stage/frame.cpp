@@ -35,6 +35,7 @@ float tallest(std::span<const CharacterSource> characters) {
 }
 
 constexpr std::size_t least_agents_to_learn_from = 100;
+constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is shown
 
 // Colours of errors are for everybody in view.
 ErrorSampling error_sampling(const Tuning& tuning) {
@@ -116,11 +117,12 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                       system().options().pus);
   times_.selection_ms = watch.lap();
   measures_.take(crowd(), tuning_, animated_->system().executor(), system().options().pus);
-  shown_.hide_unseen(selection().visible, last_frame);
+  shown_.hide_unseen(lod_, last_frame, animated_->system().executor(), system().options().pus);
   joints_.make_room(crowd().size());
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   const std::span<anim::AgentUpdate> updates = lod_.updates();
   for (std::size_t i = 0; i < updates.size(); ++i) {
+    if (i + agents_ahead < updates.size()) shown_.prefetch_pose(updates[i + agents_ahead].agent.number);
     anim::AgentUpdate& update = updates[i];
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);

@@ -135,13 +135,10 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   return true;
 }
 
-void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible,
-                    std::span<const std::uint8_t> away) {
-  if (arms_.empty()) return;
+void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> near, std::span<const std::uint8_t> away) {
   const std::uint32_t before = frame_++;
   const std::span<const Held> things = things_of(crowd);
-  for (const anim::VisibleAgent& seen : visible) {
-    if (seen.pixels_tall < pixels_to_go_on) continue;  // most are, and nothing else is read of them
+  for (const anim::VisibleAgent& seen : near) {
     const std::uint32_t agent = seen.agent;
     if (arm_of_[agent] == none) continue;
     Arm& arm = arms_[arm_of_[agent]];

@@ -28,9 +28,12 @@ class HeldArms {
   /// something, or when things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Lets arms hold their things where these are large enough to be seen. Call it before an update. `away` says [agent]
-  /// with 1 that the hand is away that its own would hold; empty: nobody's is.
-  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> away = {});
+  /// Returns whether nobody holds anything in an arm.
+  bool empty() const { return arms_.empty(); }
+  /// Lets arms hold their things where these are large enough to be seen. Call it before an update. `near` are those in
+  /// view who are pixels_to_go_on tall or taller. `away` says [agent] with 1 that the hand is away that its own would
+  /// hold; empty: nobody's is.
+  void show(const Crowd& crowd, std::span<const anim::VisibleAgent> near, std::span<const std::uint8_t> away = {});
 
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
   void find_shown();

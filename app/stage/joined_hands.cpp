@@ -146,19 +146,19 @@ void JoinedHands::go_back_to(const Moment& moment) {
   for (Pair& pair : pairs_) pair.meets = moment.wanted[pair.grown_up] != 0 && moment.wanted[pair.child] != 0;
 }
 
-bool JoinedHands::is_near(const Pair& pair, std::span<const anim::VisibleAgent> visible) const {
+bool JoinedHands::is_near(const Pair& pair, std::span<const anim::VisibleAgent> near) const {
   const float least = pair.meets ? pixels_to_go_on : pixels_to_begin;
   const auto is_seen = [&](std::uint32_t agent, std::size_t character) {
-    const auto seen = std::ranges::lower_bound(visible, agent, {}, &anim::VisibleAgent::agent);
-    return seen != visible.end() && seen->agent == agent && seen->pixels_tall >= least &&
+    const auto seen = std::ranges::lower_bound(near, agent, {}, &anim::VisibleAgent::agent);
+    return seen != near.end() && seen->agent == agent && seen->pixels_tall >= least &&
            seen->bone_level < levels_with_hands_[character];
   };
   return is_seen(pair.grown_up, pair.characters[0]) && is_seen(pair.child, pair.characters[1]);
 }
 
-void JoinedHands::find(const Crowd& crowd, std::span<const anim::VisibleAgent> visible) {
+void JoinedHands::find(const Crowd& crowd, std::span<const anim::VisibleAgent> near) {
   for (Pair& pair : pairs_) {
-    pair.meets = is_near(pair, visible) && can_meet(crowd, pair);
+    pair.meets = is_near(pair, near) && can_meet(crowd, pair);
     away_[pair.grown_up] = away_[pair.child] = pair.meets ? 0 : 1;
   }
 }

@@ -36,8 +36,9 @@ class JoinedHands {
   /// things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Finds whose hands can meet now. Call it before an update.
-  void find(const Crowd& crowd, std::span<const anim::VisibleAgent> visible);
+  /// Finds whose hands can meet now. Call it before an update. `near` are those in view who are pixels_to_go_on tall or
+  /// taller, and may have others among them; it ascends by agent.
+  void find(const Crowd& crowd, std::span<const anim::VisibleAgent> near);
   /// Returns [agent] 1 for those who would hold a hand that is away, as HeldArms::show takes it.
   std::span<const std::uint8_t> away() const { return away_; }
   /// Joins the hands that can meet and are held out. Call it after HeldArms::show.
@@ -63,7 +64,7 @@ class JoinedHands {
   };
 
   Arm arm_of(std::size_t character, Role role) const;
-  bool is_near(const Pair& pair, std::span<const anim::VisibleAgent> visible) const;
+  bool is_near(const Pair& pair, std::span<const anim::VisibleAgent> near) const;
   bool can_meet(const Crowd& crowd, Pair& pair) const;
   static glm::vec3 wrist_for(const Arm& arm, const glm::vec3& palm);
   bool reach(std::uint32_t agent, const Arm& arm, const glm::vec3& target);

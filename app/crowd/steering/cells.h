@@ -56,13 +56,17 @@ class CrowdCells {
 
   /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
-  /// Does the same in `jobs` jobs, and calls `visit(const Body&, std::size_t place)` for each with its place in
-  /// bodies().
-  template <typename Visit>
-  void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const Visit& visit) {
+  /// Does the same in `jobs` jobs. Calls `look_at(first, end)` for tiles of `bodies`, and `visit(const Body&,
+  /// std::size_t place)` for each with its place in bodies().
+  template <typename LookAt, typename Visit>
+  void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const LookAt& look_at,
+            const Visit& visit) {
     assert(bodies.size() == sorted_.size());
-    visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t body) {
-      cells_[body] = static_cast<std::uint32_t>(grid_.cell(bodies[body].position));
+    visit_tiles(bodies.size(), executor, jobs, [&](std::size_t first, std::size_t end) {
+      for (std::size_t body = first; body < end; ++body) {
+        cells_[body] = static_cast<std::uint32_t>(grid_.cell(bodies[body].position));
+      }
+      look_at(first, end);
     });
     find_order();
     visit_in_tiles(bodies.size(), executor, jobs, [&](std::size_t place) {

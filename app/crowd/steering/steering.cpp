@@ -155,11 +155,7 @@ Steering::Steering(std::size_t agents, const Ground& ground)
 void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
                     int jobs) {
   assert(bodies.size() == wishes.size() && seconds > 0.0F && jobs > 0);
-  agents_.sort(bodies, executor, jobs);
-  float fastest = 0.0F;
-  for (const Body& body : bodies) {
-    if (body.moves) fastest = std::max(fastest, wishes[body.agent].most_speed);
-  }
+  const float fastest = agents_.sort(bodies, wishes, executor, jobs);
   if (fastest == 0.0F) return;
   const float most_speed = std::min(fastest, longest_step_ / seconds);
   const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);

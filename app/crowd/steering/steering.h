@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -46,12 +48,26 @@ class Steering {
       columns_.set_aside(agents);
     }
     const BodyColumns& columns() const { return columns_; }
-    void sort(std::span<const Body> agents, anim::Executor& executor, int jobs) {
-      CrowdCells::sort(agents, executor, jobs,
+    /// Returns the most speed that somebody who moves wishes for.
+    float sort(std::span<const Body> agents, std::span<const Wish> wishes, anim::Executor& executor, int jobs) {
+      std::atomic<float> fastest{0.0F};
+      const auto look_at = [&](std::size_t first, std::size_t end) {
+        float most = 0.0F;
+        for (std::size_t i = first; i < end; ++i) most = std::max(most, agents[i].moves ? wishes[i].most_speed : 0.0F);
+        raise(fastest, most);
+      };
+      CrowdCells::sort(agents, executor, jobs, look_at,
                        [this](const Body& agent, std::size_t place) { write_body(agent, place, columns_); });
+      return fastest.load();
     }
 
    private:
+    static void raise(std::atomic<float>& most, float value) {
+      float seen = most.load(std::memory_order_relaxed);
+      while (value > seen && !most.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+      }
+    }
+
     BodyColumns columns_;
   };
 

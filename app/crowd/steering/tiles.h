@@ -14,6 +14,7 @@ namespace throng::app {
 class SharedTiles {
  public:
   static constexpr std::size_t tile = 128, most_jobs = 64;
+  static constexpr std::size_t tiles_worth_a_job = 4;  ///< a PU that gets fewer costs more than it helps
 
   SharedTiles(std::size_t count, std::size_t jobs) : count_(count), tiles_((count + tile - 1) / tile), jobs_(jobs) {
     for (std::size_t job = 0; job < jobs; ++job) parts_[job].next.store(begin(job), std::memory_order_relaxed);
@@ -46,7 +47,8 @@ template <typename Visit>
 void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
   if (count == 0) return;
   const std::size_t tiles = (count + SharedTiles::tile - 1) / SharedTiles::tile;
-  const std::size_t used = std::min({tiles, static_cast<std::size_t>(jobs), SharedTiles::most_jobs});
+  const std::size_t most = std::min(static_cast<std::size_t>(jobs), SharedTiles::most_jobs);
+  const std::size_t used = std::clamp<std::size_t>(tiles / SharedTiles::tiles_worth_a_job, 1, most);
   SharedTiles shared(count, used);
   anim::run_jobs(executor, used, [&](std::size_t job) { shared.run(job, visit); });
 }

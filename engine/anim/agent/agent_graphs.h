@@ -8,6 +8,7 @@
 
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/post_process.h"
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/ids.h"
 #include "engine/anim/base/result.h"
 #include "engine/anim/base/type_tag.h"
@@ -57,6 +58,11 @@ class AgentGraphs {
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
+  /// Asks the caches for what an update reads of an agent first.
+  THRONG_ALWAYS_INLINE void prefetch_agent(std::uint32_t agent) const {
+    prefetch(&graphs_[agent]);
+    prefetch(&next_updates_[agent]);
+  }
 
   enum class Fades : unsigned char { go_on, are_cut };
 

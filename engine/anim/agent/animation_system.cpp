@@ -116,16 +116,15 @@ bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
   const Turn turn(system.parts_.turn, call);
   if (!turn) return false;
   constexpr std::size_t speeds_worth_a_job = 256;
-  const auto pus = static_cast<std::size_t>(system.options().pus);
-  const std::size_t jobs = std::clamp<std::size_t>(speeds.size() / speeds_worth_a_job, 1, pus);
   std::atomic<const char*> fault{nullptr};
-  run_jobs(system.executor(), jobs, [&](std::size_t job) {
-    for (std::size_t i = speeds.size() * job / jobs; i < speeds.size() * (job + 1) / jobs; ++i) {
-      const char* const refused =
-          Agent(system.parts_, speeds[i].agent).try_set_speed(static_cast<double>(speeds[i].speed));
-      if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
-    }
-  });
+  run_ranges(system.executor(), speeds.size(), speeds_worth_a_job, system.options().pus,
+             [&](std::size_t first, std::size_t end) {
+               for (const AgentSpeed& each : speeds.subspan(first, end - first)) {
+                 const char* const refused =
+                     Agent(system.parts_, each.agent).try_set_speed(static_cast<double>(each.speed));
+                 if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
+               }
+             });
   return fault.load() == nullptr || report_misuse({call, fault.load()});
 }
 

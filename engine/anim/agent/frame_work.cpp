@@ -14,6 +14,7 @@
 namespace throng::anim {
 namespace {
 
+constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is listed
 constexpr Ticks farthest_ahead = 3600 * ticks_per_second;
 
 /// What follows from an agent's program and level: nearly always those of the one before.
@@ -28,6 +29,13 @@ struct AlikeAgents {
     return program == &other && level == other_level;
   }
 };
+
+/// Asks the caches for an agent that will be listed soon: those who are due lie far apart.
+THRONG_ALWAYS_INLINE void prefetch_graph(const Population& population, std::uint32_t agent) {
+  const std::span<const Member> members = population.numbers().members();
+  if (agent >= members.size() || !members[agent].alive()) return;
+  population.characters()[members[agent].character]->agents.prefetch_agent(members[agent].index);
+}
 
 /// Updates the shared channels of a character that are due; true: there were some.
 bool update_shared(const Population& population, CharacterAgents& character) {
@@ -97,7 +105,15 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   const bool lists_joints =
       std::ranges::any_of(pus.contexts(), [](const UpdateContext& one) { return !one.joint_programs.empty(); });
   runs_.clear();
-  for (const AgentUpdate& update : agents) {
+  for (std::size_t place = 0; place < agents.size(); ++place) {
+    if (place + 2 * agents_ahead < agents.size()) {
+      const std::uint32_t agent = agents[place + 2 * agents_ahead].agent.number;
+      prefetch(members.data() + agent);
+      prefetch_to_write(posed_at.data() + agent);
+      prefetch_to_write(hashes_.frames.data() + agent);
+      prefetch_graph(population, agents[place + agents_ahead].agent.number);
+    }
+    const AgentUpdate& update = agents[place];
     if (!may_update(population, pus.contexts(), update)) [[unlikely]]
       continue;
     const std::uint32_t agent = update.agent.number;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/anim/base/run_jobs.h"
 #include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
@@ -139,11 +140,20 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Exe
     state_.make_all_due();
     select_for_update(frame(crowd), state_, selection_, executor, jobs);
   }
-  for (const VisibleAgent& each : selection_.visible) {
-    std::uint64_t& shown_in = shown_in_[each.agent];
-    if (shown_in == frame_ - 1) shown_in = frame_;
-  }
+  go_on_showing(executor, jobs);
   list_updates(crowd);
+}
+
+// Who was shown in the frame before and is in view still is shown, until settle() hears otherwise.
+void LevelOfDetail::go_on_showing(Executor& executor, int jobs) {
+  constexpr std::size_t agents_worth_a_job = 1024;
+  const std::span<const VisibleAgent> visible = selection_.visible;
+  run_ranges(executor, visible.size(), agents_worth_a_job, jobs, [&](std::size_t first, std::size_t end) {
+    for (const VisibleAgent& each : visible.subspan(first, end - first)) {
+      std::uint64_t& shown_in = shown_in_[each.agent];
+      if (shown_in == frame_ - 1) shown_in = frame_;
+    }
+  });
 }
 
 // The controller reads what tolerances cost for a budget alone.

@@ -114,6 +114,7 @@ class LevelOfDetail {
   LodFrame frame(const LodCrowd& crowd) const;
   bool has_budget() const;
   bool find_first_tolerance();
+  void go_on_showing(Executor& executor, int jobs);
   void list_updates(const LodCrowd& crowd);
   BoneStep step_bones(const DueAgent& due);
 

@@ -1,7 +1,11 @@
 #include "app/crowd/habits.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -85,10 +89,12 @@ TEST(CrowdMinds, ShowWhatTheCharacterCanPlayOfWhatTheyHaveInMind) {
 TEST(CrowdMinds, KeepARoleForItsTime) {
   const CrowdCast cast = standing(person(), 50);
   CrowdMinds minds(cast, std::vector<Habit>(50, Habit::stand_about), 1);
+  std::vector<std::uint32_t> everybody(50);
+  std::iota(everybody.begin(), everybody.end(), 0U);
   std::vector<anim::Ticks> since(50, anim::Ticks{-1});
   for (anim::Ticks now{}; now < 60 * anim::ticks_per_second; now += anim::ticks_per_second / 60) {
     const std::vector<Role> before(minds.intentions().begin(), minds.intentions().end());
-    minds.decide(now);
+    minds.decide(now, everybody);
     for (const std::uint32_t agent : minds.changed()) {
       const double kept = anim::to_seconds(now - since[agent]);
       const Stay stay = stay_in(before[agent]);
@@ -102,12 +108,12 @@ TEST(CrowdMinds, KeepARoleForItsTime) {
 TEST(CrowdMinds, AreInterruptedAndGoOnFromThere) {
   const CrowdCast cast = standing(person(), 1);
   CrowdMinds minds(cast, {Habit::sit}, 3);
-  minds.decide(anim::Ticks{});
+  minds.decide(anim::Ticks{}, std::array{0U});
   minds.interrupt(0, Role::cheer, anim::ticks_per_second);
   ASSERT_EQ(minds.roles()[0], Role::cheer);
-  minds.decide(anim::ticks_per_second / 2);
+  minds.decide(anim::ticks_per_second / 2, std::array{0U});
   EXPECT_EQ(minds.roles()[0], Role::cheer);
-  minds.decide(anim::ticks_per_second);
+  minds.decide(anim::ticks_per_second, std::array{0U});
   EXPECT_EQ(minds.roles()[0], Role::sit);
 }
 

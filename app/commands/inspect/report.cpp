@@ -11,7 +11,6 @@
 #include "app/character/roles.h"
 #include "app/commands/inspect/text_table.h"
 #include "app/files/joined.h"
-#include "engine/anim/bake/character.h"
 #include "engine/anim/rig/rig_map.h"
 
 namespace throng::app {
@@ -39,10 +38,6 @@ std::string rows_text(const anim::BakedClip& clip) {
   const anim::SampledStream* const stream = clip.sampled();
   if (stream == nullptr) return "none";
   return std::to_string(stream->row_count) + " of " + std::to_string(stream->step_count + 1);
-}
-
-std::uint32_t bytes_of(const anim::BakedClip& clip) {
-  return clip.sampled() != nullptr ? clip.sampled()->total_size : clip.keyframe().total_size;
 }
 
 std::string error_text(const anim::BakedClip& clip) {
@@ -114,7 +109,7 @@ TextTable clip_table(const anim::Model& model, const anim::Character& character)
     const anim::BakedClip& baked = character.clips[i];
     table.add({std::to_string(clip.animation), name_text(clip.name), fixed(clip.length(), 2) + " s",
                std::to_string(clip.tracks.size()), std::to_string(count_keys(clip)), rate_text(baked), rows_text(baked),
-               std::to_string(bytes_of(baked)), error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
+               std::to_string(bytes_played(baked)), error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
   }
   return table;
 }
@@ -236,6 +231,10 @@ std::string model_text(const InspectedModel& inspected) {
 }
 
 }  // namespace
+
+std::uint32_t bytes_played(const anim::BakedClip& clip) {
+  return clip.sampled() != nullptr ? clip.sampled()->total_size : clip.keyframe().total_size;
+}
 
 std::string inspection_text(const anim::ImportedFile& file, std::span<const InspectedModel> models) {
   std::string text = file.file + ": " + counted(models.size(), "skeleton") + ", " +

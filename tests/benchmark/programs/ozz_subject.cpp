@@ -2,13 +2,14 @@
 
 #ifdef THRONG_HAS_OZZ
 
+#include <algorithm>
 #include <array>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <ozz/animation/offline/animation_builder.h>
+#include <ozz/animation/offline/animation_optimizer.h>
 #include <ozz/animation/offline/raw_animation.h>
 #include <ozz/animation/offline/raw_skeleton.h>
 #include <ozz/animation/offline/skeleton_builder.h>
@@ -20,6 +21,8 @@
 #include <ozz/base/maths/simd_math.h>
 #include <ozz/base/maths/soa_transform.h>
 
+#include "tests/benchmark/programs/local_poses.h"
+
 namespace throng::app {
 namespace {
 
@@ -27,117 +30,102 @@ using ozz::math::Float3;
 using ozz::math::Float4x4;
 using ozz::math::Quaternion;
 
-constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
-
 Float3 of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Quaternion of(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
 
-bool is_plain(const anim::Model& model) {
-  for (const anim::Bone& bone : model.skeleton.bones) {
-    if (bone.prefix != glm::dmat4(1.0)) return false;
-  }
-  for (const anim::Clip& clip : model.clips) {
-    for (const anim::BoneTracks& tracks : clip.tracks) {
-      if (tracks.rotation.interpolation != anim::Interpolation::linear || !tracks.scale.empty()) return false;
-    }
-  }
-  return model.skeleton.rigid && !model.clips.empty();
-}
-
 /// Joints are named after our bones, because ozz puts them in an order of its own.
-ozz::animation::offline::RawSkeleton::Joint raw_joint(const anim::Skeleton& skeleton, int bone) {
-  const auto index = static_cast<std::size_t>(bone);
+ozz::animation::offline::RawSkeleton::Joint raw_joint(const LocalBones& bones, std::size_t bone) {
   ozz::animation::offline::RawSkeleton::Joint joint;
   joint.name = std::to_string(bone).c_str();
-  joint.transform.translation = of(skeleton.bones[index].rest.translation);
-  joint.transform.rotation = of(skeleton.bones[index].rest.rotation);
-  joint.transform.scale = of(skeleton.bones[index].rest.scale);
-  for (int child = bone + 1; child < skeleton.bone_count(); ++child) {
-    if (skeleton.bones[static_cast<std::size_t>(child)].parent == bone) {
-      joint.children.push_back(raw_joint(skeleton, child));
-    }
+  joint.transform.translation = of(bones.bind_pose[bone].position);
+  joint.transform.rotation = of(bones.bind_pose[bone].rotation);
+  joint.transform.scale = Float3::one();
+  for (std::size_t child = bone + 1; child < bones.parents.size(); ++child) {
+    if (bones.parents[child] == static_cast<int>(bone)) joint.children.push_back(raw_joint(bones, child));
   }
   return joint;
 }
 
-ozz::animation::offline::RawSkeleton raw_skeleton(const anim::Skeleton& skeleton) {
+ozz::animation::offline::RawSkeleton raw_skeleton(const LocalBones& bones) {
   ozz::animation::offline::RawSkeleton raw;
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    if (skeleton.bones[static_cast<std::size_t>(bone)].parent < 0) raw.roots.push_back(raw_joint(skeleton, bone));
+  for (std::size_t bone = 0; bone < bones.parents.size(); ++bone) {
+    if (bones.parents[bone] < 0) raw.roots.push_back(raw_joint(bones, bone));
   }
   return raw;
 }
 
-ozz::animation::offline::RawAnimation raw_animation(const anim::Skeleton& skeleton, const anim::Clip& clip,
+ozz::animation::offline::RawAnimation raw_animation(LocalClip& clip, anim::Ticks duration,
                                                     const std::vector<std::size_t>& joint_of_bone) {
   ozz::animation::offline::RawAnimation raw;
-  raw.duration = static_cast<float>(clip.duration);
-  raw.tracks.resize(skeleton.bones.size());
-  for (std::size_t bone = 0; bone < skeleton.bones.size(); ++bone) {
-    auto& track = raw.tracks[joint_of_bone[bone]];
-    track.translations.push_back({0.0F, of(skeleton.bones[bone].rest.translation)});
-    track.rotations.push_back({0.0F, of(skeleton.bones[bone].rest.rotation)});
-  }
-  for (const anim::BoneTracks& tracks : clip.tracks) {
-    auto& track = raw.tracks[joint_of_bone[static_cast<std::size_t>(tracks.bone)]];
-    if (!tracks.rotation.empty()) track.rotations.clear();
-    if (!tracks.translation.empty()) track.translations.clear();
-    for (std::size_t key = 0; key < tracks.rotation.times.size(); ++key) {
-      track.rotations.push_back({tracks.rotation.times[key], of(tracks.rotation.values[key])});
-    }
-    for (std::size_t key = 0; key < tracks.translation.times.size(); ++key) {
-      track.translations.push_back({tracks.translation.times[key], of(tracks.translation.values[key])});
+  raw.duration = static_cast<float>(anim::to_seconds(std::max(duration, anim::Ticks{1})));
+  raw.tracks.resize(joint_of_bone.size());
+  for (int sample = 0; sample < clip.samples(); ++sample) {
+    const auto time = static_cast<float>(anim::to_seconds(clip.time_of(sample)));
+    const std::span<const LocalPlace> pose = clip.pose(sample);
+    for (std::size_t bone = 0; bone < pose.size(); ++bone) {
+      auto& track = raw.tracks[joint_of_bone[bone]];
+      track.translations.push_back({time, of(pose[bone].position)});
+      track.rotations.push_back({time, of(pose[bone].rotation)});
     }
   }
   return raw;
 }
 
-Float4x4 matrix_of(const glm::dmat4& matrix) {
-  Float4x4 result;
-  for (int column = 0; column < 4; ++column) {
-    const glm::vec4 values(matrix[column]);
-    result.cols[column] = ozz::math::simd_float4::LoadPtrU(&values.x);
-  }
-  return result;
+Float4x4 matrix_of(const LocalPlace& place) {
+  const auto load = [](const glm::vec3& v, float w) { return ozz::math::simd_float4::Load(v.x, v.y, v.z, w); };
+  const glm::mat3 axes = glm::mat3_cast(place.rotation);
+  return {{load(axes[0], 0.0F), load(axes[1], 0.0F), load(axes[2], 0.0F), load(place.position, 1.0F)}};
 }
 
-class PlainOzzSubject final : public OzzSubject {
+class OzzSubject final : public LibrarySubject {
  public:
-  PlainOzzSubject(std::span<const BenchAgent> agents, const BenchPalettes& palettes)
-      : agents_(agents), palettes_(&palettes) {}
+  OzzSubject(std::span<const BenchAgent> agents, const BenchPalettes& palettes) : LibrarySubject(agents, palettes) {}
 
-  bool build(const anim::Model& model) {
-    const ozz::animation::offline::RawSkeleton raw = raw_skeleton(model.skeleton);
+  bool build(const BenchCharacter& whom) {
+    const LocalBones bones = local_bones(whom.model);
+    const ozz::animation::offline::RawSkeleton raw = raw_skeleton(bones);
     if (!raw.Validate()) return false;
     skeleton_ = ozz::animation::offline::SkeletonBuilder()(raw);
-    std::vector<std::size_t> joint_of_bone(model.skeleton.bones.size());
+    joint_of_bone_.resize(bones.parents.size());
+    ozz::animation::offline::AnimationOptimizer optimizer;
     for (int joint = 0; joint < skeleton_->num_joints(); ++joint) {
-      const int bone = std::stoi(skeleton_->joint_names()[static_cast<std::size_t>(joint)]);
-      joint_of_bone[static_cast<std::size_t>(bone)] = static_cast<std::size_t>(joint);
-      entry_of_joint_.push_back(static_cast<std::size_t>(bone));
-      inverse_binds_.push_back(matrix_of(model.skeleton.palette[static_cast<std::size_t>(bone)].post));
+      const auto bone = static_cast<std::size_t>(std::stoi(skeleton_->joint_names()[static_cast<std::size_t>(joint)]));
+      joint_of_bone_[bone] = static_cast<std::size_t>(joint);
+      entry_of_joint_.push_back(bone);
+      inverse_binds_.push_back(matrix_of(bones.inverse_binds[bone]));
+      optimizer.joints_setting_override[joint].distance = bones.shells[bone];
     }
-    for (const anim::Clip& clip : model.clips) {
-      const auto raw_clip = raw_animation(model.skeleton, clip, joint_of_bone);
-      if (!raw_clip.Validate()) return false;
-      clips_.push_back(ozz::animation::offline::AnimationBuilder()(raw_clip));
+    for (const anim::BakedClip& clip : whom.character->clips) {
+      LocalClip local(whom.model.skeleton, clip);
+      if (!add_clip(local, clip.duration, optimizer)) return false;
     }
     make_buffers();
     return true;
   }
 
-  void run() override {
-    clock_ += frame_step;
-    for (std::size_t agent = 0; agent < agents_.size(); ++agent) pose(agent);
+  std::size_t bytes() const override {
+    std::size_t sum = 0;
+    for (const auto& clip : clips_) sum += clip->size();
+    return sum;
   }
 
  private:
+  /// The optimizer leaves out keys as far as our own bound allows.
+  bool add_clip(LocalClip& clip, anim::Ticks duration, ozz::animation::offline::AnimationOptimizer& optimizer) {
+    optimizer.setting.tolerance = clip.error_bound();
+    for (auto& [joint, setting] : optimizer.joints_setting_override) setting.tolerance = clip.error_bound();
+    ozz::animation::offline::RawAnimation optimized;
+    if (!optimizer(raw_animation(clip, duration, joint_of_bone_), *skeleton_, &optimized)) return false;
+    clips_.push_back(ozz::animation::offline::AnimationBuilder()(optimized));
+    return clips_.back() != nullptr;
+  }
+
   void make_buffers() {
     const auto soa = static_cast<std::size_t>(skeleton_->num_soa_joints());
     for (auto& locals : locals_) locals.resize(soa);
     blended_.resize(soa);
     models_.resize(static_cast<std::size_t>(skeleton_->num_joints()));
-    for (std::size_t i = 0; i < 2 * agents_.size(); ++i) {
+    for (std::size_t i = 0; i < 2 * agents().size(); ++i) {
       contexts_.push_back(std::make_unique<ozz::animation::SamplingJob::Context>(skeleton_->num_joints()));
     }
   }
@@ -148,13 +136,13 @@ class PlainOzzSubject final : public OzzSubject {
     ozz::animation::SamplingJob job;
     job.animation = &animation;
     job.context = contexts_[2 * agent + source].get();
-    job.ratio = static_cast<float>(static_cast<double>((start + clock_) % duration) / static_cast<double>(duration));
+    job.ratio = static_cast<float>(anim::to_seconds(time_in_clip(start, duration)) / anim::to_seconds(duration));
     job.output = ozz::make_span(locals_[source]);
     job.Run();
   }
 
-  void pose(std::size_t agent) {
-    const BenchAgent& plays = agents_[agent];
+  void pose(std::size_t agent) override {
+    const BenchAgent& plays = agents()[agent];
     sample(agent, 0, plays.from_clip, plays.from_start);
     sample(agent, 1, plays.to_clip, plays.to_start);
     std::array<ozz::animation::BlendingJob::Layer, 2> layers;
@@ -171,7 +159,7 @@ class PlainOzzSubject final : public OzzSubject {
     to_model.input = ozz::make_span(blended_);
     to_model.output = ozz::make_span(models_);
     to_model.Run();
-    write_palette(reinterpret_cast<anim::PaletteMatrix*>(palettes_->of(agent).memory()));
+    write_palette(palette_of(agent));
   }
 
   void write_palette(anim::PaletteMatrix* palette) {
@@ -182,27 +170,25 @@ class PlainOzzSubject final : public OzzSubject {
     }
   }
 
-  std::span<const BenchAgent> agents_;
-  const BenchPalettes* palettes_;
-  anim::Ticks clock_{};
   ozz::unique_ptr<ozz::animation::Skeleton> skeleton_;
   std::vector<ozz::unique_ptr<ozz::animation::Animation>> clips_;
   std::vector<std::unique_ptr<ozz::animation::SamplingJob::Context>> contexts_;  // two an agent
   std::vector<Float4x4> inverse_binds_;                                          // [joint]
-  std::vector<std::size_t> entry_of_joint_;
+  std::vector<std::size_t> joint_of_bone_, entry_of_joint_;
   ozz::vector<ozz::math::SoaTransform> locals_[2], blended_;
   ozz::vector<Float4x4> models_;
 };
 
 }  // namespace
 
-anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model& model, std::span<const BenchAgent> agents,
-                                                           const BenchPalettes& palettes) {
-  auto subject = std::make_unique<PlainOzzSubject>(agents, palettes);
-  if (!is_plain(model) || !subject->build(model)) {
-    return anim::Error{"ozz-animation is not given this model: it has matrices, scale or keys that are not LINEAR"};
-  }
-  return std::unique_ptr<OzzSubject>(std::move(subject));
+anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom,
+                                                               std::span<const BenchAgent> agents,
+                                                               const BenchPalettes& palettes) {
+  const anim::Status sampled = has_local_clips(*whom.character);
+  if (!sampled) return sampled.error();
+  auto subject = std::make_unique<OzzSubject>(agents, palettes);
+  if (!subject->build(whom)) return anim::Error{"it does not take this model"};
+  return std::unique_ptr<LibrarySubject>(std::move(subject));
 }
 
 }  // namespace throng::app
@@ -211,9 +197,9 @@ anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model& mo
 
 namespace throng::app {
 
-anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model&, std::span<const BenchAgent>,
-                                                           const BenchPalettes&) {
-  return anim::Error{"ozz-animation was not installed when this program was built"};
+anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter&, std::span<const BenchAgent>,
+                                                               const BenchPalettes&) {
+  return anim::Error{"it was not installed when this program was built"};
 }
 
 }  // namespace throng::app

@@ -3,23 +3,16 @@
 #include <memory>
 #include <span>
 
-#include "app/commands/bench/crowd.h"
-#include "engine/anim/asset/model.h"
+#include "app/commands/bench/case.h"
 #include "engine/anim/base/result.h"
+#include "tests/benchmark/programs/library_subject.h"
 
 namespace throng::app {
 
-/// Animates the same crowd, clips, times and weights by ozz-animation, on one thread: two samplings, a blend, model
-/// space, palettes.
-class OzzSubject {
- public:
-  virtual ~OzzSubject() = default;
-  virtual void run() = 0;
-};
-
-/// Makes the subject. Errors: no ozz was installed when this was built, or it cannot play the model as it is (matrices,
-/// scale, keys that are not LINEAR).
-anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model& model, std::span<const BenchAgent> agents,
-                                                           const BenchPalettes& palettes);
+/// Makes the subject that ozz-animation animates. Errors: no ozz was installed when this was built, or
+/// has_local_clips() says no.
+anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom,
+                                                               std::span<const BenchAgent> agents,
+                                                               const BenchPalettes& palettes);
 
 }  // namespace throng::app

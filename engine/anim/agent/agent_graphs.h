@@ -58,11 +58,6 @@ class AgentGraphs {
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
-  /// Asks the caches for what an update reads of an agent first.
-  THRONG_ALWAYS_INLINE void prefetch_agent(std::uint32_t agent) const {
-    prefetch(&graphs_[agent]);
-    prefetch(&next_updates_[agent]);
-  }
 
   enum class Fades : unsigned char { go_on, are_cut };
 
@@ -116,6 +111,7 @@ class AgentGraphs {
   std::size_t bytes() const;
 
  private:
+  friend void prefetch_agent(const AgentGraphs& graphs, std::uint32_t agent);
   friend Handle newest_player(const AgentGraphs& graphs, std::uint32_t agent);
   struct Layer {
     OwnedChannel own;
@@ -155,5 +151,11 @@ class AgentGraphs {
 /// Returns the player of the first channel that was asked for last, if that is a CrossFadeChannel that plays; else an
 /// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many.
 inline Handle newest_player(const AgentGraphs& graphs, std::uint32_t agent) { return graphs.newest_players_[agent]; }
+
+/// Asks the caches for what an update reads of an agent first.
+THRONG_ALWAYS_INLINE void prefetch_agent(const AgentGraphs& graphs, std::uint32_t agent) {
+  prefetch(&graphs.graphs_[agent]);
+  prefetch(&graphs.next_updates_[agent]);
+}
 
 }  // namespace throng::anim

@@ -34,7 +34,7 @@ struct AlikeAgents {
 THRONG_ALWAYS_INLINE void prefetch_graph(const Population& population, std::uint32_t agent) {
   const std::span<const Member> members = population.numbers().members();
   if (agent >= members.size() || !members[agent].alive()) return;
-  population.characters()[members[agent].character]->agents.prefetch_agent(members[agent].index);
+  prefetch_agent(population.characters()[members[agent].character]->agents, members[agent].index);
 }
 
 /// Updates the shared channels of a character that are due; true: there were some.

@@ -216,6 +216,7 @@ class CastLoader {
       if (!clips) return clips.error();
       for (const std::size_t model : read.chosen) {
         if (anim::Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
+        ++made_;
       }
     }
     return anim::Done{};
@@ -259,9 +260,14 @@ class CastLoader {
                                               std::span<const ClipFile* const> clips) const {
     const BoneLodFile kept(file);
     const std::string path = character_file(read.member.file).path;
-    auto character = make_character(
-        read.imported, model,
-        {.path = path, .name = file, .kept = &kept, .placement = placement_of(read.member), .clips = clips});
+    auto character =
+        make_character(read.imported, model,
+                       {.path = path,
+                        .name = file,
+                        .kept = &kept,
+                        .placement = placement_of(read.member),
+                        .clips = clips,
+                        .progress = [&](std::size_t done, std::size_t clip_count) { tell(file, done, clip_count); }});
     if (!character) return character;
     character->cast = read.names;
     character->cast_index = model;
@@ -279,6 +285,15 @@ class CastLoader {
     cast_.characters.push_back(std::move(*character));
     entry_of_.push_back(read.member.entry);
     return anim::Done{};
+  }
+
+  /// Tells that of a character so many clips are baked.
+  void tell(const std::string& file, std::size_t done, std::size_t clips) const {
+    if (!options_.progress) return;
+    const double baked = static_cast<double>(made_) + static_cast<double>(done) / static_cast<double>(clips);
+    options_.progress(baked / static_cast<double>(characters_), anim::plain_text(fs::path(file).filename().string()) +
+                                                                    ", " + std::to_string(done) + " of " +
+                                                                    counted(clips, "clip"));
   }
 
   void share_out() {
@@ -300,7 +315,7 @@ class CastLoader {
   bool came_together_;
   std::vector<Member> members_;
   std::vector<ReadMember> read_;
-  std::size_t characters_ = 0;
+  std::size_t characters_ = 0, made_ = 0;
   std::map<std::string, pack::Pack> packs_;              // by path
   std::map<std::string, ClipFile> wanted_clips_;         // by path
   std::map<std::size_t, std::vector<ClipFile>> beside_;  // by entry

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct ModelPlacement {
   friend bool operator==(const ModelPlacement&, const ModelPlacement&) = default;
 };
 
+/// Hears how far loading is: `share` of 0 to 1 is done, and what comes now. One thread calls it at a time.
+using LoadProgress = std::function<void(double share, const std::string& what)>;
+
 /// Says how the files of characters are read.
 struct LoadOptions {
   import::ImportOptions import{};
@@ -26,6 +30,7 @@ struct LoadOptions {
   std::vector<ModelPlacement> placements{};  ///< of single models, over that of all
   std::vector<std::string> clips_from{};     ///< files whose clips every character plays too
   bool wardrobe = false;                     ///< the built-in character gets its parts
+  LoadProgress progress{};                   ///< null: nobody hears
 };
 
 }  // namespace throng::app

@@ -170,7 +170,8 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
     if (!choice) return choice.error();
     if (*choice) anim::reorder_bones(source.model, **choice);
   }
-  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  source.character =
+      std::make_shared<const anim::Character>(anim::bake_character(source.model, {.progress = how.progress}));
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
   source.repairs = std::move(one.repairs);

@@ -7,7 +7,9 @@
 namespace throng::app {
 
 void show_progress(const std::string& text) {
-  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  if (shows_progress()) std::fprintf(stderr, "\r\033[K%s", text.c_str());
 }
+
+bool shows_progress() { return isatty(STDERR_FILENO) == 1; }
 
 }  // namespace throng::app

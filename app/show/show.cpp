@@ -9,6 +9,7 @@
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/nearest_names.h"
+#include "app/files/start_line.h"
 #include "app/lod/mesh_lods.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/opened_trajectories.h"
@@ -22,6 +23,9 @@ namespace {
 // A recording does not hold the rows of a file, nor the moves of its clock.
 constexpr const char* no_recording_of_tracks =
     "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
+
+// Of a start, by and large.
+constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
@@ -48,8 +52,12 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   StartTimes& times = show->figures_.start();
   auto start = RunFigures::Clock::now();
   const auto lap = [&start] { return milliseconds_since(std::exchange(start, RunFigures::Clock::now())); };
-  auto cast = load_starting_characters(options, error);
+  StartLine line;
+  line.tell(0, "reading characters");
+  auto cast = load_starting_characters(
+      options, error, [&line](double share, const std::string& what) { line.tell(share_of_characters * share, what); });
   if (!cast) return nullptr;
+  line.tell(share_of_characters, "opening the device");
   times.characters_ms = lap();
   show->left_out_ = std::move(cast->left_out);
   if (!options.trace.empty()) show->figures_.keep_timeline();
@@ -57,9 +65,11 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   show->painter_ = std::move(*painter);
   times.device_ms = lap();
+  line.tell(share_of_characters, "");  // trajectories have lines of their own
   if (live != nullptr && !show->open_live(options, std::move(live), error)) return nullptr;
-  if (!show->open_stage(std::move(cast->characters), options, error)) return nullptr;
+  if (!show->open_stage(std::move(cast->characters), options, line, error)) return nullptr;
   start = RunFigures::Clock::now();
+  line.tell(share_of_crowd, "making meshes");
   if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
@@ -70,7 +80,8 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   return show;
 }
 
-bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
+bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
+                      StartError& error) {
   Tuning tuning = with_savings(options.tuning, painter_->spared());
   std::shared_ptr<const Trajectories> trajectories = live_ != nullptr ? live_->trajectories() : nullptr;
   if (live_ == nullptr && !options.trajectories.file.empty()) {
@@ -81,6 +92,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
+  line.tell(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
   const auto start = RunFigures::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), 0, std::move(trajectories));
   figures_.start().spawn_ms = milliseconds_since(start);

@@ -25,6 +25,8 @@
 
 namespace throng::app {
 
+class StartLine;
+
 /// Joins a crowd, the painter that draws it and the figures of the run: the demo without a loop, in a window or without
 /// one.
 class Show {
@@ -122,7 +124,8 @@ class Show {
   friend const LiveCrowd* live_crowd_of(const Show& show);
   friend anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
   Show() = default;
-  bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
+  bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
+                  StartError& error);
   bool open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error);
   bool begin_tracks(const DemoOptions& options, StartError& error);
   void take_live_rows(anim::Ticks step);

@@ -19,19 +19,19 @@ std::vector<CastEntry> entries_of(const DemoOptions& options) {
   return entries;
 }
 
-anim::Result<LoadedCast> load_crowd_file(const DemoOptions& options) {
+anim::Result<LoadedCast> load_crowd_file(const DemoOptions& options, const LoadOptions& how) {
   const auto setup = read_crowd_file(options.crowd_file);
   if (!setup) return setup.error();
-  auto cast = load_crowd(setup->characters, options.data, load_options(options));
+  auto cast = load_crowd(setup->characters, options.data, how);
   if (!cast) return anim::Error{options.crowd_file + ": " + cast.error().message};
   return cast;
 }
 
-anim::Result<LoadedCast> load(const DemoOptions& options) {
-  if (!options.crowd_file.empty()) return load_crowd_file(options);
+anim::Result<LoadedCast> load(const DemoOptions& options, const LoadOptions& how) {
+  if (!options.crowd_file.empty()) return load_crowd_file(options, how);
   const std::vector<CastEntry> entries = entries_of(options);
-  if (!entries.empty()) return load_cast(entries, load_options(options));
-  auto character = load_built_in(options.data, load_options(options));
+  if (!entries.empty()) return load_cast(entries, how);
+  auto character = load_built_in(options.data, how);
   if (!character) return character.error();
   LoadedCast cast;
   cast.characters.push_back(std::move(*character));
@@ -83,8 +83,11 @@ bool fail(StartError& error, int status, std::string message) {
   return false;
 }
 
-std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error) {
-  auto cast = load(options);
+std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error,
+                                                   const LoadProgress& progress) {
+  LoadOptions how = load_options(options);
+  how.progress = progress;
+  auto cast = load(options, how);
   if (!cast) return fail(error, exit_job_failed, cast.error().message), std::nullopt;
   if (const anim::Status known = check_placed_models(options.placements, cast->characters); !known) {
     return fail(error, exit_usage, known.error().message), std::nullopt;

@@ -20,7 +20,8 @@ bool fail(StartError& error, int status, std::string message);
 LoadOptions load_options(const DemoOptions& options);
 
 /// Loads the characters that the command line names, or the built-in one, with the roles that were kept and those that
-/// the command line chooses.
-std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error);
+/// the command line chooses. `progress` may be null.
+std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error,
+                                                   const LoadProgress& progress = {});
 
 }  // namespace throng::app

@@ -35,7 +35,7 @@ anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip)
   anim::Model played = model;
   played.clips.clear();
   if (clip != nullptr) played.clips.push_back(*clip);
-  constexpr anim::BakeOptions unchanged{.take_root_motion = false, .as_in_the_file = true};
+  const anim::BakeOptions unchanged{.take_root_motion = false, .as_in_the_file = true};
   auto character = std::make_shared<const anim::Character>(anim::bake_character(played, unchanged));
   auto system = anim::AnimationSystem::create(std::move(character),
                                               {.schedule = anim::Schedule::levels, .stream = stream_, .hash = false});

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <functional>
 #include <iterator>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -205,12 +206,17 @@ Character bake_character(const Model& model, const BakeOptions& options) {
   const BoundsSurvey room(model);
   std::vector<double> reaches(clips.size());
   std::vector<std::vector<NamedDataKey>> data_keys(clips.size());
+  std::mutex telling;
+  std::size_t done = 0;
   const auto bake = [&](std::size_t clip) {
     BakedClip& baked = character.clips[clip];
     baked = bake_clip(character.skeleton, proxy, clips[clip], options);
     data_keys[clip] = data_keys_of(character, clips[clip], baked, options);
     reaches[clip] = reach_of(room, character.skeleton, proxy, clips[clip], baked, start_of(clips[clip], options));
     character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
+    if (!options.progress) return;
+    const std::scoped_lock lock(telling);
+    options.progress(++done, clips.size());
   };
   const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },
                                            [&] { character.surface_points = choose_surface_points(model); }};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,6 +64,9 @@ struct BakeOptions {
   bool take_root_motion = true;  ///< remove travel, turn and climb of the root from the pose (off for `pose`)
   /// Time 0 is the file's, not that of the clip's first key, and tracks that hardly move keep their keys (for `pose`).
   bool as_in_the_file = false;
+  /// Hears of each clip that was baked: how many are, of how many. One thread calls it at a time, any of those that
+  /// bake. Null: nobody hears.
+  std::function<void(std::size_t done, std::size_t clips)> progress = {};
 };
 
 /// A baked skeleton with its clips, and all that is measured on them. Read-only while agents play it.

@@ -260,14 +260,13 @@ class CastLoader {
                                               std::span<const ClipFile* const> clips) const {
     const BoneLodFile kept(file);
     const std::string path = character_file(read.member.file).path;
-    auto character =
-        make_character(read.imported, model,
-                       {.path = path,
-                        .name = file,
-                        .kept = &kept,
-                        .placement = placement_of(read.member),
-                        .clips = clips,
-                        .progress = [&](std::size_t done, std::size_t clip_count) { tell(file, done, clip_count); }});
+    auto character = make_character(read.imported, model,
+                                    {.path = path,
+                                     .name = file,
+                                     .kept = &kept,
+                                     .placement = placement_of(read.member),
+                                     .clips = clips,
+                                     .progress = options_.progress ? progress_of_one() : LoadProgress()});
     if (!character) return character;
     character->cast = read.names;
     character->cast_index = model;
@@ -287,13 +286,10 @@ class CastLoader {
     return anim::Done{};
   }
 
-  /// Tells that of a character so many clips are baked.
-  void tell(const std::string& file, std::size_t done, std::size_t clips) const {
-    if (!options_.progress) return;
-    const double baked = static_cast<double>(made_) + static_cast<double>(done) / static_cast<double>(clips);
-    options_.progress(baked / static_cast<double>(characters_), anim::plain_text(fs::path(file).filename().string()) +
-                                                                    ", " + std::to_string(done) + " of " +
-                                                                    counted(clips, "clip"));
+  LoadProgress progress_of_one() const {
+    return [this](double share, const std::string& what) {
+      options_.progress((static_cast<double>(made_) + share) / static_cast<double>(characters_), what);
+    };
   }
 
   void share_out() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
+#include "app/files/joined.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
@@ -122,6 +124,18 @@ anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
   return one;
 }
 
+std::shared_ptr<const anim::Character> bake(const CharacterSource& source, const LoadProgress& progress) {
+  anim::BakeOptions options;
+  if (progress) {
+    options.progress = [&, file = std::filesystem::path(source.name).filename().string()](std::size_t done,
+                                                                                          std::size_t clips) {
+      progress(static_cast<double>(done) / static_cast<double>(clips),
+               file + ", " + std::to_string(done) + " of " + counted(clips, "clip"));
+    };
+  }
+  return std::make_shared<const anim::Character>(anim::bake_character(source.model, options));
+}
+
 }  // namespace
 
 anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
@@ -170,8 +184,7 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
     if (!choice) return choice.error();
     if (*choice) anim::reorder_bones(source.model, **choice);
   }
-  source.character =
-      std::make_shared<const anim::Character>(anim::bake_character(source.model, {.progress = how.progress}));
+  source.character = bake(source, how.progress);
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
   source.repairs = std::move(one.repairs);
@@ -195,8 +208,12 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   if (!clips) return clips.error();
   const std::vector<std::string> names = character_names(*imported);
   const std::vector<const ClipFile*> pointers = pointers_to(*clips);
-  const CharacterMaking how{
-      .path = wanted.path, .name = name, .kept = kept, .placement = options.placement, .clips = pointers};
+  const CharacterMaking how{.path = wanted.path,
+                            .name = name,
+                            .kept = kept,
+                            .placement = options.placement,
+                            .clips = pointers,
+                            .progress = options.progress};
   auto source = make_character(*imported, *chosen, how);
   if (!source) return source.error();
   source->cast = names;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -73,7 +72,7 @@ struct CharacterMaking {
   const BoneLodFile* kept = nullptr;
   anim::PlacementChoice placement = {};
   std::span<const ClipFile* const> clips = {};
-  std::function<void(std::size_t done, std::size_t clips)> progress = {};  ///< BakeOptions::progress
+  LoadProgress progress = {};  ///< of this character
 };
 /// Does the same with one of the models of a file that was read, which it takes out of it.
 anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);

@@ -43,7 +43,8 @@ struct CellRuns {
   std::array<BodyRun, most> all;
   std::size_t count = 0;
 
-  std::span<const BodyRun> runs() const { return {all.data(), count}; }
+  std::span<const BodyRun> runs() const& { return {all.data(), count}; }
+  std::span<const BodyRun> runs() && = delete;  ///< a loop over them would outlive them
 };
 
 /// A uniform grid over the ground. It sorts bodies by cell, and by agent within a cell, so that the bodies near a point
@@ -93,7 +94,8 @@ class CrowdCells {
   /// Calls `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
   template <typename Visit>
   void visit_near(glm::vec2 position, const Visit& visit) const {
-    for (const BodyRun& run : runs_near(position).runs()) {
+    const CellRuns near = runs_near(position);
+    for (const BodyRun& run : near.runs()) {
       for (std::uint32_t body = run.first; body < run.end; ++body) visit(sorted_[body]);
     }
   }

@@ -14,7 +14,8 @@ namespace {
 constexpr float sight = 4.0F;
 
 bool is_listed(const ObstacleMap& map, glm::vec2 from, glm::vec2 middle) {
-  for (const BodyRun& run : map.runs_near(from).runs()) {
+  const CellRuns near = map.runs_near(from);
+  for (const BodyRun& run : near.runs()) {
     for (std::uint32_t body = run.first; body < run.end; ++body) {
       if (glm::vec2(map.columns().x[body], map.columns().z[body]) == middle) return true;
     }
@@ -48,7 +49,8 @@ TEST(ObstacleMap, ListsLittleElse) {
   for (int i = 0; i < 100; ++i) obstacles.push_back({.position = {i * 10.0, 0.0}, .radius = 0.5});
   const ObstacleMap map(obstacles, glm::vec2(0.0F), glm::vec2(1000.0F, 1.0F), sight);
   for (float x = 0.0F; x < 1000.0F; x += 7.0F) {
-    for (const BodyRun& run : map.runs_near({x, 0.0F}).runs()) EXPECT_LE(run.end - run.first, 3U);
+    const CellRuns near = map.runs_near({x, 0.0F});
+    for (const BodyRun& run : near.runs()) EXPECT_LE(run.end - run.first, 3U);
   }
 }
 

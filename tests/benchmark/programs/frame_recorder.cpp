@@ -57,7 +57,7 @@ SimulatedRound posing_round(const anim::AnimationSystem& system, int pus) {
 }  // namespace
 
 void FrameRecorder::run(int count, anim::Job job) {
-  if (!records_) return threads_.run(count, job);
+  if (!records_ || count <= 0) return threads_.run(count, job);
   Recorded& round = rounds_.emplace_back();
   round.begin = Clock::now();
   Clock::time_point before = round.begin;
@@ -98,7 +98,7 @@ SimulatedFrame FrameRecorder::record(const std::function<void()>& frame, const a
 
 SimulatedRound FrameRecorder::round_of_jobs(const Recorded& recorded, int agents) {
   constexpr double nearly_all = 0.9;
-  const int jobs = static_cast<int>(recorded.jobs_ns.size());
+  const int jobs = std::max(static_cast<int>(recorded.jobs_ns.size()), 1);  // a round of none is not recorded
   const double work = std::accumulate(recorded.jobs_ns.begin(), recorded.jobs_ns.end(), 0.0);
   const bool in_tiles = jobs > 1 && recorded.jobs_ns.front() > nearly_all * work;
   const int count = in_tiles ? std::max((agents + agents_of_a_tile - 1) / agents_of_a_tile, jobs) : jobs;

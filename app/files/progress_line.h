@@ -6,7 +6,7 @@ namespace throng::app {
 
 /// Shows a line on standard error in place of the one before, if that is a terminal; an empty one takes it away.
 void show_progress(const std::string& text);
-/// Returns whether it is one.
+/// Returns whether standard error is a terminal.
 bool shows_progress();
 
 }  // namespace throng::app

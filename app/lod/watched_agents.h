@@ -48,7 +48,7 @@ class WatchedAgents {
   void reset(std::size_t agents, std::size_t watched, std::size_t entries);
   std::size_t capacity() const { return watched_.size(); }
 
-  /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with the same `visible`.
+  /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with those in view.
   void choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
 
   /// Returns where the PU must write a new pose: `slot_memory`, or for a watched agent the memory that keeps the pose

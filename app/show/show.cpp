@@ -24,7 +24,7 @@ namespace {
 constexpr const char* no_recording_of_tracks =
     "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
 
-// Of a start, by and large.
+// So much of a start is done, by and large, when characters are there and when the crowd is.
 constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
 double milliseconds_since(RunFigures::Clock::time_point start) {

@@ -144,7 +144,7 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Exe
   list_updates(crowd);
 }
 
-// Who was shown in the frame before and is in view still is shown, until settle() hears otherwise.
+// An agent that was shown in the frame before and is still in view stays shown, until settle() says otherwise.
 void LevelOfDetail::go_on_showing(Executor& executor, int jobs) {
   constexpr std::size_t agents_worth_a_job = 1024;
   const std::span<const VisibleAgent> visible = selection_.visible;

@@ -20,7 +20,7 @@ struct LocalPlace {
   glm::vec3 position{0.0F};
 };
 
-/// What other libraries are told of a rigid skeleton, bone by bone.
+/// Describes a rigid skeleton to other libraries, bone by bone.
 struct LocalBones {
   std::vector<int> parents;               ///< -1 for a root; all are before their children
   std::vector<LocalPlace> bind_pose;      ///< in the space of the parent

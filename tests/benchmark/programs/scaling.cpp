@@ -1,8 +1,7 @@
-// What more PUs than this machine has would do: throng_scaling [AGENTS...]. It records frames on one thread and
-// simulates machines with them. tests/benchmark/notes_scaling.md has what came of it.
+// Predicts frames on more PUs than this machine has: throng_scaling [AGENTS...]. It records frames on one thread and
+// simulates machines with them. tests/benchmark/notes_scaling.md tells the results.
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -262,7 +260,12 @@ int run(std::span<const int> crowds) {
 
 int main(int argument_count, char** arguments) {
   std::vector<int> crowds;
-  for (int i = 1; i < argument_count; ++i) crowds.push_back(std::atoi(arguments[i]));
+  for (int i = 1; i < argument_count; ++i) {
+    crowds.push_back(std::atoi(arguments[i]));
+    if (crowds.back() > 0) continue;
+    return throng::app::end_with(throng::app::exit_usage,
+                                 std::string(arguments[i]) + ": give numbers of agents, each 1 or more");
+  }
   if (crowds.empty()) crowds = {10'000, 1'000'000};
   return throng::app::run(crowds);
 }

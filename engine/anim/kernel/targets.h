@@ -4,11 +4,16 @@
 
 /// Which SIMD targets the kernels are compiled for: all that this compiler can write. SCALAR, one lane wide, is among
 /// them, because the tests measure the others against it; Highway would replace it by emulated 128-bit vectors on newer
-/// compilers. Targets without a width that the compiler knows are left out, since the kernels keep vectors in
-/// structures. Each unit of kernels includes this file before Highway.
+/// compilers. Each unit of kernels includes this file before Highway.
 #define HWY_COMPILE_ALL_ATTAINABLE
 #define HWY_BROKEN_EMU128 1
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+/// Leaves out targets without a width that the compiler knows, since the kernels keep vectors in structures; and the
+/// extensions of AVX3, which are the bits below it, since kernels of floats are the same on them.
+/// A build that leaves out more defines the macro itself, with these among its targets.
+#ifndef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | (HWY_AVX3 - 1))
+#endif
 
 #if defined(__aarch64__)
 #include <hwy/detect_targets.h>

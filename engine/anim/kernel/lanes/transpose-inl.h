@@ -38,7 +38,7 @@ HWY_INLINE FourVectors<V> transpose_blocks(D d, V v0, V v1, V v2, V v3) {
 
 #endif
 
-#if HWY_TARGET == HWY_AVX3
+#if HWY_TARGET <= HWY_AVX3  // and its extensions, which are the bits below
 
 /// Four blocks from memory, each an insertion that needs no shuffle: Highway would combine halves in registers.
 template <class D, class BlockAt>

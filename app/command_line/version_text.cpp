@@ -22,7 +22,7 @@ std::string simd_line() {
 }
 
 std::string contexts_line() {
-  return std::string("window, egl") + (render::gl::osmesa_is_built_in() ? ", osmesa" : "; osmesa is not built in");
+  return std::string("window, egl") + (render::gl::osmesa_is_installed() ? ", osmesa" : "; osmesa is not installed");
 }
 
 /// Runs in the child.

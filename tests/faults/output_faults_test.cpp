@@ -29,8 +29,8 @@ class OutputOnAFullDisk : public app::test::TemporaryFolder, public testing::Wit
 
   app::ProgramRun run(const std::string& fault) const {
     return app::run_program(
-        {model_, "--headless=osmesa", "--agents", "2", "--frames", std::to_string(frames), "--size", "64x64", "--msaa",
-         "0", "--shadows", "off", "--pictures", (folder_ / "pictures").string(), "--labels",
+        {model_, "--headless=" THRONG_HEADLESS, "--agents", "2", "--frames", std::to_string(frames), "--size", "64x64",
+         "--msaa", "0", "--shadows", "off", "--pictures", (folder_ / "pictures").string(), "--labels",
          (folder_ / "labels").string()},
         {.seconds = 40, .program = THRONG_FAULTY_PROGRAM, .environment = {"THRONG_FAULT=" + fault}});
   }

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<std::string> contexts() {
-  if (!render::gl::osmesa_is_built_in()) return {"egl"};
+  if (!render::gl::osmesa_is_installed()) return {"egl"};
   return {"egl", "osmesa"};
 }
 

@@ -44,9 +44,9 @@ void draw_picture_apart(const MakeContext& make_context, int samples, const std:
   ASSERT_EQ(WEXITSTATUS(status), 0);
 }
 
-/// Returns samples for tests that need OSMesa; none in a build without it.
+/// Returns samples for tests that need OSMesa; none on a machine without it.
 std::vector<int> with_osmesa(std::vector<int> samples) {
-  return gl::osmesa_is_built_in() ? samples : std::vector<int>();
+  return gl::osmesa_is_installed() ? samples : std::vector<int>();
 }
 
 class ContextPair : public testing::TestWithParam<int> {};

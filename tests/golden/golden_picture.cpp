@@ -44,7 +44,7 @@ const RegressionCases& golden_cases() {
 }
 
 std::vector<ContextKind> golden_contexts() {
-  if (!render::gl::osmesa_is_built_in()) return {ContextKind::egl};
+  if (!render::gl::osmesa_is_installed()) return {ContextKind::egl};
   return {ContextKind::egl, ContextKind::osmesa};
 }
 

@@ -183,7 +183,7 @@ const std::vector<Option>& other_options() {
       {"--view", 0.1F, word_of({"", "", "=walk"})},
       {"--hide-ui", 0.0F, text("")},
       {"--headless", 1.0F,
-       word_of({"", "=egl", render::gl::osmesa_is_built_in() ? "=osmesa" : "=egl", "=none", "=none", "=none"})},
+       word_of({"", "=egl", render::gl::osmesa_is_installed() ? "=osmesa" : "=egl", "=none", "=none", "=none"})},
       {"--software", 0.1F, text("")},
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
       {"--frames", 1.0F, any_frames},

@@ -166,20 +166,20 @@ Fault ProgramRounds::run_a_tool(const RoundPlace& place, Random& random) {
 
 // One process plays on, until Ctrl+C. In its second half it takes no more memory, files and threads than in its first.
 Fault ProgramRounds::run_for_long(const RoundPlace& place, Random& random) {
-  Words words = {
-      "--frames",
-      "2000000000",
-      "--stats",
-      "stats.json",
-      "--record",
-      "run.rec",
-      "--headless=" + any_of(random, Words{"none", "none", "egl", render::gl::osmesa_is_built_in() ? "osmesa" : "egl"}),
-      "--size",
-      "320x240",
-      "--agents",
-      std::to_string(100 + random.below(400)),
-      "--scene",
-      any_of(random, Words{"plaza", "parade", "stadium", "grid", "film"})};
+  Words words = {"--frames",
+                 "2000000000",
+                 "--stats",
+                 "stats.json",
+                 "--record",
+                 "run.rec",
+                 "--headless=" +
+                     any_of(random, Words{"none", "none", "egl", render::gl::osmesa_is_installed() ? "osmesa" : "egl"}),
+                 "--size",
+                 "320x240",
+                 "--agents",
+                 std::to_string(100 + random.below(400)),
+                 "--scene",
+                 any_of(random, Words{"plaza", "parade", "stadium", "grid", "film"})};
   if (!words[6].ends_with("none")) words.insert(words.end(), {"--draw", "all"});
   tell(as_command(words));
   constexpr double warm_up = 5, until_interrupt = 15;  // seconds of computing

@@ -47,7 +47,7 @@ CaseOutcome left_out(const RegressionCase& wanted) {
   outcome.name = wanted.name;
   outcome.context = "osmesa";
   outcome.verdict = Verdict::left_out;
-  outcome.message = "this build has no OSMesa";
+  outcome.message = "OSMesa is not installed";
   return outcome;
 }
 
@@ -89,7 +89,7 @@ int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& opti
   CaseDrawer drawer(std::move(plan));
   for (const RegressionCase& each : cases) {
     for (const ContextKind context : options.contexts.empty() ? each.contexts : options.contexts) {
-      const bool can = context != ContextKind::osmesa || render::gl::osmesa_is_built_in();
+      const bool can = context != ContextKind::osmesa || render::gl::osmesa_is_installed();
       run.outcomes.push_back(can ? drawer.run(each, context) : left_out(each));
       if (anim::Status told = print(line_of(run.outcomes.back())); !told) {
         return end_with(exit_job_failed, told.error().message);
@@ -110,8 +110,8 @@ int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& opti
 
 int run_check(const CheckOptions& options) {
   const bool asks_for_osmesa = std::ranges::find(options.contexts, ContextKind::osmesa) != options.contexts.end();
-  if (asks_for_osmesa && !render::gl::osmesa_is_built_in()) {
-    return end_with(exit_usage, "--context: this build has no OSMesa; use --context egl");
+  if (asks_for_osmesa && !render::gl::osmesa_is_installed()) {
+    return end_with(exit_usage, "--context: OSMesa is not installed; use --context egl");
   }
   const auto all = read_cases(options.cases);
   if (!all) return end_with(exit_usage, all.error().message);

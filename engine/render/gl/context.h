@@ -107,11 +107,11 @@ struct EglOptions {
 /// Makes a context without a window, on the first hardware device that EGL lists, else on a surfaceless software one.
 Result<std::unique_ptr<Context>> make_egl_context(const EglOptions& options = {});
 
-/// Says whether this build knows OSMesa.
-bool osmesa_is_built_in();
+/// Says whether OSMesa is on this machine, which Mesa has no longer since its version 25.1.
+bool osmesa_is_installed();
 
 /// Makes a context without a window and without EGL, by Mesa's off-screen library, which it opens at run time. Errors
-/// are those of the others, and that this build has none.
+/// are those of the others, and that the library is not installed.
 Result<std::unique_ptr<Context>> make_osmesa_context();
 
 }  // namespace throng::render::gl

@@ -1,26 +1,34 @@
-#include "engine/render/gl/context.h"
-
-#if defined(THRONG_HAS_OSMESA)
-
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include <glad/gl.h>
-// OSMesa's header needs OpenGL's types, which glad declares.
-#include <GL/osmesa.h>
 
+#include "engine/render/gl/context.h"
 #include "engine/render/gl/shared_library.h"
 
 namespace throng::render::gl {
 namespace {
 
+constexpr const char* library_name = "libOSMesa.so.8";
+
+// OSMesa's interface, as Mesa's GL/osmesa.h has it. Mesa dropped the header in 25.1, and no header is needed to open
+// the library at run time.
+constexpr int attribute_format = 0x22, format_rgba = GL_RGBA;
+constexpr int attribute_depth_bits = 0x30;
+constexpr int attribute_profile = 0x33, core_profile = 0x34;
+constexpr int attribute_major_version = 0x36, attribute_minor_version = 0x37;
+struct OsMesaHandle;
+using Procedure = void (*)();
+
 /// Finds the functions of OSMesa by name.
 struct OsMesa {
   SharedLibrary library;
-  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
-  decltype(&OSMesaMakeCurrent) make_current = nullptr;
-  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
-  decltype(&OSMesaGetProcAddress) get_procedure = nullptr;
+  OsMesaHandle* (*create_context)(const int* attributes, OsMesaHandle* shared) = nullptr;
+  GLboolean (*make_current)(OsMesaHandle* context, void* pixels, GLenum type, GLsizei width, GLsizei height) = nullptr;
+  void (*destroy_context)(OsMesaHandle* context) = nullptr;
+  Procedure (*get_procedure)(const char* name) = nullptr;
 
   bool find_functions() {
     find_function(library, create_context, "OSMesaCreateContextAttribs");
@@ -39,17 +47,14 @@ class OsMesaContext final : public Context {
   }
 
   Status open() {
-    Result<SharedLibrary> library = open_library("libOSMesa.so.8", "libosmesa6");
+    Result<SharedLibrary> library = open_library(library_name, "libosmesa6");
     if (!library) return library.error();
     functions_.library = std::move(*library);
     if (!functions_.find_functions())
       return Error{"libOSMesa.so.8 lacks functions of OSMesa, install libosmesa6 again"};
-    constexpr int attributes[][2] = {{OSMESA_FORMAT, OSMESA_RGBA},
-                                     {OSMESA_PROFILE, OSMESA_CORE_PROFILE},
-                                     {OSMESA_CONTEXT_MAJOR_VERSION, 4},
-                                     {OSMESA_CONTEXT_MINOR_VERSION, 5},
-                                     {OSMESA_DEPTH_BITS, 0},
-                                     {}};
+    constexpr int attributes[][2] = {{attribute_format, format_rgba}, {attribute_profile, core_profile},
+                                     {attribute_major_version, 4},    {attribute_minor_version, 5},
+                                     {attribute_depth_bits, 0},       {}};
     context_ = functions_.create_context(attributes[0], nullptr);
     if (context_ == nullptr ||
         functions_.make_current(context_, unseen_pixels_.data(), GL_UNSIGNED_BYTE, unseen_size, unseen_size) == 0) {
@@ -64,24 +69,17 @@ class OsMesaContext final : public Context {
   // OSMesa becomes current only with pixels to draw into, but everything is drawn into our own framebuffers.
   static constexpr int unseen_size = 16;
   OsMesa functions_;
-  OSMesaContext context_ = nullptr;
+  OsMesaHandle* context_ = nullptr;
   std::array<std::uint8_t, 4UL * unseen_size * unseen_size> unseen_pixels_{};
 };
 
 }  // namespace
 
-bool osmesa_is_built_in() { return true; }
+bool osmesa_is_installed() {
+  static const bool is_there = is_installed(library_name);
+  return is_there;
+}
+
 Result<std::unique_ptr<Context>> make_osmesa_context() { return open_context<OsMesaContext>(); }
 
 }  // namespace throng::render::gl
-
-#else
-
-namespace throng::render::gl {
-
-bool osmesa_is_built_in() { return false; }
-Result<std::unique_ptr<Context>> make_osmesa_context() { return Error{"this build has no OSMesa"}; }
-
-}  // namespace throng::render::gl
-
-#endif

@@ -11,13 +11,25 @@ bool says_that_it_is_missing(const std::string& reason, const std::string& name)
          reason.find(name + ": No such file") != std::string::npos;
 }
 
+SharedLibrary open(const char* name) {
+  return SharedLibrary(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0)));
+}
+
+std::string reason_of_failure() {
+  const char* said = dlerror();
+  return said == nullptr ? "no reason given" : said;
+}
+
 }  // namespace
 
+bool is_installed(const char* name) {
+  return open(name) != nullptr || !says_that_it_is_missing(reason_of_failure(), name);
+}
+
 Result<SharedLibrary> open_library(const char* name, const char* package) {
-  SharedLibrary library(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0)));
+  SharedLibrary library = open(name);
   if (library) return library;
-  const char* said = dlerror();
-  const std::string reason = said == nullptr ? "no reason given" : said;
+  const std::string reason = reason_of_failure();
   const std::string remedy = std::string("install ") + package;
   if (says_that_it_is_missing(reason, name)) return Error{std::string(name) + " is not installed, " + remedy};
   return Error{std::string(name) + " is installed and cannot be loaded (" + reason + "), " + remedy + " again"};

@@ -23,6 +23,9 @@ struct CloseLibrary {
 /// A library that was opened by name at run time, or null.
 using SharedLibrary = std::unique_ptr<void, CloseLibrary>;
 
+/// Says whether a library is on this machine, even if it cannot be loaded.
+bool is_installed(const char* name);
+
 /// Opens a library. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own,
 /// which must never stand in for the system's. Errors: it is not installed, and the error names the `package` that has
 /// it; or it is there and cannot be loaded, and the error says why.

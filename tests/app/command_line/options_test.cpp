@@ -328,7 +328,7 @@ TEST(Version, NamesTheProgramAndWhatItHas) {
               testing::MatchesRegex("throng [0-9]+\\.[0-9]+\\.[0-9]+\n"
                                     "commit: ([0-9a-f]{12}(-dirty)?|unknown)\n"
                                     "SIMD: [A-Z0-9_]+(, [A-Z0-9_]+)*; this machine takes [A-Z0-9_]+\n"
-                                    "contexts: window, egl(, osmesa|; osmesa is not built in)\n"
+                                    "contexts: window, egl(, osmesa|; osmesa is not installed)\n"
                                     "Mesa: [^\n]+\n"
                                     "ffmpeg: [^\n]+\n"));
 }

@@ -54,8 +54,8 @@ void show_error_figures(Widgets& widgets, const ErrorReport& error) {
 void draw_error_legend(const Theme& theme, const Area& graph, float top) {
   const float x = graph.to.x + theme.px(6);
   draw_text(theme.small, {x, graph.from.y - theme.px(2)}, colour::faint, fixed(top, top < 1 ? 2 : 0) + " px");
-  draw_text(theme.small, {x, graph.to.y - 2 * theme.small->FontSize}, colour::accent, "p99");
-  draw_text(theme.small, {x, graph.to.y - theme.small->FontSize}, colour::frame, "pop");
+  draw_text(theme.small, {x, graph.to.y - 2 * font_height(theme.small)}, colour::accent, "p99");
+  draw_text(theme.small, {x, graph.to.y - font_height(theme.small)}, colour::frame, "pop");
 }
 
 void show_error_history(Widgets& widgets, const ErrorReport& error, float limit) {

@@ -108,10 +108,10 @@ struct LabelShape {
   ImVec2 at;
   float width;
 
-  [[nodiscard]] float line() const { return theme.small->FontSize + theme.px(4); }
+  [[nodiscard]] float line() const { return font_height(theme.small) + theme.px(4); }
   [[nodiscard]] Area place(int lines_up, float margin = 0) const {
     const float bottom = at.y + theme.px(1) - static_cast<float>(lines_up) * line();
-    return {.from = {at.x - width / 2 - theme.px(4) - margin, bottom - theme.small->FontSize - theme.px(2) - margin},
+    return {.from = {at.x - width / 2 - theme.px(4) - margin, bottom - font_height(theme.small) - theme.px(2) - margin},
             .to = {at.x + width / 2 + theme.px(4) + margin, bottom + margin}};
   }
 };
@@ -157,7 +157,7 @@ void show_head_labels(const TabContext& context, const Area& crowd, std::span<co
     return;
   }
   const std::vector<HeadLabel> labels = wanted_labels(report, memory, ImGui::GetIO().DisplaySize);
-  PlacedLabels placed(crowd, taken, theme.small->FontSize + theme.px(2), labels.size());
+  PlacedLabels placed(crowd, taken, font_height(theme.small) + theme.px(2), labels.size());
   std::vector<DrawnLabel> drawn;
   drawn.reserve(labels.size());
   memory.heads.clear();

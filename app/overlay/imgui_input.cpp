@@ -5,33 +5,35 @@
 #include <cstddef>
 #include <utility>
 
-#include <imgui.h>
+#include "engine/render/passes/imgui_versions.h"
 
 namespace throng::app {
 namespace {
 
-/// Maps our keys to those of ImGui that its text fields use.
-constexpr std::array edit_keys = std::to_array<std::pair<int, Key>>({{ImGuiKey_LeftArrow, Key::left},
-                                                                     {ImGuiKey_RightArrow, Key::right},
-                                                                     {ImGuiKey_UpArrow, Key::up},
-                                                                     {ImGuiKey_DownArrow, Key::down},
-                                                                     {ImGuiKey_PageUp, Key::page_up},
-                                                                     {ImGuiKey_PageDown, Key::page_down},
-                                                                     {ImGuiKey_Home, Key::home},
-                                                                     {ImGuiKey_End, Key::end},
-                                                                     {ImGuiKey_Insert, Key::insert},
-                                                                     {ImGuiKey_Delete, Key::del},
-                                                                     {ImGuiKey_Backspace, Key::backspace},
-                                                                     {ImGuiKey_Space, Key::space},
-                                                                     {ImGuiKey_Enter, Key::enter},
-                                                                     {ImGuiKey_Escape, Key::escape},
-                                                                     {ImGuiKey_KeyPadEnter, Key::keypad_enter},
-                                                                     {ImGuiKey_A, Key::a},
-                                                                     {ImGuiKey_C, Key::c},
-                                                                     {ImGuiKey_V, Key::v},
-                                                                     {ImGuiKey_X, Key::x},
-                                                                     {ImGuiKey_Y, Key::y},
-                                                                     {ImGuiKey_Z, Key::z}});
+namespace imgui = render::imgui;
+
+/// Maps our keys to those of ImGui that its text fields and the panel use.
+constexpr std::array edit_keys = std::to_array<std::pair<ImGuiKey, Key>>({{ImGuiKey_LeftArrow, Key::left},
+                                                                          {ImGuiKey_RightArrow, Key::right},
+                                                                          {ImGuiKey_UpArrow, Key::up},
+                                                                          {ImGuiKey_DownArrow, Key::down},
+                                                                          {ImGuiKey_PageUp, Key::page_up},
+                                                                          {ImGuiKey_PageDown, Key::page_down},
+                                                                          {ImGuiKey_Home, Key::home},
+                                                                          {ImGuiKey_End, Key::end},
+                                                                          {ImGuiKey_Insert, Key::insert},
+                                                                          {ImGuiKey_Delete, Key::del},
+                                                                          {ImGuiKey_Backspace, Key::backspace},
+                                                                          {ImGuiKey_Space, Key::space},
+                                                                          {ImGuiKey_Enter, Key::enter},
+                                                                          {ImGuiKey_Escape, Key::escape},
+                                                                          {imgui::keypad_enter, Key::keypad_enter},
+                                                                          {ImGuiKey_A, Key::a},
+                                                                          {ImGuiKey_C, Key::c},
+                                                                          {ImGuiKey_V, Key::v},
+                                                                          {ImGuiKey_X, Key::x},
+                                                                          {ImGuiKey_Y, Key::y},
+                                                                          {ImGuiKey_Z, Key::z}});
 
 const char* read_clipboard(void* user) {
   auto& text = *static_cast<ClipboardText*>(user);
@@ -51,18 +53,16 @@ void connect(ImGuiIO& io, ClipboardText& clipboard) {
   io.ClipboardUserData = &clipboard;
   io.GetClipboardTextFn = read_clipboard;
   io.SetClipboardTextFn = write_clipboard;
-  for (const auto& [theirs, ours] : edit_keys) io.KeyMap[theirs] = static_cast<int>(ours);
+  imgui::set_up_keys(io);
 }
 
 void feed(ImGuiIO& io, const InputFrame& input) {
   io.MousePos = input.pointer_x < 0 ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(input.pointer_x, input.pointer_y);
   for (std::size_t i = 0; i < input.buttons_down.size(); ++i) io.MouseDown[i] = input.buttons_down[i];
   io.MouseWheel = input.wheel;
-  for (std::size_t i = 0; i < input.keys_down.size(); ++i) io.KeysDown[i] = input.keys_down[i];
-  io.KeyCtrl = input.down(Key::control);
-  io.KeyShift = input.down(Key::shift);
-  io.KeyAlt = input.down(Key::alt);
-  io.KeySuper = input.down(Key::super);
+  for (const auto& [theirs, ours] : edit_keys) imgui::set_key(io, theirs, input.down(ours));
+  imgui::set_modifiers(io, input.down(Key::control), input.down(Key::shift), input.down(Key::alt),
+                       input.down(Key::super));
   for (const char32_t character : input.characters) io.AddInputCharacter(character);
 }
 

@@ -14,7 +14,7 @@ struct ClipboardText {
   std::string last;
 };
 
-/// Tells ImGui which of our keys its text fields use, and to use the clipboard, which must outlive it.
+/// Tells ImGui that feed() has its keys, and to use the clipboard, which must outlive it.
 void connect(ImGuiIO& io, ClipboardText& clipboard);
 
 /// Gives ImGui the mouse and the keyboard of a frame.

@@ -34,7 +34,7 @@ float pill_words_width(const Theme& theme, const Area& crowd, const Pill& pill) 
 }
 
 ImVec2 pill_size(const Theme& theme, const Area& crowd, const Pill& pill) {
-  const ImVec2 words = theme.regular->CalcTextSizeA(theme.regular->FontSize, FLT_MAX,
+  const ImVec2 words = theme.regular->CalcTextSizeA(font_height(theme.regular), FLT_MAX,
                                                     pill_words_width(theme, crowd, pill), pill.words.c_str());
   return {words.x + theme.px(2 * pill_pad_x + dot_room + (pill.close ? cross_room : 0)),
           words.y + theme.px(2 * pill_pad_y + 2)};
@@ -43,7 +43,7 @@ ImVec2 pill_size(const Theme& theme, const Area& crowd, const Pill& pill) {
 void draw_pill(const Theme& theme, const Area& crowd, const Pill& pill, bool hovered) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 from = pill.place.from;
-  const float middle = from.y + theme.px(pill_pad_y + 1) + theme.regular->FontSize / 2;
+  const float middle = from.y + theme.px(pill_pad_y + 1) + font_height(theme.regular) / 2;
   const auto seen = [&](ImU32 ink) { return colour::with_alpha(ink, pill.presence); };
   draw.AddRectFilled(from, pill.place.to, seen(colour::panel), theme.px(13));
   draw.AddCircleFilled({from.x + theme.px(pill_pad_x), middle}, theme.px(pill_dot), seen(pill.dot));

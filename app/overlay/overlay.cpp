@@ -88,7 +88,7 @@ Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& 
   io.LogFilename = nullptr;
   connect(io, state_->clipboard);
   io.Fonts->Build();
-  io.Fonts->SetTexID(&state_->theme);  // until a renderer has one: with none, ImGui misses text drawn without it
+  io.Fonts->SetTexID(imgui::texture_id(1));  // until a renderer has one: with none, ImGui misses text drawn without it
 }
 
 Overlay::~Overlay() = default;

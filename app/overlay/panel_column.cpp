@@ -94,12 +94,12 @@ void PanelColumn::show_search_field(const Area& place, OverlaySwitches& switches
   widgets_.text_field("search", switches.search, "Search all values  (/)",
                       {.from = {place.from.x + margin, top}, .to = {place.to.x - margin, top + theme_.px(22)}});
   const bool was_active = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
-  if (was_active && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) {
+  if (was_active && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) {
     widgets_.focus().go_to_first_row();
   }
   if (!ImGui::IsItemDeactivated()) return;
-  wants_the_only_one_ = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) switches.search.clear();
+  wants_the_only_one_ = ImGui::IsKeyPressed(ImGuiKey_Enter);
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) switches.search.clear();
 }
 
 void PanelColumn::show_found(const TabContext& context, OverlaySwitches& switches) {

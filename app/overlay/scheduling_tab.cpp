@@ -152,7 +152,7 @@ void show_legend(const Theme& theme) {
   show("compute", colour::compute);
   show("write back", colour::write_back);
   show("wait", colour::wait);
-  ImGui::Dummy({0, theme.small->FontSize});
+  ImGui::Dummy({0, font_height(theme.small)});
 }
 
 std::string as_hex(std::uint64_t value) {

@@ -61,7 +61,7 @@ struct Axes {
 Axes axes_of(const Theme& theme, const Area& all, const SweepCurve& curve) {
   double highest = 0;
   for (const SweepStop& stop : curve.stops) highest = std::max(highest, stop.cost.milliseconds);
-  const float line = theme.small->FontSize + theme.px(4);
+  const float line = font_height(theme.small) + theme.px(4);
   const Area plot{.from = {all.from.x + theme.px(axis_width), all.from.y + line},
                   .to = {all.to.x, all.to.y - line},
                   .hovered = all.hovered};
@@ -88,7 +88,7 @@ void draw_axes(const Theme& theme, const Axes& axes) {
   for (const double share : {0.0, 0.5, 1.0}) {
     const float y = axes.y_of(share * axes.highest);
     ImGui::GetWindowDrawList()->AddLine({axes.plot.from.x, y}, {axes.plot.to.x, y}, colour::grid);
-    draw_text(theme.small, {axes.plot.from.x - theme.px(6), y - theme.small->FontSize / 2}, colour::faint,
+    draw_text(theme.small, {axes.plot.from.x - theme.px(6), y - font_height(theme.small) / 2}, colour::faint,
               share == 0 ? "0 ms" : in_three_digits(share * axes.highest), 1);
   }
 }
@@ -101,7 +101,7 @@ void draw_in_force(const Theme& theme, const Axes& axes, float x) {
   }
   const bool at_the_right = x > axes.plot.from.x + axes.plot.width() * 0.8F;
   const bool at_the_left = x < axes.plot.from.x + axes.plot.width() * 0.2F;
-  draw_text(theme.small, {x, axes.plot.from.y - theme.small->FontSize - theme.px(2)}, colour::changed, "in force",
+  draw_text(theme.small, {x, axes.plot.from.y - font_height(theme.small) - theme.px(2)}, colour::changed, "in force",
             at_the_right ? 1.0F : (at_the_left ? 0.0F : 0.5F));
 }
 

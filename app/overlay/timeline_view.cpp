@@ -89,8 +89,8 @@ void draw_lanes(const Theme& theme, const Area& area, std::span<const TimelineFr
       if (pu < frame.lanes.size()) draw_spans(theme, lane, frame, pu, start, axis);
       start += length_of(frame);
     }
-    if (pitch < theme.small->FontSize) continue;
-    draw_text(theme.small, {area.from.x - theme.px(20), (lane.from.y + lane.to.y - theme.small->FontSize) / 2},
+    if (pitch < font_height(theme.small)) continue;
+    draw_text(theme.small, {area.from.x - theme.px(20), (lane.from.y + lane.to.y - font_height(theme.small)) / 2},
               colour::dim, std::to_string(pu));
   }
 }
@@ -151,7 +151,7 @@ void show_timeline(const TabContext& context) {
   const Theme& theme = widgets.theme();
   const float lanes = std::clamp(20.0F * static_cast<float>(frames.back().lanes.size()), 60.0F, 150.0F);
   const Area all = widgets.area("Timeline", lanes + 16);
-  ImGui::SetItemUsingMouseWheel();
+  imgui::take_wheel();
   const Area area{.from = {all.from.x + theme.px(20), all.from.y},
                   .to = {all.to.x, all.to.y - theme.px(16)},
                   .hovered = all.hovered};

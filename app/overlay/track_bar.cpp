@@ -235,7 +235,7 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
 }
 
 void write_state(const Theme& theme, const Area& place, const ClockInHand& clock) {
-  const float y = place.from.y + (place.height() - theme.regular->FontSize) / 2;
+  const float y = place.from.y + (place.height() - font_height(theme.regular)) / 2;
   std::string words = state_words(clock, true);
   if (text_width(theme.regular, words) > place.width() - theme.px(12)) words = state_words(clock, false);
   ImGui::PushClipRect(place.from, place.to, true);

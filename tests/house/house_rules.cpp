@@ -89,11 +89,10 @@ const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"tiny_gltf", {"engine/anim/import/"}},
       {"nlohmann/", {"engine/anim/import/", "assets/"}},
-      {"imgui", {"engine/render/passes/overlay_renderer.cpp", "app/overlay/"}},
+      {"imgui", {"engine/render/passes/overlay_renderer.cpp", "engine/render/passes/imgui_versions.h", "app/overlay/"}},
       {"CLI/", {"app/command_line/"}},
       {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},
-      {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
       {"glad/", {"engine/render/"}},
       {"hwy/", {"engine/anim/kernel/", "app/crowd/steering/near_bodies.cpp", "app/crowd/steering/step_strip.cpp"}},
       {"oneapi/tbb/", {"engine/anim/run/tbb_executor.h", "engine/anim/run/tbb_executor.cpp"}},

@@ -11,7 +11,7 @@ void BarControls::fill(bool chosen) const {
 }
 
 void BarControls::write(const std::string& words, bool chosen) const {
-  const float y = last_.from.y + (last_.height() - widgets_.theme().small->FontSize) / 2;
+  const float y = last_.from.y + (last_.height() - font_height(widgets_.theme().small)) / 2;
   draw_text(widgets_.theme().small, {middle().x, y}, chosen ? colour::on_accent : colour::text, words, 0.5F);
 }
 

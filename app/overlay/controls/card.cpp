@@ -11,7 +11,7 @@ namespace {
 constexpr float most_of_the_crowd = 0.2F;  // of the crowd's area
 constexpr float least_card_height = 70;    // a window so small that a fifth of it shows nothing keeps one line
 
-float title_bar_height(const Theme& theme) { return theme.strong->FontSize + 2 * ImGui::GetStyle().FramePadding.y; }
+float title_bar_height(const Theme& theme) { return font_height(theme.strong) + 2 * ImGui::GetStyle().FramePadding.y; }
 
 ImVec2 inside_of(const Area& crowd, ImVec2 at, ImVec2 size) {
   return {std::clamp(at.x, crowd.from.x, std::max(crowd.from.x, crowd.to.x - size.x)),
@@ -47,11 +47,11 @@ Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImFont* const font = ImGui::GetFont();
-  ImGui::SetCurrentFont(theme.strong);  // PushFont and PopFont would be in two windows, each with a texture
+  imgui::set_font(theme.strong);
   is_unfolded_ = ImGui::Begin(((layout.title.empty() ? name : layout.title) + "###" + name).c_str(), &stays_open_,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                   ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::SetCurrentFont(font);
+  imgui::set_font(font);
   ImGui::PopStyleVar(2);
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   const ImVec2 kept = inside_of(crowd, window.Pos, window.Size);

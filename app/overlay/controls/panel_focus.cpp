@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -14,7 +15,10 @@ constexpr double seconds_until_it_rests = 0.5;
 
 constexpr std::array panel_keys = {Key::up,    Key::down,  Key::left,         Key::right, Key::home,      Key::end,
                                    Key::space, Key::enter, Key::keypad_enter, Key::del,   Key::backspace, Key::tab};
-constexpr std::array repeated_keys = {Key::up, Key::down, Key::left, Key::right};
+constexpr std::array repeated_keys = std::to_array<std::pair<Key, ImGuiKey>>({{Key::up, ImGuiKey_UpArrow},
+                                                                              {Key::down, ImGuiKey_DownArrow},
+                                                                              {Key::left, ImGuiKey_LeftArrow},
+                                                                              {Key::right, ImGuiKey_RightArrow}});
 
 bool was_pressed(const InputFrame& input, Key key) { return std::ranges::count(input.pressed, key) > 0; }
 
@@ -23,8 +27,8 @@ bool belongs_to_panel(const InputFrame& input, Key key) {
   return !input.down(Key::control) && std::ranges::count(panel_keys, key) > 0;
 }
 
-bool is_held_long(const InputFrame& input, Key key) {
-  return input.down(key) && !was_pressed(input, key) && ImGui::IsKeyPressed(static_cast<int>(key), true);
+bool is_held_long(const InputFrame& input, Key key, ImGuiKey theirs) {
+  return input.down(key) && !was_pressed(input, key) && ImGui::IsKeyPressed(theirs, true);
 }
 
 bool is_clicked(ImVec2 from, ImVec2 to) {
@@ -88,8 +92,8 @@ void PanelFocus::take_pressed(InputFrame& input) {
   for (const Key key : input.pressed) {
     if (belongs_to_panel(input, key)) waiting_.push_back({key, shift});
   }
-  for (const Key key : repeated_keys) {
-    if (belongs_to_panel(input, key) && is_held_long(input, key)) waiting_.push_back({key, shift});
+  for (const auto& [key, theirs] : repeated_keys) {
+    if (belongs_to_panel(input, key) && is_held_long(input, key, theirs)) waiting_.push_back({key, shift});
   }
   std::erase_if(input.pressed, [&](Key key) { return belongs_to_panel(input, key); });
 }

@@ -63,13 +63,13 @@ void draw_limit(const Theme& theme, const Area& area, float value, float highest
   for (float x = area.from.x; x < area.to.x; x += 2 * dash) {
     draw_list().AddLine({x, y}, {std::min(x + dash, area.to.x), y}, colour::with_alpha(colour::changed, 0.6F));
   }
-  draw_text(theme.small, {area.to.x + theme.px(6), y - theme.small->FontSize / 2}, colour::changed, words);
+  draw_text(theme.small, {area.to.x + theme.px(6), y - font_height(theme.small) / 2}, colour::changed, words);
 }
 
 void draw_bars(const Theme& theme, const Area& area, const Bars& bars) {
   if (bars.counts.empty()) return;
   const int largest = std::max(1, *std::ranges::max_element(bars.counts));
-  const float line = theme.small->FontSize + theme.px(2);
+  const float line = font_height(theme.small) + theme.px(2);
   const float slot = area.width() / static_cast<float>(bars.counts.size());
   const float width = std::min(slot - theme.px(4), theme.px(46));
   const Area plot{.from = {area.from.x, area.from.y + line}, .to = {area.to.x, area.to.y - line}};
@@ -87,7 +87,7 @@ void draw_bars(const Theme& theme, const Area& area, const Bars& bars) {
 }
 
 void draw_steps(const Theme& theme, const Area& area, const Steps& steps) {
-  const Area plot{.from = area.from, .to = {area.to.x, area.to.y - theme.small->FontSize - theme.px(4)}};
+  const Area plot{.from = area.from, .to = {area.to.x, area.to.y - font_height(theme.small) - theme.px(4)}};
   draw_distance_axis(theme, plot, steps.longest);
   const auto columns = static_cast<int>(plot.width());
   for (int column = 0; column < columns;) {
@@ -103,7 +103,7 @@ void draw_steps(const Theme& theme, const Area& area, const Steps& steps) {
     draw_list().AddRectFilled(from, to, ImGui::GetColorU32(colour::with_alpha(ink, 0.22F)));
     draw_list().AddRectFilled(from, {to.x, from.y + theme.px(2)}, ImGui::GetColorU32(ink));
     if (to.x - from.x > theme.px(14)) {
-      draw_text(theme.small, {(from.x + to.x) / 2, from.y - theme.small->FontSize - theme.px(1)}, colour::dim,
+      draw_text(theme.small, {(from.x + to.x) / 2, from.y - font_height(theme.small) - theme.px(1)}, colour::dim,
                 std::to_string(value), 0.5F);
     }
   }

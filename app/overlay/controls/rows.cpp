@@ -40,13 +40,11 @@ void draw_closed(const Theme& theme, const Area& place, const std::string& word,
                          colour::dim);
 }
 
-bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
-
 // Returns the place in an open list after the keys of this frame.
 int walked(int place, int first, int last) {
-  place += (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
-  if (is_pressed(ImGuiKey_Home)) place = first;
-  if (is_pressed(ImGuiKey_End)) place = last;
+  place += (ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0) - (ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? 1 : 0);
+  if (ImGui::IsKeyPressed(ImGuiKey_Home)) place = first;
+  if (ImGui::IsKeyPressed(ImGuiKey_End)) place = last;
   return std::clamp(place, first, std::max(first, last));
 }
 
@@ -222,9 +220,9 @@ void Widgets::show_list(const char* label, int& index, std::span<const std::stri
   const bool appears = ImGui::IsWindowAppearing();
   const int place_before = list_place_;
   if (!appears) list_place_ = walked(list_place_, first, last);
-  const bool takes = !appears && is_pressed(ImGuiKey_Enter) && list_place_ <= last;
+  const bool takes = !appears && ImGui::IsKeyPressed(ImGuiKey_Enter) && list_place_ <= last;
   if (takes) index = list_place_;
-  if (takes || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  if (takes || ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   for (int i = first; i <= last; ++i) {
     const std::string word = word_of(i, words, none);
     ImGui::PushID(i);

@@ -5,7 +5,12 @@
 
 #include <imgui.h>
 
+#include "engine/render/passes/imgui_versions.h"
+
 namespace throng::app {
+
+namespace imgui = render::imgui;
+using imgui::font_height;
 
 /// The colours of the overlay, packed as Dear ImGui wants them. They are few, because people should look at the crowd.
 namespace colour {

@@ -27,7 +27,7 @@ bool invisible_button(const char* name, ImVec2 size) {
 /// Writes a paragraph; none where the text is empty.
 void write_paragraph(ImFont* font, ImU32 ink, const std::string& text) {
   if (text.empty()) return;
-  ImGui::PushFont(font);
+  imgui::push_font(font);
   ImGui::PushStyleColor(ImGuiCol_Text, ink);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
@@ -41,21 +41,21 @@ Area rectangle(ImVec2 from, ImVec2 to) {
 }
 
 float text_width(ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  return font->CalcTextSizeA(font_height(font), FLT_MAX, 0, text.c_str()).x;
 }
 
 float wrapped_height(ImFont* font, float width, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
+  return font->CalcTextSizeA(font_height(font), FLT_MAX, width, text.c_str()).y;
 }
 
 void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text) {
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, text.c_str(), nullptr, width);
+  ImGui::GetWindowDrawList()->AddText(font, font_height(font), at, colour, text.c_str(), nullptr, width);
 }
 
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
   const float width = align == 0 ? 0 : text_width(font, text);
   const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, place, ImGui::GetColorU32(colour), text.c_str());
+  ImGui::GetWindowDrawList()->AddText(font, font_height(font), place, ImGui::GetColorU32(colour), text.c_str());
 }
 
 void tell(std::initializer_list<std::string> lines) {
@@ -167,9 +167,9 @@ void Widgets::draw_title(const std::string& title, float free_at_the_right) cons
   draw_text(theme_.strong, at, colour::text, title);
   const float left = at.x + text_width(theme_.strong, title) + theme_.px(10);
   const float right = at.x + ImGui::GetContentRegionAvail().x - free_at_the_right;
-  const float y = std::floor(at.y + theme_.strong->FontSize * 0.55F);
+  const float y = std::floor(at.y + font_height(theme_.strong) * 0.55F);
   ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, colour::grid);
-  ImGui::Dummy({0, theme_.strong->FontSize + theme_.px(1)});
+  ImGui::Dummy({0, font_height(theme_.strong) + theme_.px(1)});
 }
 
 bool Widgets::is_left_out(const char* label, const Help& help) {
@@ -185,7 +185,7 @@ void Widgets::show_found_place(const RowSearch::Place& place) {
   ImGui::Dummy({0, theme_.px(4)});
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float right = from.x + ImGui::GetContentRegionAvail().x;
-  const float width = text_width(theme_.small, place.tab), height = theme_.strong->FontSize;
+  const float width = text_width(theme_.small, place.tab), height = font_height(theme_.strong);
   draw_title(place.section, width + theme_.px(10));
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const Area words{.from = {right - width, from.y}, .to = {right, from.y + height}};
@@ -230,7 +230,7 @@ void Widgets::steady_caption(const std::string& text) const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   draw_wrapped(theme_.small, at, colour::dim, width, text);
-  const float kept_free = lines * theme_.small->FontSize;
+  const float kept_free = lines * font_height(theme_.small);
   ImGui::Dummy({width, std::max(kept_free, wrapped_height(theme_.small, width, text))});
 }
 

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/passes/imgui_versions.h"
 
 namespace throng::render {
 namespace {
@@ -18,9 +19,7 @@ constexpr gl::FloatAttribute overlay_attributes[] = {{2, GL_FLOAT, offsetof(ImDr
                                                      {2, GL_FLOAT, offsetof(ImDrawVert, uv)},
                                                      {4, GL_UNSIGNED_BYTE, offsetof(ImDrawVert, col)}};
 
-GLuint texture_of(const ImDrawCmd& command) {
-  return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
-}
+GLuint texture_of(const ImDrawCmd& command) { return static_cast<GLuint>(imgui::texture_name(command.GetTexID())); }
 
 template <typename Element>
 void upload(const gl::Buffer& buffer, const ImVector<Element>& elements) {
@@ -77,7 +76,7 @@ Status OverlayRenderer::upload_fonts() {
   glTextureSubImage2D(fonts_.id(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  atlas.SetTexID(reinterpret_cast<void*>(static_cast<std::uintptr_t>(fonts_.id())));
+  atlas.SetTexID(imgui::texture_id(fonts_.id()));
   return gl::take_errors("the letters of the overlay; ask for a smaller --ui-scale");
 }
 

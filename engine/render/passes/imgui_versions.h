@@ -1,0 +1,82 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+/// What differs between the versions of Dear ImGui that systems have, 1.86 to 1.92. Nothing else asks for a version.
+namespace throng::render::imgui {
+
+#if IMGUI_VERSION_NUM >= 18700
+
+inline constexpr ImGuiKey keypad_enter = ImGuiKey_KeypadEnter;
+
+/// Lets set_key() say which keys are down. All of a frame is known at once, so ImGui spreads nothing over later frames.
+inline void set_up_keys(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
+
+inline void set_key(ImGuiIO& io, ImGuiKey key, bool down) { io.AddKeyEvent(key, down); }
+
+inline void set_modifiers(ImGuiIO& io, bool control, bool shift, bool alt, bool super) {
+  io.AddKeyEvent(ImGuiMod_Ctrl, control);
+  io.AddKeyEvent(ImGuiMod_Shift, shift);
+  io.AddKeyEvent(ImGuiMod_Alt, alt);
+  io.AddKeyEvent(ImGuiMod_Super, super);
+}
+
+/// Keeps the wheel over the last item from scrolling its window.
+inline void take_wheel() { ImGui::SetItemKeyOwner(ImGuiKey_MouseWheelY); }
+
+#else
+
+inline constexpr ImGuiKey keypad_enter = ImGuiKey_KeyPadEnter;
+
+/// Lets set_key() say which keys are down: every key has its own number in the table of keys.
+inline void set_up_keys(ImGuiIO& io) {
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+}
+
+inline void set_key(ImGuiIO& io, ImGuiKey key, bool down) { io.KeysDown[key] = down; }
+
+inline void set_modifiers(ImGuiIO& io, bool control, bool shift, bool alt, bool super) {
+  io.KeyCtrl = control;
+  io.KeyShift = shift;
+  io.KeyAlt = alt;
+  io.KeySuper = super;
+}
+
+/// Keeps the wheel over the last item from scrolling its window.
+inline void take_wheel() { ImGui::SetItemUsingMouseWheel(); }
+
+#endif
+
+#if IMGUI_VERSION_NUM >= 19200
+
+/// Returns the pixels of a line, which are those that the font was loaded with.
+inline float font_height(const ImFont* font) { return font->LegacySize; }
+
+/// Makes a font that of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
+inline void set_font(ImFont* font) { ImGui::SetCurrentFont(font, font_height(font), font_height(font)); }
+
+/// Makes a font that of the next texts, until ImGui::PopFont().
+inline void push_font(ImFont* font) { ImGui::PushFont(font, font_height(font)); }
+
+#else
+
+/// Returns the pixels of a line, which are those that the font was loaded with.
+inline float font_height(const ImFont* font) { return font->FontSize; }
+
+/// Makes a font that of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
+inline void set_font(ImFont* font) { ImGui::SetCurrentFont(font); }
+
+/// Makes a font that of the next texts, until ImGui::PopFont().
+inline void push_font(ImFont* font) { ImGui::PushFont(font); }
+
+#endif
+
+// A texture's id is a pointer in some versions and a number in others.
+inline ImTextureID texture_id(std::uintptr_t name) { return std::bit_cast<ImTextureID>(name); }
+inline std::uintptr_t texture_name(ImTextureID id) { return std::bit_cast<std::uintptr_t>(id); }
+
+}  // namespace throng::render::imgui

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "engine/anim/import/bytes/refusal.h"
 
@@ -142,7 +143,10 @@ class AccessorCheck {
     if (std::ranges::find(any_unsigned, sparse.indices.componentType) == any_unsigned.end()) {
       refuse("its sparse indices are no unsigned integers");
     }
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) refuse("a sparse offset is out of range");
+    if (!std::in_range<std::size_t>(sparse.indices.byteOffset) ||
+        !std::in_range<std::size_t>(sparse.values.byteOffset)) {
+      refuse("a sparse offset is out of range");
+    }
     if (!fits(view_size(sparse.indices.bufferView), static_cast<std::size_t>(sparse.indices.byteOffset), count,
               index_size, index_size)) {
       refuse("its sparse indices do not fit into their buffer view");

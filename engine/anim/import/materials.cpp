@@ -42,10 +42,11 @@ float read_number(const tinygltf::Value& object, const char* name, float fallbac
 
 template <typename Vector>
 Vector read_vector(const tinygltf::Value& object, const char* name, Vector fallback) {
-  const tinygltf::Value* numbers = find_member(object, name);
-  if (numbers == nullptr) return fallback;
-  for (glm::length_t i = 0; i < Vector::length(); ++i) {
-    fallback[i] = static_cast<float>(numbers->Get(static_cast<int>(i)).GetNumberAsDouble());
+  const tinygltf::Value* member = find_member(object, name);
+  if (member == nullptr) return fallback;
+  glm::length_t i = 0;
+  for (const tinygltf::Value& number : member->Get<tinygltf::Value::Array>()) {
+    if (i < Vector::length()) fallback[i++] = static_cast<float>(number.GetNumberAsDouble());
   }
   return fallback;
 }

@@ -120,8 +120,9 @@ Status StateMachineBuilder::take_space(const Description::State& from, StateMach
 }
 
 Status StateMachineBuilder::take_inputs_of_space(const Description::State& from, StateMachine::State& state) const {
-  if (from.by.empty() || from.by.size() > 2) return Error{"blends by one or two inputs: name them in \"by\""};
-  for (std::size_t i = 0; i < from.by.size(); ++i) {
+  if (from.by.empty() || from.by.size() > state.by.size())
+    return Error{"blends by one or two inputs: name them in \"by\""};
+  for (std::size_t i = 0; i < std::min(from.by.size(), state.by.size()); ++i) {
     const std::optional<std::uint32_t> input = machine_->find_input(from.by[i]);
     if (!input || machine_->input(*input).kind != Kind::number) {
       return Error{"blends by " + in_quotes(from.by[i]) + ", which is no input that is a number: add one of this name"};

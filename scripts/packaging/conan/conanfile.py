@@ -37,7 +37,7 @@ class Throng(ConanFile):
     def generate(self):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
-        toolchain.variables.update({"THRONG_DEMO": False, "THRONG_INSTALL": True, "THRONG_WARNINGS_AS_ERRORS": False,
+        toolchain.variables.update({"THRONG_DEMO": False, "THRONG_INSTALL": True, "THRONG_WARNINGS": False,
                                     "BUILD_SHARED_LIBS": bool(self.options.shared)})
         toolchain.generate()
 

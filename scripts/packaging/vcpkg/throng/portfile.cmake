@@ -8,7 +8,7 @@ vcpkg_cmake_configure(
   OPTIONS
     -DTHRONG_DEMO=OFF
     -DTHRONG_INSTALL=ON
-    -DTHRONG_WARNINGS_AS_ERRORS=OFF
+    -DTHRONG_WARNINGS=OFF
     -DBUILD_SHARED_LIBS=${throng_shared}
     -DPKG_CONFIG_EXECUTABLE=${PKGCONFIG})
 vcpkg_cmake_install()

@@ -1,13 +1,36 @@
 # Installs what scripts/packages lists, and what else is asked for, where the machine lacks it; silent and instant when
-# nothing is missing.
+# nothing is missing. Where there is no apt-get it says what to install by hand.
 # shellcheck shell=bash
 
-missing_packages() {
+# package_names COLUMN: that column of scripts/packages.
+package_names() { awk -v column="$1" '!/^#/ && NF && $column != "-" { print $column }' scripts/packages; }
+
+# These two keep, of the names that they read, those that are not installed, and those that the lists of packages have.
+missing_ones() {
   local package
   while read -r package; do
     [ -n "$package" ] || continue
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
-  done < <(grep '^[a-z]' scripts/packages && printf '%s\n' "$@")
+  done
+}
+
+known_ones() {
+  local package
+  while read -r package; do
+    if [ -n "$package" ] && apt-cache show "$package" >/dev/null 2>&1; then echo "$package"; fi
+  done
+}
+
+# Says what to install by hand, in the names of this system, and ends.
+refuse_other_system() {
+  local ids install
+  ids=" $(. /etc/os-release 2>/dev/null && echo "${ID:-} ${ID_LIKE:-}") "
+  case $ids in
+    *" fedora "*) install="dnf install $(package_names 2 | xargs)" ;;
+    *" arch "*) install="pacman -S --needed $(package_names 3 | grep -v '\*$' | xargs), and $(package_names 3 | sed -n 's/\*$//p' | xargs) of its user repository" ;;
+    *) install="install what scripts/packages lists" ;;
+  esac
+  fail "no apt-get here: $install; then cmake --preset release and ninja -C build/release throng"
 }
 
 # Reads what apt-get says: its status lines become a percentage (a line every tenth where there is no terminal), the rest
@@ -44,14 +67,19 @@ apt_get() {
 
 # install_packages [PACKAGE...]
 install_packages() {
-  command -v dpkg-query >/dev/null || fail "no dpkg here: install by hand what scripts/packages lists (names of Debian 12)"
-  local missing
-  mapfile -t missing < <(missing_packages "$@")
-  [ ${#missing[@]} -gt 0 ] || return 0
+  command -v apt-get >/dev/null || refuse_other_system
+  local optional
+  local -a needed known
+  mapfile -t needed < <({ package_names 1 && printf '%s\n' "$@"; } | grep -v '?$' | missing_ones)
+  optional=$(package_names 1 | sed -n 's/?$//p' | missing_ones)
+  mapfile -t known < <(known_ones <<<"$optional")
+  [ $((${#needed[@]} + ${#known[@]})) -gt 0 ] || return 0
   [ "$(id -u)" = 0 ] || command -v sudo >/dev/null ||
-    fail "these packages are missing, and only root or sudo can install them: ${missing[*]}"
-  say "Installing ${#missing[@]} packages: ${missing[*]}"
+    fail "these packages are missing, and only root or sudo can install them: ${needed[*]} ${known[*]}"
   mkdir -p build && : >build/packages.log
+  say "Fetching the lists of packages"
   apt_get update
-  apt_get install --no-install-recommends "${missing[@]}"
+  mapfile -t known < <(known_ones <<<"$optional")  # by the lists of today
+  say "Installing $((${#needed[@]} + ${#known[@]})) packages: ${needed[*]} ${known[*]}"
+  apt_get install --no-install-recommends "${needed[@]}" "${known[@]}"
 }

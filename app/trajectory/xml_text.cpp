@@ -63,6 +63,13 @@ void XmlReader::stop(const std::string& what) {
   XML_StopParser(parser_, XML_FALSE);
 }
 
-std::string XmlReader::here() const { return "line " + std::to_string(XML_GetCurrentLineNumber(parser_)) + ": "; }
+std::string XmlReader::here() const {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // which deprecates the function of before
+  const auto line = XML_GetCurrentLineNumber64(parser_);
+#else
+  const auto line = XML_GetCurrentLineNumber(parser_);
+#endif
+  return "line " + std::to_string(line) + ": ";
+}
 
 }  // namespace throng::app

@@ -1,7 +1,5 @@
 #include "app/character/roles.h"
 
-#include <cctype>
-#include <limits>
 #include <string_view>
 
 #include <glm/geometric.hpp>
@@ -11,139 +9,11 @@
 namespace throng::app {
 namespace {
 
-using Words = std::vector<std::string>;
-
-// "CharacterArmature|Walk_Gun" is walk, gun; "Robot_WalkJump" is robot, walk, jump; digits separate words.
-Words words_of(std::string_view name) {
-  if (const auto bar = name.rfind('|'); bar != std::string_view::npos) name.remove_prefix(bar + 1);
-  Words words;
-  bool inside = false, was_lower = false;
-  for (const char letter : name) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (std::isalpha(code) == 0) {
-      inside = was_lower = false;
-      continue;
-    }
-    const bool upper = std::isupper(code) != 0;
-    if (!inside || (upper && was_lower)) words.emplace_back();
-    words.back().push_back(static_cast<char>(std::tolower(code)));
-    inside = true;
-    was_lower = !upper;
-  }
-  return words;
-}
-
-// A single letter is a whole word: the l of Strafe_L.
-bool any_begins_with(const Words& words, std::string_view beginning) {
-  return std::ranges::any_of(words, [&](const std::string& word) {
-    return beginning.size() == 1 ? word == beginning : word.starts_with(beginning);
-  });
-}
-
-bool any_begins_with_one_of(const Words& words, std::span<const std::string_view> beginnings) {
-  return std::ranges::any_of(beginnings, [&](auto word) { return any_begins_with(words, word); });
-}
-
-struct RoleWords {
-  Role role;
-  std::vector<std::string_view> wanted;    // best first
-  std::vector<std::string_view> unwanted;  // a name with such a word is another thing
-  std::vector<std::string_view> also{};    // a name without any of these words is another thing, too
-};
-
-const std::vector<std::string_view> not_straight_ahead{"back",   "bwd",  "left", "right",
-                                                       "strafe", "jump", "stop", "start"};
-const std::vector<std::string_view> not_a_steady_step{"jump", "stop",  "start", "turn",   "crouch", "dodge", "roll",
-                                                      "dash", "climb", "stair", "attack", "hit",    "up",    "down"};
-
-std::vector<std::string_view> not_steady_nor(std::vector<std::string_view> others) {
-  others.insert(others.end(), not_a_steady_step.begin(), not_a_steady_step.end());
-  return others;
-}
-
-const std::vector<RoleWords>& vocabulary() {
-  static const std::vector<RoleWords> words{
-      {Role::stand,
-       {"idle", "survey", "breath", "stand"},
-       {"jump", "lie", "sit", "fall", "swim", "crouch", "up", "down"}},
-      {Role::look_around, {"look", "survey", "search"}, {}},
-      {Role::walk, {"walk", "jog", "run", "move"}, not_straight_ahead},
-      {Role::jog, {"jog", "trot"}, not_straight_ahead},
-      {Role::run, {"run", "sprint", "gallop"}, not_straight_ahead},
-      {Role::wave, {"wav", "greet", "hello"}, {}},
-      {Role::cheer,
-       {"cheer", "celebrat", "victor", "danc", "excited", "happy", "thumbs", "jump"},
-       {"idle", "land", "start", "end", "attack", "walk", "run"}},
-      {Role::clap, {"clap", "applau"}, {}},
-      {Role::sit, {"sit", "seat"}, {"down", "up", "pose", "stand", "start", "stop"}},
-      {Role::walk_back,
-       {"walk", "step", "move", "strafe", "jog", "run"},
-       not_steady_nor({"left", "right", "l", "r"}),
-       {"back", "bwd"}},
-      {Role::step_left,
-       {"step", "strafe", "walk", "move", "jog", "run"},
-       not_steady_nor({"right", "r", "back", "bwd", "forward", "fwd"}),
-       {"left", "l"}},
-      {Role::step_right,
-       {"step", "strafe", "walk", "move", "jog", "run"},
-       not_steady_nor({"left", "l", "back", "bwd", "forward", "fwd"}),
-       {"right", "r"}},
-      {Role::shuffle,
-       {"shuffl", "slow"},
-       not_steady_nor({"back", "bwd", "left", "right", "strafe", "jog", "run", "danc"}),
-       {"shuffl", "walk"}},
-      {Role::step_in_place,
-       {"march", "step", "trampl", "mark"},
-       not_steady_nor({"left", "right"}),
-       {"place", "spot", "time"}},
-      {Role::veer_left,
-       {"veer", "diag", "forward", "fwd"},
-       not_steady_nor({"right", "r", "back", "bwd"}),
-       {"left", "l"}},
-      {Role::veer_right,
-       {"veer", "diag", "forward", "fwd"},
-       not_steady_nor({"left", "l", "back", "bwd"}),
-       {"right", "r"}},
-      {Role::talk, {"talk", "speak", "convers", "chat"}, {"sit", "walk", "run", "phone"}},
-      {Role::phone, {"phone", "texting"}, {"hold", "talk", "call", "walk", "run", "sit"}},
-      {Role::call, {"call", "phone"}, {"walk", "run", "sit"}, {"call", "talk"}},
-      {Role::drink, {"drink", "sip"}, {"walk", "run", "sit"}},
-      {Role::take_picture, {"picture", "photo"}, {"walk", "run", "sit"}},
-      {Role::lean, {"lean"}, {"start", "stop", "walk", "run", "left", "right"}},
-      {Role::sit_on_step, {"sit"}, {"down", "up", "pose", "stand", "start", "stop"}, {"step", "stair", "ground"}},
-      {Role::carry, {"carry"}, {"walk", "run", "jump"}},
-      {Role::hold_up, {"hold"}, {"walk", "run"}, {"up", "umbrella"}},
-      {Role::hold_phone, {"hold"}, {"walk", "run"}, {"phone"}},
-      {Role::lead, {"lead"}, {"walk", "run"}},
-      {Role::led, {"led"}, {}},
-      {Role::push, {"push"}, {"up", "down", "pushed", "attack", "button"}},
-      {Role::stick, {"stick", "cane"}, {"attack", "fight", "hit"}},
-  };
-  return words;
-}
+using anim::any_begins_with;
+using Words = anim::ClipWords;
 
 constexpr std::array<std::string_view, 12> not_for_a_crowd{"pose", "death", "die",  "dead", "land",   "start",
                                                            "end",  "lie",   "fall", "hit",  "defeat", "down"};
-
-constexpr std::size_t another_thing = std::numeric_limits<std::size_t>::max();
-
-// Lower is plainer: first the word itself, then as few others beside it as possible ("Idle" before "Idle_Gun").
-std::size_t strangeness(const Words& words, const RoleWords& role) {
-  if (any_begins_with_one_of(words, role.unwanted)) return another_thing;
-  if (!role.also.empty() && !any_begins_with_one_of(words, role.also)) return another_thing;
-  for (std::size_t rank = 0; rank < role.wanted.size(); ++rank) {
-    if (!any_begins_with(words, role.wanted[rank])) continue;
-    const auto long_words = std::ranges::count_if(words, [](const auto& word) { return word.size() > 1; });
-    return rank * 100 + static_cast<std::size_t>(long_words);
-  }
-  return another_thing;
-}
-
-int plainest(std::span<const Words> names, const RoleWords& role) {
-  const auto strange = [&](const Words& words) { return strangeness(words, role); };
-  const auto best = std::ranges::min_element(names, {}, strange);
-  return best == names.end() || strange(*best) == another_thing ? no_clip : static_cast<int>(best - names.begin());
-}
 
 int clip_with_words(std::span<const Words> names, std::string_view one, std::string_view other) {
   const auto found = std::ranges::find_if(
@@ -155,18 +25,13 @@ std::vector<int> clips_for_any_role(std::span<const Words> names) {
   std::vector<int> fit, all;
   for (std::size_t clip = 0; clip < names.size(); ++clip) {
     all.push_back(static_cast<int>(clip));
-    if (!any_begins_with_one_of(names[clip], not_for_a_crowd)) fit.push_back(static_cast<int>(clip));
+    const auto is_in_name = [&](std::string_view word) { return any_begins_with(names[clip], word); };
+    if (std::ranges::none_of(not_for_a_crowd, is_in_name)) fit.push_back(static_cast<int>(clip));
   }
   return fit.empty() ? all : fit;
 }
 
 }  // namespace
-
-std::optional<Role> role_named(std::string_view name) {
-  const auto* const found = std::ranges::find(role_names, name);
-  if (found == role_names.end()) return std::nullopt;
-  return static_cast<Role>(found - role_names.begin());
-}
 
 std::string known_roles() { return joined(role_names, ", ", " and "); }
 
@@ -227,13 +92,10 @@ std::optional<Role> CharacterRoles::playable(Role role) const {
 CharacterRoles roles_by_name(std::span<const std::string> clip_names) {
   std::vector<Words> names;
   names.reserve(clip_names.size());
-  for (const std::string& name : clip_names) names.push_back(words_of(name));
+  for (const std::string& name : clip_names) names.push_back(anim::words_of_clip(name));
 
   CharacterRoles roles;
-  for (const RoleWords& role : vocabulary()) roles.clips[index_of(role.role)] = plainest(names, role);
-  for (const Role gait : {Role::jog, Role::run, Role::shuffle}) {  // what stands in for a walk is no other gait
-    if (roles.clip(gait) == roles.clip(Role::walk)) roles.clips[index_of(gait)] = no_clip;
-  }
+  roles.clips = anim::roles_of_clips(clip_names);
   roles.others = clips_for_any_role(names);
   roles.sit_down.clip = clip_with_words(names, "sit", "down");
   roles.stand_up.clip = clip_with_words(names, "stand", "up");

@@ -12,51 +12,15 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/anim/bake/clip_roles.h"
+
 namespace throng::app {
 
-/// The things that a member of the crowd can do.
-enum class Role : std::uint8_t {
-  stand,
-  look_around,
-  walk,
-  jog,
-  run,
-  wave,
-  cheer,
-  clap,
-  sit,
-  walk_back,  // from here on for people who are led by a file of trajectories; no scene asks for them
-  step_left,
-  step_right,
-  shuffle,
-  step_in_place,
-  veer_left,
-  veer_right,
-  talk,
-  phone,  // from here on for people who hold something, or rest
-  call,
-  drink,
-  take_picture,
-  lean,
-  sit_on_step,
-  carry,  // from here on for an arm, over what the rest of the body does
-  hold_up,
-  hold_phone,
-  lead,
-  led,
-  push,
-  stick,
-  other
-};
-inline constexpr std::size_t role_count = 30;  ///< roles that one clip fills; `other` is any clip
-
-/// The names that `--clips`, the role file and the overlay use, in the order of Role.
-inline constexpr std::array<const char*, role_count> role_names = {
-    "stand",   "look_around", "walk",      "jog",        "run",          "wave",          "cheer",       "clap",
-    "sit",     "walk_back",   "step_left", "step_right", "shuffle",      "step_in_place", "veer_left",   "veer_right",
-    "talk",    "phone",       "call",      "drink",      "take_picture", "lean",          "sit_on_step", "carry",
-    "hold_up", "hold_phone",  "lead",      "led",        "push",         "stick"};
-std::optional<Role> role_named(std::string_view name);
+/// The things that a member of the crowd can do, and the names that `--clips`, the role file and the overlay use.
+using Role = anim::ClipRole;
+inline constexpr std::size_t role_count = anim::clip_role_count;
+inline constexpr std::array<const char*, role_count> role_names = anim::clip_role_names;
+using anim::role_named;
 std::string known_roles();  ///< "stand, look_around, ... and talk"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
@@ -69,8 +33,8 @@ struct RoleChoice {
 };
 inline constexpr const char* no_clip_name = "none";
 
-inline constexpr int no_clip = -1;
-using RoleClips = std::array<int, role_count>;  ///< index of a clip or no_clip, by Role
+inline constexpr int no_clip = anim::no_clip;
+using RoleClips = anim::RoleClips;
 constexpr RoleClips no_clips() {
   RoleClips clips{};
   clips.fill(no_clip);
@@ -153,9 +117,8 @@ struct CharacterRoles {
   std::optional<Role> playable(Role role) const;
 };
 
-/// Guesses roles from clip names as artists write them: "Idle", "Walking_A", "CharacterArmature|Wave". The plainest
-/// name wins; a run stands in for a walk. Fills `clips`, `others` and the clips of passages and leaves the rest to the
-/// caller.
+/// Guesses roles from clip names (anim::roles_of_clips). Fills `clips`, `others` and the clips of passages and leaves
+/// the rest to the caller.
 CharacterRoles roles_by_name(std::span<const std::string> clip_names);
 
 }  // namespace throng::app

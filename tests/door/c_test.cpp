@@ -71,6 +71,14 @@ TEST(DoorC, PosesAsTheOneForCppDoes) {
   EXPECT_EQ(throng_crowd_pose_hash(c.crowd), cpp.hash());
 }
 
+TEST(DoorC, FindsClipsByTheirRolesToo) {
+  CCrowd c(1);
+  EXPECT_EQ(throng_character_find_role(c.character, "stand"), throng_character_find_clip(c.character, "idle"));
+  EXPECT_EQ(throng_character_find_role(c.character, "Stand"), THRONG_NONE);
+  EXPECT_EQ(throng_character_find_role(nullptr, "stand"), THRONG_NONE);
+  EXPECT_EQ(heard().size(), 2U);
+}
+
 TEST(DoorC, SaysWhyACallFailed) {
   CCrowd c(1);
   EXPECT_EQ(throng_load("no-such-model.glb", 0.0), nullptr);

@@ -1,15 +1,21 @@
 // Loading a character and asking what it has.
 
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/anim/agent/heard_misuses.h"
 #include "tests/door/door_crowd.h"
+#include "tests/own_folder.h"
 
 namespace throng::character_test {
 namespace {
 
+using anim::HeardMisuses;
 using door_test::mannequin;
 using testing::HasSubstr;
 
@@ -21,6 +27,42 @@ TEST(DoorCharacter, KnowsItsClipsByName) {
   EXPECT_NEAR(mannequin().clip(walk).ground_speed, 1.4, 0.3);
   EXPECT_FALSE(mannequin().find_clip("no such clip").valid());
   EXPECT_EQ(mannequin().clip({}).name, "");
+}
+
+/// Returns the built-in character as an artist may write it: its clips idle and walk are named Idle and WALK.
+Character with_capitals() {
+  const test::OwnFolder folder;
+  std::ifstream file(THRONG_SOURCE_DIR "/assets/mannequin.glb", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  for (const auto& [from, to] : {std::pair{"\"idle\"", "\"Idle\""}, {"\"walk\"", "\"WALK\""}}) {
+    bytes.replace(bytes.find(from), 6, to);
+  }
+  const std::string copy = folder.path() / "capitals.glb";
+  std::ofstream(copy, std::ios::binary) << bytes;
+  return load(copy)->characters.front();
+}
+
+TEST(DoorCharacter, FindsClipsByTheRolesThatTheirNamesTell) {
+  EXPECT_EQ(mannequin().find_role("stand"), mannequin().find_clip("idle"));
+  EXPECT_EQ(mannequin().find_role("run"), mannequin().find_clip("run"));
+  const Character capitals = with_capitals();
+  EXPECT_FALSE(capitals.find_clip("idle").valid());
+  EXPECT_EQ(capitals.find_role("stand"), capitals.find_clip("Idle"));
+  EXPECT_EQ(capitals.find_role("walk"), capitals.find_clip("WALK"));
+}
+
+TEST(DoorCharacter, FindsNoClipThatLeftForARole) {
+  const Character less = *mannequin().without(mannequin().find_clip("wave"));
+  EXPECT_TRUE(mannequin().find_role("wave").valid());
+  EXPECT_FALSE(less.find_role("wave").valid());
+  EXPECT_FALSE(Character().find_role("walk").valid());
+}
+
+TEST(DoorCharacter, ARoleThatThereIsNotIsAMisuse) {
+  const HeardMisuses heard;
+  EXPECT_FALSE(mannequin().find_role("Walk").valid());
+  ASSERT_EQ(HeardMisuses::all().size(), 1U);
+  EXPECT_THAT(HeardMisuses::all().front(), HasSubstr("Character::find_role"));
 }
 
 TEST(DoorCharacter, KnowsItsBones) {

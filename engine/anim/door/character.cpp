@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/bake/clip_roles.h"
 #include "engine/anim/bake/clip_set.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/character_data.h"
@@ -96,6 +97,20 @@ ClipId Character::find_clip(std::string_view name) const {
 }
 
 Result<Character> Character::with_clips(const Character& more) const {
+ClipId Character::find_role(std::string_view role) const {
+  const std::optional<anim::ClipRole> wanted = anim::role_named(role);
+  if (!wanted) {
+    anim::report_misuse({"Character::find_role", "there is no role of this name; see the list in throng/character.h"});
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const anim::BakedClip& clip : baked(data()).clips) names.push_back(clip.is_empty() ? std::string() : clip.name);
+  const int found = anim::roles_of_clips(names)[static_cast<std::size_t>(*wanted)];
+  if (found == anim::no_clip) return {};
+  const auto number = static_cast<std::uint32_t>(found);
+  return {.number = number, .generation = baked(data()).clips[number].generation};
+}
+
   if (!*this || !more) return anim::refuse({"Character::with_clips", "a character is empty"});
   Result<anim::Character> made = anim::with_clips(data()->baked, more.data()->baked);
   if (!made) return made.error();

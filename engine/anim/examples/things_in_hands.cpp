@@ -53,7 +53,7 @@ int main(int count, char** arguments) {
   std::vector<Matrix> hands(people.size()), things(people.size());
   std::vector<Standing> standing(people.size());
   std::vector<PoseRequest> requests;
-  const ClipId walk = person.find_clip("walk");
+  const ClipId walk = person.find_role("walk");
   for (const AgentId id : people) {
     const auto i = static_cast<std::size_t>(id.number);
     standing[i] = {0.8F * static_cast<float>(i % 10), 0.8F * static_cast<float>(i / 10), static_cast<float>(i)};

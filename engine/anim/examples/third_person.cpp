@@ -19,14 +19,15 @@ int main(int count, char** arguments) {
 
   // Idle at 0, then each looping clip that goes somewhere, by its speed: feet keep step in between.
   std::vector<BlendPoint> gaits;
-  if (const ClipId idle = hero.find_clip("idle"); idle.valid()) gaits.push_back({.clip = idle});
+  if (const ClipId idle = hero.find_role("stand"); idle.valid()) gaits.push_back({.clip = idle});
   for (const char* name : {"walk", "jog", "run"}) {
-    const ClipId clip = hero.find_clip(name);
+    const ClipId clip = hero.find_role(name);
     const double speed = hero.clip(clip).ground_speed;
     const double last = gaits.empty() ? -1.0 : static_cast<double>(gaits.back().parameter);
     if (clip.valid() && speed > last) gaits.push_back({.clip = clip, .parameter = static_cast<float>(speed)});
   }
-  if (gaits.empty()) return std::fprintf(stderr, "the model has no clip named idle, walk, jog or run\n"), 1;
+  if (gaits.empty())
+    return std::fprintf(stderr, "no clip of the model is named as one to stand, walk, jog or run with\n"), 1;
   const auto legs = agent.add(BlendSpace{.points = gaits});
   const auto gaze = agent.add(LookAt{});         // an error where the character has no head that it knows
   const auto feet = agent.add(FootPlacement{});  // and no legs
@@ -44,7 +45,8 @@ int main(int count, char** arguments) {
     const Ticks before = crowd->clock();
     crowd->advance(ticks_per_second / 60);
     const RootMotion moved = agent.motion().displacement(before, crowd->clock());
-    stand.position.z += moved.displacement.z;
+    const bool walks_in_place = moved.displacement.z == 0.0F;  // as the clips of many files do
+    stand.position.z += walks_in_place ? ahead / 60.0F : moved.displacement.z;
     stand.position.y = 0.1F * stand.position.z;
     agent.motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++steps; });
     const PoseRequest pose{.agent = agent.id()};  // no palette: nobody draws it here

@@ -84,6 +84,13 @@ uint32_t throng_character_find_clip(const throng_character* character, const cha
   return character->own.find_clip(name).number;
 }
 
+uint32_t throng_character_find_role(const throng_character* character, const char* role) {
+  if (is_missing(character, "throng_character_find_role") || is_missing(role, "throng_character_find_role")) {
+    return THRONG_NONE;
+  }
+  return character->own.find_role(role).number;
+}
+
 uint32_t throng_character_bone_count(const throng_character* character) {
   if (is_missing(character, "throng_character_bone_count")) return 0;
   return static_cast<uint32_t>(character->own.bone_count());

@@ -91,6 +91,8 @@ THRONG_C uint32_t throng_character_clip_count(const throng_character* character)
 THRONG_C const char* throng_character_clip_name(const throng_character* character, uint32_t clip);
 THRONG_C double throng_character_clip_seconds(const throng_character* character, uint32_t clip);
 THRONG_C uint32_t throng_character_find_clip(const throng_character* character, const char* name);
+/* Returns the clip that plays a role, as far as the names of the clips tell; character.h lists the roles. */
+THRONG_C uint32_t throng_character_find_role(const throng_character* character, const char* role);
 THRONG_C uint32_t throng_character_bone_count(const throng_character* character);
 THRONG_C const char* throng_character_bone_name(const throng_character* character, uint32_t bone);
 THRONG_C uint32_t throng_character_palette_entries(const throng_character* character);

@@ -62,6 +62,12 @@ class Character {
   ClipInfo clip(ClipId clip) const;
   /// Returns the clip of this name; an invalid id if there is none.
   ClipId find_clip(std::string_view name) const;
+  /// Returns the clip that plays a role, as far as the names of the clips tell: find_role("walk") is Walk, Walking_A or
+  /// Armature|walk_cycle. An invalid id if no name tells. The plainest name wins, and a run stands in for a walk.
+  /// Roles: stand, look_around, walk, jog, run, wave, cheer, clap, sit, talk, phone, call, drink, take_picture, lean,
+  /// sit_on_step; the gaits walk_back, step_left, step_right, shuffle, step_in_place, veer_left, veer_right; for an arm
+  /// carry, hold_up, hold_phone, lead, led, push, stick. Another role is a misuse.
+  ClipId find_role(std::string_view role) const;
 
   /// Returns this character with the clips of `more`, for example of another file, which are not copied. Empty
   /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. The surface and

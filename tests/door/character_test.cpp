@@ -1,5 +1,6 @@
 // Loading a character and asking what it has.
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -8,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/anim/kernel/palette/packed_palette.h"
 #include "tests/anim/agent/heard_misuses.h"
 #include "tests/door/door_crowd.h"
 #include "tests/own_folder.h"
@@ -16,6 +18,7 @@ namespace throng::character_test {
 namespace {
 
 using anim::HeardMisuses;
+using door_test::DoorCrowd;
 using door_test::mannequin;
 using testing::HasSubstr;
 
@@ -63,6 +66,25 @@ TEST(DoorCharacter, ARoleThatThereIsNotIsAMisuse) {
   EXPECT_FALSE(mannequin().find_role("Walk").valid());
   ASSERT_EQ(HeardMisuses::all().size(), 1U);
   EXPECT_THAT(HeardMisuses::all().front(), HasSubstr("Character::find_role"));
+}
+
+TEST(DoorCharacter, GivesTheFramesThatUnpackItsPackedPalettes) {
+  const auto frames = mannequin().packing_frames();
+  ASSERT_EQ(frames.size(), mannequin().palette_entries());
+  EXPECT_TRUE(Character().packing_frames().empty());
+  DoorCrowd matrices(1), packed(1, {.palettes = PaletteFormat::packed});
+  for (DoorCrowd* crowd : {&matrices, &packed}) {
+    crowd->agent(0).play({.clip = mannequin().find_clip("walk")});
+    crowd->step(20);
+  }
+  for (std::size_t entry = 0; entry < frames.size(); ++entry) {
+    anim::PackedPaletteEntry words;
+    std::memcpy(&words, packed.palette({0}) + 4 * entry, sizeof(words));
+    const auto& frame = frames[entry];
+    const anim::PaletteMatrix unpacked = anim::unpack(words, {{frame[0], frame[1], frame[2]}, frame[3]});
+    const auto* const floats = reinterpret_cast<const float*>(&unpacked);
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(floats[i], matrices.palette({0})[12 * entry + i], 2e-4F) << entry;
+  }
 }
 
 TEST(DoorCharacter, KnowsItsBones) {

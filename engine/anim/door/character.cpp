@@ -8,6 +8,7 @@
 #include "engine/anim/bake/clip_set.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/character_data.h"
+#include "engine/anim/kernel/palette/hierarchy.h"
 
 namespace throng {
 namespace {
@@ -96,7 +97,6 @@ ClipId Character::find_clip(std::string_view name) const {
   return {.number = static_cast<std::uint32_t>(found - clips.begin()), .generation = found->generation};
 }
 
-Result<Character> Character::with_clips(const Character& more) const {
 ClipId Character::find_role(std::string_view role) const {
   const std::optional<anim::ClipRole> wanted = anim::role_named(role);
   if (!wanted) {
@@ -111,6 +111,7 @@ ClipId Character::find_role(std::string_view role) const {
   return {.number = number, .generation = baked(data()).clips[number].generation};
 }
 
+Result<Character> Character::with_clips(const Character& more) const {
   if (!*this || !more) return anim::refuse({"Character::with_clips", "a character is empty"});
   Result<anim::Character> made = anim::with_clips(data()->baked, more.data()->baked);
   if (!made) return made.error();
@@ -148,6 +149,14 @@ int Character::level_count() const { return static_cast<int>(baked(data()).level
 std::uint32_t Character::palette_entries(int level) const {
   const auto& entries = baked(data()).level_entries;
   return level >= 0 && static_cast<std::size_t>(level) < entries.size() ? entries[static_cast<std::size_t>(level)] : 0;
+}
+
+std::vector<std::array<float, 4>> Character::packing_frames() const {
+  std::vector<std::array<float, 4>> frames;
+  for (const anim::PackingFrame& frame : anim::packing_frames(baked(data()).skeleton)) {
+    frames.push_back({frame.pivot[0], frame.pivot[1], frame.pivot[2], frame.step});
+  }
+  return frames;
 }
 
 double Character::height() const { return baked(data()).height; }

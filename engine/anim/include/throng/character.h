@@ -90,6 +90,10 @@ class Character {
 
   /// Returns the entries of a palette at a bone level.
   std::uint32_t palette_entries(int level = 0) const;
+  /// Returns what packed_palette.glsl unpacks each entry of a packed palette with: where the joint rests, in the space
+  /// of the palette, and the metres of one unit of a place. One for each entry of level 0; none if its palettes cannot
+  /// be packed, and are matrices. They are a table of vec4 for the device, and shared by all agents.
+  std::vector<std::array<float, 4>> packing_frames() const;
   /// Returns the metres of the standing character.
   double height() const;
   /// Returns the names of the data keys of all its clips. DataKey::name is an index.

@@ -18,7 +18,7 @@ namespace throng {
 /// The form in which an entry of a palette is written.
 enum class PaletteFormat : unsigned char {
   matrices,  ///< the top three rows of an affine matrix, row-major: 48 bytes
-  packed  ///< a rotation and a place: 16 bytes, unpacked by shaders/skinning.glsl; characters that scale get matrices
+  packed     ///< a rotation and a place: 16 bytes, unpacked by packed_palette.glsl; characters that scale get matrices
 };
 
 /// The form in which a joint is written.

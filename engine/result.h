@@ -1,10 +1,19 @@
 #pragma once
 
+// A host may have macros of these names; see throng/standard.h.
+#pragma push_macro("max")
+#pragma push_macro("min")
+#undef max
+#undef min
+
 #include <cassert>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
+
+#pragma pop_macro("min")
+#pragma pop_macro("max")
 
 namespace throng {
 
@@ -53,13 +62,24 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-using Status = Result<Done>;
-
 }  // namespace throng
 
 namespace throng::anim {
-using throng::Done, throng::Error, throng::Result, throng::Status;
+using throng::Done, throng::Error, throng::Result;
 }
 namespace throng::render {
-using throng::Done, throng::Error, throng::Result, throng::Status;
+using throng::Done, throng::Error, throng::Result;
 }
+
+// X11 has a macro of this name: who includes it before writes Result<Done>.
+#if !defined(Status)
+namespace throng {
+using Status = Result<Done>;
+}
+namespace throng::anim {
+using throng::Status;
+}
+namespace throng::render {
+using throng::Status;
+}
+#endif

@@ -1,15 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <type_traits>
-#include <utility>
-
 #include "throng/channels.h"
 #include "throng/ids.h"
 #include "throng/math.h"
 #include "throng/processes.h"
 #include "throng/result.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {

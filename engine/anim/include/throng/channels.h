@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "throng/ids.h"
 #include "throng/math.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 /// Requests to the channels of an agent, and settings of new channels. A call reads spans while it lasts.

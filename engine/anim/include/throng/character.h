@@ -1,18 +1,9 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "throng/ids.h"
 #include "throng/math.h"
 #include "throng/result.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {

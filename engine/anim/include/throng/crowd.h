@@ -1,16 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-
 #include "throng/agent.h"
 #include "throng/character.h"
 #include "throng/host.h"
 #include "throng/ids.h"
 #include "throng/result.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {
@@ -93,25 +88,25 @@ class Crowd {
   Crowd(Crowd&&) noexcept;
   Crowd& operator=(Crowd&&) noexcept;
   /// Changes options between frames. Poses stay the same.
-  Status configure(const CrowdOptions& options);
+  Result<Done> configure(const CrowdOptions& options);
 
   // Characters. The first is number 0. At most 32 at a time.
   Result<CharacterId> add(const Character& character);
   /// Errors: agents play it, or it is the only one.
-  Status remove(CharacterId character);
+  Result<Done> remove(CharacterId character);
   /// Takes a character with other clips, which was made of the one that it replaces (Character::with_clips, without),
   /// between frames. Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips
   /// that they know. Errors: an agent plays a clip that leaves; who fades away from a clip plays it still, and who has
   /// interrupted such a fade until it is posed twice. A blend space or state machine of an agent has such a clip. A
   /// place goes from one clip to another at once. A local store of a fixed size is too small. Then nothing has changed.
-  Status replace(CharacterId character, const Character& with_other_clips);
+  Result<Done> replace(CharacterId character, const Character& with_other_clips);
   /// Returns a character; an empty one if there is none of this id.
   Character character(CharacterId character) const;
   /// Returns the bytes from one palette of a character to the next, where many lie in a row.
   std::size_t palette_bytes(CharacterId character) const;
   /// Sets which joints an update writes where PoseRequest::joints says. Errors: the character has no such bone or skin,
   /// or not this format; then nothing has changed.
-  Status write_joints(CharacterId character, const JointOutput& output);
+  Result<Done> write_joints(CharacterId character, const JointOutput& output);
   /// Returns the bytes that an update writes to PoseRequest::joints.
   std::size_t joint_bytes(CharacterId character) const;
   /// Adds weights of bones. A bone inside of another's subtree wins. Bones in no subtree weigh `elsewhere`.
@@ -142,7 +137,7 @@ class Crowd {
 
   void snapshot(Snapshot& into) const;
   /// Puts a snapshot of this crowd back. It goes on to the same poses, bit for bit.
-  Status restore(const Snapshot& from);
+  Result<Done> restore(const Snapshot& from);
 
   class Debug debug() const;
   detail::CrowdParts& parts() const { return *parts_; }

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <span>
-
 #include "throng/crowd.h"
 #include "throng/math.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string_view>
-
 #include "throng/ids.h"
 #include "throng/math.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 /// Settings of post processes, which change an agent's final pose. They work in the order in which they are added. A

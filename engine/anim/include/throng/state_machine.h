@@ -1,16 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-
 #include "throng/agent.h"
 #include "throng/character.h"
 #include "throng/ids.h"
 #include "throng/result.h"
+#include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <concepts>
-#include <cstdint>
-#include <limits>
+#include "throng/standard.h"
 
 namespace throng {
 
@@ -103,7 +100,7 @@ template <>
 class std::numeric_limits<throng::Ticks> {
  public:
   static constexpr bool is_specialized = true;
-  static constexpr throng::Ticks min() { return throng::Ticks{numeric_limits<std::int64_t>::min()}; }
-  static constexpr throng::Ticks lowest() { return min(); }
-  static constexpr throng::Ticks max() { return throng::Ticks{numeric_limits<std::int64_t>::max()}; }
+  static constexpr throng::Ticks(min)() { return throng::Ticks{(numeric_limits<std::int64_t>::min)()}; }
+  static constexpr throng::Ticks lowest() { return (min)(); }
+  static constexpr throng::Ticks(max)() { return throng::Ticks{(numeric_limits<std::int64_t>::max)()}; }
 };

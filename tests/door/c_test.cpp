@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/anim/agent/heard_misuses.h"
+#include "engine/anim/base/aligned_bytes.h"
 #include "tests/door/door_crowd.h"
 
 namespace throng::c_test {
@@ -88,6 +88,38 @@ TEST(DoorC, SaysWhyACallFailed) {
   std::vector<float> few(64);
   EXPECT_NE(throng_crowd_update_all(c.crowd, few.data(), 64, 64), 0);
   EXPECT_THAT(throng_last_error(), HasSubstr("no room for the palette of agent 0"));
+}
+
+/// Returns why a call failed; "" if it went well.
+std::string why(bool has_failed) { return has_failed ? throng_last_error() : ""; }
+
+TEST(DoorC, SaysTheSentenceOfAMisuse) {
+  CCrowd c(2);
+  constexpr throng_id nobody{7, 7};
+  constexpr double never = 1e6;
+  const throng_play walk{.clip = 1, .fade = 0.0F, .speed = 1.0F, .start = 0.0F, .loop = 1};
+  for (const throng_id id : c.ids) throng_agent_play(c.crowd, id, &walk);
+  const std::uint32_t stride = throng_crowd_palette_bytes(c.crowd, first);
+  const anim::AlignedBytes memory = anim::allocate_aligned(std::size_t{3} * stride);
+  float* const palettes = reinterpret_cast<float*>(memory.get());
+  const throng_pose_request of_nobody{nobody, 0, nullptr};
+  EXPECT_EQ(why(throng_crowd_update_all(c.crowd, palettes, std::size_t{2} * stride, stride) != 0), "");
+  EXPECT_EQ(why(throng_crowd_update_all(c.crowd, palettes + 1, std::size_t{2} * stride, stride) != 0),
+            "throng_crowd_update_all: a palette lies at a multiple of 16 bytes");
+  EXPECT_EQ(why(throng_crowd_update_all(c.crowd, palettes, std::size_t{3} * stride, stride + 4) != 0),
+            "throng_crowd_update_all: a palette lies at a multiple of 16 bytes");
+  EXPECT_THAT(why(throng_crowd_update(c.crowd, &of_nobody, 1) != 0), HasSubstr("throng_crowd_update: an agent of"));
+  EXPECT_THAT(why(throng_crowd_advance(c.crowd, -1.0) != 0), HasSubstr("throng_crowd_advance: time does not go back"));
+  EXPECT_THAT(why(throng_agent_play(c.crowd, nobody, &walk) != 0), HasSubstr("throng_agent_play: an agent of this id"));
+  float position[3], rotation[4], turn = 0.0F;
+  EXPECT_THAT(why(throng_agent_socket(c.crowd, c.ids[0], 9, position, rotation) != 0),
+              HasSubstr("no process of this id"));
+  EXPECT_THAT(why(throng_agent_displacement(c.crowd, c.ids[0], 0.0, never, position, &turn) != 0),
+              HasSubstr("within a day of the clock"));
+  EXPECT_THAT(why(throng_agent_keys(c.crowd, c.ids[0], 0.0, never, nullptr, 0) == 0),
+              HasSubstr("throng_agent_keys: times are within a day of the clock"));
+  EXPECT_THAT(why(throng_agent_is_playing(c.crowd, c.ids[0], 9) == 0), HasSubstr("the agent has no slot of this id"));
+  EXPECT_THAT(why(throng_agent_state(c.crowd, c.ids[0], 9) == THRONG_NONE), HasSubstr("throng_agent_state: "));
 }
 
 TEST(DoorC, RefusesNull) {

@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace throng::anim {
 namespace {
 
 std::atomic<MisuseHook> hook_of_the_host{nullptr};
+thread_local MisuseListener* listener = nullptr;
 
 /// Returns whether this was not told before. Of very many it tells the first alone.
 bool is_new(const Misuse& misuse) {
@@ -33,7 +35,15 @@ void print_once(const Misuse& misuse) {
 
 }  // namespace
 
+MisuseListener::MisuseListener() : before_(std::exchange(listener, this)) {}
+MisuseListener::~MisuseListener() { listener = before_; }
+
+void MisuseListener::hear(const Misuse& misuse) {
+  if (reason_.empty()) reason_ = misuse.reason;
+}
+
 bool report_misuse(const Misuse& misuse) {
+  if (listener != nullptr) listener->hear(misuse);
   const MisuseHook hook = hook_of_the_host.load();
   (hook == nullptr ? print_once : hook)(misuse);
   return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "throng/host.h"
 
 #include "engine/anim/base/result.h"
@@ -7,6 +9,23 @@
 namespace throng::anim {
 
 using throng::Misuse, throng::MisuseHook, throng::set_misuse_hook;
+
+/// Hears of the misuses of its thread while it lives, beside the hook. Those of a thread die in reverse order.
+class MisuseListener {
+ public:
+  MisuseListener();
+  ~MisuseListener();
+  MisuseListener(const MisuseListener&) = delete;
+  MisuseListener& operator=(const MisuseListener&) = delete;
+
+  void hear(const Misuse& misuse);
+  /// Returns the reason of the first misuse; an empty text if there was none.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  MisuseListener* before_;
+  std::string reason_;
+};
 
 /// Tells the hook of a misuse. Returns false, which is what a call that was ignored returns.
 bool report_misuse(const Misuse& misuse);

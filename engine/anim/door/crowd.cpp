@@ -5,20 +5,16 @@
 
 #include "throng/debug.h"
 
-#include "engine/anim/agent/system_snapshot.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/joint_list.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 
 namespace throng {
-
-struct Snapshot::State {
-  anim::SystemSnapshot system;
-  detail::AgentNotes notes;
-};
 
 namespace {
 
@@ -67,6 +63,22 @@ Result<anim::JointList> joints_of(const detail::CharacterData& character, const 
   const auto skin = static_cast<std::size_t>(*output.skin);
   if (*output.skin >= 0 && skin < skins.size() && !skins[skin].empty()) return skins[skin];
   return Error{skeleton.name + ": the character has no skin " + std::to_string(*output.skin) + " of the file"};
+}
+
+/// Returns the inside of a crowd without agents, which stands for that of a crowd that was moved from.
+detail::CrowdParts& no_crowd() {
+  static const std::unique_ptr<detail::CrowdParts> parts = [] {
+    anim::Model model;
+    model.skeleton.bones.resize(1);
+    model.skeleton.references.resize(1);
+    model.skeleton.palette.resize(1);
+    model.skeleton.level_bone_counts = {1};
+    auto empty = std::make_unique<detail::CrowdParts>();
+    const auto character = std::make_shared<const anim::Character>(anim::bake_character(model));
+    empty->system = std::move(*anim::AnimationSystem::create(character, {}));
+    return empty;
+  }();
+  return *parts;
 }
 
 /// Notes that these agents are new.
@@ -119,16 +131,15 @@ detail::CrowdCharacter* detail::CrowdParts::character_of(AgentId agent, const ch
   return nullptr;
 }
 
-Snapshot::Snapshot() : state_(std::make_unique<State>()) {}
-Snapshot::~Snapshot() = default;
-Snapshot::Snapshot(Snapshot&&) noexcept = default;
-Snapshot& Snapshot::operator=(Snapshot&&) noexcept = default;
-std::size_t Snapshot::bytes() const { return state_ == nullptr ? 0 : state_->system.bytes(); }
-
 Crowd::Crowd(std::unique_ptr<detail::CrowdParts> parts) : parts_(std::move(parts)) {}
 Crowd::~Crowd() = default;
 Crowd::Crowd(Crowd&&) noexcept = default;
 Crowd& Crowd::operator=(Crowd&&) noexcept = default;
+
+detail::CrowdParts& Crowd::parts() const { return parts_ == nullptr ? no_crowd() : *parts_; }
+bool Crowd::is_gone(const char* call) const {
+  return parts_ == nullptr && !anim::report_misuse({call, detail::was_moved_from});
+}
 
 Result<Crowd> Crowd::create(const Character& character, const CrowdOptions& options) {
   if (!character) return anim::refuse({"Crowd::create", "the character is empty"});
@@ -140,9 +151,13 @@ Result<Crowd> Crowd::create(const Character& character, const CrowdOptions& opti
   return Crowd(std::move(parts));
 }
 
-Status Crowd::configure(const CrowdOptions& options) { return parts_->system->configure(system_options(options)); }
+Status Crowd::configure(const CrowdOptions& options) {
+  if (parts_ == nullptr) return anim::refuse({"Crowd::configure", detail::was_moved_from});
+  return parts_->system->configure(system_options(options));
+}
 
 Result<CharacterId> Crowd::add(const Character& character) {
+  if (parts_ == nullptr) return anim::refuse({"Crowd::add", detail::was_moved_from});
   if (!character) return anim::refuse({"Crowd::add", "the character is empty"});
   const Result<CharacterId> id = parts_->system->characters().add(detail::baked_of(character));
   if (id) keep(*parts_, *id, character);
@@ -150,6 +165,7 @@ Result<CharacterId> Crowd::add(const Character& character) {
 }
 
 Status Crowd::remove(CharacterId character) {
+  if (parts_ == nullptr) return anim::refuse({"Crowd::remove", detail::was_moved_from});
   const Status removed = parts_->system->characters().remove(character);
   if (!removed) return removed;
   parts_->characters[character.number] = {};
@@ -159,6 +175,7 @@ Status Crowd::remove(CharacterId character) {
 
 Status Crowd::replace(CharacterId character, const Character& with_other_clips) {
   constexpr const char* call = "Crowd::replace";
+  if (parts_ == nullptr) return anim::refuse({call, detail::was_moved_from});
   if (!with_other_clips) return anim::refuse({call, "the character is empty"});
   const Character played = this->character(character);
   if (!played) return anim::refuse({call, detail::no_character});
@@ -177,10 +194,12 @@ Status Crowd::replace(CharacterId character, const Character& with_other_clips) 
 }
 
 Character Crowd::character(CharacterId character) const {
+  if (is_gone("Crowd::character")) return {};
   return parts_->system->characters().has(character) ? parts_->characters[character.number].character : Character();
 }
 
 std::size_t Crowd::palette_bytes(CharacterId character) const {
+  if (is_gone("Crowd::palette_bytes")) return 0;
   const anim::Characters& characters = std::as_const(*parts_->system).characters();
   if (!characters.has(character)) return 0;
   return anim::palette_stride(static_cast<std::size_t>(characters[character].skeleton.palette_count()),
@@ -188,6 +207,7 @@ std::size_t Crowd::palette_bytes(CharacterId character) const {
 }
 
 Status Crowd::write_joints(CharacterId character, const JointOutput& output) {
+  if (parts_ == nullptr) return anim::refuse({"Crowd::write_joints", detail::was_moved_from});
   anim::Characters& characters = parts_->system->characters();
   if (!characters.has(character)) {
     return anim::refuse({"Crowd::write_joints", detail::no_character});
@@ -198,11 +218,13 @@ Status Crowd::write_joints(CharacterId character, const JointOutput& output) {
 }
 
 std::size_t Crowd::joint_bytes(CharacterId character) const {
+  if (is_gone("Crowd::joint_bytes")) return 0;
   const anim::Characters& characters = std::as_const(*parts_->system).characters();
   return characters.has(character) ? characters.joint_bytes(character) : 0;
 }
 
 MaskId Crowd::add_mask(CharacterId character, std::span<const BoneWeight> bones, float elsewhere) {
+  if (is_gone("Crowd::add_mask")) return {};
   anim::Characters& characters = parts_->system->characters();
   if (!characters.has(character)) {
     anim::report_misuse({"Crowd::add_mask", detail::no_character});
@@ -225,6 +247,7 @@ MaskId Crowd::add_mask(CharacterId character, std::span<const BoneWeight> bones,
 }
 
 Result<StepId> Crowd::add_step(CharacterId character, const StepKind& kind) {
+  if (parts_ == nullptr) return anim::refuse({"Crowd::add_step", detail::was_moved_from});
   if (!parts_->system->characters().has(character)) {
     return anim::refuse({"Crowd::add_step", detail::no_character});
   }
@@ -239,20 +262,44 @@ AgentId Crowd::add_agent(CharacterId character) {
 }
 
 std::span<const AgentId> Crowd::add_agents(std::uint32_t count, CharacterId character) {
+  if (is_gone("Crowd::add_agents")) return {};
   const std::span<const AgentId> added = parts_->system->add_agents(count, character);
   note(*parts_, added, character);
   return added;
 }
 
-bool Crowd::remove_agent(AgentId agent) { return parts_->system->remove_agent(agent); }
-Agent Crowd::agent(AgentId agent) { return {*parts_, agent}; }
-std::span<const AgentId> Crowd::agents() const { return parts_->system->agents(); }
-std::uint32_t Crowd::number_limit() const { return parts_->system->number_limit(); }
+bool Crowd::remove_agent(AgentId agent) {
+  if (is_gone("Crowd::remove_agent")) return false;
+  return parts_->system->remove_agent(agent);
+}
 
-void Crowd::advance(Ticks delta) { parts_->system->advance(delta); }
-Ticks Crowd::clock() const { return parts_->system->clock(); }
+Agent Crowd::agent(AgentId agent) {
+  is_gone("Crowd::agent");
+  return {parts(), agent};
+}
+
+std::span<const AgentId> Crowd::agents() const {
+  if (is_gone("Crowd::agents")) return {};
+  return parts_->system->agents();
+}
+
+std::uint32_t Crowd::number_limit() const {
+  if (is_gone("Crowd::number_limit")) return 0;
+  return parts_->system->number_limit();
+}
+
+void Crowd::advance(Ticks delta) {
+  if (is_gone("Crowd::advance")) return;
+  parts_->system->advance(delta);
+}
+
+Ticks Crowd::clock() const {
+  if (is_gone("Crowd::clock")) return {};
+  return parts_->system->clock();
+}
 
 void Crowd::update(std::span<const PoseRequest> requests) {
+  if (is_gone("Crowd::update")) return;
   std::vector<anim::AgentUpdate>& updates = parts_->updates;
   updates.clear();
   for (const PoseRequest& request : requests) updates.push_back(update_of(request));
@@ -260,6 +307,7 @@ void Crowd::update(std::span<const PoseRequest> requests) {
 }
 
 void Crowd::pose_exactly(std::span<const PoseRequest> requests) {
+  if (is_gone("Crowd::pose_exactly")) return;
   std::vector<anim::ExactPose>& exact = parts_->exact;
   exact.clear();
   for (const PoseRequest& request : requests) {
@@ -270,6 +318,7 @@ void Crowd::pose_exactly(std::span<const PoseRequest> requests) {
 
 bool Crowd::local_pose(AgentId agent, std::span<LocalTransform> into) {
   constexpr const char* call = "Crowd::local_pose";
+  if (is_gone(call)) return false;
   const anim::AgentView own = std::as_const(*parts_->system).agent(agent);
   if (!own.exists()) return anim::report_misuse({call, detail::no_agent});
   const auto bones = static_cast<std::size_t>(own.character().skeleton.bone_count());
@@ -287,19 +336,9 @@ bool Crowd::local_pose(AgentId agent, std::span<LocalTransform> into) {
   return true;
 }
 
-void Crowd::snapshot(Snapshot& into) const {
-  if (into.state_ == nullptr) into.state_ = std::make_unique<Snapshot::State>();
-  parts_->system->snapshot(into.state_->system);
-  into.state_->notes = parts_->notes;
+Debug Crowd::debug() const {
+  is_gone("Crowd::debug");
+  return Debug(parts());
 }
-
-Status Crowd::restore(const Snapshot& from) {
-  if (from.state_ == nullptr) return anim::refuse({"Crowd::restore", "the snapshot was moved from"});
-  const Status restored = parts_->system->restore(from.state_->system);
-  if (restored) parts_->notes = from.state_->notes;
-  return restored;
-}
-
-Debug Crowd::debug() const { return Debug(*parts_); }
 
 }  // namespace throng

@@ -16,6 +16,7 @@ namespace throng::detail {
 // The reasons why a call with such an id is refused.
 inline constexpr const char* no_agent = "an agent of this id is not in the crowd";
 inline constexpr const char* no_character = "a character of this id is not in the crowd";
+inline constexpr const char* was_moved_from = "it was moved from";
 
 /// Notes of each agent, by number, which level of detail reads.
 struct AgentNotes {

@@ -135,6 +135,10 @@ Lod::~Lod() = default;
 Lod::Lod(Lod&&) noexcept = default;
 Lod& Lod::operator=(Lod&&) noexcept = default;
 
+bool Lod::is_gone(const char* call) const {
+  return state_ == nullptr && !anim::report_misuse({call, detail::was_moved_from});
+}
+
 void Lod::take_characters(const Crowd& crowd) {
   const detail::CrowdParts& parts = crowd.parts();
   if (state_->characters == parts.version) return;
@@ -180,12 +184,14 @@ void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
 }
 
 std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
+  if (is_gone(selects)) return {};
   State& s = *state_;
   s.requests.clear();
   if (const char* fault = fault_of(frame, crowd.number_limit()); fault != nullptr) {
     anim::report_misuse({selects, fault});
     return {};
   }
+  if (crowd.parts().characters.empty()) return {};  // it was moved from, as number_limit() has reported
   const anim::LodRequest request = request_for(frame, crowd.clock());
   take_characters(crowd);
   make_room(crowd.number_limit(), frame.rules);
@@ -210,9 +216,13 @@ std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
   return s.requests;
 }
 
-std::span<PoseRequest> Lod::requests() { return state_->requests; }
+std::span<PoseRequest> Lod::requests() {
+  if (is_gone("Lod::requests")) return {};
+  return state_->requests;
+}
 
 void Lod::settle(const Crowd& crowd) {
+  if (is_gone("Lod::settle")) return;
   if (!std::exchange(state_->has_selected, false)) {
     anim::report_misuse({"Lod::settle", "there was no selection since the last call"});
     return;
@@ -225,10 +235,12 @@ void Lod::settle(const Crowd& crowd) {
 }
 
 void Lod::make_due(AgentId agent) {
+  if (is_gone("Lod::make_due")) return;
   if (agent.number < state_->positions.size()) state_->lod.make_due(agent.number);
 }
 
 bool Lod::is_visible(AgentId agent) const {
+  if (is_gone("Lod::is_visible")) return false;
   return agent.number < state_->positions.size() && state_->lod.is_visible(agent.number);
 }
 

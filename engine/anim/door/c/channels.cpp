@@ -44,20 +44,21 @@ uint32_t throng_agent_add_slot(throng_crowd* crowd, throng_id agent) {
 }
 
 int throng_agent_play_once(throng_crowd* crowd, throng_id agent, uint32_t slot, const throng_one_shot* shot) {
-  constexpr const char* call = "throng_agent_play_once";
-  if (is_missing(crowd, call) || is_missing(shot, call)) return failed;
-  return outcome(agent_of(crowd, agent)
-                     .play_once({slot}, {.clip = {shot->clip},
-                                         .fade_in = to_ticks(static_cast<double>(shot->fade_in)),
-                                         .fade_out = to_ticks(static_cast<double>(shot->fade_out)),
-                                         .speed = static_cast<double>(shot->speed),
-                                         .queued = shot->queued != 0}),
-                 call);
+  const Call call("throng_agent_play_once");
+  if (call.is_missing(crowd) || call.is_missing(shot)) return failed;
+  return call.outcome(agent_of(crowd, agent)
+                          .play_once({slot}, {.clip = {shot->clip},
+                                              .fade_in = to_ticks(static_cast<double>(shot->fade_in)),
+                                              .fade_out = to_ticks(static_cast<double>(shot->fade_out)),
+                                              .speed = static_cast<double>(shot->speed),
+                                              .queued = shot->queued != 0}));
 }
 
 int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent, uint32_t slot) {
-  if (is_missing(crowd, "throng_agent_is_playing")) return 0;
-  return agent_of(crowd, agent).is_playing({slot}) ? 1 : 0;
+  const Call call("throng_agent_is_playing");
+  if (call.is_missing(crowd)) return 0;
+  const bool is_playing = agent_of(crowd, agent).is_playing({slot});
+  return call.went_well() && is_playing ? 1 : 0;
 }
 
 uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const throng_machine* machine) {
@@ -67,12 +68,14 @@ uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const th
 }
 
 int throng_agent_set_input(throng_crowd* crowd, throng_id agent, uint32_t channel, uint32_t input, float value) {
-  constexpr const char* call = "throng_agent_set_input";
-  if (is_missing(crowd, call)) return failed;
-  return outcome(Machine(agent_of(crowd, agent), {channel}).set(input, value), call);
+  const Call call("throng_agent_set_input");
+  if (call.is_missing(crowd)) return failed;
+  return call.outcome(Machine(agent_of(crowd, agent), {channel}).set(input, value));
 }
 
 uint32_t throng_agent_state(throng_crowd* crowd, throng_id agent, uint32_t channel) {
-  if (is_missing(crowd, "throng_agent_state")) return 0;
-  return Machine(agent_of(crowd, agent), {channel}).state();
+  const Call call("throng_agent_state");
+  if (call.is_missing(crowd)) return THRONG_NONE;
+  const uint32_t state = Machine(agent_of(crowd, agent), {channel}).state();
+  return call.went_well() ? state : THRONG_NONE;
 }

@@ -35,33 +35,36 @@ uint32_t throng_crowd_palette_bytes(const throng_crowd* crowd, throng_id charact
 }
 
 int throng_crowd_add_agents(throng_crowd* crowd, throng_id character, uint32_t count, throng_id* agents) {
-  constexpr const char* call = "throng_crowd_add_agents";
-  if (is_missing(crowd, call) || is_missing(agents, call)) return failed;
+  const Call call("throng_crowd_add_agents");
+  if (call.is_missing(crowd) || call.is_missing(agents)) return failed;
   const std::span<const AgentId> added = crowd->own.add_agents(count, character_id(character));
   for (std::size_t i = 0; i < added.size(); ++i) agents[i] = id_of(added[i]);
-  return outcome(added.size() == count, call);
+  return call.outcome(added.size() == count);
 }
 
 int throng_crowd_remove_agent(throng_crowd* crowd, throng_id agent) {
-  constexpr const char* call = "throng_crowd_remove_agent";
-  return is_missing(crowd, call) ? failed : outcome(crowd->own.remove_agent(agent_id(agent)), call);
+  const Call call("throng_crowd_remove_agent");
+  return call.is_missing(crowd) ? failed : call.outcome(crowd->own.remove_agent(agent_id(agent)));
 }
 
 uint32_t throng_crowd_agent_count(const throng_crowd* crowd) {
   return is_missing(crowd, "throng_crowd_agent_count") ? 0 : static_cast<uint32_t>(crowd->own.agents().size());
 }
 
-void throng_crowd_advance(throng_crowd* crowd, double seconds) {
-  if (!is_missing(crowd, "throng_crowd_advance")) crowd->own.advance(to_ticks(seconds));
+int throng_crowd_advance(throng_crowd* crowd, double seconds) {
+  const Call call("throng_crowd_advance");
+  if (call.is_missing(crowd)) return failed;
+  crowd->own.advance(to_ticks(seconds));
+  return call.outcome();
 }
 
 double throng_crowd_clock(const throng_crowd* crowd) {
   return is_missing(crowd, "throng_crowd_clock") ? 0.0 : to_seconds(crowd->own.clock());
 }
 
-void throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count) {
-  constexpr const char* call = "throng_crowd_update";
-  if (is_missing(crowd, call) || (count > 0 && is_missing(requests, call))) return;
+int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count) {
+  const Call call("throng_crowd_update");
+  if (call.is_missing(crowd) || (count > 0 && call.is_missing(requests))) return failed;
   crowd->requests.clear();
   for (std::uint32_t i = 0; i < count; ++i) {
     crowd->requests.push_back({.agent = agent_id(requests[i].agent),
@@ -69,23 +72,24 @@ void throng_crowd_update(throng_crowd* crowd, const throng_pose_request* request
                                .palette = reinterpret_cast<std::byte*>(requests[i].palette)});
   }
   crowd->own.update(crowd->requests);
+  return call.outcome();
 }
 
 int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, uint32_t stride) {
-  constexpr const char* call = "throng_crowd_update_all";
-  if (is_missing(crowd, call) || is_missing(palettes, call)) return failed;
+  const Call call("throng_crowd_update_all");
+  if (call.is_missing(crowd) || call.is_missing(palettes)) return failed;
   auto* const memory = reinterpret_cast<std::byte*>(palettes);
   crowd->requests.clear();
   for (const AgentId agent : crowd->own.agents()) {
     const Agent own = crowd->own.agent(agent);
     const std::size_t needed = crowd->own.palette_bytes(own.character());
     if (stride < needed || bytes / stride <= agent.number) {
-      return fail(std::string(call) + ": there is no room for the palette of agent " + std::to_string(agent.number));
+      return fail("throng_crowd_update_all: there is no room for the palette of agent " + std::to_string(agent.number));
     }
     crowd->requests.push_back({.agent = agent, .palette = memory + std::size_t{agent.number} * stride});
   }
   crowd->own.update(crowd->requests);
-  return done;
+  return call.outcome();
 }
 
 uint64_t throng_crowd_pose_hash(const throng_crowd* crowd) {
@@ -93,21 +97,20 @@ uint64_t throng_crowd_pose_hash(const throng_crowd* crowd) {
 }
 
 int throng_agent_play(throng_crowd* crowd, throng_id agent, const throng_play* play) {
-  constexpr const char* call = "throng_agent_play";
-  if (is_missing(crowd, call) || is_missing(play, call)) return failed;
-  return outcome(agent_of(crowd, agent)
-                     .play({.clip = {play->clip},
-                            .fade = to_ticks(static_cast<double>(play->fade)),
-                            .speed = static_cast<double>(play->speed),
-                            .start = to_ticks(static_cast<double>(play->start)),
-                            .loop = play->loop != 0}),
-                 call);
+  const Call call("throng_agent_play");
+  if (call.is_missing(crowd) || call.is_missing(play)) return failed;
+  return call.outcome(agent_of(crowd, agent)
+                          .play({.clip = {play->clip},
+                                 .fade = to_ticks(static_cast<double>(play->fade)),
+                                 .speed = static_cast<double>(play->speed),
+                                 .start = to_ticks(static_cast<double>(play->start)),
+                                 .loop = play->loop != 0}));
 }
 
 int throng_agent_set_speed(throng_crowd* crowd, throng_id agent, float speed) {
-  constexpr const char* call = "throng_agent_set_speed";
-  if (is_missing(crowd, call)) return failed;
-  return outcome(agent_of(crowd, agent).set_speed(static_cast<double>(speed)), call);
+  const Call call("throng_agent_set_speed");
+  if (call.is_missing(crowd)) return failed;
+  return call.outcome(agent_of(crowd, agent).set_speed(static_cast<double>(speed)));
 }
 
 uint32_t throng_agent_add_blend_space(throng_crowd* crowd, throng_id agent, const uint32_t* clips,
@@ -123,9 +126,9 @@ uint32_t throng_agent_add_blend_space(throng_crowd* crowd, throng_id agent, cons
 }
 
 int throng_agent_set_parameter(throng_crowd* crowd, throng_id agent, uint32_t channel, float parameter) {
-  constexpr const char* call = "throng_agent_set_parameter";
-  if (is_missing(crowd, call)) return failed;
-  return outcome(agent_of(crowd, agent).set_parameter({channel}, parameter), call);
+  const Call call("throng_agent_set_parameter");
+  if (call.is_missing(crowd)) return failed;
+  return call.outcome(agent_of(crowd, agent).set_parameter({channel}, parameter));
 }
 
 uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent) {
@@ -134,10 +137,10 @@ uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent) {
 }
 
 int throng_agent_look_at(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3], float fade) {
-  constexpr const char* call = "throng_agent_look_at";
-  if (is_missing(crowd, call) || is_missing(target, call)) return failed;
+  const Call call("throng_agent_look_at");
+  if (call.is_missing(crowd) || call.is_missing(target)) return failed;
   const Ticks time = to_ticks(static_cast<double>(fade));
-  return outcome(agent_of(crowd, agent).processes().look_at({process}, vector_of(target), time), call);
+  return call.outcome(agent_of(crowd, agent).processes().look_at({process}, vector_of(target), time));
 }
 
 uint32_t throng_agent_add_reach(throng_crowd* crowd, throng_id agent, uint32_t limb) {
@@ -151,11 +154,11 @@ uint32_t throng_agent_add_reach(throng_crowd* crowd, throng_id agent, uint32_t l
 
 int throng_agent_reach(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3], float weight,
                        float fade) {
-  constexpr const char* call = "throng_agent_reach";
-  if (is_missing(crowd, call) || is_missing(target, call)) return failed;
+  const Call call("throng_agent_reach");
+  if (call.is_missing(crowd) || call.is_missing(target)) return failed;
   const Processes processes = agent_of(crowd, agent).processes();
   const bool reaches = processes.reach({process}, vector_of(target));
-  return outcome(reaches && processes.set_weight({process}, weight, to_ticks(static_cast<double>(fade))), call);
+  return call.outcome(reaches && processes.set_weight({process}, weight, to_ticks(static_cast<double>(fade))));
 }
 
 uint32_t throng_agent_add_socket(throng_crowd* crowd, throng_id agent, uint32_t bone) {
@@ -165,31 +168,31 @@ uint32_t throng_agent_add_socket(throng_crowd* crowd, throng_id agent, uint32_t 
 
 int throng_agent_socket(const throng_crowd* crowd, throng_id agent, uint32_t process, float position[3],
                         float rotation[4]) {
-  constexpr const char* call = "throng_agent_socket";
-  if (is_missing(crowd, call) || is_missing(position, call) || is_missing(rotation, call)) return failed;
+  const Call call("throng_agent_socket");
+  if (call.is_missing(crowd) || call.is_missing(position) || call.is_missing(rotation)) return failed;
   const Place place = agent_of(crowd, agent).processes().socket({process});
   write(place.position, position);
   rotation[0] = place.rotation.x;
   rotation[1] = place.rotation.y;
   rotation[2] = place.rotation.z;
   rotation[3] = place.rotation.w;
-  return done;
+  return call.outcome();
 }
 
 int throng_agent_displacement(const throng_crowd* crowd, throng_id agent, double from, double to, float displacement[3],
                               float* turn) {
-  constexpr const char* call = "throng_agent_displacement";
-  if (is_missing(crowd, call) || is_missing(displacement, call) || is_missing(turn, call)) return failed;
+  const Call call("throng_agent_displacement");
+  if (call.is_missing(crowd) || call.is_missing(displacement) || call.is_missing(turn)) return failed;
   const RootMotion motion = agent_of(crowd, agent).motion().displacement(to_ticks(from), to_ticks(to));
   write(motion.displacement, displacement);
   *turn = motion.turn;
-  return done;
+  return call.outcome();
 }
 
 uint32_t throng_agent_keys(const throng_crowd* crowd, throng_id agent, double from, double to, throng_key* keys,
                            uint32_t most) {
-  constexpr const char* call = "throng_agent_keys";
-  if (is_missing(crowd, call) || (most > 0 && is_missing(keys, call))) return 0;
+  const Call call("throng_agent_keys");
+  if (call.is_missing(crowd) || (most > 0 && call.is_missing(keys))) return 0;
   std::uint32_t count = 0;
   agent_of(crowd, agent).motion().for_each_key(to_ticks(from), to_ticks(to), [&](const DataKey& key) {
     if (count < most) {
@@ -197,14 +200,18 @@ uint32_t throng_agent_keys(const throng_crowd* crowd, throng_id agent, double fr
     }
     ++count;
   });
-  return count;
+  return call.went_well() ? count : 0;
 }
 
 throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd) {
-  if (is_missing(crowd, "throng_crowd_snapshot")) return nullptr;
+  const Call call("throng_crowd_snapshot");
+  if (call.is_missing(crowd)) return nullptr;
   throng_snapshot* const made = make<throng_snapshot>();
-  if (made != nullptr) crowd->own.snapshot(made->own);
-  return made;
+  if (made == nullptr) return nullptr;
+  crowd->own.snapshot(made->own);
+  if (call.went_well()) return made;
+  delete made;
+  return nullptr;
 }
 
 int throng_crowd_restore(throng_crowd* crowd, const throng_snapshot* snapshot) {

@@ -52,9 +52,25 @@ inline bool is_missing(const void* pointer, const char* call) {
   return true;
 }
 
-inline int outcome(bool ok, const char* call) {
-  return ok ? done : fail(std::string(call) + " was refused: the misuse hook was told why");
-}
+/// A call of the door for C that fails if the library notes a misuse meanwhile.
+class Call {
+ public:
+  explicit Call(const char* name) : name_(name) {}
+
+  bool is_missing(const void* pointer) const { return c::is_missing(pointer, name_); }
+  /// Returns whether the call went well until now; else keeps why it did not.
+  bool went_well(bool ok = true) const {
+    if (ok && misuses_.reason().empty()) return true;
+    fail(std::string(name_) + ": " +
+         (misuses_.reason().empty() ? "there is no room for what it asks for" : misuses_.reason()));
+    return false;
+  }
+  int outcome(bool ok = true) const { return went_well(ok) ? done : failed; }
+
+ private:
+  const char* name_;
+  anim::MisuseListener misuses_;
+};
 
 inline int outcome(const Status& status) { return status ? done : fail(status.error().message); }
 

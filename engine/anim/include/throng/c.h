@@ -4,8 +4,9 @@
 /* The library for C, and for whatever calls C. It does what the C++ headers say; see there for what a word means.
  *
  * A function that makes something returns null, THRONG_NONE or an invalid id if it could not, and one that changes
- * something returns 0 (else 1); throng_last_error() says why. Strings are UTF-8. Times are seconds. Vectors are three
- * floats, rotations four: x, y, z, w. Nothing is kept of a pointer after the call, unless it says so. */
+ * something returns 0 (else 1); throng_last_error() says why, of a misuse too. Strings are UTF-8.
+ * Times are seconds. Vectors are three floats, rotations four: x, y, z, w. Nothing is kept of a pointer after the call,
+ * unless it says so. */
 
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include <stddef.h>
@@ -115,11 +116,12 @@ THRONG_C uint32_t throng_crowd_palette_bytes(const throng_crowd* crowd, throng_i
 THRONG_C int throng_crowd_add_agents(throng_crowd* crowd, throng_id character, uint32_t count, throng_id* agents);
 THRONG_C int throng_crowd_remove_agent(throng_crowd* crowd, throng_id agent);
 THRONG_C uint32_t throng_crowd_agent_count(const throng_crowd* crowd);
-THRONG_C void throng_crowd_advance(throng_crowd* crowd, double seconds);
+THRONG_C int throng_crowd_advance(throng_crowd* crowd, double seconds);
 THRONG_C double throng_crowd_clock(const throng_crowd* crowd);
-THRONG_C void throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count);
-/* Poses all agents with all bones. The palette of an agent is written at palettes + its number * stride; `stride` is a
- * multiple of 16 bytes and at least what each character's throng_crowd_palette_bytes says. */
+/* Poses agents. A request that is not valid is left out: it returns 1, and the others are posed. */
+THRONG_C int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count);
+/* Does the same with all agents and all bones. The palette of an agent is written at palettes + its number * stride;
+ * both are multiples of 16 bytes, and `stride` is at least what each character's throng_crowd_palette_bytes says. */
 THRONG_C int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, uint32_t stride);
 THRONG_C uint64_t throng_crowd_pose_hash(const throng_crowd* crowd);
 
@@ -139,7 +141,7 @@ THRONG_C int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent,
 THRONG_C uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const throng_machine* machine);
 THRONG_C int throng_agent_set_input(throng_crowd* crowd, throng_id agent, uint32_t channel, uint32_t input,
                                     float value);
-/* Returns the number of the state that a machine is in; see throng_machine_state_name. */
+/* Returns the number of the state that a machine is in, see throng_machine_state_name; THRONG_NONE where none plays. */
 THRONG_C uint32_t throng_agent_state(throng_crowd* crowd, throng_id agent, uint32_t channel);
 THRONG_C uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent);
 THRONG_C int throng_agent_look_at(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3],

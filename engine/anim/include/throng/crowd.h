@@ -73,7 +73,7 @@ class Snapshot {
 };
 
 /// Thousands of agents, of one character or of several. One thread calls it; the PUs are inside. A call that breaks its
-/// contract is a misuse (host.h): it is reported and ignored. A frame is
+/// contract, or is one of a crowd that was moved from, is a misuse (host.h): it is reported and ignored. A frame is
 ///
 ///     crowd.agent(id).play(...)    requests
 ///     crowd.advance(16ms)          moves the clock of every agent, posed or not
@@ -140,10 +140,12 @@ class Crowd {
   Result<Done> restore(const Snapshot& from);
 
   class Debug debug() const;
-  detail::CrowdParts& parts() const { return *parts_; }
+  detail::CrowdParts& parts() const;
 
  private:
   explicit Crowd(std::unique_ptr<detail::CrowdParts> parts);
+  /// Reports a call of a crowd that was moved from, and returns whether it is one.
+  bool is_gone(const char* call) const;
   std::unique_ptr<detail::CrowdParts> parts_;
 };
 

@@ -46,7 +46,7 @@ struct LodFrame {
 };
 
 /// Decides who is posed now, how far ahead, and with how many bones (paper 3.2). It allocates only when agents or
-/// characters are added, or rules change.
+/// characters are added, or rules change. Each call of one that was moved from is a misuse (host.h).
 ///
 ///     for (PoseRequest& request : lod.select(crowd, frame)) request.palette = ...;
 ///     crowd.update(lod.requests());
@@ -70,6 +70,7 @@ class Lod {
 
  private:
   struct State;
+  bool is_gone(const char* call) const;
   void take_characters(const Crowd& crowd);
   void take_agents(const Crowd& crowd, const LodFrame& frame);
   void make_room(std::size_t numbers, const LodRules& rules);

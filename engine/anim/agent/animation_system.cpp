@@ -111,6 +111,13 @@ AgentId AnimationSystem::id(std::uint32_t number) const {
   return parts_.population.numbers().has(number) ? parts_.population.numbers().id(number) : AgentId{};
 }
 
+// In a child of fork() PUs cannot run before the system is configured there, unless a host runs them or there is but
+// one.
+bool AnimationSystem::can_run(const char* call) const {
+  const char* const fault = parts_.pus.fault();
+  return fault == nullptr || report_misuse({call, fault});
+}
+
 bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
   constexpr const char* call = "set_speeds";
   const Turn turn(system.parts_.turn, call);
@@ -142,13 +149,15 @@ void AnimationSystem::advance(Ticks delta) {
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
-  const Turn turn(parts_.turn, "AnimationSystem::update");
-  if (turn) parts_.frame.update(parts_.population, parts_.pus, agents);
+  constexpr const char* call = "AnimationSystem::update";
+  const Turn turn(parts_.turn, call);
+  if (turn && can_run(call)) parts_.frame.update(parts_.population, parts_.pus, agents);
 }
 
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
-  const Turn turn(parts_.turn, "AnimationSystem::pose_exactly");
-  if (turn) parts_.exact.pose(parts_.population, parts_.pus, agents);
+  constexpr const char* call = "AnimationSystem::pose_exactly";
+  const Turn turn(parts_.turn, call);
+  if (turn && can_run(call)) parts_.exact.pose(parts_.population, parts_.pus, agents);
 }
 
 Compaction AnimationSystem::compact() {

@@ -43,7 +43,7 @@ class AnimationSystem {
   /// Sets SystemOptions::trace, and makes nothing anew.
   void record_trace(Tracing tracing) { parts_.pus.record_trace(tracing, number_limit()); }
   /// Returns the executor that runs the PUs. Between updates it is free for the host's own jobs, at most options().pus
-  /// at once.
+  /// at once. In a child of fork(), which has no threads, it runs them in order.
   Executor& executor() const { return parts_.pus.executor(); }
 
   Characters& characters() { return characters_; }
@@ -105,6 +105,7 @@ class AnimationSystem {
  private:
   friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AnimationSystem() = default;
+  bool can_run(const char* call) const;
   bool add(std::uint32_t count, CharacterId character, const char* call);
   void make_room();
 

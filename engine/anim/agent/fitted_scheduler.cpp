@@ -16,6 +16,17 @@ void convert(Population& population, const SystemOptions& options) {
 
 }  // namespace
 
+const char* FittedScheduler::fault() const {
+  if (threads_ == nullptr || threads_->are_here()) return nullptr;
+  return "its threads are in the process that this one was forked from: make another crowd here, or configure this one";
+}
+
+Executor& FittedScheduler::executor() const {
+  static InOrder in_order;
+  if (threads_ == nullptr) return *options_.executor;
+  return threads_->are_here() ? static_cast<Executor&>(*threads_) : in_order;
+}
+
 void FittedScheduler::refresh_contexts(const Population& population) {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();
@@ -62,7 +73,7 @@ Status FittedScheduler::configure(Population& population, const SystemOptions& o
   }
   if (options.executor != nullptr) {
     threads_.reset();
-  } else if (threads_ == nullptr || options.pus != options_.pus) {
+  } else if (threads_ == nullptr || options.pus != options_.pus || !threads_->are_here()) {
     threads_ = std::make_unique<PuThreads>(options.pus);
   }
   options_ = options;

@@ -58,7 +58,9 @@ class FittedScheduler {
   const Scheduler& scheduler() const { return *scheduler_; }
   /// Returns how many schedulers were made. Another number means other options or other stores.
   std::uint64_t version() const { return version_; }
-  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
+  /// Returns why PUs cannot run in this process, in one sentence; null if they can.
+  const char* fault() const;
+  Executor& executor() const;
 
  private:
   LocalStoreDemand demand(const Population& population, const SystemOptions& options) const;

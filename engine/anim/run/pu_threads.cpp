@@ -2,7 +2,12 @@
 
 #include <cassert>
 #include <chrono>
+#include <memory>
 #include <system_error>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
 
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/base/cores.h"
@@ -18,9 +23,18 @@ constexpr std::chrono::microseconds waits_awake(200);
 
 std::atomic<ThreadHook> hook_of_the_host{nullptr};
 
+/// Returns the number of this process: another one in a child of fork().
+long own_process() {
+#if defined(_WIN32)
+  return 0;  // no process forks there
+#else
+  return getpid();
+#endif
+}
+
 }  // namespace
 
-PuThreads::PuThreads(int pus) : has_cores_(pus <= usable_cores()) {
+PuThreads::PuThreads(int pus) : process_(own_process()), has_cores_(pus <= usable_cores()) {
   threads_.reserve(static_cast<std::size_t>(pus - 1));
   for (int pu = 1; pu < pus; ++pu) {
     if (!start(pu)) break;
@@ -41,15 +55,23 @@ bool PuThreads::start(int pu) {
 }
 
 PuThreads::~PuThreads() {
+  if (!are_here()) {
+    // What names a thread of another process can neither be joined nor destroyed.
+    for (std::thread& thread : threads_) std::construct_at(&thread);
+    return;
+  }
   stopping_.store(true, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
   for (std::thread& thread : threads_) thread.join();
 }
 
+bool PuThreads::are_here() const { return threads_.empty() || process_ == own_process(); }
+
 void PuThreads::run(int count, Job job) {
   assert(count >= 1 && static_cast<std::size_t>(count) <= threads_.size() + 1);
   if (count == 1) return job.run(job.context, 0);
+  assert(are_here());
   job_ = job;
   count_ = count;
   running_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);

@@ -11,6 +11,7 @@ namespace throng::anim {
 
 /// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs. If there is
 /// a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
+/// They stay in the process that started them: in a child of fork() the object can be destroyed and runs nothing.
 class PuThreads final : public Executor {
  public:
   /// Starts a thread for each PU but the first, or as many as the system has left.
@@ -22,6 +23,8 @@ class PuThreads final : public Executor {
   /// Runs job i on PU i. `count` is at most the number of PUs. A job that throws on the calling thread, for want of
   /// memory, is passed on once the others have ended; one that throws elsewhere ends the program.
   void run(int count, Job job) override;
+  /// Returns whether this process has the threads.
+  bool are_here() const;
   /// Returns how many PUs there are: fewer than asked for where the system had no more threads.
   int pus() const { return static_cast<int>(threads_.size()) + 1; }
 
@@ -33,6 +36,7 @@ class PuThreads final : public Executor {
   void wait_while(const std::atomic<Value>& value, Value is) const;
 
   std::vector<std::thread> threads_;
+  long process_;    // the number of the process that has the threads
   bool has_cores_;  // there is a core for each PU
   Job job_{};
   int count_ = 0;

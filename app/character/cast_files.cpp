@@ -158,7 +158,7 @@ class CastLoader {
   anim::Status read_pack(const Member& member, const CharacterFile& wanted) {
     auto known = packs_.find(wanted.path);
     if (known == packs_.end()) {
-      auto pack = pack::Pack::open(wanted.path);
+      auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
       if (!pack) return pack.error();
       known = packs_.emplace(wanted.path, std::move(*pack)).first;
     }

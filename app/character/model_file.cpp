@@ -22,7 +22,7 @@ anim::Result<anim::ImportedFile> import_for(ModelFileUse use, const std::string&
 }
 
 anim::Result<anim::ImportedFile> read_packed(const CharacterFile& wanted, bool strict) {
-  const auto pack = pack::Pack::open(wanted.path);
+  const auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
   if (!pack) return pack.error();
   if (wanted.skin.empty() && pack->file_count() > 1) {
     return anim::Error{anim::plain_text(wanted.path) + ": it holds " + counted(pack->file_count(), "file") +

@@ -196,7 +196,7 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
                                              const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
   if (pack::is_pack(wanted.path)) {
-    const auto pack = pack::Pack::open(wanted.path);
+    const auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
     if (!pack) return pack.error();
     return take_packed(*pack, wanted, name, kept, options);
   }

@@ -1,15 +1,19 @@
 // Loading a character and asking what it has.
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
+#include "engine/anim/pack/pack.h"
 #include "tests/anim/agent/heard_misuses.h"
 #include "tests/door/door_crowd.h"
 #include "tests/own_folder.h"
@@ -126,6 +130,32 @@ TEST(DoorCharacter, OfAFileThatTakesMoreMemoryThanItMayIsNone) {
   const auto file = load(THRONG_SOURCE_DIR "/assets/mannequin.glb", {.memory_limit = 1'000'000});
   ASSERT_FALSE(file);
   EXPECT_THAT(file.error().message, HasSubstr("mannequin.glb: the file needs "));
+}
+
+/// Writes a pack of a small character, and returns its path.
+std::string small_pack() {
+  pack::FileToPack file{.name = "small", .file = {}, .characters = {}};
+  file.file.models = {anim::synthetic_model(5, 1)};
+  auto baked = std::make_shared<const anim::Character>(anim::bake_character(file.file.models.front()));
+  file.characters.push_back({.name = "small", .prepared = {}, .character = std::move(baked), .surface = {}});
+  const std::vector<std::byte> bytes = pack::write_pack({&file, 1});
+  const std::string path = testing::TempDir() + "throng_door_small.pack";
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  return path;
+}
+
+TEST(DoorCharacter, OfAPackThatWasCopiedPlaysOnWhenTheFileIsCut) {
+  const std::string path = small_pack();
+  const auto file = load(path, {.copy_pack = true});
+  ASSERT_TRUE(file) << file.error().message;
+  std::filesystem::resize_file(path, 0);  // a mapping of it would end the program
+  auto crowd = Crowd::create(file->characters.front());
+  ASSERT_TRUE(crowd);
+  const PoseRequest request{.agent = crowd->add_agent()};
+  crowd->agent(request.agent).play({.clip = {0}});
+  crowd->update({&request, 1});
+  EXPECT_EQ(crowd->debug().posed_agents(), 1U);
 }
 
 }  // namespace

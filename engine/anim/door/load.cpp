@@ -28,7 +28,8 @@ Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, b
 }
 
 Result<LoadedFile> load_pack(const std::string& path, const LoadOptions& options) {
-  const Result<pack::Pack> pack = pack::Pack::open(path);
+  const auto bytes = options.copy_pack ? pack::PackBytes::copied : pack::PackBytes::mapped;
+  const Result<pack::Pack> pack = pack::Pack::open(path, bytes);
   if (!pack) return pack.error();
   LoadedFile loaded;
   for (std::size_t file = 0; file < pack->file_count(); ++file) {

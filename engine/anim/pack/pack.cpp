@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include "engine/anim/asset/placement.h"
@@ -90,6 +92,17 @@ void add_file(const FileToPack& packed, std::size_t file, Tables& tables) {
   }
 }
 
+/// Reads all of a file into memory that is aligned as a mapping is.
+anim::Result<MappedFile> copy_file(const std::filesystem::path& path, std::string_view wanted) {
+  auto file = InputFile::open(path, wanted);
+  if (!file) return file.error();
+  const auto size = static_cast<std::size_t>(file->size());
+  const auto copy = std::make_shared<anim::AlignedBytes>(anim::allocate_aligned(size));
+  const auto read = file->read({copy->get(), size});
+  if (!read) return read.error();
+  return MappedFile{.bytes = {copy->get(), *read}, .owner = copy};
+}
+
 }  // namespace
 
 std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
@@ -101,9 +114,9 @@ std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
 anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files) {
   std::uint64_t fingerprint = 0;
   for (const std::string& file : files) {
-    const auto mapped = map_file(file, "a file to bake");
-    if (!mapped) return anim::Error{anim::plain_text(file) + ": " + mapped.error().message};
-    fingerprint = checksum_of(mapped->bytes, fingerprint);
+    const auto copy = copy_file(file, "a file to bake");
+    if (!copy) return anim::Error{anim::plain_text(file) + ": " + copy.error().message};
+    fingerprint = checksum_of(copy->bytes, fingerprint);
   }
   return fingerprint;
 }
@@ -115,15 +128,15 @@ bool is_pack(const std::string& path) {
   return path.ends_with(".pack") || begins_a_pack({start.data(), start.size()});
 }
 
-anim::Result<Pack> Pack::open(const std::string& path) {
+anim::Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
   Pack pack(anim::plain_text(path));
   const auto refused = [&](const anim::Error& why) { return anim::Error{pack.path_ + ": " + why.message}; };
-  auto mapped = map_file(path, "a .pack");
-  if (!mapped) return refused(mapped.error());
-  const auto sections = check_sections(mapped->bytes, layout_of_tables());
+  auto taken = (bytes == PackBytes::mapped ? map_file : copy_file)(path, "a .pack");
+  if (!taken) return refused(taken.error());
+  const auto sections = check_sections(taken->bytes, layout_of_tables());
   if (!sections) return refused(sections.error());
-  pack.bytes_ = mapped->bytes;
-  pack.lender_ = std::move(mapped->owner);
+  pack.bytes_ = taken->bytes;
+  pack.lender_ = std::move(taken->owner);
   pack.sections_ = *sections;
   if (const anim::Status read = pack.read_files(); !read) return read.error();
   return pack;

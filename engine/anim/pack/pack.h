@@ -57,14 +57,20 @@ anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
 /// read.
 bool is_pack(const std::string& path);
 
-/// Everything that baking makes of the models of one or several files, in one file. It is mapped and stays mapped as
+/// Says where the bytes of a pack lie while it is used.
+enum class PackBytes : unsigned char {
+  mapped,  ///< in the file, which others replace by renaming another one to its name; if one cuts it, the program ends
+  copied   ///< in memory of their own: others may do to the file what they like
+};
+
+/// Everything that baking makes of the models of one or several files, in one file. Its bytes stay where they are as
 /// long as anything that was taken from it lives: streams, texels and surfaces are used where they lie.
 class Pack {
  public:
-  /// Maps a pack and checks every byte of it. The error is one sentence with the file and what to do: it is cut short
+  /// Opens a pack and checks every byte of it. The error is one sentence with the file and what to do: it is cut short
   /// or damaged, or another version or another machine made it. A pack is trusted as a program is: what was made to
   /// deceive, with a checksum that fits, is not found out.
-  static anim::Result<Pack> open(const std::string& path);
+  static anim::Result<Pack> open(const std::string& path, PackBytes bytes = PackBytes::mapped);
 
   std::size_t file_count() const { return files_.size(); }
   const std::string& file_name(std::size_t file) const { return files_[file].name; }

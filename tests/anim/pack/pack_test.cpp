@@ -99,6 +99,20 @@ TEST(Pack, PosesTheBitsOfTheCharacterThatWasBaked) {
   }
 }
 
+TEST(Pack, ThatWasCopiedPlaysOnWhenItsFileIsCut) {
+  const FileToPack file = two_models();
+  const std::string path = written(packed_bytes());
+  const auto pack = Pack::open(path, PackBytes::copied);
+  ASSERT_TRUE(pack) << pack.error().message;
+  auto character = pack->character();
+  ASSERT_TRUE(character);
+  std::filesystem::resize_file(path, 0);  // a mapping of it would end the program
+  const auto packed = std::make_shared<const anim::Character>(std::move(*character));
+  EXPECT_EQ(pose_hash(packed, anim::StreamKind::sampled),
+            pose_hash(file.characters[0].character, anim::StreamKind::sampled));
+  EXPECT_THAT(Pack::open(path, PackBytes::copied).error().message, HasSubstr("it is no pack"));
+}
+
 TEST(Pack, KeepsWhatWasMeasured) {
   const FileToPack file = two_models();
   const anim::Character& baked = *file.characters[0].character;

@@ -111,6 +111,9 @@ struct LoadOptions {
   bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
   /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and more for its images.
   std::uint64_t memory_limit = 0;
+  /// Reads a pack into memory of its own instead of mapping it. A mapped file may only be replaced by renaming another
+  /// one to its name, as `throng bake` does: if a program cuts or overwrites it, this one ends.
+  bool copy_pack = false;
 };
 
 /// The characters of a file. `notes` says in sentences what was repaired and how the model was placed.
@@ -120,7 +123,8 @@ struct LoadedFile {
 };
 
 /// Loads a .glb, a .gltf or a pack (`throng bake`). A pack is mapped, and stays so as long as one of its characters
-/// lives. Reads files only below the model's own folder. May be called from any thread, while others play.
+/// lives, unless LoadOptions::copy_pack is set. Reads files only below the model's own folder. May be called from any
+/// thread, while others play.
 /// Errors: one sentence with the file, the object and what to do; also if the library was built without glTF or packs.
 Result<LoadedFile> load(const std::string& path, const LoadOptions& options = {});
 

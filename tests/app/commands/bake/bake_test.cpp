@@ -14,6 +14,7 @@
 #include "app/character/model_file.h"
 #include "app/character/packed.h"
 #include "app/commands/bake/command.h"
+#include "engine/anim/agent/animation_system.h"
 #include "engine/render/mesh/packed_surface.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
@@ -71,6 +72,28 @@ CharacterSource loaded(const std::string& file, const LoadOptions& options = {})
   auto character = load_character(file, file, nullptr, options);
   EXPECT_TRUE(character) << (character ? "" : character.error().message);
   return std::move(*character);
+}
+
+TEST_F(Bake, WritesBesideAPackThatPlays) {
+  const std::string pack = baked({person});
+  const auto mapped = pack::Pack::open(pack);
+  ASSERT_TRUE(mapped) << mapped.error().message;
+  const std::vector<std::byte> before(mapped->surface(0, 0).begin(), mapped->surface(0, 0).end());
+  baked({other});
+  EXPECT_TRUE(std::ranges::equal(mapped->surface(0, 0), before)) << "the former pack changed";
+}
+
+TEST_F(Bake, APackOfAPersonMayBeCutWhileItPlays) {
+  const std::string pack = baked({person});
+  const CharacterSource source = loaded(pack);
+  fs::resize_file(pack, 0);
+  const auto system = anim::AnimationSystem::create(source.character, {});
+  ASSERT_TRUE(system);
+  const AgentId agent = (*system)->add_agent();
+  (*system)->agent(agent).play({.clip = 0});
+  const anim::AgentUpdate update{.agent = agent};
+  (*system)->update({&update, 1});
+  EXPECT_EQ((*system)->figures().report().agents_updated, 1U);
 }
 
 TEST_F(Bake, SaysWhatThePackHolds) {

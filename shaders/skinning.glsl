@@ -1,5 +1,5 @@
 // Skins a vertex by the two palette slots of an instance. Include instance_record.glsl before it.
-#include "packed_palette.glsl"
+#include "palette/packed_palette.glsl"
 
 // An entry has three rows of 3x4 floats; in a packed slot it has one row.
 layout(std430, binding = 1) readonly buffer PalettePage { uvec4 palette_rows[]; };

@@ -74,8 +74,8 @@ struct BoneEndData {
   std::uint16_t palette_entry = 0;
 };
 
-/// Unpacks a palette entry (shaders/packed_palette.glsl): `pivot` is where its joint rests, in the space of the palette, and
-/// `step` is the length in metres of one unit of its position.
+/// Unpacks a palette entry (shaders/palette/packed_palette.glsl): `pivot` is where its joint rests, in the space of the
+/// palette, and `step` is the length in metres of one unit of its position.
 struct PackingFrameData {
   float pivot[3] = {0, 0, 0};
   float step = 0;

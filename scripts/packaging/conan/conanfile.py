@@ -23,7 +23,7 @@ class Throng(ConanFile):
         self.version = ".".join(re.findall(r"#define THRONG_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
 
     def export_sources(self):
-        for part in ("CMakeLists.txt", "LICENSE", "engine/*", "shaders/packed_palette.glsl"):
+        for part in ("CMakeLists.txt", "LICENSE", "engine/*", "shaders/palette/packed_palette.glsl"):
             copy(self, part, self._checkout(), self.export_sources_folder)
 
     def requirements(self):

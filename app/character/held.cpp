@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-using enum Role;
+using enum anim::ClipRole;
 
 constexpr std::array<std::pair<std::string_view, Held>, 13> held_names{{{"handbag", Held::bag},
                                                                         {"tote", Held::bag},

@@ -3,7 +3,7 @@
 namespace throng::app {
 namespace {
 
-using enum Role;
+using enum anim::ClipRole;
 
 constexpr Transition all_transitions[] = {
     // Strollers walk, stop to look, greet somebody, and hurry when they are late. From walk to walk is another way.

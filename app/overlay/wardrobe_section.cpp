@@ -114,7 +114,9 @@ std::string origin_of_rules(const WardrobeReport& report) {
 }  // namespace
 
 void show_wardrobe(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  Widgets& widgets = context.widgets;
+  const FrameReport& report = context.report;
+  TabMemory& memory = context.memory;
   widgets.section("Wardrobe");
   context.row("wardrobe",
               {.what = "People wear what rules draw for them out of the parts of their character: women, men and "

@@ -123,9 +123,9 @@ class LaneMap {
 };
 
 /// Finds the obstacles near a point by the same grid.
-class GroundObstacles {
+class ObstacleMap {
  public:
-  explicit GroundObstacles(const GroupGround& ground)
+  explicit ObstacleMap(const GroupGround& ground)
       : obstacles_(ground.obstacles),
         gap_(from_obstacle * ground.spacing),
         grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 5},
@@ -280,7 +280,7 @@ class GroupPlacer {
   Random random_;
   GroupMap groups_;
   LaneMap lanes_;
-  GroundObstacles obstacles_;
+  ObstacleMap obstacles_;
   Swell swell_;
   double half_;  // metres, of the square in which places are looked for
 };

@@ -1,19 +1,6 @@
 #pragma once
 
-// A host may have macros of these names; see throng/standard.h.
-#pragma push_macro("max")
-#pragma push_macro("min")
-#undef max
-#undef min
-
-#include <cassert>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <variant>
-
-#pragma pop_macro("min")
-#pragma pop_macro("max")
+#include "throng/standard.h"
 
 namespace throng {
 

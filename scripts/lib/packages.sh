@@ -5,7 +5,8 @@
 # package_names COLUMN: that column of scripts/packages.
 package_names() { awk -v column="$1" '!/^#/ && NF && $column != "-" { print $column }' scripts/packages; }
 
-# These two keep, of the names that they read, those that are not installed, and those that the lists of packages have.
+# missing_ones keeps, of the names that it reads, the packages that are not installed; known_ones keeps the packages that
+# the lists of this system have.
 missing_ones() {
   local package
   while read -r package; do

@@ -21,12 +21,6 @@ const char* FittedScheduler::fault() const {
   return "its threads are in the process that this one was forked from: make another crowd here, or configure this one";
 }
 
-Executor& FittedScheduler::executor() const {
-  static InOrder in_order;
-  if (threads_ == nullptr) return *options_.executor;
-  return threads_->are_here() ? static_cast<Executor&>(*threads_) : in_order;
-}
-
 void FittedScheduler::refresh_contexts(const Population& population) {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();

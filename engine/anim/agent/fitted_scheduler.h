@@ -60,7 +60,7 @@ class FittedScheduler {
   std::uint64_t version() const { return version_; }
   /// Returns why PUs cannot run in this process, in one sentence; null if they can.
   const char* fault() const;
-  Executor& executor() const;
+  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
 
  private:
   LocalStoreDemand demand(const Population& population, const SystemOptions& options) const;

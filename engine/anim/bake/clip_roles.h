@@ -22,7 +22,7 @@ enum class ClipRole : std::uint8_t {
   cheer,
   clap,
   sit,
-  walk_back,  // from here on for people who are led by a file of trajectories
+  walk_back,  // from here on for a person on a recorded track
   step_left,
   step_right,
   shuffle,
@@ -30,7 +30,7 @@ enum class ClipRole : std::uint8_t {
   veer_left,
   veer_right,
   talk,
-  phone,  // from here on for people who hold something, or rest
+  phone,  // from here on for a person who holds something, or rests
   call,
   drink,
   take_picture,

@@ -59,8 +59,8 @@ bool is_pack(const std::string& path);
 
 /// Says where the bytes of a pack lie while it is used.
 enum class PackBytes : unsigned char {
-  mapped,  ///< in the file, which others replace by renaming another one to its name; if one cuts it, the program ends
-  copied   ///< in memory of their own: others may do to the file what they like
+  mapped,  ///< in the file; another program replaces it by renaming a file to its name, and ends this one if it cuts it
+  copied   ///< in memory of their own, whatever becomes of the file
 };
 
 /// Everything that baking makes of the models of one or several files, in one file. Its bytes stay where they are as

@@ -70,8 +70,10 @@ bool PuThreads::are_here() const { return threads_.empty() || process_ == own_pr
 
 void PuThreads::run(int count, Job job) {
   assert(count >= 1 && static_cast<std::size_t>(count) <= threads_.size() + 1);
-  if (count == 1) return job.run(job.context, 0);
-  assert(are_here());
+  if (count == 1 || !are_here()) {
+    for (int number = 0; number < count; ++number) job.run(job.context, number);
+    return;
+  }
   job_ = job;
   count_ = count;
   running_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);

@@ -11,7 +11,8 @@ namespace throng::anim {
 
 /// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs. If there is
 /// a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
-/// They stay in the process that started them: in a child of fork() the object can be destroyed and runs nothing.
+/// They stay in the process that started them: in a child of fork() the object runs jobs in order, and can be
+/// destroyed.
 class PuThreads final : public Executor {
  public:
   /// Starts a thread for each PU but the first, or as many as the system has left.

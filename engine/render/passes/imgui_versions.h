@@ -51,29 +51,32 @@ inline void take_wheel() { ImGui::SetItemUsingMouseWheel(); }
 
 #endif
 
+/// Returns the height in pixels that a font was loaded with.
+inline float font_height(const ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200
-
-/// Returns the pixels of a line, which are those that the font was loaded with.
-inline float font_height(const ImFont* font) { return font->LegacySize; }
-
-/// Makes a font that of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
-inline void set_font(ImFont* font) { ImGui::SetCurrentFont(font, font_height(font), font_height(font)); }
-
-/// Makes a font that of the next texts, until ImGui::PopFont().
-inline void push_font(ImFont* font) { ImGui::PushFont(font, font_height(font)); }
-
+  return font->LegacySize;
 #else
-
-/// Returns the pixels of a line, which are those that the font was loaded with.
-inline float font_height(const ImFont* font) { return font->FontSize; }
+  return font->FontSize;
+#endif
+}
 
 /// Makes a font that of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
-inline void set_font(ImFont* font) { ImGui::SetCurrentFont(font); }
+inline void set_font(ImFont* font) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::SetCurrentFont(font, font_height(font), font_height(font));
+#else
+  ImGui::SetCurrentFont(font);
+#endif
+}
 
 /// Makes a font that of the next texts, until ImGui::PopFont().
-inline void push_font(ImFont* font) { ImGui::PushFont(font); }
-
+inline void push_font(ImFont* font) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::PushFont(font, font_height(font));
+#else
+  ImGui::PushFont(font);
 #endif
+}
 
 // A texture's id is a pointer in some versions and a number in others.
 inline ImTextureID texture_id(std::uintptr_t name) { return std::bit_cast<ImTextureID>(name); }

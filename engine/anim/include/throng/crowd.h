@@ -79,8 +79,8 @@ class Snapshot {
 ///     crowd.advance(16ms)          moves the clock of every agent, posed or not
 ///     crowd.update(requests)       poses these, on all PUs; returns when their palettes are written
 ///
-/// In a child of fork() a crowd with threads of its own can be destroyed, read and told, but poses nobody before it is
-/// configured there. Crowds that a child makes are as any other.
+/// In a child of fork() a crowd with threads of its own can be destroyed, read and told, but it poses no agent before
+/// it is configured there. A crowd that a child makes is as any other.
 ///
 /// Poses depend on clips, times and weights alone: not on the number of PUs, on neighbours, nor on the machine.
 class Crowd {

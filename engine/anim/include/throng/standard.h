@@ -1,13 +1,14 @@
 #pragma once
 
-// What the door uses of the standard library. It is read without the macros min and max, which systems define that a
-// host may have included before, and which stand again afterwards.
+// What public headers use of the standard library. It is read without the macros min and max, which headers of Windows
+// define; they stand again afterwards.
 #pragma push_macro("max")
 #pragma push_macro("min")
 #undef max
 #undef min
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -20,6 +21,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #pragma pop_macro("min")

@@ -15,12 +15,12 @@
 namespace throng::app {
 namespace {
 
-using Part = anim::BodyRole;
+using RigPart = anim::BodyRole;
 
 // A person falls with these; the rest of a body may be missing.
-constexpr Part parts_that_fall[] = {Part::left_upper_arm,  Part::right_upper_arm, Part::left_lower_arm,
-                                    Part::right_lower_arm, Part::left_upper_leg,  Part::right_upper_leg,
-                                    Part::left_lower_leg,  Part::right_lower_leg};
+constexpr RigPart parts_that_fall[] = {RigPart::left_upper_arm,  RigPart::right_upper_arm, RigPart::left_lower_arm,
+                                       RigPart::right_lower_arm, RigPart::left_upper_leg,  RigPart::right_upper_leg,
+                                       RigPart::left_lower_leg,  RigPart::right_lower_leg};
 
 // Gives bones their parts. It checks nothing, because these choices were checked when a person made them.
 void give_parts(std::span<const RigChoice> parts, std::span<const std::string> keys, anim::Skeleton& skeleton) {
@@ -38,7 +38,7 @@ void take_parts_back(anim::Skeleton& skeleton) {
 }
 
 /// Returns the map of the skeleton where a person says nothing about `part`.
-anim::RigMap map_without(const CharacterSource& source, std::span<const std::string> keys, Part part) {
+anim::RigMap map_without(const CharacterSource& source, std::span<const std::string> keys, RigPart part) {
   anim::Skeleton skeleton = source.model.skeleton;
   take_parts_back(skeleton);
   give_parts(source.parts_in_file, keys, skeleton);
@@ -52,7 +52,7 @@ std::string how_it_falls(const anim::Skeleton& skeleton, const anim::RigMap& map
   if (!rigs.ragdoll()) return "it cannot fall";
   if (!anim::choose_humanoid_bones(skeleton).empty()) return "it falls as a person";
   std::vector<std::string> missing;
-  for (const Part part : parts_that_fall) {
+  for (const RigPart part : parts_that_fall) {
     if (map.at(part) < 0) missing.push_back(words_of(part));
   }
   return "it falls, but not as a person" +
@@ -108,7 +108,7 @@ BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& r
   std::ranges::sort(parts.bones);
   const auto key_of = [&](int bone) { return bone < 0 ? std::string() : keys[static_cast<std::size_t>(bone)]; };
   for (std::size_t role = 0; role < anim::body_role_count; ++role) {
-    const auto part = static_cast<Part>(role);
+    const auto part = static_cast<RigPart>(role);
     const bool is_said = std::ranges::find(source.rig, part, &RigChoice::role) != source.rig.end();
     parts.guessed[role] = key_of(is_said ? map_without(source, keys, part).at(part) : map.at(part));
   }

@@ -15,7 +15,7 @@ std::size_t index_in(std::span<const std::string> names, const std::string& name
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-std::vector<std::string> file_names(const pack::Pack& pack) {
+std::vector<std::string> packed_file_names(const pack::Pack& pack) {
   std::vector<std::string> names;
   for (std::size_t file = 0; file < pack.file_count(); ++file) names.push_back(pack.file_name(file));
   return names;
@@ -80,7 +80,7 @@ anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedChara
 
 anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin) {
   if (skin.empty()) return PackedCharacter{};
-  const std::vector<std::string> files = file_names(pack);
+  const std::vector<std::string> files = packed_file_names(pack);
   if (const std::size_t file = index_in(files, skin); file < files.size()) return PackedCharacter{file, 0};
   std::vector<std::string> all;
   for (std::size_t file = 0; file < pack.file_count(); ++file) {

@@ -11,18 +11,20 @@
 namespace throng::app {
 namespace {
 
-using Part = anim::BodyRole;
+using RigPart = anim::BodyRole;
 
 // Each chain goes from the hips outwards, so no part is above one before it.
-constexpr Part trunk[] = {Part::hips, Part::spine, Part::chest, Part::upper_chest, Part::neck, Part::head};
-constexpr Part left_arm[] = {Part::hips, Part::left_shoulder, Part::left_upper_arm, Part::left_lower_arm,
-                             Part::left_hand};
-constexpr Part right_arm[] = {Part::hips, Part::right_shoulder, Part::right_upper_arm, Part::right_lower_arm,
-                              Part::right_hand};
-constexpr Part left_leg[] = {Part::hips, Part::left_upper_leg, Part::left_lower_leg, Part::left_foot, Part::left_toes};
-constexpr Part right_leg[] = {Part::hips, Part::right_upper_leg, Part::right_lower_leg, Part::right_foot,
-                              Part::right_toes};
-constexpr std::span<const Part> chains[] = {trunk, left_arm, right_arm, left_leg, right_leg};
+constexpr RigPart trunk[] = {RigPart::hips,        RigPart::spine, RigPart::chest,
+                             RigPart::upper_chest, RigPart::neck,  RigPart::head};
+constexpr RigPart left_arm[] = {RigPart::hips, RigPart::left_shoulder, RigPart::left_upper_arm, RigPart::left_lower_arm,
+                                RigPart::left_hand};
+constexpr RigPart right_arm[] = {RigPart::hips, RigPart::right_shoulder, RigPart::right_upper_arm,
+                                 RigPart::right_lower_arm, RigPart::right_hand};
+constexpr RigPart left_leg[] = {RigPart::hips, RigPart::left_upper_leg, RigPart::left_lower_leg, RigPart::left_foot,
+                                RigPart::left_toes};
+constexpr RigPart right_leg[] = {RigPart::hips, RigPart::right_upper_leg, RigPart::right_lower_leg, RigPart::right_foot,
+                                 RigPart::right_toes};
+constexpr std::span<const RigPart> chains[] = {trunk, left_arm, right_arm, left_leg, right_leg};
 
 bool is_above(const anim::Skeleton& skeleton, int bone, int other) {
   if (bone < 0) return false;
@@ -30,12 +32,12 @@ bool is_above(const anim::Skeleton& skeleton, int bone, int other) {
   return other == bone;
 }
 
-bool is_chosen(std::span<const RigChoice> choices, Part part) {
+bool is_chosen(std::span<const RigChoice> choices, RigPart part) {
   return std::ranges::find(choices, part, &RigChoice::role) != choices.end();
 }
 
 struct PlacedPart {
-  Part part;
+  RigPart part;
   int bone;
 };
 
@@ -90,10 +92,10 @@ std::vector<RigChoice> said_parts(const anim::Skeleton& skeleton) {
 
 std::optional<std::string> misplaced_part(std::span<const RigChoice> choices, const PartBones& bones,
                                           const anim::Skeleton& skeleton) {
-  for (const std::span<const Part> chain : chains) {
+  for (const std::span<const RigPart> chain : chains) {
     for (std::size_t lower = 1; lower < chain.size(); ++lower) {
       for (std::size_t upper = 0; upper < lower; ++upper) {
-        const Part parts[] = {chain[upper], chain[lower]};
+        const RigPart parts[] = {chain[upper], chain[lower]};
         const int upper_bone = bones[anim::index_of(parts[0])], lower_bone = bones[anim::index_of(parts[1])];
         const bool is_turned = is_above(skeleton, lower_bone, upper_bone);
         if (is_turned && is_chosen(choices, parts[1])) {

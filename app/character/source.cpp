@@ -37,7 +37,7 @@ std::vector<int> preferably(const anim::Character& character, const std::vector<
 }
 
 // A person of about the usual size is one exactly, so that rounding in a measured height changes no picture.
-float body_size(const CharacterRoles& roles) {
+float size_of_body(const CharacterRoles& roles) {
   constexpr double least_difference = 0.02;
   return std::abs(roles.size() - 1.0) < least_difference ? 1.0F : static_cast<float>(roles.size());
 }
@@ -310,7 +310,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
   data.morph_deltas = morph_deltas(model);
-  data.body_size = body_size(source.roles);
+  data.body_size = size_of_body(source.roles);
   if (!data.packed_surface.empty()) return data;
   data.face_entries = face_entries(model.skeleton);
   data.poses = posed_palettes(model);

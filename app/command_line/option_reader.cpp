@@ -31,9 +31,9 @@ std::string unexpected(const std::string& argument, const CLI::App& app) {
 }
 
 /// CLI11's help with our hints. Its own hints list the options that exclude each other, in another order in each run.
-class Help : public CLI::Formatter {
+class HelpPage : public CLI::Formatter {
  public:
-  Help() {
+  HelpPage() {
     column_width(34);
     label("Positionals", "Model");
   }
@@ -65,7 +65,7 @@ std::string cell(const std::string& text) { return CLI::detail::find_and_replace
 
 OptionReader::OptionReader(const std::string& command, const std::string& description)
     : App(description + "\n", command) {
-  formatter(std::make_shared<Help>());
+  formatter(std::make_shared<HelpPage>());
   set_help_flag();  // read() adds one that does not wait until all values are checked
 }
 
@@ -137,7 +137,7 @@ std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& 
 }
 
 std::string OptionReader::markdown() const {
-  const Help help;
+  const HelpPage help;
   std::string text;
   for (const std::string& group : get_groups()) {
     text += "\n" + group + ":\n\n| option | meaning |\n|---|---|\n";

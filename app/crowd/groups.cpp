@@ -123,9 +123,9 @@ class LaneMap {
 };
 
 /// Finds the obstacles near a point by the same grid.
-class ObstacleMap {
+class GroundObstacles {
  public:
-  explicit ObstacleMap(const GroupGround& ground)
+  explicit GroundObstacles(const GroupGround& ground)
       : obstacles_(ground.obstacles),
         gap_(from_obstacle * ground.spacing),
         grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 5},
@@ -280,7 +280,7 @@ class GroupPlacer {
   Random random_;
   GroupMap groups_;
   LaneMap lanes_;
-  ObstacleMap obstacles_;
+  GroundObstacles obstacles_;
   Swell swell_;
   double half_;  // metres, of the square in which places are looked for
 };

@@ -12,14 +12,14 @@
 namespace throng::app {
 namespace {
 
-using Steps = std::vector<anim::PoseStep>;
+using LayerSteps = std::vector<anim::PoseStep>;
 
 std::size_t index_of(const anim::PoseGraph& graph, anim::Handle entity) {
   return static_cast<std::size_t>(std::ranges::find(graph.entities, entity) - graph.entities.begin());
 }
 
 // What the step reads, and it; sources first. Those that have been claimed are somebody else's.
-void claim(const Steps& steps, std::size_t step, std::vector<bool>& claimed, std::vector<std::size_t>& claims) {
+void claim(const LayerSteps& steps, std::size_t step, std::vector<bool>& claimed, std::vector<std::size_t>& claims) {
   if (step >= steps.size() || claimed[step]) return;
   claimed[step] = true;
   for (std::size_t i = 0; i < steps[step].source_count; ++i) claim(steps, steps[step].sources[i], claimed, claims);
@@ -29,7 +29,7 @@ void claim(const Steps& steps, std::size_t step, std::vector<bool>& claimed, std
 /// Lays a channel over those before it; null for the first, and for one that plays nothing.
 const anim::EaseBlender* blender_over(const anim::EntityPools& pools, const anim::PoseGraph& graph, std::size_t state,
                                       std::vector<bool>& claimed) {
-  const Steps& steps = graph.program->steps;
+  const LayerSteps& steps = graph.program->steps;
   for (std::size_t step = 0; step < steps.size(); ++step) {
     const bool reads_it = steps[step].source_count == 2 && steps[step].sources[1] == state;
     const auto& blender = pools.as<anim::EaseBlender>(graph.entities[step]);
@@ -67,7 +67,7 @@ float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float 
 
 std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uint32_t agent) {
   const anim::PoseGraph& graph = system.agent(agent).graph();
-  const Steps& steps = graph.program->steps;
+  const LayerSteps& steps = graph.program->steps;
   const anim::EntityPools& pools = system.agent(agent).pools();
   std::vector<LayerRow> layers;
   std::vector<bool> claimed(steps.size());

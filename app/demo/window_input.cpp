@@ -74,23 +74,23 @@ std::optional<Key> key_of(int glfw_key) {
   return found->second;
 }
 
-void push(GLFWwindow* window, const InputEvent& event) {
+void send(GLFWwindow* window, const InputEvent& event) {
   static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->push(event);
 }
 
 void on_key(GLFWwindow* window, int glfw_key, int /*scancode*/, int action, int /*modifiers*/) {
   const std::optional<Key> key = key_of(glfw_key);
   if (!key || action == GLFW_REPEAT) return;
-  push(window, {.kind = InputEvent::Kind::key, .key = *key, .down = action == GLFW_PRESS});
+  send(window, {.kind = InputEvent::Kind::key, .key = *key, .down = action == GLFW_PRESS});
 }
 
 void on_character(GLFWwindow* window, unsigned int code_point) {
-  push(window, {.kind = InputEvent::Kind::character, .character = static_cast<char32_t>(code_point)});
+  send(window, {.kind = InputEvent::Kind::character, .character = static_cast<char32_t>(code_point)});
 }
 
 void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
   if (button >= static_cast<int>(MouseButton::count)) return;
-  push(window,
+  send(window,
        {.kind = InputEvent::Kind::button, .button = static_cast<MouseButton>(button), .down = action == GLFW_PRESS});
 }
 
@@ -100,7 +100,7 @@ void on_pointer(GLFWwindow* window, double x, double y) {
   glfwGetWindowSize(window, &window_width, &window_height);
   glfwGetFramebufferSize(window, &width, &height);
   if (window_width == 0 || window_height == 0) return;
-  push(window, {.kind = InputEvent::Kind::pointer,
+  send(window, {.kind = InputEvent::Kind::pointer,
                 .x = static_cast<float>(x * width / window_width),
                 .y = static_cast<float>(y * height / window_height)});
 }
@@ -109,19 +109,19 @@ void on_entered(GLFWwindow* window, int entered) {
   constexpr std::array buttons{GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE};
   const bool buttons_held =
       std::ranges::any_of(buttons, [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; });
-  if (entered == GLFW_FALSE && !buttons_held) push(window, {.kind = InputEvent::Kind::pointer, .x = -1, .y = -1});
+  if (entered == GLFW_FALSE && !buttons_held) send(window, {.kind = InputEvent::Kind::pointer, .x = -1, .y = -1});
 }
 
 void on_wheel(GLFWwindow* window, double /*sideways*/, double steps) {
-  push(window, {.kind = InputEvent::Kind::wheel, .wheel = static_cast<float>(steps)});
+  send(window, {.kind = InputEvent::Kind::wheel, .wheel = static_cast<float>(steps)});
 }
 
 void on_drop(GLFWwindow* window, int count, const char** paths) {
-  for (int i = 0; i < count; ++i) push(window, {.kind = InputEvent::Kind::file, .path = paths[i]});
+  for (int i = 0; i < count; ++i) send(window, {.kind = InputEvent::Kind::file, .path = paths[i]});
 }
 
 void on_focus(GLFWwindow* window, int focused) {
-  if (focused == GLFW_FALSE) push(window, {.kind = InputEvent::Kind::focus_lost});
+  if (focused == GLFW_FALSE) send(window, {.kind = InputEvent::Kind::focus_lost});
 }
 
 }  // namespace

@@ -14,12 +14,12 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t most_said = 3;    // of one kind, of a file
-constexpr std::size_t most_lines = 12;  // of one kind, of a cast
+constexpr std::size_t most_notices = 3;  // of one kind, of a file
+constexpr std::size_t most_lines = 12;   // of one kind, of a cast
 
 void add_some(std::string& lines, const std::vector<std::string>& sentences, const std::string& name,
               const std::string& about_the_others) {
-  const std::size_t said = sentences.size() <= most_said + 1 ? sentences.size() : most_said;
+  const std::size_t said = sentences.size() <= most_notices + 1 ? sentences.size() : most_notices;
   for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + sentences[i] + ".");
   if (said == sentences.size()) return;
   add_line(lines, name + ": " + std::to_string(sentences.size() - said) + about_the_others);

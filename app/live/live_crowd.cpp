@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_delay = 0.5, most_delay = 10.0;  // seconds
 constexpr double rows_of_delay = 2.05;                  // a curve between two rows goes by the one after them
-constexpr double most_rate = 3.0, least_rate = 0.05;
+constexpr double most_playback_rate = 3.0, least_playback_rate = 0.05;
 constexpr double input_rate_window = 2.0;         // seconds
 constexpr double steady_input = 1.5;              // what comes faster is no camera, and is not hurried after
 constexpr double row_seconds_share = 1.0 / 16.0;  // of a new row in the mean
@@ -26,7 +26,7 @@ std::string one_or_many(std::size_t count, const std::string& one, const std::st
 
 double live_rate(double behind, double row_seconds, double delay, bool catches_up) {
   if (behind < 0.0) return std::max(1.0 + behind / (0.5 * delay), 0.0);
-  return catches_up && behind > row_seconds ? std::min(1.0 + behind - row_seconds, most_rate) : 1.0;
+  return catches_up && behind > row_seconds ? std::min(1.0 + behind - row_seconds, most_playback_rate) : 1.0;
 }
 
 LiveCrowd::LiveCrowd(std::unique_ptr<LiveTracks> tracks, std::size_t places, GroundPlan plan, Pace pace)
@@ -106,7 +106,7 @@ LiveStep LiveCrowd::advance(double seconds) {
   all_->last_seconds = newest_;
   all_->first_seconds = std::max(all_->first_seconds, before - kept_seconds);
   if (row_seconds_ > 0.0) all_->rows_a_second = 1.0 / row_seconds_;
-  let_stand(seconds, next > before + least_rate * seconds);
+  let_stand(seconds, next > before + least_playback_rate * seconds);
   seconds_ = next;
   const double settled = has_begun_ ? before : -std::numeric_limits<double>::infinity();
   has_begun_ = has_begun_ || next > before;

@@ -8,14 +8,15 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t agents_worth_a_job = 512;
-constexpr float least_pixels = 1.0F / 64.0F;
+constexpr std::size_t choices_worth_a_job = 512;
+constexpr float least_level_pixels = 1.0F / 64.0F;
 
 // The upper bits of a positive float are its octave and the eighth of it.
 constexpr std::uint32_t eighth_of_octave(float value) { return std::bit_cast<std::uint32_t>(value) >> 20U; }
 
 std::size_t class_of(float pixels, std::size_t classes) {
-  const std::uint32_t step = eighth_of_octave(std::max(pixels, least_pixels)) - eighth_of_octave(least_pixels);
+  const std::uint32_t step =
+      eighth_of_octave(std::max(pixels, least_level_pixels)) - eighth_of_octave(least_level_pixels);
   return std::min<std::size_t>(step, classes - 1);
 }
 
@@ -91,7 +92,7 @@ void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<c
                         const MeshLods& lods, const Tuning& tuning, anim::Executor& executor, int jobs) {
   visible_ = visible.size();
   const std::size_t count =
-      std::clamp<std::size_t>(std::min(visible_ / agents_worth_a_job, std::size_t(jobs)), 1, most_tiles);
+      std::clamp<std::size_t>(std::min(visible_ / choices_worth_a_job, std::size_t(jobs)), 1, most_tiles);
   const std::span<Tile> tiles = std::span(tiles_).first(count);
   for (std::size_t i = 0; i < count; ++i) {
     tiles[i].first = visible_ * i / count;

@@ -110,7 +110,7 @@ constexpr std::array chapters = std::to_array<HelpChapter>({{"Keys", key_lines},
                                                             {"Entities", entity_lines}});
 
 constexpr float help_width = 440, help_word_width = 104, help_margin = 16, help_line_gap = 5, chapter_height = 26,
-                search_height = 36;
+                search_line_height = 36;
 
 std::vector<HelpLine> found_in(const HelpChapter& chapter, const std::string& searched) {
   std::vector<HelpLine> lines;
@@ -138,7 +138,7 @@ float draw_help_line(const Theme& theme, ImVec2 at, const HelpLine& line) {
 bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched) {
   const Theme& theme = widgets.theme();
   std::vector<std::pair<const char*, std::vector<HelpLine>>> found;
-  float height = theme.px(search_height + help_margin);
+  float height = theme.px(search_line_height + help_margin);
   for (const HelpChapter& chapter : chapters) {
     std::vector<HelpLine> lines = found_in(chapter, searched);
     if (lines.empty()) continue;
@@ -154,7 +154,7 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched) 
   ImVec2 at(card.content().from.x + theme.px(help_margin), card.content().from.y + theme.px(6));
   ImGui::SetCursorScreenPos(at);
   widgets.text("Search", searched, "a key or a word", {.what = "Shows the lines that have these letters."});
-  at.y += theme.px(search_height);
+  at.y += theme.px(search_line_height);
   for (const auto& [title, lines] : found) {
     draw_text(theme.strong, at, colour::text, title);
     at.y += theme.px(chapter_height);

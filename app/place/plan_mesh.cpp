@@ -20,7 +20,7 @@ namespace {
 using Triangle = std::array<glm::vec3, 3>;
 
 constexpr double line_half_width = 0.04;
-constexpr float floor_height = -0.003F, exit_height = -0.002F, line_height = -0.001F;  // metres
+constexpr float floor_height = -0.003F, exit_height = -0.002F, plan_line_height = -0.001F;  // metres
 constexpr double least_cell = 1.0, least_wall_step = 3.0, most_cells = 6'000.0;
 
 /// Linear bytes.
@@ -185,8 +185,8 @@ void add_line(const GroundLine& line, float cell, PlanBuilder& builder) {
     const double length = glm::distance(from, to);
     if (length < 1e-6) continue;
     const glm::dvec2 along = line_half_width * (to - from) / length, aside(-along.y, along.x);
-    builder.add_quad({raised(from - along - aside, line_height), raised(to + along - aside, line_height),
-                      raised(to + along + aside, line_height), raised(from - along + aside, line_height)},
+    builder.add_quad({raised(from - along - aside, plan_line_height), raised(to + along - aside, plan_line_height),
+                      raised(to + along + aside, plan_line_height), raised(from - along + aside, plan_line_height)},
                      {0.0F, 1.0F, 0.0F}, line_paint, cell);
   }
 }

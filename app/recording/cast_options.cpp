@@ -14,13 +14,13 @@
 namespace throng::app {
 namespace {
 
-bool is_plain(char letter) {
+bool is_plain_letter(char letter) {
   return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
          std::string_view("_./,=+-:@%").find(letter) != std::string_view::npos;
 }
 
 std::string quoted(const std::string& word) {
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  if (!word.empty() && std::ranges::all_of(word, is_plain_letter)) return word;
   std::string in_quotes = "'";
   for (const char letter : word) in_quotes += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   return in_quotes + "'";

@@ -11,13 +11,13 @@
 namespace throng::app {
 namespace {
 
-using Member = std::string PictureOrigin::*;
+using OriginMember = std::string PictureOrigin::*;
 
 /// "Software" is the keyword that the standard of PNG has for it.
-constexpr std::array<std::pair<const char*, Member>, 4> keywords{{{"Software", &PictureOrigin::program},
-                                                                  {"Throng context", &PictureOrigin::context},
-                                                                  {"Throng renderer", &PictureOrigin::renderer},
-                                                                  {"Throng OpenGL", &PictureOrigin::gl_version}}};
+constexpr std::array<std::pair<const char*, OriginMember>, 4> keywords{{{"Software", &PictureOrigin::program},
+                                                                        {"Throng context", &PictureOrigin::context},
+                                                                        {"Throng renderer", &PictureOrigin::renderer},
+                                                                        {"Throng OpenGL", &PictureOrigin::gl_version}}};
 
 /// A driver may say anything, and a PNG takes one line of Latin letters.
 std::string plain_letters(const std::string& text) {
@@ -74,7 +74,7 @@ std::string origin_text(const PictureOrigin& origin) {
 
 std::string other_origin(const PictureOrigin& expected, const PictureOrigin& actual) {
   std::vector<std::string> before, now;
-  for (const Member member : {&PictureOrigin::context, &PictureOrigin::renderer, &PictureOrigin::gl_version}) {
+  for (const OriginMember member : {&PictureOrigin::context, &PictureOrigin::renderer, &PictureOrigin::gl_version}) {
     if ((expected.*member).empty() || expected.*member == actual.*member) continue;
     before.push_back(expected.*member);
     if (!(actual.*member).empty()) now.push_back(actual.*member);

@@ -191,7 +191,7 @@ struct Rule {
   Reason (*reason)(const Tuning& tuning, const Situation& situation);
 };
 
-constexpr std::array rules = std::to_array<Rule>({
+constexpr std::array idle_rules = std::to_array<Rule>({
     {"agents", of_agents},
     {"paused", of_clock},
     {"time_scale", of_speed},
@@ -242,8 +242,8 @@ constexpr std::array rules = std::to_array<Rule>({
 }  // namespace
 
 std::optional<std::string> idle_reason(std::string_view key, const Tuning& tuning, const Situation& situation) {
-  const auto* const found = std::ranges::find(rules, key, &Rule::key);
-  const Reason reason = found == rules.end() ? nullptr : found->reason(tuning, situation);
+  const auto* const found = std::ranges::find(idle_rules, key, &Rule::key);
+  const Reason reason = found == idle_rules.end() ? nullptr : found->reason(tuning, situation);
   return reason == nullptr ? std::nullopt : std::optional<std::string>(reason);
 }
 

@@ -28,7 +28,7 @@ std::array<glm::vec4, 6> with_casters(std::array<glm::vec4, 6> planes, const glm
   return planes;
 }
 
-float tallest(std::span<const CharacterSource> characters) {
+float tallest_of(std::span<const CharacterSource> characters) {
   double height = 0.0;
   for (const CharacterSource& source : characters) height = std::max(height, source.character->bounds.height);
   return static_cast<float>(height);
@@ -83,7 +83,7 @@ std::uint32_t Stage::now() const { return microseconds(system().clock()); }
 std::array<glm::vec4, 6> Stage::seen_by(const render::Camera& camera, const glm::vec2& size) const {
   const auto planes = render::frustum_planes(render::view_of(camera, size.x / size.y));
   if (!tuning_.shadows || !render::casts_shadows(tuning_.light)) return planes;
-  return with_casters(planes, render::to_brightest(tuning_.light), tallest(characters_));
+  return with_casters(planes, render::to_brightest(tuning_.light), tallest_of(characters_));
 }
 
 anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const {

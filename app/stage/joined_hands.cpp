@@ -23,12 +23,12 @@ constexpr float share_of_child = 0.25F;                    // of the way to its 
 constexpr float half_a_hand = 0.020F;                      // metres from the bones of a palm to its skin
 
 /// A person's place on the ground, to which model space is turned and scaled.
-struct Stand {
+struct HolderPlace {
   glm::vec3 position;
   glm::vec3 left, ahead;
   float scale;
 
-  Stand(const Crowd& crowd, std::uint32_t agent)
+  HolderPlace(const Crowd& crowd, std::uint32_t agent)
       : position(crowd.positions()[agent]),
         left(crowd.headings()[agent].cosine, 0.0F, -crowd.headings()[agent].sine),
         ahead(crowd.headings()[agent].sine, 0.0F, crowd.headings()[agent].cosine),
@@ -166,7 +166,7 @@ void JoinedHands::find(const Crowd& crowd, std::span<const anim::VisibleAgent> n
 /// The place lies between the palms as the clips have them, and not too far for either arm. The palm of the grown-up
 /// faces back, that of the child ahead.
 bool JoinedHands::can_meet(const Crowd& crowd, Pair& pair) const {
-  const Stand grown_up(crowd, pair.grown_up), child(crowd, pair.child);
+  const HolderPlace grown_up(crowd, pair.grown_up), child(crowd, pair.child);
   const Arm& leads = arms_[pair.characters[0]][0];
   const Arm& is_led = arms_[pair.characters[1]][1];
   glm::vec3 middle = glm::mix(grown_up.to_world(leads.palm), child.to_world(is_led.palm), share_of_child);

@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-constexpr double fastest = 12.0;        // metres a second
+constexpr double fastest_ever = 12.0;   // metres a second
 constexpr double longest_gap = 3.5;     // rows: three, and half of one for clocks that tremble
 constexpr double least_jump = 0.1;      // metres: less is noise of a short step
 constexpr float nearest_people = 0.1F;  // metres
@@ -22,7 +22,7 @@ constexpr std::size_t most_rows_looked_at = 150'000;
 constexpr std::size_t most_pairs_looked_at = 5'000'000;
 
 /// A place of somebody in a frame, with the cell of a grid that it lies in.
-struct Stander {
+struct StandingRow {
   std::uint64_t key;  ///< frame, cell along z, cell along x
   std::uint32_t person, row;
 };
@@ -55,7 +55,7 @@ void look_at_moves(const PersonTrack& person, double rows_a_second, MoveTally& t
       tally.gaps.add(before.seconds,
                      [&] { return person_at(person, before.seconds) + "no row for " + fixed(time, 2) + " s"; });
     }
-    if (squared > fastest * fastest * time * time && squared > least_jump * least_jump) {
+    if (squared > fastest_ever * fastest_ever * time * time && squared > least_jump * least_jump) {
       tally.teleports.add(row.seconds, [&] {
         return person_at(person, row.seconds) + fixed(std::sqrt(squared), 1) + " m in " + fixed(time, 2) + " s";
       });
@@ -64,10 +64,10 @@ void look_at_moves(const PersonTrack& person, double rows_a_second, MoveTally& t
 }
 
 /// Takes the rows of some frames: of all, or of every so many that the work stays small.
-std::vector<Stander> standers_of(const std::vector<PersonTrack>& persons, double rows_a_second, std::size_t rows) {
+std::vector<StandingRow> standers_of(const std::vector<PersonTrack>& persons, double rows_a_second, std::size_t rows) {
   const auto every = static_cast<std::int64_t>(rows / most_rows_looked_at + 1);
   const double rate = rows_a_second > 0.0 ? rows_a_second : 1.0;
-  std::vector<Stander> standers;
+  std::vector<StandingRow> standers;
   standers.reserve(std::min(rows, 2 * most_rows_looked_at));
   for (std::uint32_t person = 0; person < persons.size(); ++person) {
     const std::vector<TrackRow>& track = persons[person].rows;
@@ -79,7 +79,7 @@ std::vector<Stander> standers_of(const std::vector<PersonTrack>& persons, double
       standers.push_back({line << cell_bits | cell_of(track[row].x), person, row});
     }
   }
-  std::ranges::sort(standers, {}, &Stander::key);
+  std::ranges::sort(standers, {}, &StandingRow::key);
   return standers;
 }
 
@@ -92,7 +92,7 @@ bool overlap(const TrackRow& one, const TrackRow& other) {
 /// Finds pairs of people in cells that touch. Counts each pair once, however long they stand so.
 class OverlapSearch {
  public:
-  OverlapSearch(const std::vector<PersonTrack>& persons, std::vector<Stander> standers)
+  OverlapSearch(const std::vector<PersonTrack>& persons, std::vector<StandingRow> standers)
       : persons_(persons), standers_(std::move(standers)) {}
 
   OddityTally find() {
@@ -109,14 +109,14 @@ class OverlapSearch {
   }
 
  private:
-  const TrackRow& row_of(const Stander& stander) const { return persons_[stander.person].rows[stander.row]; }
+  const TrackRow& row_of(const StandingRow& stander) const { return persons_[stander.person].rows[stander.row]; }
 
   /// Compares one with those from `first` on whose keys are not above `last_key`.
   void look_at(std::size_t one, std::size_t first, std::uint64_t last_key) {
-    const Stander& stander = standers_[one];
+    const StandingRow& stander = standers_[one];
     for (std::size_t i = first; i < standers_.size() && standers_[i].key <= last_key; ++i) {
       if (++looked_at_ > most_pairs_looked_at) return;
-      const Stander& other = standers_[i];
+      const StandingRow& other = standers_[i];
       if (stander.person == other.person || !overlap(row_of(stander), row_of(other))) continue;
       const std::uint32_t earlier = std::min(stander.person, other.person);
       const std::uint32_t later = std::max(stander.person, other.person);
@@ -130,7 +130,7 @@ class OverlapSearch {
   }
 
   const std::vector<PersonTrack>& persons_;
-  std::vector<Stander> standers_;
+  std::vector<StandingRow> standers_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   std::size_t looked_at_ = 0;
   OddityTally tally_;

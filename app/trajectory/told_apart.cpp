@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::size_t most_steps = 50'000;
+constexpr std::size_t most_compared_steps = 50'000;
 
 /// A step of somebody from a row to the next.
 struct SampledStep {
@@ -30,7 +30,7 @@ std::vector<SampledStep> sample_steps(const RawTracks& tracks) {
       const RawRow* const before = std::exchange(last[row.person], &row);
       if (before == nullptr || before->time >= row.time) continue;
       steps.push_back({row.time - before->time, row.x - before->x, row.y - before->y, before->angle});
-      if (steps.size() == most_steps) return steps;
+      if (steps.size() == most_compared_steps) return steps;
     }
   }
   return steps;
@@ -63,7 +63,7 @@ double high_z(const RawTracks& tracks, double share) {
   for (const RowBlock& block : tracks.blocks) {
     for (const RawRow& row : block.rows) {
       heights.push_back(static_cast<double>(row.z));
-      if (heights.size() == most_steps) return percentile(std::move(heights), share);
+      if (heights.size() == most_compared_steps) return percentile(std::move(heights), share);
     }
   }
   return percentile(std::move(heights), share);

@@ -6,7 +6,7 @@
 namespace throng::app {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr double orbit_seconds = 60.0;
 constexpr double pan_seconds = 10.0;
 constexpr double pan_radians = std::numbers::pi / 6.0;
@@ -22,9 +22,10 @@ render::Camera orbited(render::Camera camera, double angle) {
 }  // namespace
 
 render::Camera along(CameraPath path, const render::Camera& start, double seconds) {
-  if (path == CameraPath::orbit) return orbited(start, turn * std::fmod(seconds, orbit_seconds) / orbit_seconds);
+  if (path == CameraPath::orbit) return orbited(start, whole_turn * std::fmod(seconds, orbit_seconds) / orbit_seconds);
   render::Camera camera = start;
-  if (path == CameraPath::pan) camera.yaw += static_cast<float>(pan_radians * std::sin(turn * seconds / pan_seconds));
+  if (path == CameraPath::pan)
+    camera.yaw += static_cast<float>(pan_radians * std::sin(whole_turn * seconds / pan_seconds));
   return camera;
 }
 

@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+constexpr std::size_t most_path_bytes = std::size_t{16} << 20U;
 using Values = std::array<float, 6>;
 
 Values values_of(const CameraPlace& place) {
@@ -39,7 +39,7 @@ Error fault(const std::string& file, std::size_t line, const std::string& what) 
 }  // namespace
 
 Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
-  const auto text = read_text(file, "a camera path", most_bytes);
+  const auto text = read_text(file, "a camera path", most_path_bytes);
   if (!text) return Error{file + ": " + text.error().message};
   std::istringstream lines(*text);
   std::vector<CameraKey> keys;

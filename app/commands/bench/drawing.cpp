@@ -21,7 +21,7 @@ namespace throng::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Part = double (*)(const FrameTimes&);
+using PartOfFrame = double (*)(const FrameTimes&);
 
 constexpr int warm_up_frames = 20;            // until levels of detail have learnt from errors
 constexpr double share_of_warming_up = 0.25;  // of the seconds
@@ -30,7 +30,7 @@ constexpr double share_of_warming_up = 0.25;  // of the seconds
 struct NamedPart {
   const char* key;
   const char* name;  ///< in the plot
-  Part milliseconds;
+  PartOfFrame milliseconds;
 };
 constexpr std::array<NamedPart, 7> parts = {
     {{"frame_ms_median", "frame", [](const FrameTimes& times) { return times.frame_ms(); }},

@@ -18,7 +18,7 @@ std::string short_text(const Json& value) {
 }
 
 /// Heads a column with its key, without the word that all keys end in.
-std::string heading(std::string_view key) {
+std::string column_heading(std::string_view key) {
   constexpr std::string_view all_have = "_median";
   if (key.ends_with(all_have)) key.remove_suffix(all_have.size());
   return std::string(key);
@@ -39,7 +39,7 @@ std::string lines_of(const Json& row) {
 std::string figures_as_text(std::span<const Json> rows, std::span<const char* const> columns) {
   if (rows.size() == 1 && columns.empty()) return lines_of(rows.front());
   std::vector<std::vector<std::string>> cells(1);
-  for (const char* const key : columns) cells.front().push_back(heading(key));
+  for (const char* const key : columns) cells.front().push_back(column_heading(key));
   for (const Json& row : rows) {
     cells.emplace_back();
     for (const char* const key : columns) cells.back().push_back(row.contains(key) ? short_text(row[key]) : "-");

@@ -61,7 +61,7 @@ std::string root_text(const anim::BakedClip& clip) {
   return text;
 }
 
-std::string size_text(const anim::CharacterBounds& bounds) {
+std::string body_size_text(const anim::CharacterBounds& bounds) {
   return "body radius " + fixed(bounds.body_radius, 2) + " m, no pose leaves " + fixed(bounds.reach, 2) +
          " m around its middle";
 }
@@ -216,7 +216,7 @@ std::string model_text(const InspectedModel& inspected) {
   const anim::Character character = anim::bake_character(model);
   const anim::RigMap rig = anim::find_rig(model.skeleton);
   std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n";
-  for (const std::string& line : {placement_text(inspected.placed), size_text(character.bounds),
+  for (const std::string& line : {placement_text(inspected.placed), body_size_text(character.bounds),
                                   skeleton_text(model.skeleton), rig_text(model.skeleton, rig)}) {
     text += "  " + line + "\n";
   }

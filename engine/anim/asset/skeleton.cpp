@@ -16,7 +16,7 @@ const ReferenceFrame& parent_frame(const Skeleton& skeleton, int bone) {
 }
 
 /// Returns the rotation of a matrix that is a rotation times a uniform scale.
-glm::dquat rotation_of(const glm::dmat4& similarity) {
+glm::dquat rotation_of_similarity(const glm::dmat4& similarity) {
   const glm::dmat3 linear(similarity);
   return glm::normalize(glm::quat_cast(linear / glm::length(linear[0])));
 }
@@ -48,7 +48,8 @@ StateTransform to_state(const Skeleton& skeleton, int bone, const StateTransform
   const ReferenceFrame& frame = skeleton.references[static_cast<std::size_t>(bone)];
   const ReferenceFrame& parent = parent_frame(skeleton, bone);
   const glm::dvec3 in_parent(own.prefix * glm::dvec4(local.position, 1.0));
-  return {.rotation = parent.rotation * rotation_of(own.prefix) * local.rotation * glm::conjugate(frame.rotation),
+  return {.rotation =
+              parent.rotation * rotation_of_similarity(own.prefix) * local.rotation * glm::conjugate(frame.rotation),
           .position = parent.origin + parent.rotation * (parent.scale * in_parent) - frame.origin,
           .scale = glm::dvec3(1.0)};
 }
@@ -66,7 +67,7 @@ StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform
             .position = in_parent,
             .scale = scale};
   }
-  const glm::dquat to_parent = glm::conjugate(parent.rotation * rotation_of(own.prefix));
+  const glm::dquat to_parent = glm::conjugate(parent.rotation * rotation_of_similarity(own.prefix));
   return {.rotation = to_parent * state.rotation * frame.rotation,
           .position = glm::dvec3(glm::inverse(own.prefix) * glm::dvec4(in_parent, 1.0)),
           .scale = scale};

@@ -25,8 +25,8 @@ BoneFrame moved(const RootMotion& motion, const BoneFrame& frame) {
 }
 
 /// Returns how far a clip in place and its curve together are off the clip, in metres on the surface.
-double distance(const Skeleton& skeleton, const SurfaceProxy& proxy, const StateClip& clip, const StateClip& in_place,
-                const RootCurve& curve) {
+double clip_distance(const Skeleton& skeleton, const SurfaceProxy& proxy, const StateClip& clip,
+                     const StateClip& in_place, const RootCurve& curve) {
   constexpr double looks_a_second = 137.0;  // on and between keys of any rate
   const AlignedBytes from = pack_keyframe_stream(clip), to = pack_keyframe_stream(in_place);
   ExactPoses expected(*reinterpret_cast<const KeyframeStream*>(from.get()));
@@ -62,7 +62,7 @@ Turned turned_back(const Skeleton& skeleton, const SurfaceProxy& proxy, const Cl
   for (int parts = 1; parts <= finest; parts *= 2) {
     turned.clip = without_root_motion(skeleton, clip, curve, start, step / parts);
     turned.state = to_state_space(skeleton, turned.clip, start);
-    turned.error = distance(skeleton, proxy, state, turned.state, curve);
+    turned.error = clip_distance(skeleton, proxy, state, turned.state, curve);
     if (turned.error <= turn_error * proxy.height / tall_person) break;
   }
   return turned;

@@ -77,7 +77,7 @@ class MovingSurface {
   std::vector<BoneFrame> frames_;
 };
 
-float percentile_99(std::vector<double>& errors) {
+float percentile_99_of(std::vector<double>& errors) {
   const auto rank = static_cast<std::ptrdiff_t>(static_cast<double>(errors.size() - 1) * 0.99 + 0.5);
   std::ranges::nth_element(errors, errors.begin() + rank);
   return static_cast<float>(errors[static_cast<std::size_t>(rank)]);
@@ -107,8 +107,8 @@ SkipError measure(MovingSurface surface, std::size_t points, Ticks duration, std
   }
   SkipError error;
   for (std::size_t span = 0; span < errors.size(); ++span) {
-    error.blended[span] = percentile_99(errors[span].blended);
-    error.held[span] = percentile_99(errors[span].held);
+    error.blended[span] = percentile_99_of(errors[span].blended);
+    error.held[span] = percentile_99_of(errors[span].held);
   }
   return error;
 }

@@ -22,7 +22,7 @@ struct Reach {
 /// Takes a value that is not a number for the largest of all.
 double larger(double a, double b) { return b <= a ? a : b; }
 
-double largest_part(const glm::vec3& vector) {
+double largest_component(const glm::vec3& vector) {
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis) largest = larger(largest, std::abs(static_cast<double>(vector[axis])));
   return largest;
@@ -30,7 +30,7 @@ double largest_part(const glm::vec3& vector) {
 
 double largest_value(const anim::Track<glm::vec3>& track) {
   double largest = 0.0;
-  for (const glm::vec3& value : track.values) largest = larger(largest, largest_part(value));
+  for (const glm::vec3& value : track.values) largest = larger(largest, largest_component(value));
   return largest;
 }
 

@@ -14,7 +14,7 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double longest_gap = 1.0 / 30.0;  // seconds between keys: what is solved in between is not linear
+constexpr double longest_step = 1.0 / 30.0;  // seconds between keys: what is solved in between is not linear
 
 /// Adds the times of a track, and for each step of it the instant before.
 template <typename Value>
@@ -27,7 +27,7 @@ void add_times(const Track<Value>& track, std::vector<float>& times) {
   }
 }
 
-/// Returns the times at which the clip is posed: its own, and more where they lie further apart than longest_gap.
+/// Returns the times at which the clip is posed: its own, and more where they lie further apart than longest_step.
 std::vector<float> pose_times(const Clip& clip) {
   std::vector<float> own;
   for (const BoneTracks& tracks : clip.tracks) {
@@ -41,7 +41,7 @@ std::vector<float> pose_times(const Clip& clip) {
   for (const float time : own) {
     const auto before = static_cast<double>(times.empty() ? time : times.back());
     const double gap = static_cast<double>(time) - before;
-    const int more = static_cast<int>(std::ceil(gap / longest_gap)) - 1;
+    const int more = static_cast<int>(std::ceil(gap / longest_step)) - 1;
     for (int i = 1; i <= more; ++i) times.push_back(static_cast<float>(before + gap * i / (more + 1)));
     if (times.empty() || time > times.back()) times.push_back(time);
   }

@@ -9,7 +9,7 @@
 namespace throng::anim {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t nth(int index) { return static_cast<std::size_t>(index); }
 
 /// Returns a radius as a share of the height, as measured on a person.
 double usual_radius(RagdollPart part, double height, double length) {
@@ -44,10 +44,10 @@ class ShapeFitter {
  public:
   ShapeFitter(const Model& model, std::span<const RagdollBone> chosen)
       : skeleton_(model.skeleton), chosen_(chosen), body_of_(skeleton_.bones.size(), -1), points_(chosen.size()) {
-    for (std::size_t body = 0; body < chosen.size(); ++body) body_of_[at(chosen[body].bone)] = static_cast<int>(body);
+    for (std::size_t body = 0; body < chosen.size(); ++body) body_of_[nth(chosen[body].bone)] = static_cast<int>(body);
     for (std::size_t bone = 0; bone < body_of_.size(); ++bone) {
       const int parent = skeleton_.bones[bone].parent;
-      if (body_of_[bone] < 0 && parent >= 0) body_of_[bone] = body_of_[at(parent)];
+      if (body_of_[bone] < 0 && parent >= 0) body_of_[bone] = body_of_[nth(parent)];
     }
     for (const SkinnedMesh& mesh : model.meshes) collect(mesh);
     glm::dvec3 low = origin(chosen[0].bone);
@@ -60,10 +60,10 @@ class ShapeFitter {
   }
 
   RagdollShape fit(int body) const {
-    RagdollShape shape{.joint = origin(chosen_[at(body)].bone)};
+    RagdollShape shape{.joint = origin(chosen_[nth(body)].bone)};
     shape.from = shape.joint;
     shape.to = end_of(body);
-    if (chosen_[at(body)].part == RagdollPart::pelvis) lie_between_the_hips(shape);
+    if (chosen_[nth(body)].part == RagdollPart::pelvis) lie_between_the_hips(shape);
     if (glm::distance(shape.from, shape.to) < 1e-3 * height_)
       shape.to = shape.from + glm::dvec3(0.0, 0.01 * height_, 0.0);
     shape.radius = radius(body, shape);
@@ -71,25 +71,25 @@ class ShapeFitter {
   }
 
  private:
-  glm::dvec3 origin(int bone) const { return skeleton_.references[at(bone)].origin; }
+  glm::dvec3 origin(int bone) const { return skeleton_.references[nth(bone)].origin; }
 
   void collect(const SkinnedMesh& mesh) {
     for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
       const int bone = skeleton_.palette[mesh.palette_entries[vertex][0]].bone;
-      if (body_of_[at(bone)] >= 0) points_[at(body_of_[at(bone)])].emplace_back(mesh.positions[vertex]);
+      if (body_of_[nth(bone)] >= 0) points_[nth(body_of_[nth(bone)])].emplace_back(mesh.positions[vertex]);
     }
   }
 
   glm::dvec3 end_of(int body) const {
-    const RagdollBone& own = chosen_[at(body)];
+    const RagdollBone& own = chosen_[nth(body)];
     const glm::dvec3 joint = origin(own.bone);
     if (const auto children = ends_of_children(body); !children.empty()) return middle(children);
-    if (!points_[at(body)].empty()) return joint + 1.9 * (middle(points_[at(body)]) - joint);
-    const glm::dvec3 along = own.parent < 0 ? glm::dvec3(0.0, 1.0, 0.0) : joint - origin(chosen_[at(own.parent)].bone);
+    if (!points_[nth(body)].empty()) return joint + 1.9 * (middle(points_[nth(body)]) - joint);
+    const glm::dvec3 along = own.parent < 0 ? glm::dvec3(0.0, 1.0, 0.0) : joint - origin(chosen_[nth(own.parent)].bone);
     if (own.part == RagdollPart::head) return joint + 0.11 * height_ * glm::normalize(along);
     glm::dvec3 farthest = joint + 0.01 * along;
     for (int bone = own.bone; bone < skeleton_.bone_count(); ++bone) {
-      if (body_of_[at(bone)] != body) continue;
+      if (body_of_[nth(bone)] != body) continue;
       if (glm::distance(origin(bone), joint) > glm::distance(farthest, joint)) farthest = origin(bone);
     }
     const bool has_length = glm::distance(farthest, joint) > 0.02 * glm::length(along);
@@ -102,8 +102,8 @@ class ShapeFitter {
     for (const RagdollBone& child : chosen_) {
       if (child.parent == body) ends.push_back(origin(child.bone));
     }
-    if (chosen_[at(body)].part != RagdollPart::other || ends.size() < 2) return ends;
-    const glm::dvec3 joint = origin(chosen_[at(body)].bone);
+    if (chosen_[nth(body)].part != RagdollPart::other || ends.size() < 2) return ends;
+    const glm::dvec3 joint = origin(chosen_[nth(body)].bone);
     const auto distance = [&](const glm::dvec3& end) { return glm::distance(end, joint); };
     return {*std::ranges::max_element(ends, {}, distance)};
   }
@@ -125,13 +125,13 @@ class ShapeFitter {
 
   double radius(int body, const RagdollShape& shape) const {
     const glm::dvec3 along = shape.to - shape.from;
-    if (points_[at(body)].size() < 8) return usual_radius(chosen_[at(body)].part, height_, glm::length(along));
+    if (points_[nth(body)].size() < 8) return usual_radius(chosen_[nth(body)].part, height_, glm::length(along));
     double sum = 0.0;
-    for (const glm::dvec3& point : points_[at(body)]) {
+    for (const glm::dvec3& point : points_[nth(body)]) {
       const double t = std::clamp(glm::dot(point - shape.from, along) / glm::dot(along, along), 0.0, 1.0);
       sum += glm::distance(point, shape.from + t * along);
     }
-    return std::clamp(sum / static_cast<double>(points_[at(body)].size()), 0.01 * height_, 0.1 * height_);
+    return std::clamp(sum / static_cast<double>(points_[nth(body)].size()), 0.01 * height_, 0.1 * height_);
   }
 
   const Skeleton& skeleton_;

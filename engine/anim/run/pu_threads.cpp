@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 /// rounds with short pauses in between.
 constexpr std::chrono::microseconds waits_awake(200);
 
-std::atomic<ThreadHook> hook_of_the_host{nullptr};
+std::atomic<ThreadHook> thread_hook_of_the_host{nullptr};
 
 /// Returns the number of this process: another one in a child of fork().
 long own_process() {
@@ -108,7 +108,7 @@ void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
 }
 
 void PuThreads::work(int pu) {
-  if (const ThreadHook hook = hook_of_the_host.load(); hook != nullptr) hook(pu);
+  if (const ThreadHook hook = thread_hook_of_the_host.load(); hook != nullptr) hook(pu);
   std::uint32_t seen = 0;
   while (true) {
     wait_while(round_, seen);
@@ -121,4 +121,4 @@ void PuThreads::work(int pu) {
 
 }  // namespace throng::anim
 
-void throng::set_thread_hook(ThreadHook hook) { anim::hook_of_the_host.store(hook); }
+void throng::set_thread_hook(ThreadHook hook) { anim::thread_hook_of_the_host.store(hook); }

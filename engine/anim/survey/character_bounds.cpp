@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t most_points = 2000;
 constexpr int samples_per_clip = 12;
 constexpr double body_radius_of_height = 1.0 / 6.0;
-constexpr double least_reach = 0.5;  // of the height: a model whose points all lie in the middle
-constexpr double margin = 1.1;       // for poses between samples and vertices that were left out
+constexpr double least_bounds_reach = 0.5;  // of the height: a model whose points all lie in the middle
+constexpr double margin = 1.1;              // for poses between samples and vertices that were left out
 
 double height_of(const ModelExtent& extent) {
   if (extent.top > extent.size.y / 2.0) return extent.top;
@@ -41,7 +41,7 @@ CharacterBounds BoundsSurvey::bounds(const std::vector<double>& reaches) const {
   const double depth = extent_ ? extent_->size.z / 2.0 : 0.0;
   CharacterBounds bounds{.height = height_, .body_radius = std::max(depth, height_ * body_radius_of_height)};
   bounds.reach = reaches.empty() ? reach_of(nullptr, 0.0, glm::dvec3(0.0)) : std::ranges::max(reaches);
-  bounds.reach = margin * std::max(bounds.reach, least_reach * height_);
+  bounds.reach = margin * std::max(bounds.reach, least_bounds_reach * height_);
   return bounds;
 }
 

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::size_t most_places = 2000;
 constexpr int measured_poses = 6;
-constexpr double alike = 2.0;        // a rest pose of at most so many times the clips' height says the size
-constexpr double same_ground = 0.1;  // of the height: the rest pose stands where the clips do
-constexpr double no_side = 1e-9;     // units: a model that is smaller has no extent
+constexpr double alike_heights = 2.0;  // a rest pose of at most so many times the clips' height says the size
+constexpr double same_ground = 0.1;    // of the height: the rest pose stands where the clips do
+constexpr double no_side = 1e-9;       // units: a model that is smaller has no extent
 
-struct Box {
+struct RestBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -44,7 +44,7 @@ struct Room {
 };
 
 /// Returns the median; of two in the middle the lower one, or the upper one.
-double median(std::vector<double> values, bool upper = false) {
+double middle_of(std::vector<double> values, bool upper = false) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - (upper ? 0 : 1)) / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
@@ -102,7 +102,7 @@ class ExtentSurvey {
     std::vector<double> lowest;
     for (int i = 0; i < samples; ++i) {
       const double seconds = clip == nullptr ? 0.0 : clip->start + (clip->duration - clip->start) * i / samples;
-      Box box, standing;
+      RestBox box, standing;
       const std::vector<glm::dvec3> at = places(points_, reference_pose(model_.skeleton, clip, seconds));
       for (std::size_t point = 0; point < at.size(); ++point) {
         box.add(upright_ * at[point]);
@@ -116,11 +116,11 @@ class ExtentSurvey {
     }
     if (lowest.empty()) return std::nullopt;
     room.size /= static_cast<double>(lowest.size());
-    room.lowest = median(lowest);
+    room.lowest = middle_of(lowest);
     return room;
   }
 
-  static bool are_alike(double a, double b) { return a <= alike * b && b <= alike * a; }
+  static bool are_alike(double a, double b) { return a <= alike_heights * b && b <= alike_heights * a; }
 
   template <typename Value>
   static std::vector<double> values_of(const std::vector<Room>& rooms, const Value& value) {
@@ -133,11 +133,11 @@ class ExtentSurvey {
   static ModelExtent median_of(const std::vector<Room>& rooms) {
     ModelExtent extent;
     for (int axis = 0; axis < 3; ++axis) {
-      extent.size[axis] = median(values_of(rooms, [axis](const Room& room) { return room.size[axis]; }));
-      extent.middle[axis] = median(values_of(rooms, [axis](const Room& room) { return room.middle[axis]; }));
+      extent.size[axis] = middle_of(values_of(rooms, [axis](const Room& room) { return room.size[axis]; }));
+      extent.middle[axis] = middle_of(values_of(rooms, [axis](const Room& room) { return room.middle[axis]; }));
     }
     // Of a walk and a handstand that reaches below the ground, the walk says where it is.
-    extent.lowest = median(values_of(rooms, [](const Room& room) { return room.lowest; }), true);
+    extent.lowest = middle_of(values_of(rooms, [](const Room& room) { return room.lowest; }), true);
     return extent;
   }
 

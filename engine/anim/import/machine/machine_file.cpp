@@ -103,7 +103,7 @@ MachineDescription machine_of(const Json& json, Complaint& complaint) {
 }  // namespace
 
 anim::Result<MachineDescription> read_machine(std::string_view text) {
-  const Result<Json> json = parse_json(text);
+  const Result<Json> json = throng::parse_json(text);
   if (!json) return Error{"it " + json.error().message};
   Complaint complaint;
   MachineDescription machine = machine_of(*json, complaint);

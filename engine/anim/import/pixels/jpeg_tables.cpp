@@ -8,9 +8,9 @@ namespace {
 constexpr unsigned fill = 0xFF, first_restart = 0xD0, end_of_image = 0xD9, huffman_tables = 0xC4;
 
 /// The bytes of a JPEG; beyond the end, zeros, as the decoder reads them.
-class Reader {
+class TableReader {
  public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit TableReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   unsigned at(std::size_t place) const { return place < bytes_.size() ? std::to_integer<unsigned>(bytes_[place]) : 0; }
   std::size_t size() const { return bytes_.size(); }
@@ -20,7 +20,7 @@ class Reader {
 };
 
 /// Checks the tables that begin within a segment; the decoder reads the last one to its end, even outside of it.
-bool tables_fit(const Reader& bytes, std::size_t at, std::size_t end) {
+bool tables_fit(const TableReader& bytes, std::size_t at, std::size_t end) {
   while (at < end && at < bytes.size()) {
     unsigned codes = 0;
     for (std::size_t length = 1; length <= 16; ++length) codes += bytes.at(at + length);
@@ -37,7 +37,7 @@ bool has_length(unsigned marker) {
 }  // namespace
 
 bool jpeg_tables_fit(std::span<const std::byte> all) {
-  const Reader bytes(all);
+  const TableReader bytes(all);
   if (bytes.at(0) != fill) return true;
   for (std::size_t at = 0; at + 1 < bytes.size();) {
     const unsigned marker = bytes.at(at + 1);

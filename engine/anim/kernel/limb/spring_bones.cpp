@@ -13,7 +13,7 @@ namespace throng::anim {
 namespace {
 
 constexpr glm::vec3 upwards{0.0F, 1.0F, 0.0F};
-constexpr float fastest = 100.0F;  // metres a second
+constexpr float fastest_bone = 100.0F;  // metres a second
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -149,7 +149,7 @@ class Springs {
     for (int pass = 0; pass < 2 && push_out(options.radius, state.tail); ++pass) at_length();
     state.velocity = (state.tail - before) / seconds_;
     const float speed = glm::length(state.velocity);
-    if (speed > fastest) state.velocity *= fastest / speed;
+    if (speed > fastest_bone) state.velocity *= fastest_bone / speed;
     state.head = motion.position;
   }
 

@@ -17,7 +17,7 @@
 namespace throng::anim {
 namespace {
 
-constexpr std::size_t offset_floats = std::size_t{offset_components} * packet_bones;
+constexpr std::size_t floats_of_offsets = std::size_t{offset_components} * packet_bones;
 constexpr std::size_t captured_floats = std::size_t{rigid_components} * packet_bones;
 constexpr std::size_t quad_alignment = quad_bones * sizeof(float);  // poses are tweaked by quads
 
@@ -97,17 +97,17 @@ bool is_valid(const OffsetCaptureJob& job) {
   if (!is_null_or_aligned(job.shown_before) || !is_null_or_aligned(job.target_before)) return false;
   if (!is_aligned(job.offsets) || !is_aligned(job.velocities) || !std::isfinite(job.seconds_between)) return false;
   for (const float* const input : {job.shown, job.shown_before, job.target, job.target_before}) {
-    if (!are_apart(job.offsets, offset_floats, input, captured_floats)) return false;
-    if (!are_apart(job.velocities, offset_floats, input, captured_floats)) return false;
+    if (!are_apart(job.offsets, floats_of_offsets, input, captured_floats)) return false;
+    if (!are_apart(job.velocities, floats_of_offsets, input, captured_floats)) return false;
   }
-  return are_apart(job.offsets, offset_floats, job.velocities, offset_floats);
+  return are_apart(job.offsets, floats_of_offsets, job.velocities, floats_of_offsets);
 }
 
 bool is_valid(const OffsetApplyJob& job) {
   return is_aligned(job.target) && is_aligned(job.offsets) && is_aligned(job.velocities) && is_aligned(job.out) &&
          is_share(job.decay.offset) && is_not_negative(job.decay.velocity) && is_component_count(job.components) &&
-         are_apart(job.offsets, offset_floats, job.out, captured_floats) &&
-         are_apart(job.velocities, offset_floats, job.out, captured_floats);
+         are_apart(job.offsets, floats_of_offsets, job.out, captured_floats) &&
+         are_apart(job.velocities, floats_of_offsets, job.out, captured_floats);
 }
 
 bool is_valid(const NoiseJob& job) {

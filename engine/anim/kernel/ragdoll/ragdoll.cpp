@@ -16,7 +16,7 @@ constexpr float steps_a_second = 120.0F;
 constexpr float substep_seconds = 1.0F / (steps_a_second * substeps);
 static_assert(ragdoll_step_ticks * 120 == ticks_per_second);
 
-constexpr float fastest = 30.0F;          // metres a second
+constexpr float fastest_body = 30.0F;     // metres a second
 constexpr float fastest_turning = 40.0F;  // radians a second: a third of a radian a step
 constexpr float air_drag = 0.1F;          // share of a second's movement
 constexpr float turning_drag = 0.5F;
@@ -35,7 +35,7 @@ glm::vec3 clamped(const glm::vec3& v, float longest) {
 }
 
 void clamp_speeds(const RagdollRig& rig, RagdollBodyState& body) {
-  body.velocity = clamped(body.velocity, fastest * rig.metre);
+  body.velocity = clamped(body.velocity, fastest_body * rig.metre);
   body.angular_velocity = clamped(body.angular_velocity, fastest_turning);
 }
 
@@ -154,7 +154,7 @@ void push_ragdoll(const RagdollRig& rig, int body, const glm::vec3& impulse, con
   const RagdollBody& pushed = rig.bodies[static_cast<std::size_t>(body)];
   RagdollBodyState& own = state.bodies[body];
   // No more than what reaches the highest speed from the opposite one: larger ones could overflow.
-  const glm::vec3 bounded = clamped(impulse, 2.0F * fastest * rig.metre / pushed.inverse_mass);
+  const glm::vec3 bounded = clamped(impulse, 2.0F * fastest_body * rig.metre / pushed.inverse_mass);
   kick(pushed, own, clamped(point - own.position, pushed.half_length + pushed.radius), bounded);
   clamp_speeds(rig, own);
   wake_ragdoll(state);

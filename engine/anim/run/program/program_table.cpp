@@ -9,7 +9,7 @@ namespace throng::anim {
 namespace {
 
 constexpr std::size_t usual_programs = 64;
-constexpr std::size_t usual_steps = 16;
+constexpr std::size_t steps_to_reserve = 16;
 
 /// Hashes the steps; the rest of a program nearly always follows from them.
 std::uint64_t hash_of(const PoseProgram& program) {
@@ -31,7 +31,7 @@ ProgramTable::ProgramTable() {
 
 void ProgramTable::add_unused() {
   programs_.push_back(std::make_unique<PoseProgram>());
-  programs_.back()->steps.reserve(usual_steps);
+  programs_.back()->steps.reserve(steps_to_reserve);
 }
 
 const PoseProgram& ProgramTable::same_as_draft() {

@@ -29,7 +29,8 @@ struct FollowedMix {
   std::size_t count = 0;
   std::array<float, person_legs> planted{};  ///< how firmly each foot stands, 0 to 1
 
-  std::span<const anim::MixedClip> clips() const { return {of.data(), count}; }
+  std::span<const anim::MixedClip> clips() const& { return {of.data(), count}; }
+  std::span<const anim::MixedClip> clips() && = delete;  ///< a loop over them would outlive them
 };
 
 /// Returns the clips of a moment: gaits by the velocity, all at the same place of the stride, and a way to stand, which

@@ -34,8 +34,9 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
     stances_.emplace_back(*characters[i].character, followers.plane_of_character(i));
   }
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    [[maybe_unused]] const auto added = system.agent(agent).add_channel(
-        std::make_unique<anim::ClipMixChannel>(mix_of(agent, track_clock_of(crowd).seconds, {}).clips()));
+    const FollowedMix mix = mix_of(agent, track_clock_of(crowd).seconds, {});
+    [[maybe_unused]] const auto added =
+        system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix.clips()));
     assert(added && "clips of roles are those of the character");
   }
 }

@@ -37,7 +37,8 @@ constexpr std::array<glm::vec2, 11> velocities{{{0.0F, 0.2F},
 /// Returns the seconds that a left and a right step take together.
 double cycle_seconds(const app::CharacterSource& source, const Plane& plane, const glm::vec2& velocity) {
   glm::dvec2 stride(0.0);
-  for (const anim::BlendPlane::Share& share : plane->plane().shares(velocity).all()) {
+  const anim::BlendPlane::Shares shares = plane->plane().shares(velocity);
+  for (const anim::BlendPlane::Share& share : shares.all()) {
     const anim::BlendPoint2d& point = plane->point(share.point);
     const double seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(point.clip)].duration);
     stride += glm::dvec2(point.place) * (static_cast<double>(share.weight) * seconds);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,7 @@ const std::vector<MadeMesh>& meshes() {
   return all;
 }
 
-const MadeMesh& mesh_named(const std::string& name) {
+const MadeMesh& mesh_named(std::string_view name) {
   return *std::find_if(meshes().begin(), meshes().end(), [&](const MadeMesh& mesh) { return mesh.name == name; });
 }
 

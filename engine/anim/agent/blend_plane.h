@@ -27,7 +27,8 @@ class BlendPlane {
     std::size_t count = 0;      ///< 1 to 3
     glm::vec2 place{0.0F};      ///< the place that they stand for: the one asked for, or the nearest in the hull
 
-    std::span<const Share> all() const { return {of.data(), count}; }
+    std::span<const Share> all() const& { return {of.data(), count}; }
+    std::span<const Share> all() && = delete;  ///< a loop over them would outlive them
   };
 
   /// Takes 1 to `most_points` points. Those on a line, or fewer than three, work as a line or a point. Errors: there is

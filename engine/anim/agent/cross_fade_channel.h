@@ -43,7 +43,8 @@ struct BlendTree {
   std::uint8_t count = 0;
 
   bool empty() const { return count == 0; }
-  std::span<const Handle> all() const { return {entities.data(), count}; }
+  std::span<const Handle> all() const& { return {entities.data(), count}; }
+  std::span<const Handle> all() && = delete;  ///< a loop over them would outlive them
   Handle root() const { return count == 0 ? Handle{} : entities[count - 1U]; }
   std::size_t player_count() const { return (count + 1U) / 2U; }
   void destroy(const EntityBuilder& build);

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -17,12 +18,12 @@ namespace throng::app::simd_test {
 namespace {
 
 /// The statistics of one run; each is made once.
-const nlohmann::json& statistics_on(const std::string& target, const std::string& stream) {
+const nlohmann::json& statistics_on(std::string_view target, std::string_view stream) {
   static std::map<std::string, nlohmann::json> known;
-  const auto [entry, is_new] = known.try_emplace(target + stream);
+  const auto [entry, is_new] = known.try_emplace(std::string(target) + std::string(stream));
   if (!is_new) return entry->second;
   const ProgramRun run = run_program({"--headless=none", "--agents", "30", "--frames", "60", "--lod", "off", "--events",
-                                      "--stream", stream, "--simd", target, "--stats", "-"});
+                                      "--stream", std::string(stream), "--simd", std::string(target), "--stats", "-"});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   return entry->second = nlohmann::json::parse(run.output);
 }

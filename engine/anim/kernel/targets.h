@@ -8,11 +8,13 @@
 #define HWY_COMPILE_ALL_ATTAINABLE
 #define HWY_BROKEN_EMU128 1
 
-/// Leaves out targets without a width that the compiler knows, since the kernels keep vectors in structures; and the
-/// extensions of AVX3, which are the bits below it, since kernels of floats are the same on them.
+/// Leaves out targets without a width that the compiler knows, since the kernels keep vectors in structures; the
+/// extensions of AVX3, which are the bits below it, since kernels of floats are the same on them; and SSSE3, SSE3 and
+/// SSE2, which are the bits above SSE4: a processor from before 2011 that lacks SSE4 takes SCALAR.
 /// A build that leaves out more defines the macro itself, with these among its targets.
 #ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | (HWY_AVX3 - 1))
+#define HWY_DISABLED_TARGETS \
+  (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | (HWY_AVX3 - 1) | 7 * HWY_SSSE3)
 #endif
 
 #if defined(__aarch64__)

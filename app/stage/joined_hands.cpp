@@ -50,13 +50,17 @@ glm::quat turn_of_forearm(const std::array<glm::vec3, 3>& joints, const glm::vec
   const glm::quat swing(glm::normalize(before), glm::normalize(target - shoulder));
   const glm::vec3 bends = glm::cross(upper, forearm);
   if (glm::length(bends) < 1e-6F) return swing;
-  const auto inner_angle = [&](float reach) {  // at the wrist, between the forearm and the line to the shoulder
+  // Cosine and sine of the angle at the wrist, between the forearm and the line to the shoulder. An arc cosine would have
+  // other bits on other systems.
+  const auto inner_angle = [&](float reach) {
     const float length = glm::length(forearm);
     const float cosine = (length * length + reach * reach - glm::dot(upper, upper)) / (2.0F * length * reach);
-    return std::acos(std::clamp(cosine, -1.0F, 1.0F));
+    const float held = std::clamp(cosine, -1.0F, 1.0F);
+    return glm::vec2(held, std::sqrt(1.0F - held * held));
   };
-  const float more = inner_angle(glm::distance(target, shoulder)) - inner_angle(glm::length(before));
-  return glm::angleAxis(more, swing * glm::normalize(bends)) * swing;
+  const glm::vec2 now = inner_angle(glm::length(before)), then = inner_angle(glm::distance(target, shoulder));
+  const float cosine = glm::dot(then, now), sine = then.y * now.x - then.x * now.y;  // of the angle between the two
+  return glm::normalize(glm::quat(1.0F + cosine, sine * (swing * glm::normalize(bends)))) * swing;
 }
 
 std::size_t levels_with_hands(const anim::Skeleton& skeleton) {

@@ -90,7 +90,7 @@ void PanelColumn::show_header(const Area& place, OverlaySwitches& switches) {
 
 void PanelColumn::show_search_field(const Area& place, OverlaySwitches& switches) {
   const float top = place.from.y + theme_.px(header_height), margin = theme_.px(16);
-  if (std::exchange(switches.enters_search, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(switches.enters_search, false)) imgui::focus_next_item();
   widgets_.text_field("search", switches.search, "Search all values  (/)",
                       {.from = {place.from.x + margin, top}, .to = {place.to.x - margin, top + theme_.px(22)}});
   const bool was_active = ImGui::IsItemActive() || ImGui::IsItemDeactivated();

@@ -46,13 +46,15 @@ Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& 
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  const ImVec2 spacing = ImGui::GetStyle().ItemInnerSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {imgui::spacing_of_title(spacing.x), spacing.y});
   ImFont* const font = ImGui::GetFont();
   imgui::set_font(theme.strong);
   is_unfolded_ = ImGui::Begin(((layout.title.empty() ? name : layout.title) + "###" + name).c_str(), &stays_open_,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                   ImGuiWindowFlags_NoFocusOnAppearing);
   imgui::set_font(font);
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   const ImVec2 kept = inside_of(crowd, window.Pos, window.Size);
   if (kept.x != window.Pos.x || kept.y != window.Pos.y) ImGui::SetWindowPos(kept);

@@ -110,7 +110,7 @@ bool Widgets::type_field(const char* label, const Area& place, double& value, co
   written(scale, value).copy(shown.data(), shown.size() - 1);
   const auto typing = typed_.find(id);
   FieldText& text = typing == typed_.end() ? shown : typing->second;
-  if (begins) ImGui::SetKeyboardFocusHere();
+  if (begins) imgui::focus_next_item();
   ImGui::InputText("##field", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
   record(std::string(label) + ".field", place, true);
   if (ImGui::IsItemActivated()) typed_[id] = text;
@@ -246,7 +246,7 @@ bool Widgets::text(const char* label, std::string& value, const char* hint, cons
 bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place) {
   std::array<char, 64> typed = {};
   value.copy(typed.data(), typed.size() - 1);
-  if (focus_.has_keys() && stop(name, place).take_activation()) ImGui::SetKeyboardFocusHere();
+  if (focus_.has_keys() && stop(name, place).take_activation()) imgui::focus_next_item();
   ImGui::SetCursorScreenPos(place.from);
   ImGui::SetNextItemWidth(place.width());
   const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());

@@ -51,6 +51,24 @@ inline void take_wheel() { ImGui::SetItemUsingMouseWheel(); }
 
 #endif
 
+/// Gives the keyboard to the next widget.
+inline void focus_next_item() {
+#if IMGUI_VERSION_NUM >= 19000 && IMGUI_VERSION_NUM < 19020
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.NavFocusScopeId = context.CurrentFocusScopeId;  // it looks in the scope of the last focus alone
+#endif
+  ImGui::SetKeyboardFocusHere();
+}
+
+/// Returns the inner spacing with which a window has `gap` pixels between its arrow and its title.
+inline float spacing_of_title(float gap) {
+#if IMGUI_VERSION_NUM >= 19000
+  return gap / 2.0F;  // it is there twice
+#else
+  return gap;
+#endif
+}
+
 /// Returns the height in pixels that a font was loaded with.
 inline float font_height(const ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200

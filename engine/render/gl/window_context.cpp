@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include <glad/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -13,6 +15,14 @@ std::string last_glfw_error() {
   return description == nullptr ? "unknown reason" : description;
 }
 
+/// Leaves out Wayland where no variable tells its socket: libwayland writes an error of its own about it.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+  const bool tells_socket = std::getenv("XDG_RUNTIME_DIR") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  if (!tells_socket && glfwPlatformSupported(GLFW_PLATFORM_X11)) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 class WindowContext final : public Context {
  public:
   ~WindowContext() override {
@@ -21,6 +31,7 @@ class WindowContext final : public Context {
   }
 
   Status open(const WindowOptions& options) {
+    choose_platform();
     if (glfwInit() == GLFW_FALSE) {
       return Error{"no display to open a window on (" + last_glfw_error() + ")"};
     }

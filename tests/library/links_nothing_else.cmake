@@ -1,7 +1,7 @@
 # PROGRAM, which links throng::throng, needs what reads models, Highway and what every program has, and nothing that
 # draws. The PACKAGE that gave it gives no setting of ours to others.
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} RESOLVED_DEPENDENCIES_VAR linked)
-set(known hwy stdc\\+\\+ m gcc_s c asan ubsan tsan throng throng_anim throng_pack throng_import tinygltf stb meshoptimizer draco webp)
+set(known hwy stdc\\+\\+ m gcc_s c asan ubsan tsan throng throng_anim throng_pack throng_import tinygltf stb meshoptimizer draco webp sharpyuv)
 list(JOIN known "|" known)
 foreach(library IN LISTS linked)
   if(NOT library MATCHES "/(lib(${known})|ld-linux[^/]*)\\.so[^/]*$")

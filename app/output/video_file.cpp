@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "app/files/child_process.h"
 #include "app/settings/option_values.h"
 
 namespace throng::app {

@@ -8,7 +8,7 @@ namespace throng::mannequin {
 namespace {
 
 /// A cross-section of the arm: distances in metres along it and of its centre from the bone.
-struct Section {
+struct ArmSection {
   double along;
   double half_width, half_height;  ///< Across the thumb's direction, and from the palm's to the back's side.
   double thumb, back;              ///< Offset of the centre.
@@ -19,7 +19,7 @@ struct Section {
   bool straight = false;  ///< Of the same faces.
 };
 
-LimbRing add_section(Cage& cage, const Section& section) {
+LimbRing add_section(Cage& cage, const ArmSection& section) {
   LimbRing ring{};
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const double angle = (static_cast<double>(k) + section.turn) * std::numbers::pi / 4;
@@ -30,7 +30,7 @@ LimbRing add_section(Cage& cage, const Section& section) {
   return ring;
 }
 
-std::array<Section, 8> sections() {
+std::array<ArmSection, 8> arm_sections() {
   const Weights deltoid = bind({{"upper_arm_twist.L", 0.85}, {"shoulder.L", 0.15}});
   const Weights sleeve = bind({{"upper_arm_twist.L", 0.5}, {"upper_arm.L", 0.5}});
   const Weights above_elbow = bind({{"upper_arm.L", 0.8}, {"forearm.L", 0.2}});
@@ -52,7 +52,7 @@ std::array<Section, 8> sections() {
 
 LimbRing add_arm(Cage& cage, const LimbRing& armhole) {
   LimbRing previous = armhole;
-  for (const Section& section : sections()) {
+  for (const ArmSection& section : arm_sections()) {
     const LimbRing ring = add_section(cage, section);
     cage.bridge(previous, ring, true, section.region, section.paint, section.straight);
     previous = ring;

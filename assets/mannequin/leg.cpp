@@ -8,14 +8,14 @@ namespace throng::mannequin {
 namespace {
 
 /// A horizontal cross-section of the left trouser leg, metres.
-struct Section {
+struct LegSection {
   double height, x, z, half_width, half_depth;
   Weights weights;
   glm::dvec3 paint = paint::plain;  ///< Of the faces between this section and the one above it.
   bool straight = false;            ///< Of the same faces.
 };
 
-LimbRing add_section(Cage& cage, const Section& section) {
+LimbRing add_section(Cage& cage, const LegSection& section) {
   LimbRing ring{};
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const double angle = (static_cast<double>(k) - 1) * std::numbers::pi / 4;
@@ -26,7 +26,7 @@ LimbRing add_section(Cage& cage, const Section& section) {
   return ring;
 }
 
-std::array<Section, 7> sections() {
+std::array<LegSection, 7> leg_sections() {
   const Weights thigh = bind({{"thigh_twist.L", 0.85}, {"hips", 0.15}});
   const Weights above_knee = bind({{"thigh.L", 0.8}, {"shin.L", 0.2}});
   const Weights below_knee = bind({{"thigh.L", 0.2}, {"shin.L", 0.8}});
@@ -45,7 +45,7 @@ std::array<Section, 7> sections() {
 
 LimbRing add_leg(Cage& cage, const LimbRing& leg) {
   LimbRing upper = leg;
-  for (const Section& section : sections()) {
+  for (const LegSection& section : leg_sections()) {
     const LimbRing ring = add_section(cage, section);
     cage.bridge(ring, upper, true, Region::trousers, section.paint, section.straight);
     upper = ring;

@@ -13,7 +13,7 @@
 namespace throng::import::machine_file_test {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 using Kind = anim::MachineDescription::Input::Kind;
 
 constexpr const char* whole = R"({
@@ -86,11 +86,11 @@ TEST(MachineFile, SaysWhereATextStopsBeingJson) {
 }
 
 TEST(MachineFile, BeginsErrorsWithTheNameOfTheFile) {
-  const std::string folder = testing::TempDir();
+  const std::string folder = ::testing::TempDir();
   const std::string path = folder + "machine_file_test.json";
   EXPECT_EQ(read_machine_file(path).error().message, path + ": there is no such file; check the path");
   EXPECT_THAT(read_machine_file(folder).error().message,
-              testing::HasSubstr(": it is a folder, not a file; name a .json"));
+              ::testing::HasSubstr(": it is a folder, not a file; name a .json"));
   std::ofstream(path) << "[]";
   EXPECT_EQ(read_machine_file(path).error().message, path + ": a state machine must be an object");
   std::ofstream(path) << whole;

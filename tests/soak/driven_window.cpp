@@ -44,7 +44,7 @@ std::optional<DrivenWindow::Json> DrivenWindow::wait_for(const std::function<boo
     if (program_->exit_status(steady_clock::now())) return {};
     std::ifstream stream(folder_ / "ui.json");
     const Json map = Json::parse(stream, nullptr, false);
-    if (map.is_object() && holds(map)) return map;
+    if (map.is_object() && holds(map)) return std::optional<Json>(std::in_place, map);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return {};

@@ -5,6 +5,7 @@
 
 #include "tests/house/class_size.h"
 #include "tests/house/house_rules.h"
+#include "tests/house/maths_rules.h"
 #include "tests/house/page_rules.h"
 
 namespace throng::house::house_test {
@@ -32,6 +33,8 @@ TEST(House, PartsOfOthersAreSeenByFewFiles) { EXPECT_THAT(parts_seen_elsewhere(p
 TEST(House, FilesAreOpenedAndJsonIsParsedInOnePlace) { EXPECT_THAT(files_opened_elsewhere(project()), IsEmpty()); }
 
 TEST(House, MainDoesNoMaths) { EXPECT_THAT(maths_in_main(project()), IsEmpty()); }
+
+TEST(House, NoPoseDependsOnTheSystemsSines) { EXPECT_THAT(rounded_by_the_system(project()), IsEmpty()); }
 
 TEST(House, NoFileIsTooLong) { EXPECT_THAT(files_too_long(project()), IsEmpty()); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/anim/asset/data_keys.h"
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/entity/ease_blender.h"
 
 namespace throng::anim {
@@ -157,7 +158,7 @@ std::optional<AbsoluteRoot> AgentMotion::absolute_root(Ticks now) const {
     const RootMotion loops = power(whole_motion(*clip.root_motion), player.loop_count);
     const RootMotion moved = compose(loops, anim::displacement(*clip.root_motion, 0, position(player, now), looping));
     root->position += glm::dquat(root->rotation) * moved.translation;
-    root->rotation = root->rotation * glm::angleAxis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F));
+    root->rotation = root->rotation * angle_axis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F));
   });
   return root;
 }

@@ -72,7 +72,8 @@ double BlendSpace2dChannel::cycles_per_second(const EntityBuilder& build, std::s
     along.add(build, one, own.y);
   }
   const bool by_turn = space_->meaning() == PlaneMeaning::speed_and_turn;
-  const double stride = by_turn ? across.metres_a_cycle : std::hypot(across.metres_a_cycle, along.metres_a_cycle);
+  const double stride =
+      by_turn ? across.metres_a_cycle : glm::length(glm::dvec2(across.metres_a_cycle, along.metres_a_cycle));
   if (space_->meaning() == PlaneMeaning::plain || std::abs(stride) <= StrideSum::least) {
     return across.own_cycles_per_second();
   }

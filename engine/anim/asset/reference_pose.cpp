@@ -9,6 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/base/pose.h"
 
 namespace throng::anim {
@@ -66,9 +67,9 @@ glm::dquat shorter_slerp(const glm::dquat& from, glm::dquat to, double u) {
     to = -to;
     cosine = -cosine;
   }
-  const double angle = std::acos(std::min(1.0, cosine));
+  const double angle = arc_cosine(std::min(1.0, cosine));
   if (angle < 1e-9) return glm::normalize(from * (1.0 - u) + to * u);
-  return glm::normalize((from * std::sin((1.0 - u) * angle) + to * std::sin(u * angle)) / std::sin(angle));
+  return glm::normalize((from * sine((1.0 - u) * angle) + to * sine(u * angle)) / sine(angle));
 }
 
 template <typename Value>

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/anim/asset/data_keys.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -14,8 +15,8 @@ namespace {
 
 glm::dvec3 turned(const glm::dvec3& v, double yaw) {
   if (yaw == 0.0) return v;  // most clips never turn, and rounding of sines must not touch them
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
+  const double c = cosine(yaw);
+  const double s = sine(yaw);
   return {v.x * c + v.z * s, v.y, v.z * c - v.x * s};
 }
 
@@ -53,7 +54,7 @@ RootMotion motion_at(const RootCurve& curve, FineTicks position) {
 }
 
 /// Returns the chord of an arc of half that angle over the arc's length.
-double chord_share(double half) { return std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half; }
+double chord_share(double half) { return std::abs(half) < 1e-8 ? 1.0 : sine(half) / half; }
 
 /// Scales what lies over the ground, and not the climb.
 glm::dvec3 scaled_on_ground(const glm::dvec3& v, double scale) { return {v.x * scale, v.y, v.z * scale}; }
@@ -71,8 +72,8 @@ RootMotion inverse(const RootMotion& motion) {
 RootMotion power(const RootMotion& motion, double times) {
   // The sum of the turned steps is a geometric series. Whole turns are left out of it, since they would give 0 / 0.
   const double half = 0.5 * std::remainder(motion.yaw, 2.0 * std::numbers::pi);
-  const double sine = std::sin(half);
-  const double steps = sine == 0.0 ? times : std::sin(times * half) / sine;
+  const double one = sine(half);
+  const double steps = one == 0.0 ? times : sine(times * half) / one;
   RootMotion repeated{.translation = turned(motion.translation * steps, (times - 1.0) * half),
                       .yaw = motion.yaw * times};
   repeated.translation.y = motion.translation.y * times;

@@ -1,7 +1,6 @@
 #include "engine/anim/asset/synthetic_model.h"
 
 #include <cassert>
-#include <cmath>
 #include <numbers>
 #include <random>
 #include <string>
@@ -10,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -94,7 +94,7 @@ Skeleton skeleton_of(const Body& body, Random& random) {
     const auto j = static_cast<std::size_t>(joint);
     const int parent = body.parents[j] < 0 ? -1 : place[static_cast<std::size_t>(body.parents[j])];
     const glm::vec3 axis = random.axis();
-    const glm::quat turned = glm::angleAxis(random.between(-0.4F, 0.4F), axis);
+    const glm::quat turned = angle_axis(random.between(-0.4F, 0.4F), axis);
     skeleton.bones.push_back(
         {.name = body.names[j], .node = joint, .parent = parent, .rest = {body.offsets[j], turned, glm::vec3(1.0F)}});
   }
@@ -129,7 +129,7 @@ Skin skin_of(const Skeleton& skeleton) {
 /// Returns a value of a whole number of swings, so that the last key repeats the first to the bit.
 float swing(int frame, int frames, float phase) {
   const float turn = static_cast<float>(frame % frames) / static_cast<float>(frames) + phase;
-  return std::sin(2.0F * std::numbers::pi_v<float> * turn);
+  return sine(2.0F * std::numbers::pi_v<float> * turn);
 }
 
 BoneTracks turning_bone(const Skeleton& skeleton, int bone, const std::vector<float>& times, Random& random) {
@@ -142,7 +142,7 @@ BoneTracks turning_bone(const Skeleton& skeleton, int bone, const std::vector<fl
   tracks.bone = bone;
   tracks.rotation.times = times;
   for (int frame = 0; frame <= frames; ++frame) {
-    tracks.rotation.values.push_back(rest * glm::angleAxis(reach * swing(frame, frames, phase), axis));
+    tracks.rotation.values.push_back(rest * angle_axis(reach * swing(frame, frames, phase), axis));
   }
   return tracks;
 }

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/anim/bake/surface.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -49,8 +50,8 @@ Survey survey(const Skeleton& skeleton, const StateClip& clip) {
 
 double turn_about_up(const glm::dmat3& from, const glm::dmat3& to) {
   const glm::dmat3 turn = to * glm::inverse(from);
-  const glm::dquat q = glm::normalize(glm::quat_cast(turn / std::cbrt(glm::determinant(turn))));
-  return 2.0 * std::atan2(q.y, q.w);
+  const glm::dquat q = glm::normalize(glm::quat_cast(turn / cube_root(glm::determinant(turn))));
+  return 2.0 * arc_tangent(q.y, q.w);
 }
 
 /// Returns the turn from the first pose to the last, with the whole turns in between.
@@ -98,7 +99,7 @@ Closing closing(std::span<const std::size_t> joints, double size, const std::fun
   return result;
 }
 
-double on_ground(const glm::dvec3& v) { return std::hypot(v.x, v.z); }
+double on_ground(const glm::dvec3& v) { return glm::length(glm::dvec2(v.x, v.z)); }
 
 /// Returns the turn that the last pose has to the first, as `turning` says it; 0 if the body does not turn with it.
 double turn_of_body(const Survey& survey, std::span<const std::size_t> joints, std::size_t pivot, int turning,

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::anim {
@@ -29,7 +30,7 @@ double size_of(const Skeleton& skeleton) {
 }
 
 bool same_frame(const ReferenceFrame& a, const ReferenceFrame& b, double size) {
-  const double turn = 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a.rotation, b.rotation))));
+  const double turn = 2.0 * arc_cosine(std::min(1.0, std::abs(glm::dot(a.rotation, b.rotation))));
   return turn <= same_turn && glm::distance(a.origin, b.origin) <= same_position * size && are_near(a.scale, b.scale);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -30,10 +29,10 @@ double ground_speed(const Character& character, int clip) {
   if (baked.duration <= Ticks{}) return 0.0;
   if (baked.root_motion.keys.empty()) return baked.stance_speed;
   const RootVelocity velocity = root_velocity(baked.root_motion, 0);
-  const double speed = std::hypot(velocity.linear.x, velocity.linear.z);
+  const double speed = glm::length(glm::dvec2(velocity.linear.x, velocity.linear.z));
   constexpr double least_arc = 0.25;  // metres a second: a body that turns on the spot shifts its weight
   if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
-  const double travel = std::hypot(baked.loop_displacement.x, baked.loop_displacement.z);
+  const double travel = glm::length(glm::dvec2(baked.loop_displacement.x, baked.loop_displacement.z));
   return travel / to_seconds(baked.duration);
 }
 

@@ -10,6 +10,7 @@
 #include "engine/anim/bake/grid.h"
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/still_tracks.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -20,7 +21,7 @@ constexpr double usual_rate = 30.0;     // Hz, of keys on no grid
 constexpr int finest = 8;               // keys for each of before
 
 BoneFrame moved(const RootMotion& motion, const BoneFrame& frame) {
-  const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(motion.yaw, glm::dvec3(0.0, 1.0, 0.0)));
+  const glm::dmat3 turn = glm::mat3_cast(angle_axis(motion.yaw, glm::dvec3(0.0, 1.0, 0.0)));
   return {.axes = turn * frame.axes, .origin = turn * frame.origin + motion.translation};
 }
 

@@ -12,6 +12,7 @@
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/bake/body_turn.h"
 #include "engine/anim/bake/surface.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -80,7 +81,7 @@ BoneTracks& tracks_of(Clip& clip, int bone) {
 }
 
 glm::dmat4 matrix_of(const RootMotion& motion) {
-  const glm::dmat4 turn = glm::mat4_cast(glm::angleAxis(motion.yaw, glm::dvec3(0.0, 1.0, 0.0)));
+  const glm::dmat4 turn = glm::mat4_cast(angle_axis(motion.yaw, glm::dvec3(0.0, 1.0, 0.0)));
   return glm::translate(glm::dmat4(1.0), motion.translation) * turn;
 }
 

@@ -1,8 +1,10 @@
 #include "engine/anim/bake/stride.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "engine/anim/bake/surface.h"
 
@@ -18,7 +20,7 @@ bool strides(const Stride& stride, std::size_t joint) {
   const glm::dvec3 start = stride.at(0, joint);
   return std::ranges::any_of(stride.joints, [&](const std::vector<glm::dvec3>& joints) {
     const glm::dvec3 moved = joints[joint] - start;
-    return std::hypot(moved.x, moved.z) > least_stride * stride.size;
+    return glm::length(glm::dvec2(moved.x, moved.z)) > least_stride * stride.size;
   });
 }
 

@@ -13,6 +13,7 @@
 #include <glm/matrix.hpp>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::import {
 
@@ -102,7 +103,7 @@ double angle_at(const anim::SkinnedMesh& mesh, std::size_t corner) {
            glm::dvec3(mesh.positions[mesh.indices[corner]]);
   };
   const glm::dvec3 a = edge_to(corner - first + 1), b = edge_to(corner - first + 2);
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  return anim::arc_tangent(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// Lets no vertex lie on a texture and on its mirror image: copies come last. Returns the side of each vertex.

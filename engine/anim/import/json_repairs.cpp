@@ -1,5 +1,6 @@
 #include "engine/anim/import/json_repairs.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -28,9 +29,15 @@ void normalise_rotation(json& node, const std::string& name, std::vector<std::st
   constexpr double tolerance = 5e-3;  // what rounding to three digits is off by
   const auto rotation = node.find("rotation");
   if (rotation == node.end()) return;
-  double length = 0.0;
-  for (const json& part : *rotation) length = std::hypot(length, part.get<double>());
-  if (!(length > 0.0) || std::abs(length - 1.0) <= tolerance) return;
+  double largest = 0.0, squares = 0.0;
+  for (const json& part : *rotation) largest = std::max(largest, std::abs(part.get<double>()));
+  if (!(largest > 0.0)) return;
+  for (const json& part : *rotation) {
+    const double share = part.get<double>() / largest;  // its square is finite
+    squares += share * share;
+  }
+  const double length = largest * std::sqrt(squares);
+  if (std::abs(length - 1.0) <= tolerance) return;
   for (json& part : *rotation) part = part.get<double>() / length;
   repairs.push_back(name + ": its rotation has length " + number_text(length) + ", normalised");
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include <glm/vec2.hpp>
 
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/images.h"
 #include "engine/anim/import/pixels/decode.h"
@@ -71,8 +71,8 @@ glm::mat3 transform_of(const tinygltf::Value& transform) {
   const auto offset = read_vector(transform, "offset", glm::vec2(0.0F));
   const auto scale = read_vector(transform, "scale", glm::vec2(1.0F));
   const float rotation = read_number(transform, "rotation", 0.0F);
-  const float c = std::cos(rotation);
-  const float s = std::sin(rotation);
+  const float c = anim::cosine(rotation);
+  const float s = anim::sine(rotation);
   return {c * scale.x, -s * scale.x, 0.0F, s * scale.y, c * scale.y, 0.0F, offset.x, offset.y, 1.0F};
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::import {
 
@@ -33,7 +34,7 @@ std::optional<ReferenceFrame> as_frame(const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   const double determinant = glm::determinant(linear);
   if (!(determinant > 0.0)) return std::nullopt;
-  const double scale = std::cbrt(determinant);
+  const double scale = anim::cube_root(determinant);
   const glm::dmat3 rotation = linear / scale;
   const glm::dmat3 gram = glm::transpose(rotation) * rotation;
   for (int column = 0; column < 3; ++column) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
 
@@ -46,7 +47,7 @@ glm::dquat turn_between(const glm::dvec3& from, const glm::dvec3& to) {
   const double cosine = glm::dot(a, b);
   if (cosine < -1.0 + 1e-9) {  // half a turn about any axis across
     const glm::dvec3 across = glm::cross(a, std::abs(a.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
-    return glm::angleAxis(std::numbers::pi, glm::normalize(across));
+    return angle_axis(std::numbers::pi, glm::normalize(across));
   }
   const glm::dvec3 axis = glm::cross(a, b);
   return glm::normalize(glm::dquat(1.0 + cosine, axis.x, axis.y, axis.z));

@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/retarget/body_pose.h"
 #include "engine/anim/retarget/figure.h"
 
@@ -33,10 +34,10 @@ constexpr std::array pointing_roles{PointingRoles{BodyRole::left_upper_arm, Body
 
 /// Returns whole quarter turns about the vertical, since artists turn characters by no other angles.
 glm::dquat quarter_turns(const glm::vec3& from, const glm::vec3& to) {
-  const double angle = std::atan2(static_cast<double>(to.x), static_cast<double>(to.z)) -
-                       std::atan2(static_cast<double>(from.x), static_cast<double>(from.z));
+  const double angle = arc_tangent(static_cast<double>(to.x), static_cast<double>(to.z)) -
+                       arc_tangent(static_cast<double>(from.x), static_cast<double>(from.z));
   const double quarter = std::numbers::pi / 2.0;
-  return glm::angleAxis(std::round(angle / quarter) * quarter, glm::dvec3(0.0, 1.0, 0.0));
+  return angle_axis(std::round(angle / quarter) * quarter, glm::dvec3(0.0, 1.0, 0.0));
 }
 
 class Planner {
@@ -87,7 +88,7 @@ class Planner {
     glm::dvec3 origin(0.0, figure.ground, 0.0);
     if (!has_hip_joints(figure)) return origin;
     const glm::dvec3 hips = hip_joints(figure);
-    if (std::hypot(hips.x, hips.z) > 0.5 * figure.leg_length()) origin = {hips.x, figure.ground, hips.z};
+    if (glm::length(glm::dvec2(hips.x, hips.z)) > 0.5 * figure.leg_length()) origin = {hips.x, figure.ground, hips.z};
     return origin;
   }
 

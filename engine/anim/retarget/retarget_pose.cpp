@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -28,7 +27,7 @@ constexpr double least_stretch = 2e-4;
 
 /// Returns the part of a turn that is about the vertical.
 glm::dquat about_vertical(const glm::dquat& turn) {
-  const double length = std::hypot(turn.w, turn.y);
+  const double length = glm::length(glm::dvec2(turn.w, turn.y));
   return length > 1e-6 ? glm::dquat(turn.w / length, 0.0, turn.y / length, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 

@@ -46,7 +46,7 @@ LegTurns reach(const LegPlaces& leg, const glm::dvec3& target, const glm::dvec3&
 
 double drop_to_reach(const LegPlaces& leg, const glm::dvec3& target) {
   const double whole = nearly_whole * (glm::distance(leg.hip, leg.knee) + glm::distance(leg.knee, leg.ankle));
-  const double level = std::hypot(target.x - leg.hip.x, target.z - leg.hip.z);
+  const double level = glm::length(glm::dvec2(target.x - leg.hip.x, target.z - leg.hip.z));
   if (level >= whole) return 0.0;
   return std::max(0.0, leg.hip.y - target.y - std::sqrt(whole * whole - level * level));
 }

@@ -67,7 +67,7 @@ class Humanoid {
   bool is_upright() const {
     const glm::dvec3 trunk = place(BodyRole::left_upper_arm) + place(BodyRole::right_upper_arm) -
                              place(BodyRole::left_upper_leg) - place(BodyRole::right_upper_leg);
-    return std::abs(trunk.y) > std::hypot(trunk.x, trunk.z);
+    return std::abs(trunk.y) > glm::length(glm::dvec2(trunk.x, trunk.z));
   }
 
   int add(int bone, int hangs_on, RagdollPart part, int side) {

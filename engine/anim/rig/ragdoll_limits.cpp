@@ -8,6 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/anim/base/elementary.h"
+
 namespace throng::anim {
 namespace {
 
@@ -48,7 +50,7 @@ glm::quat axes_along(const glm::vec3& x, const glm::vec3& across) {
 
 glm::quat shortest_arc(const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
-  if (cosine < -0.999F) return glm::angleAxis(glm::radians(180.0F), axes_along(from, {}) * glm::vec3(0, 0, 1));
+  if (cosine < -0.999F) return angle_axis(glm::radians(180.0F), axes_along(from, {}) * glm::vec3(0, 0, 1));
   const glm::vec3 axis = glm::cross(from, to);
   return glm::normalize(glm::quat(1.0F + cosine, axis.x, axis.y, axis.z));
 }
@@ -69,9 +71,11 @@ RagdollLimit hinge(const glm::vec3& axis, const glm::vec3& parent_axis, const gl
   RagdollLimit limit{.hinge = true, .swing = half, .sideways = glm::radians(4.0F), .twist = glm::radians(twist)};
   limit.axes = axes_along(axis, glm::cross(axis, towards));
   const glm::vec3 turning = limit.axes * glm::vec3(0.0F, 0.0F, 1.0F);
-  const float bent = std::atan2(glm::dot(glm::cross(parent_axis, axis), turning), glm::dot(parent_axis, axis));
+  const float side = glm::dot(glm::cross(parent_axis, axis), turning);
+  const auto bent =
+      static_cast<float>(arc_tangent(static_cast<double>(side), static_cast<double>(glm::dot(parent_axis, axis))));
   const float middle = half - glm::radians(beyond_straight);
-  limit.parent_axes = glm::angleAxis(middle - bent, turning) * limit.axes;
+  limit.parent_axes = angle_axis(middle - bent, turning) * limit.axes;
   return limit;
 }
 

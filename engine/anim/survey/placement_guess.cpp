@@ -7,6 +7,11 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "engine/anim/base/elementary.h"
+
 namespace throng::anim {
 
 namespace {
@@ -43,22 +48,21 @@ double growth_among_people(const glm::dvec3& metres) {
 }
 
 glm::dquat upright(UpAxis up) {
-  using glm::angleAxis;
   constexpr double quarter = std::numbers::pi / 2.0;
   const glm::dvec3 x(1.0, 0.0, 0.0), z(0.0, 0.0, 1.0);
   switch (up) {
     case UpAxis::x:
-      return angleAxis(quarter, z);
+      return angle_axis(quarter, z);
     case UpAxis::y:
       break;
     case UpAxis::z:
-      return angleAxis(-quarter, x);
+      return angle_axis(-quarter, x);
     case UpAxis::minus_x:
-      return angleAxis(-quarter, z);
+      return angle_axis(-quarter, z);
     case UpAxis::minus_y:
-      return angleAxis(2.0 * quarter, z);
+      return angle_axis(2.0 * quarter, z);
     case UpAxis::minus_z:
-      return angleAxis(quarter, x);
+      return angle_axis(quarter, x);
   }
   return {1.0, 0.0, 0.0, 0.0};
 }
@@ -132,7 +136,7 @@ class PlacementGuesser {
   void set_place() {
     glm::dvec3& offset = guessed_.placement.offset;
     const glm::dvec3 middle = guessed_.placement.scale * extent_.middle;
-    const double beside = std::hypot(middle.x, middle.z);
+    const double beside = glm::length(glm::dvec2(middle.x, middle.z));
     const double side = guessed_.placement.scale * largest_of(extent_.size);
     if (beside > off_the_middle * side) {
       offset.x = -middle.x;

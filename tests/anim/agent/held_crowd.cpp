@@ -1,6 +1,5 @@
 #include "tests/anim/agent/held_crowd.h"
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/one_entity_process.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/base/elementary.h"
 #include "engine/anim/entity/entity_run.h"
 
 namespace throng::anim {
@@ -35,7 +35,7 @@ std::shared_ptr<const Character> held_character() {
 
 void add_gaze(AnimationSystem& system, const RigKinds& kinds, std::uint32_t agent) {
   auto gaze = std::make_unique<LookAtProcess>(*kinds.look_at);
-  gaze->look_at({std::sin(static_cast<float>(agent)), 1.4F, 1.5F}, agent * ticks_per_second / 100);
+  gaze->look_at({sine(static_cast<float>(agent)), 1.4F, 1.5F}, agent * ticks_per_second / 100);
   EXPECT_TRUE(system.agent(agent).add_post_process(std::move(gaze)));
 }
 
@@ -63,7 +63,7 @@ void advance_wanderer(const EntityInStore& entity, const SourcesInStore&) {
 void turn_by_positions(const EntityInStore&, const PoseView& pose) {
   float far = 0.0F;
   for (int bone = 0; bone < pose.bone_count; ++bone) far += pose.position(bone).x + pose.position(bone).z;
-  pose.set_rotation(0, pose.rotation(0) * glm::angleAxis(far, glm::vec3(0.0F, 1.0F, 0.0F)));
+  pose.set_rotation(0, pose.rotation(0) * angle_axis(far, glm::vec3(0.0F, 1.0F, 0.0F)));
 }
 
 const EntityKind wanderer_kind = {.name = "wanderer",

@@ -24,7 +24,7 @@ struct EntityUpdate {
   std::size_t source_count() const { return program().steps[step].source_count; }
   Handle source(std::size_t index) const { return agent->entities[program().steps[step].sources[index]]; }
 };
-static_assert(sizeof(EntityUpdate) == 16);
+static_assert(sizeof(EntityUpdate) == 2 * sizeof(void*));
 
 /// One priority of the paper's schedule (2.2.3, 2.2.5): entities in any order, each copied in whole, updated, and
 /// copied back whole. Its sources come along, header and transforms, and are not written back.

@@ -31,7 +31,7 @@ struct AgentWork {
   std::uint8_t fade_halves = 0;  ///< ... are so far on their way to where they stand still, 0 to 2
   bool held = false;             ///< StoreNeeds::held of the program
 };
-static_assert(sizeof(AgentWork) == 48);
+static_assert(sizeof(AgentWork) == (sizeof(void*) == 8 ? 48 : 32));
 
 /// All that PUs share about one skeleton for the length of an update. It is read-only, except for the pools' blocks,
 /// which only copies reach.

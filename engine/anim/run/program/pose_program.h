@@ -86,7 +86,7 @@ struct PoseGraph {
     entities.clear();
   }
 };
-static_assert(sizeof(PoseGraph) == 32, "what a frame reads of every agent");
+static_assert(sizeof(PoseGraph) == 4 * sizeof(void*), "what a frame reads of every agent");
 
 /// The bit that owners of graphs of shared entities have. Owners without it are agents.
 inline constexpr std::uint32_t shared_owner = 1U << 31;

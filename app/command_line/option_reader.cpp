@@ -30,12 +30,25 @@ std::string unexpected(const std::string& argument, const CLI::App& app) {
   return argument + ": unexpected; options begin with --, and one model is the most";
 }
 
-/// CLI11's help with our hints. Its own hints list the options that exclude each other, in another order in each run.
+/// The help, which versions of CLI11 lay out in different ways. CLI11's hints list the options that exclude each other,
+/// in another order in each run; ours are the text of the option alone.
 class HelpPage : public CLI::Formatter {
  public:
-  HelpPage() {
-    column_width(34);
-    label("Positionals", "Model");
+  HelpPage() { column_width(34); }
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    const auto positionals = app->get_options([](const CLI::Option* option) { return option->get_positional(); });
+    std::string usage = "Usage: " + name + " [OPTIONS]";
+    for (const CLI::Option* option : positionals) usage += " " + make_option_usage(option);
+    const std::string model = positionals.empty() ? "" : make_group("Model", true, positionals);
+    const std::string footer = app->get_footer().empty() ? "" : app->get_footer() + "\n";
+    return app->get_description() + "\n" + usage + "\n" + model + make_groups(app, mode) + "\n" + footer;
+  }
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string margin(get_column_width(), ' ');
+    std::string line = "  " + make_option_name(option, is_positional) + make_option_opts(option);
+    line += line.size() < margin.size() ? margin.substr(line.size()) : "\n" + margin;
+    return line + CLI::detail::find_and_replace(make_option_desc(option), "\n", "\n" + margin) + "\n";
   }
   std::string make_option_opts(const CLI::Option* option) const override {
     return option->get_option_text() + (option->get_required() ? " (required)" : "");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string_view>
@@ -56,6 +57,14 @@ bool names(const char* list, std::string_view extension) {
   return list != nullptr && std::string_view(list).find(extension) != std::string_view::npos;
 }
 
+constexpr const char* mesa_software = "LIBGL_ALWAYS_SOFTWARE";
+
+/// As Mesa reads it: 0, n, no, f and false do not.
+bool asks_for_software(const char* value) {
+  constexpr std::string_view none("0nNfF");
+  return value != nullptr && *value != '\0' && none.find(*value) == std::string_view::npos;
+}
+
 class EglContext final : public Context {
  public:
   ~EglContext() override {
@@ -70,12 +79,14 @@ class EglContext final : public Context {
     if (!library) return library.error();
     egl_.library = std::move(*library);
     if (!egl_.find_functions()) return Error{"libEGL.so.1 lacks functions of EGL, install libegl1 again"};
-    for (const EGLDeviceEXT device : devices(options.force_software)) {
-      if (make_current_on(EGL_PLATFORM_DEVICE_EXT, device)) return load_functions(egl_.get_procedure);
-    }
+    const bool by_variable = asks_for_software(std::getenv(mesa_software));
+    if (by_variable) unsetenv(mesa_software);  // Mesa 26 warns of it where a device is chosen
+    const bool opened = std::ranges::any_of(devices(options.force_software || by_variable), [&](EGLDeviceEXT device) {
+      return make_current_on(EGL_PLATFORM_DEVICE_EXT, device);
+    });
     // Mesa reads this when it loads a driver. The surfaceless platform has no other way to ask for the software driver.
-    if (options.force_software) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    if (make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
+    if (by_variable || (!opened && options.force_software)) setenv(mesa_software, "1", 1);
+    if (opened || make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
     return Error{"EGL gives no OpenGL 4.5 core context"};
   }
 

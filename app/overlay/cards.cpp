@@ -4,13 +4,15 @@ namespace throng::app {
 
 void begin_fixed_window(const char* name, const Area& place, float rounding, ImGuiWindowFlags more_flags) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));  // some versions clip in the middle of it
   ImGui::SetNextWindowPos(place.from);
   ImGui::SetNextWindowSize({place.width(), place.height()});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing | more_flags);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(3);
 }
 
 Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height) {

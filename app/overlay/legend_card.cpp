@@ -169,10 +169,7 @@ std::optional<Area> show_legend(const TabContext& context, const Area& crowd, st
     place = room_for_legend(theme, crowd, taken, legend_size(theme, parts, true));
   }
   if (!place) return std::nullopt;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   begin_fixed_window("Legend", *place, theme.px(8));
-  ImGui::PopStyleVar(2);
   widgets.record("legend", *place);
   if (!memory.is_legend_alone) show_fold(widgets, *place, memory.legend_is_folded);
   LegendDrawing drawing(widgets, *place);

@@ -136,14 +136,12 @@ float place_below_each_other(const Theme& theme, const Area& crowd, ImVec2 at, s
 
 // Each pill is a window of its own, so that the pointer reaches the crowd beside them.
 void show_pills(Widgets& widgets, const Area& crowd, const char* window, const std::vector<Pill>& pills) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   for (std::size_t i = 0; i < pills.size(); ++i) {
     begin_fixed_window((window + std::to_string(i)).c_str(), pills[i].place, 0, ImGuiWindowFlags_NoBackground);
     show_pill(widgets, crowd, pills[i]);
     widgets.cover(pills[i].place);
     ImGui::End();
   }
-  ImGui::PopStyleVar();
 }
 
 }  // namespace

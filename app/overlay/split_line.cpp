@@ -43,10 +43,7 @@ void show_grip(const TabContext& context, const Area& crowd, float x, AidsMemory
   const Theme& theme = context.widgets.theme();
   const float reach = theme.px(grip_reach);
   const Area place{.from = {x - reach, crowd.from.y}, .to = {x + reach, crowd.to.y}};
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   begin_fixed_window("Split line", place, 0, ImGuiWindowFlags_NoBackground);
-  ImGui::PopStyleVar(2);
   context.widgets.clickable("split line", place);
   const bool is_lively = ImGui::IsItemActive() || ImGui::IsItemHovered();
   float& split_at = context.tuning.inspection.split_at;

@@ -50,8 +50,8 @@ glm::quat turn_of_forearm(const std::array<glm::vec3, 3>& joints, const glm::vec
   const glm::quat swing(glm::normalize(before), glm::normalize(target - shoulder));
   const glm::vec3 bends = glm::cross(upper, forearm);
   if (glm::length(bends) < 1e-6F) return swing;
-  // Cosine and sine of the angle at the wrist, between the forearm and the line to the shoulder. An arc cosine would have
-  // other bits on other systems.
+  // Cosine and sine of the angle at the wrist, between the forearm and the line to the shoulder. An arc cosine would
+  // have other bits on other systems.
   const auto inner_angle = [&](float reach) {
     const float length = glm::length(forearm);
     const float cosine = (length * length + reach * reach - glm::dot(upper, upper)) / (2.0F * length * reach);

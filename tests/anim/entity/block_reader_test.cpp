@@ -89,7 +89,8 @@ TEST(BlockReader, ReadsAndChangesTheTransformsOfAnyBlockAndNothingElse) {
     const float* const transforms = transforms_of(blocks.pools.state(handle));
     EXPECT_EQ(transforms[(7 + 5) * packet_bones + 3], 19.0F) << "y of bone 19, in the second packet";
     EXPECT_EQ(std::memcmp(block, before.data(), layout.transforms_offset), 0);
-    EXPECT_EQ(std::memcmp(block + layout.private_offset, before.data() + layout.private_offset, layout.private_bytes()), 0);
+    EXPECT_EQ(std::memcmp(block + layout.private_offset, before.data() + layout.private_offset, layout.private_bytes()),
+              0);
   }
   EXPECT_EQ(blocks.pools.as<Tail>(blocks.handles.back()).stiffness, 0.25F);
 }

@@ -14,7 +14,8 @@ std::span<Handle> sources_of_layer(std::byte* block, const EntityLayout&) {
 }
 
 void move_weight(AdditiveLayer& layer) {
-  const auto seconds = static_cast<float>(to_seconds(layer.state.delta_time));
+  // An agent ahead of the clock may be wound back, and the weight of before is not known then.
+  const auto seconds = static_cast<float>(to_seconds(std::max(layer.state.delta_time, Ticks{})));
   const float most = layer.weight_per_second > 0.0F ? layer.weight_per_second * seconds : 1.0F;
   layer.weight += std::clamp(layer.target_weight - layer.weight, -most, most);
   layer.state.delta_time = Ticks{};

@@ -76,6 +76,14 @@ TEST(AdditiveLayer, MovesItsWeightAtItsRateAndStaysThere) {
   EXPECT_EQ(lean.get().state.delta_time, Ticks{});
 }
 
+TEST(AdditiveLayer, KeepsItsWeightWhereTimeGoesBack) {
+  Lean lean;
+  lean.weigh(1.0F);
+  lean.get().weight_per_second = 2.0F;
+  lean.rig.update(lean.entity, Ticks{} - ticks_per_second / 4);
+  EXPECT_EQ(lean.get().weight, 1.0F);
+}
+
 TEST(AdditiveLayer, WithoutARateIsAtItsTargetAtOnce) {
   Lean lean;
   lean.get().target_weight = 0.75F;

@@ -19,6 +19,9 @@ function(throng_add_suites folder program labels)
     if(folder STREQUAL assets)  # programs make their files anew, which takes minutes on a busy core
       math(EXPR seconds "600 + ${seconds}")
     endif()
+    if(sanitized)
+      math(EXPR seconds "3 * ${seconds}")
+    endif()
     if(labels MATCHES window)  # a person's afternoon is one test
       math(EXPR seconds "2 * ${seconds}")
     endif()

@@ -1,6 +1,6 @@
-# Included by ctest: throng_add_suites(FOLDER PROGRAM LABELS) asks a program for its suites and adds one test a suite.
+# Included by ctest: throng_add_suites(FOLDER PROGRAM LABELS TIMES_AS_SLOW) asks a program for its suites and adds one test a suite.
 # A test a process costs more than most tests: a second of loading under the sanitizers.
-function(throng_add_suites folder program labels)
+function(throng_add_suites folder program labels times_as_slow)
   if(NOT EXISTS "${program}")
     add_test(${folder}.IsNotBuilt ${program})
     set_tests_properties(${folder}.IsNotBuilt PROPERTIES LABELS "${labels}")
@@ -19,9 +19,7 @@ function(throng_add_suites folder program labels)
     if(folder STREQUAL assets)  # programs make their files anew, which takes minutes on a busy core
       math(EXPR seconds "600 + ${seconds}")
     endif()
-    if(sanitized)
-      math(EXPR seconds "3 * ${seconds}")
-    endif()
+    math(EXPR seconds "${times_as_slow} * ${seconds}")
     if(labels MATCHES window)  # a person's afternoon is one test
       math(EXPR seconds "2 * ${seconds}")
     endif()

@@ -5,7 +5,7 @@ namespace throng::app {
 void begin_fixed_window(const char* name, const Area& place, float rounding, ImGuiWindowFlags more_flags) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));  // some versions clip in the middle of it
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));  // ImGui before 1.92 clips in its middle
   ImGui::SetNextWindowPos(place.from);
   ImGui::SetNextWindowSize({place.width(), place.height()});
   ImGui::Begin(name, nullptr,

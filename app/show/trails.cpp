@@ -10,13 +10,13 @@
 
 #include "app/crowd/numbers/turn.h"
 #include "app/settings/agent_colors.h"
+#include "app/trajectory/trajectories.h"
 
 namespace throng::app {
 namespace {
 
 constexpr double step_seconds = 0.2;      // between places that are kept
 constexpr float above_ground = 0.02F;     // metres
-constexpr float fastest_person = 12.0F;   // metres a second; who is faster was lost and found again
 constexpr float most_off_px = 0.5F;       // of a line from the way that it stands for
 constexpr float pieces_of_fading = 8.0F;  // of a trail, at least, where each is a few pixels long
 constexpr float least_piece_px = 8.0F;

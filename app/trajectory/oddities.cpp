@@ -14,7 +14,6 @@
 namespace throng::app {
 namespace {
 
-constexpr double fastest_ever = 12.0;   // metres a second
 constexpr double longest_gap = 3.5;     // rows: three, and half of one for clocks that tremble
 constexpr double least_jump = 0.1;      // metres: less is noise of a short step
 constexpr float nearest_people = 0.1F;  // metres
@@ -55,7 +54,8 @@ void look_at_moves(const PersonTrack& person, double rows_a_second, MoveTally& t
       tally.gaps.add(before.seconds,
                      [&] { return person_at(person, before.seconds) + "no row for " + fixed(time, 2) + " s"; });
     }
-    if (squared > fastest_ever * fastest_ever * time * time && squared > least_jump * least_jump) {
+    constexpr auto fastest = static_cast<double>(fastest_person);
+    if (squared > fastest * fastest * time * time && squared > least_jump * least_jump) {
       tally.teleports.add(row.seconds, [&] {
         return person_at(person, row.seconds) + fixed(std::sqrt(squared), 1) + " m in " + fixed(time, 2) + " s";
       });

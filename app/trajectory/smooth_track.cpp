@@ -11,14 +11,13 @@ namespace throng::app {
 namespace {
 
 constexpr float most_over_slower = 2.0F;  // of the secant on the slower side of a row
-constexpr float fastest_tracked = 12.0F;  // metres a second; who is faster was lost and found again
 
 glm::vec2 place_of(const TrackRow& row) { return {row.x, row.z}; }
 
 float seconds_between(const TrackRow& a, const TrackRow& b) { return static_cast<float>(b.seconds - a.seconds); }
 
 bool is_jump(const TrackRow& a, const TrackRow& b) {
-  return glm::distance(place_of(a), place_of(b)) > fastest_tracked * seconds_between(a, b);
+  return glm::distance(place_of(a), place_of(b)) > fastest_person * seconds_between(a, b);
 }
 
 /// Keeps a velocity from being much faster than the slower of two.
@@ -87,7 +86,7 @@ glm::vec2 SmoothTrack::velocity(double seconds, double window) const {
   if (end - begin < shortest) return glm::vec2(0.0F);
   const glm::vec3 way = position(end) - position(begin);
   const glm::vec2 mean = glm::vec2(way.x, way.z) / static_cast<float>(end - begin);
-  return glm::length(mean) > fastest_tracked ? glm::vec2(0.0F) : mean;
+  return glm::length(mean) > fastest_person ? glm::vec2(0.0F) : mean;
 }
 
 float SmoothTrack::heading(double seconds) const {

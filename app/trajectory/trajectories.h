@@ -13,6 +13,9 @@
 
 namespace throng::app {
 
+/// Metres a second. A person who is faster was lost and found again.
+inline constexpr float fastest_person = 12.0F;
+
 /// Says where somebody was at a time. Places are in the program's axes, metres from Trajectories::origin: x to the
 /// right, y up, z towards the reader of a map, so that a file's (x, y) on the ground is (x, -y) here.
 ///

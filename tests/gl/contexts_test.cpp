@@ -81,6 +81,15 @@ TEST(EglContext, OfTheSoftwareDeviceIsAtLeastFourFiveCore) {
   EXPECT_EQ((*context)->window(), nullptr);
 }
 
+TEST(EglContext, TakesTheSoftwareDeviceWhereMesasVariableAsksForItAndLeavesTheVariable) {
+  setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
+  const Result<std::unique_ptr<gl::Context>> context = gl::make_egl_context({});
+  ASSERT_TRUE(context) << context.error().message;
+  EXPECT_TRUE((*context)->is_software());
+  EXPECT_NE(std::getenv("LIBGL_ALWAYS_SOFTWARE"), nullptr);
+  unsetenv("LIBGL_ALWAYS_SOFTWARE");
+}
+
 TEST_P(OsMesaContext, IsFourFiveCore) {
   const Result<std::unique_ptr<gl::Context>> context = osmesa();
   ASSERT_TRUE(context) << context.error().message;

@@ -14,7 +14,8 @@ constexpr std::array<std::string_view, 4> free_to_call{"engine/anim/lod/", "engi
 
 }  // namespace
 
-// GLM's mix() is not among them: that of vectors is exact, and nobody mixes quaternions with it.
+// GLM's mix() is not among these calls: mix() of vectors is exact, and no source of engine/anim mixes quaternions with
+// it.
 Findings rounded_by_the_system(const Tree& tree) {
   static const std::regex calls(
       R"((^|[^\w.>])(a?(sin|cos|tan)h?|atan2|sincos|exp2?|expm1|log(2|10|1p|b)?|pow|hypot|cbrt)[fl]?\()"

@@ -25,7 +25,7 @@ TEST(Maths, OfTheSystemAreRefusedInTheLibrary) {
   }
 }
 
-TEST(Maths, OfOursAndThoseThatAreExactAreFree) {
+TEST(Maths, OfTheLibraryAndExactOnesAreFree) {
   for (const char* const line :
        {"sine(x)", "arc_cosine(x)", "angle_axis(x, v)", "cube_root(x)", "std::sqrt(x)", "std::remainder(x, y)",
         "glm::length(v)", "glm::normalize(q)", "// as std::sin(x)", "slot.log(text)", "crowd->pow(x)", "exposing(x)"}) {

@@ -11,7 +11,6 @@
 namespace throng::anim {
 namespace {
 
-constexpr float quantised_one = 32767.0F;
 constexpr std::size_t line_bytes = 64;
 constexpr std::size_t room_behind_rows = line_bytes;  // kernels load whole vectors, from the last value on too
 constexpr int no_group = -1;

@@ -15,6 +15,9 @@ inline constexpr int quad_lanes = 4 * quad_bones;
 /// The most steps that lie between two rows.
 inline constexpr int most_steps_between_rows = 32;
 
+/// What a component of 1 is as int16.
+inline constexpr float quantised_one = 32767.0F;
+
 /// The crowd's stream: one relocatable read-only block (paper 1.3), which can be loaded with one read.
 ///
 ///     SampledStream | SampledPacket x packets | constants | SampledStep x steps | row 0 | ... | last row | 64 bytes
@@ -32,8 +35,8 @@ inline constexpr int most_steps_between_rows = 32;
 ///     qx 0-3  qy 0-3  qx 4-7  qy 4-7  ...  n times | qz 0-3  qw 0-3  ...  n times
 ///     px 0-3  py 0-3  pz 0-3 | ...
 ///
-/// A rotation is int16 / 32767, and not unit until it is normalised. A position or scale is base + step * int16 /
-/// row_weight_unit, since kernels get rows already multiplied by their weights.
+/// A rotation is int16 / quantised_one, and not unit until it is normalised. A position or scale is base + step * int16
+/// / row_weight_unit, since kernels get rows already multiplied by their weights.
 struct SampledPacket {
   std::int32_t lanes;                          ///< that rows store: 4, 8, 12 or 16; kernels put the identity in others
   std::int32_t rotation_offset;                ///< bytes into a row, or -1: the packet's rotations are constant

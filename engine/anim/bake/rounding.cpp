@@ -17,8 +17,6 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double rotation_one = 32767.0;
-
 /// Axes that are flatter than this have no inverse that is worth taking.
 constexpr double least_volume = 1e-9;
 
@@ -93,7 +91,8 @@ class RoundedRow {
   }
   /// Keeps the hemisphere that the row has.
   void store(int bone, const glm::dquat& rotation) const {
-    const double unit = glm::dot(rotation, stored(bone)) < 0.0 ? -rotation_one : rotation_one;
+    constexpr auto one = static_cast<double>(quantised_one);
+    const double unit = glm::dot(rotation, stored(bone)) < 0.0 ? -one : one;
     const double components[] = {rotation.x, rotation.y, rotation.z, rotation.w};
     for (int axis = 0; axis < 4; ++axis)
       lane(bone, axis) = static_cast<std::int16_t>(std::round(components[axis] * unit));

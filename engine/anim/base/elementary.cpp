@@ -68,7 +68,7 @@ double sine_of(const Reduced& angle, int more_quarters) {
   return quadrant < 2 ? value : -value;
 }
 
-/// The same in the precision of floats.
+/// Returns that sine in the precision of floats.
 float rough_sine_of(const Reduced& angle, int more_quarters) {
   static constexpr std::array sine_terms{1.0, -0.16666654943701085, 0.0083321781461389207, -0.00019517298981394866};
   static constexpr std::array cosine_terms{1.0, -0.49999999725108225, 0.041666623324344657, -0.001388676379438055,
@@ -90,10 +90,10 @@ double angle_of_slope(double up, double along) {
   };
   static constexpr std::array known{Known{0.0, 0.0, 0.0}, Known{0.5, 0.4636476090008061, 2.2698777452961687e-17},
                                     Known{1.0, 0.7853981633974483, 3.061616997868383e-17}};
-  const Known& near = known[up <= 0.25 * along ? 0 : up <= 0.75 * along ? 1 : 2];
-  const double x = (up - near.slope * along) / (along + near.slope * up);
+  const Known& start = known[up <= 0.25 * along ? 0 : up <= 0.75 * along ? 1 : 2];
+  const double x = (up - start.slope * along) / (along + start.slope * up);
   const double square = x * x;
-  return near.angle + (x + (near.rounded_away + x * square * polynomial(terms, square)));
+  return start.angle + (x + (start.rounded_away + x * square * polynomial(terms, square)));
 }
 
 template <typename Turn, typename Number, typename Axis>

@@ -10,7 +10,7 @@
 
 /// Leaves out targets without a width that the compiler knows, since the kernels keep vectors in structures; the
 /// extensions of AVX3, which are the bits below it, since kernels of floats are the same on them; and SSSE3, SSE3 and
-/// SSE2, which are the bits above SSE4: a processor from before 2011 that lacks SSE4 takes SCALAR.
+/// SSE2, which are the bits above SSE4: a processor without SSE4 takes SCALAR.
 /// A build that leaves out more defines the macro itself, with these among its targets.
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS \

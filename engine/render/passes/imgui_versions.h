@@ -55,7 +55,7 @@ inline void take_wheel() { ImGui::SetItemUsingMouseWheel(); }
 inline void focus_next_item() {
 #if IMGUI_VERSION_NUM >= 19000 && IMGUI_VERSION_NUM < 19020
   ImGuiContext& context = *ImGui::GetCurrentContext();
-  context.NavFocusScopeId = context.CurrentFocusScopeId;  // it looks in the scope of the last focus alone
+  context.NavFocusScopeId = context.CurrentFocusScopeId;  // ImGui looks in the scope of the last focus alone
 #endif
   ImGui::SetKeyboardFocusHere();
 }
@@ -63,7 +63,7 @@ inline void focus_next_item() {
 /// Returns the inner spacing with which a window has `gap` pixels between its arrow and its title.
 inline float spacing_of_title(float gap) {
 #if IMGUI_VERSION_NUM >= 19000
-  return gap / 2.0F;  // it is there twice
+  return gap / 2.0F;  // ImGui leaves it twice
 #else
   return gap;
 #endif

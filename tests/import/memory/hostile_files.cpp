@@ -241,7 +241,7 @@ fs::path long_name(const TemporaryFolder& folder) {
 }
 
 /// Every skin draws the mesh, of which no primitive can be drawn.
-/// Which of them is one too many depends on the size of tinygltf's types.
+/// Which sentence or primitive is one too many depends on the size of tinygltf's types.
 fs::path many_sentences(const TemporaryFolder& folder) {
   json document = editable_document();
   document["meshes"][0]["primitives"].insert(document["meshes"][0]["primitives"].end(), 700,

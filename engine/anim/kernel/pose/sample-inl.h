@@ -96,11 +96,11 @@ HWY_INLINE const std::int16_t* group_words(const std::byte* row, std::int32_t of
   return reinterpret_cast<const std::int16_t*>(row + offset);
 }
 
-/// 1 / length of an interpolation of two rows, times row_weight_unit / 32767, to 3e-7: a polynomial in 1 less the
-/// squared length, which is at most a tenth (least_row_dot). Computes `count` side by side, step by step.
+/// 1 / length of an interpolation of two rows, times row_weight_unit / quantised_one, to 3e-7: a polynomial in 1 less
+/// the squared length, which is at most a tenth (least_row_dot). Computes `count` side by side, step by step.
 template <std::size_t count, class D, class V>
 HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
-  constexpr float unit = row_weight_unit / 32767.0F;
+  constexpr float unit = row_weight_unit / quantised_one;
   const V one = hn::Set(d, 1.0F), square = hn::Set(d, unit * unit);
   const V cubic = hn::Set(d, 0.37481848F * unit), quadratic = hn::Set(d, 0.37095027F * unit);
   const V linear = hn::Set(d, 0.50008201F * unit), constant = hn::Set(d, 0.99999975F * unit);

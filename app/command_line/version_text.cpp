@@ -3,13 +3,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/child_process.h"
 #include "app/files/joined.h"
 #include "app/files/program_version.h"
 #include "app/regression/origin.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/files/child_process.h"
 #include "engine/render/gl/context.h"
 
 namespace throng::app {

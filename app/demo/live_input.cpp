@@ -2,16 +2,15 @@
 
 #include <chrono>
 
-#include <unistd.h>
-
 #include "app/demo/stop_signals.h"
 #include "app/files/progress_line.h"
+#include "engine/files/process.h"
 
 namespace throng::app {
 
 anim::Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) {
   if (options.trajectories.file != "-") return std::unique_ptr<LiveTracks>();
-  auto tracks = std::make_unique<LiveTracks>(STDIN_FILENO, options.trajectories.reading);
+  auto tracks = std::make_unique<LiveTracks>(standard_input, options.trajectories.reading);
   show_progress("waiting for the first row on standard input");
   while (!tracks->head() && !tracks->has_ended() && asked_to_stop() == 0) tracks->wait(std::chrono::milliseconds(100));
   show_progress("");

@@ -1,34 +1,26 @@
 #include "app/files/exit_status.h"
 
-#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include "engine/anim/base/plain_text.h"
+#include "engine/files/free_memory.h"
+#include "engine/files/process.h"
 
 namespace throng::app {
 namespace {
 
 /// Needs no memory, which there may be none of, and runs no destructor, since threads may be at work.
 [[noreturn]] void end_at_once() {
-  const auto say = [](std::string_view text) {
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
-  };
-  say("throng: ");
-  say(std::current_exception() ? sentence_of_failure() : "a part of it failed that must not; please report it");
-  say("\n");
-  _exit(exit_job_failed);
-}
-
-bool memory_has_a_limit() {
-  rlimit limit{};
-  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  say_without_memory("throng: ");
+  say_without_memory(std::current_exception() ? sentence_of_failure()
+                                              : "a part of it failed that must not; please report it");
+  say_without_memory("\n");
+  std::_Exit(exit_job_failed);
 }
 
 }  // namespace
@@ -43,8 +35,8 @@ std::string_view sentence_of_failure() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return memory_has_a_limit() ? "no memory is left of what this process may take; raise the limit (ulimit -v)"
-                                : "the machine has no memory left; ask for fewer agents or smaller models";
+    return address_space_has_a_limit() ? "no memory is left of what this process may take; raise the limit (ulimit -v)"
+                                       : "the machine has no memory left; ask for fewer agents or smaller models";
   } catch (const std::length_error&) {
     return "the machine has not as much memory as this takes; ask for fewer agents or smaller models";
   } catch (const std::system_error& error) {
@@ -59,8 +51,7 @@ std::string_view sentence_of_failure() {
 
 void end_in_words() {
   std::set_terminate(end_at_once);
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  ignore_signals_of_writers();
 }
 
 }  // namespace throng::app

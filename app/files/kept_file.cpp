@@ -4,9 +4,8 @@
 #include <string>
 #include <system_error>
 
-#include <unistd.h>
-
 #include "engine/files/output_file.h"
+#include "engine/files/process.h"
 
 namespace throng::app {
 namespace {
@@ -15,7 +14,7 @@ namespace fs = std::filesystem;
 
 bool can_write_beside(const fs::path& file) {
   const fs::path folder = file.parent_path();
-  return !file.empty() && access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+  return !file.empty() && may_write(folder.empty() ? "." : folder);
 }
 
 }  // namespace

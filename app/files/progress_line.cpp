@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include <unistd.h>
+#include "engine/files/process.h"
 
 namespace throng::app {
 
@@ -10,6 +10,6 @@ void show_progress(const std::string& text) {
   if (shows_progress()) std::fprintf(stderr, "\r\033[K%s", text.c_str());
 }
 
-bool shows_progress() { return isatty(STDERR_FILENO) == 1; }
+bool shows_progress() { return is_terminal(standard_error); }
 
 }  // namespace throng::app

@@ -1,7 +1,6 @@
 #include "app/live/live_tracks.h"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <condition_variable>
 #include <cstring>
@@ -11,10 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
-
 #include "app/files/joined.h"
 #include "app/trajectory/fcd_xml.h"
 #include "app/trajectory/sqlite_file.h"
@@ -23,6 +18,7 @@
 #include "app/trajectory/told_apart.h"
 #include "app/trajectory/tracks.h"
 #include "app/trajectory/xml_text.h"
+#include "engine/files/waiting_input.h"
 
 namespace throng::app {
 namespace {
@@ -66,9 +62,10 @@ bool is_same_moment(const TrackRow& a, const TrackRow& b) {
 }  // namespace
 
 struct LiveTracks::State {
+  explicit State(int descriptor) : input(descriptor) {}
+
   // The thread's own.
-  int descriptor = -1;
-  std::array<int, 2> stop{-1, -1};  // a pipe: when its end is closed, the thread ends
+  WaitingInput input;  // when it is stopped, the thread ends
   TrackReading options;
   std::string name;
   std::string text;  // not read yet
@@ -120,15 +117,12 @@ void LiveTracks::State::run() {
 
 /// Waits for text and reads it. Returns false at the end.
 bool LiveTracks::State::read_more() {
-  std::array<pollfd, 2> waits{pollfd{descriptor, POLLIN, 0}, pollfd{stop[0], POLLIN, 0}};
-  if (poll(waits.data(), waits.size(), -1) < 0) return errno == EINTR || fail("it cannot be waited for");
-  if (waits[1].revents != 0) return false;
   std::array<char, 65536> piece;
-  const ssize_t count = read(descriptor, piece.data(), piece.size());
-  if (count < 0 && (errno == EINTR || errno == EAGAIN)) return true;
-  if (count < 0) return fail("it cannot be read: " + std::generic_category().message(errno));
-  text.append(piece.data(), static_cast<std::size_t>(count));
-  const bool goes_on = take_text(count == 0) && count > 0;
+  const auto count = input.read(piece);
+  if (!count) return fail(count.error().message);
+  if (!*count) return false;
+  text.append(piece.data(), **count);
+  const bool goes_on = take_text(**count == 0) && **count > 0;
   hand_over();
   return goes_on;
 }
@@ -234,13 +228,12 @@ void LiveTracks::State::hand_over() {
 }
 
 LiveTracks::LiveTracks(int descriptor, const TrackReading& options, std::string name)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_unique<State>(descriptor)) {
   State& state = *state_;
-  state.descriptor = descriptor;
   state.options = options;
   state.name = std::move(name);
-  if (pipe2(state.stop.data(), O_CLOEXEC) != 0) {
-    state.status = Error{state.name + ": it cannot be read: " + std::generic_category().message(errno)};
+  if (const Status opened = state.input.open(); !opened) {
+    state.status = Error{state.name + ": " + opened.error().message};
     state.has_ended = true;
     return;
   }
@@ -258,9 +251,8 @@ LiveTracks::~LiveTracks() {
     state_->is_to_stop = true;
     state_->was_taken.notify_all();
   }
-  if (state_->stop[1] >= 0) close(state_->stop[1]);
+  state_->input.stop();
   if (state_->thread.joinable()) state_->thread.join();
-  if (state_->stop[0] >= 0) close(state_->stop[0]);
 }
 
 bool LiveTracks::take(std::vector<LiveRow>& rows) {

@@ -5,9 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/child_process.h"
 #include "app/files/json_file.h"
 #include "app/files/program_version.h"
+#include "app/files/program_words.h"
 #include "engine/files/output_file.h"
 
 namespace throng::app {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "app/files/child_process.h"
+#include "app/files/program_words.h"
 #include "app/settings/option_values.h"
 
 namespace throng::app {

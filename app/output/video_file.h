@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/output/piped_program.h"
 #include "engine/anim/base/result.h"
 #include "engine/files/output_file.h"
+#include "engine/files/piped_program.h"
 #include "engine/render/image.h"
 
 namespace throng::app {

@@ -12,6 +12,7 @@
 #include "app/files/memory_check.h"
 #include "engine/anim/base/cores.h"
 #include "engine/files/free_memory.h"
+#include "engine/files/process.h"
 #include "engine/files/size_text.h"
 
 namespace throng::app {
@@ -60,7 +61,7 @@ void spare_driver_threads() {
   constexpr int for_each_core = 3, others = 2;  // to shade, to compute, and a PU; to compile and to write a cache
   if (std::getenv("LP_NUM_THREADS") != nullptr) return;
   if (run_at_once(for_each_core * std::min(anim::usable_cores(), most_driver_threads) + others)) return;
-  setenv("LP_NUM_THREADS", "0", 1);
+  set_variable("LP_NUM_THREADS", "0");
 }
 
 }  // namespace throng::app

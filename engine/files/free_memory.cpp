@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
-#if !defined(_WIN32)
+#if defined(_WIN32)
+#include <windows.h>
+#else
 #include <sys/resource.h>
 #endif
 
@@ -45,22 +47,36 @@ std::optional<std::uint64_t> of_container() {
   return left_of(number_in("/sys/fs/cgroup/memory.max"), number_in("/sys/fs/cgroup/memory.current"));
 }
 
-std::optional<std::uint64_t> of_address_space() {
-#if defined(RLIMIT_AS)
+#if defined(_WIN32)
+std::optional<std::uint64_t> of_machine() {
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof(status);
+  return GlobalMemoryStatusEx(&status) != 0 ? std::optional<std::uint64_t>(status.ullAvailPhys) : std::nullopt;
+}
+
+std::optional<std::uint64_t> limit_of_addresses() { return {}; }
+#else
+std::optional<std::uint64_t> of_machine() { return in_bytes(number_in("/proc/meminfo", "MemAvailable:")); }
+
+std::optional<std::uint64_t> limit_of_addresses() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
-  return left_of(limit.rlim_cur, in_bytes(number_in("/proc/self/status", "VmSize:")));
-#else
-  return {};
+  return limit.rlim_cur;
+}
 #endif
+
+std::optional<std::uint64_t> of_address_space() {
+  const auto limit = limit_of_addresses();
+  return limit ? left_of(limit, in_bytes(number_in("/proc/self/status", "VmSize:"))) : limit;
 }
 
 }  // namespace
 
 std::uint64_t free_memory() {
-  return std::min({in_bytes(number_in("/proc/meminfo", "MemAvailable:")).value_or(unknown),
-                   of_container().value_or(unknown), free_address_space()});
+  return std::min({of_machine().value_or(unknown), of_container().value_or(unknown), free_address_space()});
 }
+
+bool address_space_has_a_limit() { return limit_of_addresses().has_value(); }
 
 std::uint64_t free_address_space() { return of_address_space().value_or(unknown); }
 

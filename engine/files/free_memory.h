@@ -12,4 +12,7 @@ std::uint64_t free_memory();
 /// there is no limit. Memory that is reserved and never touched takes of it too.
 std::uint64_t free_address_space();
 
+/// Returns whether there is such a limit. It takes no memory.
+bool address_space_has_a_limit();
+
 }  // namespace throng

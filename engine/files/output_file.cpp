@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <optional>
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
-
+#include "engine/files/output_calls.h"
+#include "engine/files/process.h"
 #include "engine/files/size_text.h"
 
 namespace throng {
@@ -44,7 +40,7 @@ fs::path followed(fs::path file) {
 fs::path part_name(const fs::path& file, int number) {
   constexpr std::size_t longest = 200;
   std::string name = file.filename().string().substr(0, longest);
-  name.append(".").append(std::to_string(getpid()));
+  name.append(".").append(std::to_string(process_id()));
   if (number > 0) name.append("-").append(std::to_string(number));
   return file.parent_path() / name.append(part_ending);
 }
@@ -55,7 +51,7 @@ int open_new(const fs::path& file, fs::path& part) {
   int descriptor = -1;
   for (int number = 0; number < most_tries; ++number) {
     part = part_name(file, number);
-    descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    descriptor = output_calls::open_new(part);
     if (descriptor >= 0 || errno != EEXIST) break;
   }
   return descriptor;
@@ -64,7 +60,7 @@ int open_new(const fs::path& file, fs::path& part) {
 /// Writes all of it; returns 0, or the number of the error.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    const std::ptrdiff_t count = output_calls::write(descriptor, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return errno;
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -73,24 +69,22 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 std::string why_full(const fs::path& file, std::uint64_t missing) {
-  struct statvfs disk {};
+  std::error_code error;
   const fs::path folder = file.parent_path();
-  const bool known = statvfs(folder.empty() ? "." : folder.c_str(), &disk) == 0;
-  const std::uint64_t free = known ? std::uint64_t{disk.f_bavail} * disk.f_frsize : 0;
+  const fs::space_info disk = fs::space(folder.empty() ? "." : folder, error);
+  const std::uint64_t free = error ? 0 : disk.available;
   return "the disk is full: " + size_text(missing) + " more are needed, and " + size_text(free) +
          " are free; make room, or name a file on another disk";
 }
 
 /// Returns the process that writes a part: 1234 for "1234" and "1234-1".
-std::optional<pid_t> writer_of(std::string_view number) {
-  pid_t writer = 0;
+std::optional<int> writer_of(std::string_view number) {
+  int writer = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), writer);
   const std::string_view rest = number.substr(static_cast<std::size_t>(end - number.data()));
   const bool is_number = error == std::errc() && writer > 0 && (rest.empty() || rest.front() == '-');
   return is_number ? std::optional(writer) : std::nullopt;
 }
-
-bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
 }  // namespace
 
@@ -110,10 +104,10 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;
   if (unfinished_ == Unfinished::kept) static_cast<void>(flush());
-  close(descriptor_);
+  output_calls::close(descriptor_);
   std::error_code error;
   if (part_.empty() || (unfinished_ == Unfinished::kept && fs::file_size(part_, error) > 0)) return;
-  unlink(part_.c_str());
+  fs::remove(part_, error);
 }
 
 Result<OutputFile> OutputFile::create(const fs::path& file, Unfinished unfinished, std::uint64_t expected) {
@@ -127,31 +121,26 @@ Result<OutputFile> OutputFile::create(const fs::path& file, Unfinished unfinishe
   return output;
 }
 
-// A pipe without a reader would wait for one.
 Status OutputFile::open_straight() {
-  descriptor_ = open(file_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  descriptor_ = output_calls::open_straight(file_);
   if (descriptor_ < 0 && errno == ENXIO) return cannot_write(file_, "nobody reads from it");
   if (descriptor_ < 0) return cannot_write(file_, errno);
-  fcntl(descriptor_, F_SETFL, fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
   return Done{};
 }
 
 Status OutputFile::open_part() {
   descriptor_ = open_new(file_, part_);
   if (descriptor_ < 0) return cannot_write(file_, errno);
-  struct stat old {};
-  if (stat(file_.c_str(), &old) != 0) return Done{};
-  if (access(file_.c_str(), W_OK) != 0) return cannot_write(file_, errno);
-  constexpr mode_t permissions = 07777;
-  if (fchown(descriptor_, old.st_uid, old.st_gid) == 0 || old.st_uid == geteuid()) {
-    fchmod(descriptor_, old.st_mode & permissions);
-  }
+  std::error_code error;
+  if (!fs::exists(file_, error)) return Done{};
+  if (!may_write(file_)) return cannot_write(file_, errno);
+  output_calls::take_rights(descriptor_, file_);
   return Done{};
 }
 
 Status OutputFile::fail(int error_number) {
   const std::uint64_t missing = std::max<std::uint64_t>(expected_, written_ + pending_.size()) - written_;
-  const bool is_full = error_number == ENOSPC || error_number == EDQUOT;
+  const bool is_full = output_calls::means_full(error_number);
   state_ =
       is_full && !part_.empty() ? cannot_write(file_, why_full(file_, missing)) : cannot_write(file_, error_number);
   return state_;
@@ -174,11 +163,12 @@ Status OutputFile::write(std::string_view contents) {
 Status OutputFile::commit(Sync sync) {
   if (Status flushed = flush(); !flushed) return flushed;
   const bool is_part = !part_.empty();
-  if (is_part && sync == Sync::disk && fsync(descriptor_) != 0 && errno != EINVAL) return fail(errno);
-  const bool closed = close(std::exchange(descriptor_, -1)) == 0;
-  if (closed && (!is_part || rename(part_.c_str(), file_.c_str()) == 0)) return Done{};
+  if (is_part && sync == Sync::disk && output_calls::sync(descriptor_) != 0 && errno != EINVAL) return fail(errno);
+  const bool closed = output_calls::close(std::exchange(descriptor_, -1)) == 0;
+  if (closed && (!is_part || output_calls::replace(part_, file_) == 0)) return Done{};
   const int error = errno;
-  if (is_part && unfinished_ == Unfinished::removed) unlink(part_.c_str());
+  std::error_code ignored;
+  if (is_part && unfinished_ == Unfinished::removed) fs::remove(part_, ignored);
   return fail(error);
 }
 
@@ -200,13 +190,13 @@ Status write_output(const std::string& file, std::string_view contents) {
 }
 
 Status print(std::string_view text) {
-  if (const int error = write_all(STDOUT_FILENO, text); error != 0) return cannot_write("standard output", error);
+  if (const int error = write_all(standard_output, text); error != 0) return cannot_write("standard output", error);
   return Done{};
 }
 
 Status check_can_be_written(std::string_view option, const fs::path& file) {
   if (is_device_or_pipe(file)) {  // to open a pipe and close it would tell its reader that all is over
-    if (access(file.c_str(), W_OK) == 0) return Done{};
+    if (may_write(file)) return Done{};
     return Error{std::string(option) + " " + cannot_write(file, errno).message};
   }
   const auto output = OutputFile::create(file);

@@ -9,14 +9,15 @@
 
 #include "app/commands/check/drawn_case.h"
 #include "app/commands/check/git.h"
-#include "app/files/child_process.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/nearest_names.h"
+#include "app/files/program_words.h"
 #include "app/regression/cases.h"
 #include "app/regression/junit.h"
 #include "app/regression/outcome.h"
 #include "app/regression/page.h"
+#include "engine/files/child_process.h"
 #include "engine/files/output_file.h"
 #include "engine/render/gl/context.h"
 

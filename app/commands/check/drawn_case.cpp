@@ -4,8 +4,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/child_process.h"
+#include "app/files/program_words.h"
 #include "engine/anim/base/plain_text.h"
+#include "engine/files/child_process.h"
 
 namespace throng::app {
 namespace {

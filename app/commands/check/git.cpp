@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "app/files/child_process.h"
 #include "app/files/joined.h"
+#include "engine/files/child_process.h"
 
 namespace throng::app {
 namespace {

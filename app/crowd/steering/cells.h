@@ -94,8 +94,8 @@ class CrowdCells {
   /// Calls `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
   template <typename Visit>
   void visit_near(glm::vec2 position, const Visit& visit) const {
-    const CellRuns near = runs_near(position);
-    for (const BodyRun& run : near.runs()) {
+    const CellRuns found = runs_near(position);
+    for (const BodyRun& run : found.runs()) {
       for (std::uint32_t body = run.first; body < run.end; ++body) visit(sorted_[body]);
     }
   }

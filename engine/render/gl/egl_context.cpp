@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#define EGL_NO_PLATFORM_SPECIFIC_TYPES  // else they bring headers of the system, whose macros are common words
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <glad/gl.h>
 
+#include "engine/files/process.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/shared_library.h"
 
@@ -80,12 +82,12 @@ class EglContext final : public Context {
     egl_.library = std::move(*library);
     if (!egl_.find_functions()) return Error{"libEGL.so.1 lacks functions of EGL, install libegl1 again"};
     const bool by_variable = asks_for_software(std::getenv(mesa_software));
-    if (by_variable) unsetenv(mesa_software);  // Mesa 26 warns of it where a device is chosen
+    if (by_variable) clear_variable(mesa_software);  // Mesa 26 warns of it where a device is chosen
     const bool opened = std::ranges::any_of(devices(options.force_software || by_variable), [&](EGLDeviceEXT device) {
       return make_current_on(EGL_PLATFORM_DEVICE_EXT, device);
     });
     // Mesa reads this when it loads a driver. The surfaceless platform has no other way to ask for the software driver.
-    if (by_variable || (!opened && options.force_software)) setenv(mesa_software, "1", 1);
+    if (by_variable || (!opened && options.force_software)) set_variable(mesa_software, "1");
     if (opened || make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
     return Error{"EGL gives no OpenGL 4.5 core context"};
   }

@@ -2,8 +2,6 @@
 
 #include <memory>
 
-#include <dlfcn.h>
-
 #include "engine/result.h"
 
 namespace throng::render::gl {
@@ -17,7 +15,7 @@ inline constexpr bool keeps_drivers_loaded = false;
 #endif
 
 struct CloseLibrary {
-  void operator()(void* library) const { dlclose(library); }
+  void operator()(void* library) const;
 };
 
 /// A library that was opened by name at run time, or null.
@@ -28,13 +26,16 @@ bool is_installed(const char* name);
 
 /// Opens a library. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own,
 /// which must never stand in for the system's. Errors: it is not installed, and the error names the `package` that has
-/// it; or it is there and cannot be loaded, and the error says why.
+/// it; or it is there and cannot be loaded, and the error says why. On Windows none is opened.
 Result<SharedLibrary> open_library(const char* name, const char* package);
+
+/// Returns where a function or a variable of a library is, or null.
+void* address_in(const SharedLibrary& library, const char* name);
 
 /// Sets `function` to the function of that name, or to null.
 template <typename Function>
 void find_function(const SharedLibrary& library, Function*& function, const char* name) {
-  function = reinterpret_cast<Function*>(dlsym(library.get(), name));
+  function = reinterpret_cast<Function*>(address_in(library, name));
 }
 
 }  // namespace throng::render::gl

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/files/child_process.h"
 #include "app/files/exit_status.h"
+#include "app/files/program_words.h"
 #include "tests/app/output/fake_ffmpeg.h"
 #include "tests/app/temporary_folder.h"
 

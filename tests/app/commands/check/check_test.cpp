@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/commands/check/git.h"
-#include "app/files/child_process.h"
+#include "app/files/program_words.h"
+#include "engine/files/child_process.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
 

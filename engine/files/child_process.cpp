@@ -1,11 +1,11 @@
-#include "app/files/child_process.h"
+#include "engine/files/child_process.h"
 
-#include <algorithm>
+#if !defined(_WIN32)  // child_process_windows.cpp is for Windows
+
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace throng::app {
+namespace throng {
 namespace {
 
 /// A file without a name, which a child writes and we read.
@@ -59,13 +59,9 @@ class Capture {
   _exit(127);
 }
 
-bool is_plain(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || std::strchr("-_=./,:+@%", letter) != nullptr;
-}
-
 }  // namespace
 
-int status_of(pid_t child) {
+int status_of(int child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -79,20 +75,9 @@ std::vector<char*> as_arguments(std::vector<std::string>& words) {
   return pointers;
 }
 
-std::string last_line(const std::string& text) {
-  std::string_view left = text;
-  while (!left.empty()) {
-    const std::size_t end = left.find_last_of("\r\n");
-    const std::string_view line = end == std::string_view::npos ? left : left.substr(end + 1);
-    if (line.find_first_not_of(" \t") != std::string_view::npos) return std::string(line);
-    left = end == std::string_view::npos ? std::string_view() : left.substr(0, end);
-  }
-  return {};
-}
-
-anim::Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment) {
+Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment) {
   const auto failed = [&](int number) {
-    return anim::Error{words.front() + " cannot be run: " + std::generic_category().message(number)};
+    return Error{words.front() + " cannot be run: " + std::generic_category().message(number)};
   };
   std::vector<std::string> copies = words;
   const std::vector<char*> pointers = as_arguments(copies);
@@ -133,26 +118,13 @@ std::string ask_in_child(const std::function<std::string()>& ask, unsigned secon
   return status_of(child) == 0 ? answer.text() : std::string();
 }
 
-anim::Result<std::string> own_program() {
+Result<std::string> own_program() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return anim::Error{"the system does not say which program this is: " + error.message()};
+  if (error) return Error{"the system does not say which program this is: " + error.message()};
   return program.string();
 }
 
-std::string as_typed(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) {
-    line += line.empty() ? "" : " ";
-    if (!word.empty() && std::ranges::all_of(word, is_plain)) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (const char letter : word) line += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    line += '\'';
-  }
-  return line;
-}
+}  // namespace throng
 
-}  // namespace throng::app
+#endif  // !_WIN32

@@ -5,11 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
+#include "engine/result.h"
 
-#include "engine/anim/base/result.h"
-
-namespace throng::app {
+namespace throng {
 
 /// Holds what a program said until it ended, and how it ended.
 struct EndedChild {
@@ -25,24 +23,20 @@ struct ChildTreatment {
 };
 
 /// Runs a program, without a shell, and waits for its end. It ends with us. The first word names it: a path, or a name
-/// that is looked for in PATH. Errors: it cannot be started.
-anim::Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment = {});
+/// that is looked for in PATH. Errors: it cannot be started, as
+/// no program can be on Windows.
+Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment = {});
 
 /// Calls `ask` in a copy of this process, which may crash or wait forever, and returns its text; an empty one if that
 /// happened. Call it while there is one thread.
 std::string ask_in_child(const std::function<std::string()>& ask, unsigned seconds);
 
-/// Returns the words as a new program takes them: their letters, and a null at the end.
+/// Returns the words as a new program of POSIX takes them: their letters, and a null at the end.
 std::vector<char*> as_arguments(std::vector<std::string>& words);
-/// Waits for the end of a child. Returns its exit status; 128 and more: the signal that ended it.
-int status_of(pid_t child);
-/// Returns the last line of a text that says something; empty if none does.
-std::string last_line(const std::string& text);
+/// Waits for the end of a child of POSIX. Returns its exit status; 128 and more: the signal that ended it.
+int status_of(int child);
 
 /// Returns the path of the program that runs now. Errors: the system does not say it.
-anim::Result<std::string> own_program();
+Result<std::string> own_program();
 
-/// Returns the words as a person would give them to a shell.
-std::string as_typed(const std::vector<std::string>& words);
-
-}  // namespace throng::app
+}  // namespace throng

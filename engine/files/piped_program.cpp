@@ -1,4 +1,6 @@
-#include "app/output/piped_program.h"
+#include "engine/files/piped_program.h"
+
+#if !defined(_WIN32)  // child_process_windows.cpp is for Windows
 
 #include <array>
 #include <cerrno>
@@ -12,11 +14,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/files/child_process.h"
+#include "engine/files/child_process.h"
 
 extern char** environ;
 
-namespace throng::app {
+namespace throng {
 namespace {
 
 constexpr std::size_t most_said = std::size_t{1} << 20U;
@@ -75,10 +77,10 @@ class SpawnRules {
 
 }  // namespace
 
-anim::Result<PipedProgram> PipedProgram::start(const std::vector<std::string>& words) {
+Result<PipedProgram> PipedProgram::start(const std::vector<std::string>& words) {
   Pipe input, output;
   const auto refused = [](int error) {
-    return anim::Error{error == ENOENT ? "there is none in PATH" : std::generic_category().message(error)};
+    return Error{error == ENOENT ? "there is none in PATH" : std::generic_category().message(error)};
   };
   if (!input.make() || !output.make()) return refused(errno);
   PipedProgram child;
@@ -140,4 +142,6 @@ int PipedProgram::finish() {
   return status_of(std::exchange(process_, -1));
 }
 
-}  // namespace throng::app
+}  // namespace throng
+
+#endif  // !_WIN32

@@ -5,19 +5,18 @@
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
+#include "engine/result.h"
 
-#include "engine/anim/base/result.h"
-
-namespace throng::app {
+namespace throng {
 
 /// A program that reads what we write, found in PATH and started without a shell. What it says is kept. Signals of the
 /// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program
-/// ignores SIGPIPE (end_in_words).
+/// ignores SIGPIPE (ignore_signals_of_writers).
 class PipedProgram {
  public:
   /// Errors: there is no such program, or the system does not start it; the error says why: "there is none in PATH".
-  static anim::Result<PipedProgram> start(const std::vector<std::string>& words);
+  /// On Windows none is started.
+  static Result<PipedProgram> start(const std::vector<std::string>& words);
   PipedProgram(PipedProgram&& other) noexcept;
   PipedProgram& operator=(PipedProgram&&) = delete;
   ~PipedProgram();
@@ -33,10 +32,10 @@ class PipedProgram {
   PipedProgram() = default;
   void listen();
 
-  pid_t process_ = -1;  // -1: none that is to be waited for
-  int input_ = -1;      // what it reads
-  int output_ = -1;     // what it says
+  int process_ = -1;  // -1: none that is to be waited for
+  int input_ = -1;    // what it reads
+  int output_ = -1;   // what it says
   std::string said_;
 };
 
-}  // namespace throng::app
+}  // namespace throng

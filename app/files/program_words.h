@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+/// Returns the last line of a text that says something; empty if none does.
+std::string last_line(const std::string& text);
+
+/// Returns the words as a person would give them to a shell.
+std::string as_typed(const std::vector<std::string>& words);
+
+}  // namespace throng::app

@@ -43,7 +43,7 @@ std::span<const int> ending_signals() {
   return signals;
 }
 
-// The system takes the handler away before it calls it, so a second signal ends the program.
+// The system takes the handler away before it calls it: a second signal ends the program.
 void catch_signal(int signal, void (*handler)(int)) {
   if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
 }

@@ -50,11 +50,12 @@ highway_source() {
   compgen -G "$folder/highway-*/"
 }
 
-# Headers that are the same for every system, without those of this one beside them.
+# Headers of others that are the same for every system, without those of this one beside them.
 plain_headers() {
   local folder=$PWD/build/headers
   mkdir -p "$folder"
-  cp -r /usr/include/glm /usr/include/xxhash.h "$folder"
+  (cd /usr/include && cp -r glm xxhash.h CLI EGL GLFW KHR draco expat.h expat_external.h imgui libpng16/* meshoptimizer.h nlohmann \
+    sqlite3.h stb tiny_gltf.h webp zconf.h zlib.h "$folder")
   echo "$folder"
 }
 
@@ -66,11 +67,20 @@ on_arm64() {
   "$1" arm64 -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/aarch64-linux-gnu.cmake" -DPORT_HIGHWAY="$highway"
 }
 
+# Windows, wherever its compiler is: the library and all sources of the program are compiled. Tests run where Wine is, and
+# hold poses to each other alone, for the crowds of the tests do not give the pinned hashes there yet.
+on_windows() {
+  can_port windows g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix || return 0
+  local highway headers act=build_port
+  highway=$(highway_source) headers=$(plain_headers)
+  if can_port "the tests on windows" wine64 /usr/lib/wine/wine64; then act=test_port; fi
+  "$act" windows -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/x86_64-w64-mingw32.cmake" -DPORT_PINNED=OFF \
+    -DPORT_PROGRAM=ON -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"
+}
+
 test_clang() { test_port clang -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++; }
 
-# On Windows the crowds of the tests do not give the pinned hashes yet: poses are held to each other alone.
 test_all_ports() {
-  local toolchains=$PWD/scripts/lib/toolchains highway headers
   test_clang
   test_port shared -DBUILD_SHARED_LIBS=ON
   test_port plain "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti"
@@ -78,8 +88,5 @@ test_all_ports() {
     test_port libc++ -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 -DCMAKE_CXX_FLAGS=-stdlib=libc++
   fi
   on_arm64 test_port
-  if can_port windows "g++-mingw-w64-x86-64-posix wine64" x86_64-w64-mingw32-g++-posix /usr/lib/wine/wine64; then
-    highway=$(highway_source) headers=$(plain_headers)
-    test_port windows -DCMAKE_TOOLCHAIN_FILE="$toolchains/x86_64-w64-mingw32.cmake" -DPORT_PINNED=OFF -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"
-  fi
+  on_windows
 }

@@ -78,6 +78,19 @@ on_windows() {
     -DPORT_PROGRAM=ON -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"
 }
 
+# WebAssembly with threads and vectors of 128 bits, whose tests run under Node.js. Debian 13 has the Emscripten that it needs.
+on_wasm() {
+  can_port WebAssembly "emscripten nodejs" emcc em-config node || return 0
+  if [ "$(printf '%s\n' 3.1.69 "$(emcc -dumpversion)" | sort -V | head -n 1)" != 3.1.69 ]; then
+    say "Leaving out WebAssembly: Emscripten is older than 3.1.69"
+    return 0
+  fi
+  local highway headers
+  highway=$(highway_source) headers=$(plain_headers)
+  test_port wasm -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/wasm32-emscripten.cmake" -DPORT_HIGHWAY="$highway" \
+    -DPORT_HEADERS="$headers"
+}
+
 test_clang() { test_port clang -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++; }
 
 test_all_ports() {
@@ -89,4 +102,5 @@ test_all_ports() {
   fi
   on_arm64 test_port
   on_windows
+  on_wasm
 }

@@ -132,7 +132,7 @@ constexpr std::uint32_t row_weights(std::int32_t fraction) {
 /// Returns 2^32 / n, rounded up, for 1 to 32 steps between two rows.
 inline constexpr auto parts_of_steps = [] {
   std::array<std::uint64_t, most_steps_between_rows + 1> parts{};
-  for (std::uint64_t n = 1; n < parts.size(); ++n) parts[n] = ((std::uint64_t{1} << 32U) + n - 1) / n;
+  for (std::size_t n = 1; n < parts.size(); ++n) parts[n] = ((std::uint64_t{1} << 32U) + n - 1) / n;
   return parts;
 }();
 

@@ -27,7 +27,8 @@ in_system() {
 # The versions that a picture and a build depend on.
 versions_of() {
   in_system "$1" dpkg-query --show --showformat '${Package} ${Version}\n' g++ cmake libhwy-dev libimgui-dev libgl1-mesa-dri |
-    sed 's/ [0-9]*:/ /; s/[-+~].*//; s/libgl1-mesa-dri/Mesa/; s/libhwy-dev/Highway/; s/libimgui-dev/ImGui/; s/^cmake/CMake/' | xargs
+    sed -E 's/ ([0-9]+:)?([^-+~]*).*/ \2/; s/libgl1-mesa-dri/Mesa/; s/libhwy-dev/Highway/; s/libimgui-dev/ImGui/; s/^cmake/CMake/' |
+    xargs | sed 's/ \([A-Zg]\)/, \1/g'
 }
 
 # test_system SUITE: a row for tests/systems.md.

@@ -4,7 +4,7 @@
 
 system_suites=(bookworm trixie sid)
 
-# make_base SUITE: build/systems/SUITE, from where this machine's packages come.
+# make_base SUITE: build/systems/SUITE, from where this machine's packages come, and as apt fetches them here.
 make_base() {
   local suite=$1 base=$PWD/build/systems/$1 site
   [ ! -e "$base.made" ] || return 0
@@ -13,6 +13,7 @@ make_base() {
   say "Making a bare $suite"
   debootstrap --variant=minbase "$suite" "$base" "$site" >"$base.log" 2>&1 || fail "debootstrap $suite failed; all that it said is in $base.log"
   echo "deb $site $suite main" >"$base/etc/apt/sources.list"
+  apt-config dump --no-empty --format '%F "%v";%n' Acquire >"$base/etc/apt/apt.conf.d/00fetching"
   touch "$base.made"
 }
 

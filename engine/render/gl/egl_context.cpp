@@ -112,7 +112,7 @@ class EglContext final : public Context {
   }
 
   bool make_current_on(EGLenum platform, EGLDeviceEXT device) {
-    const EGLDisplay display = egl_.get_platform_display(platform, device, nullptr);
+    auto* const display = egl_.get_platform_display(platform, device, nullptr);
     if (display == EGL_NO_DISPLAY || egl_.initialize(display, nullptr, nullptr) == EGL_FALSE) return false;
     context_ = create_context(display);
     if (context_ == EGL_NO_CONTEXT) {

@@ -23,8 +23,7 @@ struct ChildTreatment {
 };
 
 /// Runs a program, without a shell, and waits for its end. It ends with us. The first word names it: a path, or a name
-/// that is looked for in PATH. Errors: it cannot be started, as
-/// no program can be on Windows.
+/// that is looked for in PATH. Errors: the system does not start it. On Windows none is started.
 Result<EndedChild> run_child(const std::vector<std::string>& words, const ChildTreatment& treatment = {});
 
 /// Calls `ask` in a copy of this process, which may crash or wait forever, and returns its text; an empty one if that
@@ -36,7 +35,7 @@ std::vector<char*> as_arguments(std::vector<std::string>& words);
 /// Waits for the end of a child of POSIX. Returns its exit status; 128 and more: the signal that ended it.
 int status_of(int child);
 
-/// Returns the path of the program that runs now. Errors: the system does not say it.
+/// Returns the path of the program that runs now. Errors: the system does not say it. Windows is not asked.
 Result<std::string> own_program();
 
 }  // namespace throng

@@ -23,7 +23,7 @@ class WaitingInput {
   Status open();
   /// Waits for bytes and reads some. Returns how many were read: 0 at the end, and nothing once it is stopped.
   Result<std::optional<std::size_t>> read(std::span<char> bytes);
-  /// Ends read() in another thread, and each later one. May be called once.
+  /// Ends read() in another thread, and each later one.
   void stop();
 
  private:

@@ -67,14 +67,13 @@ on_arm64() {
   "$1" arm64 -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/aarch64-linux-gnu.cmake" -DPORT_HIGHWAY="$highway"
 }
 
-# Windows, wherever its compiler is: the library and all sources of the program are compiled. Tests run where Wine is, and
-# hold poses to each other alone, for the crowds of the tests do not give the pinned hashes there yet.
+# Windows, wherever its compiler is: the library and all sources of the program are compiled. Tests run where Wine is.
 on_windows() {
   can_port windows g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix || return 0
   local highway headers act=build_port
   highway=$(highway_source) headers=$(plain_headers)
   if can_port "the tests on windows" wine64 /usr/lib/wine/wine64; then act=test_port; fi
-  "$act" windows -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/x86_64-w64-mingw32.cmake" -DPORT_PINNED=OFF \
+  "$act" windows -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/x86_64-w64-mingw32.cmake" \
     -DPORT_PROGRAM=ON -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"
 }
 

@@ -11,6 +11,7 @@
 
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/base/cores.h"
+#include "engine/anim/base/sleep.h"
 
 namespace throng::anim {
 namespace {
@@ -62,7 +63,7 @@ PuThreads::~PuThreads() {
   }
   stopping_.store(true, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
+  wake_sleepers(round_);
   for (std::thread& thread : threads_) thread.join();
 }
 
@@ -76,9 +77,9 @@ void PuThreads::run(int count, Job job) {
   }
   job_ = job;
   count_ = count;
-  running_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
+  running_.store(static_cast<std::uint32_t>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
+  wake_sleepers(round_);
   // If memory runs out here, the others still work on what would be taken away.
   struct AllDone {
     ~AllDone() { threads.wait_for_all(); }
@@ -88,23 +89,22 @@ void PuThreads::run(int count, Job job) {
 }
 
 void PuThreads::wait_for_all() const {
-  for (int left = running_.load(std::memory_order_acquire); left != 0;
+  for (std::uint32_t left = running_.load(std::memory_order_acquire); left != 0;
        left = running_.load(std::memory_order_acquire)) {
     wait_while(running_, left);
   }
 }
 
-template <typename Value>
-void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
+void PuThreads::wait_while(const std::atomic<std::uint32_t>& number, std::uint32_t is) const {
   constexpr int looks_at_a_time = 32;  // reading the clock takes longer than a look
   const Clock::time_point end = Clock::now() + waits_awake;
   while (has_cores_ && Clock::now() < end) {
     for (int look = 0; look < looks_at_a_time; ++look) {
-      if (value.load(std::memory_order_acquire) != is) return;
+      if (number.load(std::memory_order_acquire) != is) return;
       pause_in_loop();
     }
   }
-  value.wait(is, std::memory_order_acquire);
+  sleep_while(number, is);
 }
 
 void PuThreads::work(int pu) {
@@ -115,7 +115,7 @@ void PuThreads::work(int pu) {
     seen = round_.load(std::memory_order_acquire);
     if (stopping_.load(std::memory_order_relaxed)) return;
     if (pu < count_) job_.run(job_.context, pu);
-    if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_one();
+    if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) wake_sleepers(running_);
   }
 }
 

@@ -33,8 +33,7 @@ class PuThreads final : public Executor {
   bool start(int pu);
   void work(int pu);
   void wait_for_all() const;
-  template <typename Value>
-  void wait_while(const std::atomic<Value>& value, Value is) const;
+  void wait_while(const std::atomic<std::uint32_t>& number, std::uint32_t is) const;
 
   std::vector<std::thread> threads_;
   long process_;    // the number of the process that has the threads
@@ -42,7 +41,7 @@ class PuThreads final : public Executor {
   Job job_{};
   int count_ = 0;
   std::atomic<std::uint32_t> round_{0};  // a new value wakes the threads
-  std::atomic<int> running_{0};
+  std::atomic<std::uint32_t> running_{0};
   std::atomic<bool> stopping_{false};
 };
 

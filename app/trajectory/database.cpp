@@ -3,7 +3,10 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <sqlite3.h>
@@ -30,14 +33,19 @@ std::string address_of(const std::string& file) {
   return address + "?immutable=1";
 }
 
-/// Lets statements read, and nothing else.
+constexpr std::string_view columns_pragma = "table_xinfo";
+
+/// Lets statements read, and list the columns of a table.
 int allow_reading(void* /*context*/, int action, const char* first, const char* /*second*/, const char* /*database*/,
                   const char* trigger_or_view) {
-  const bool is_function = action == SQLITE_FUNCTION;
-  const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || is_function;
-  static_cast<void>(first);
-  return reads && trigger_or_view == nullptr ? SQLITE_OK : SQLITE_DENY;
+  const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION;
+  const bool lists_columns = action == SQLITE_PRAGMA && first == columns_pragma;
+  return (reads || lists_columns) && trigger_or_view == nullptr ? SQLITE_OK : SQLITE_DENY;
 }
+
+/// SQLite calls it once a piece of work. A row may take 500 million operations, which are some ten seconds.
+constexpr int operations_a_piece = 1'000'000, most_pieces = 500;
+int is_too_much(void* pieces) { return ++*static_cast<int*>(pieces) > most_pieces ? 1 : 0; }
 
 void bind_hands(sqlite3* handle) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -57,6 +65,26 @@ void bind_hands(sqlite3* handle) {
   sqlite3_limit(handle, SQLITE_LIMIT_WORKER_THREADS, 0);
   sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0", nullptr, nullptr, nullptr);
   sqlite3_set_authorizer(handle, allow_reading, nullptr);
+}
+
+/// Returns whether a file is there that begins with these bytes.
+bool begins_with(const std::filesystem::path& file, std::string_view bytes) {
+  std::string begin(bytes.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == bytes;
+}
+
+/// Returns the journal beside a database whose writer has not finished; empty if it has. The first bytes of a journal
+/// that was finished are others.
+std::string journal_of(const std::string& file) {
+  std::error_code error;
+  std::filesystem::path real = std::filesystem::canonical(file, error);  // SQLite follows links, too
+  if (error) real = file;
+  const std::string log = real.string() + "-wal", rollback = real.string() + "-journal";
+  for (const std::string_view magic : {"\x37\x7F\x06\x82", "\x37\x7F\x06\x83"}) {
+    if (begins_with(log, magic)) return log;
+  }
+  return begins_with(rollback, "\xD9\xD5\x05\xF9\x20\xA1\x63\xD7") ? rollback : std::string();
 }
 
 /// Returns how many bytes the header says that a database has; 0 where it does not say it.
@@ -123,6 +151,10 @@ Result<Database> Database::open(const std::string& file) {
     return Error{"it cannot be read as a database (it is cut off after " + size_text(input->size()) + " of " +
                  size_text(size) + "); export it anew"};
   }
+  if (const std::string journal = journal_of(file); !journal.empty()) {
+    return Error{"its writer has not finished it and keeps rows in " + journal +
+                 "; end that program, or run: sqlite3 '" + file + "' .tables"};
+  }
   sqlite3* handle = nullptr;
   const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
   const int status = sqlite3_open_v2(address_of(file).c_str(), &handle, flags, nullptr);
@@ -143,10 +175,13 @@ Status Database::for_rows(const std::string& query, const std::function<bool(con
   const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owner(statement, sqlite3_finalize);
   if (prepared != SQLITE_OK) return failure();
   const DatabaseRow row(statement);
-  int status = SQLITE_ROW;
+  int status = SQLITE_ROW, pieces = 0;  // of work since the last row
+  sqlite3_progress_handler(handle_.get(), operations_a_piece, is_too_much, &pieces);
   while ((status = sqlite3_step(statement)) == SQLITE_ROW) {
+    pieces = 0;
     if (!visit(row)) return Done{};
   }
+  if (status == SQLITE_INTERRUPT) return Error{"a row of it takes too much work; export its rows as CSV"};
   if (status != SQLITE_DONE) return failure();
   return Done{};
 }
@@ -169,13 +204,13 @@ Result<std::vector<Database::Table>> Database::tables() {
   for (Table& table : tables) {
     std::string quoted;
     for (const char c : table.name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    sqlite3_stmt* statement = nullptr;
-    const std::string query = "SELECT * FROM \"" + quoted + "\" LIMIT 0";
-    if (sqlite3_prepare_v2(handle_.get(), query.c_str(), -1, &statement, nullptr) != SQLITE_OK) return failure();
-    const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owner(statement, sqlite3_finalize);
-    for (int i = 0; i < sqlite3_column_count(statement); ++i) {
-      table.columns.emplace_back(sqlite3_column_name(statement, i));
-    }
+    constexpr int name = 1, hidden = 6;
+    const Status columns =
+        for_rows("PRAGMA " + std::string(columns_pragma) + "(\"" + quoted + "\")", [&](const DatabaseRow& row) {
+          table.columns.push_back(std::string(row.text(name)) + (row.whole(hidden) == 0 ? "" : " (computed)"));
+          return true;
+        });
+    if (!columns) return columns.error();
   }
   return tables;
 }

@@ -32,10 +32,10 @@ class DatabaseRow {
   sqlite3_stmt* statement_;
 };
 
-/// A database file that is only read. It is taken as it lies on the disk; what journals beside it say is not read, and
-/// neither views, triggers nor functions of the file run.
+/// A database file that is only read. Neither views, triggers, computed columns nor functions of the file run.
 class Database {
  public:
+  /// Errors: it is no whole database, or a journal beside it holds rows that are not in it yet.
   static Result<Database> open(const std::string& file);
 
   /// Calls visit(row) for each row of an answer until it returns false.
@@ -44,7 +44,7 @@ class Database {
 
   struct Table {
     std::string name;
-    std::vector<std::string> columns;
+    std::vector<std::string> columns;  ///< "x (computed)" where the file computes x, which has no value here
     std::uint32_t root_page = 0;
     bool is_plain = false;  ///< records have all columns in this order
   };

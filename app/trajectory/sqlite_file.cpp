@@ -38,8 +38,9 @@ Error wrong_tables(const Tables& tables) {
   for (const Database::Table& table : tables) {
     if (shown.size() < 8) shown.push_back(anim::plain_text(table.name + "(" + joined(table.columns) + ")"));
   }
-  return {"it has " + (shown.empty() ? "no table" : "the tables " + joined(shown, ", ", " and ")) +
-          ", but not trajectory_data(frame, id, pos_x, pos_y), which JuPedSim writes; export rows as CSV"};
+  return {(shown.empty() ? "it has no table" : "it has the tables " + joined(shown, ", ", " and ") + ", but") +
+          std::string(shown.empty() ? " " : " not ") +
+          "trajectory_data(frame, id, pos_x, pos_y), which JuPedSim writes; export rows as CSV"};
 }
 
 /// Reads what the metadata say.

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -166,6 +167,9 @@ TEST(JuPedSim, NamesTheTablesOfAnotherDatabase) {
   EXPECT_THAT(read.error().message,
               HasSubstr("it has the tables people(name, age), but not trajectory_data(frame, id, pos_x, pos_y)"));
   EXPECT_FALSE(read_trajectories(database(folder, "CREATE TABLE trajectory_data(frame, id, x, y)"), {}));
+  const auto bare = read_trajectories(database(folder, "CREATE VIEW v AS SELECT 1"), {});
+  ASSERT_FALSE(bare);
+  EXPECT_THAT(bare.error().message, HasSubstr(": it has no table trajectory_data(frame, id, pos_x, pos_y), which"));
   const auto empty = read_trajectories(database(folder, plain), {});
   ASSERT_FALSE(empty);
   EXPECT_THAT(empty.error().message, HasSubstr("it has no rows"));
@@ -180,6 +184,64 @@ TEST(JuPedSim, RefusesAViewInPlaceOfTheTable) {
       {});
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, HasSubstr("but not trajectory_data"));
+}
+
+TEST(JuPedSim, RefusesColumnsThatTheFileComputes) {
+  const TrackFolder folder;
+  const auto read = read_trajectories(
+      database(folder,
+               "CREATE TABLE trajectory_data(frame, id, pos_x, pos_y AS (length(printf('%60000000d', id)))); INSERT "
+               "INTO trajectory_data VALUES(0, 1, 2)"),
+      {});
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("it has the tables trajectory_data(frame, id, pos_x, pos_y (computed))"));
+}
+
+/// Writes rows, of which the last lie in the journal beside the file when it returns: the writer goes on.
+class UnfinishedDatabase {
+ public:
+  UnfinishedDatabase(const std::string& file, const std::string& journal_mode) {
+    EXPECT_EQ(sqlite3_open(file.c_str(), &handle_), SQLITE_OK);
+    run("PRAGMA journal_mode = " + journal_mode + "; PRAGMA cache_size = 1; PRAGMA cache_spill = 1;");
+    run(rows_with_direction("(0,1,0,0,0,0)"));
+    run("BEGIN; WITH RECURSIVE n(i) AS (SELECT 1 UNION SELECT i + 1 FROM n WHERE i < 20000) INSERT INTO "
+        "trajectory_data SELECT i, 1, 0, 0, 0, 0 FROM n;");
+    if (journal_mode == "WAL") run("COMMIT");
+  }
+  UnfinishedDatabase(const UnfinishedDatabase&) = delete;
+  UnfinishedDatabase& operator=(const UnfinishedDatabase&) = delete;
+  ~UnfinishedDatabase() { sqlite3_close(handle_); }
+
+ private:
+  void run(const std::string& statements) {
+    char* message = nullptr;
+    EXPECT_EQ(sqlite3_exec(handle_, statements.c_str(), nullptr, nullptr, &message), SQLITE_OK) << message;
+  }
+
+  sqlite3* handle_ = nullptr;
+};
+
+TEST(JuPedSim, RefusesAFileWhoseLastRowsLieBesideIt) {
+  for (const char* const mode : {"WAL", "DELETE"}) {
+    const TrackFolder folder;
+    const std::string file = folder.path("a.sqlite");
+    const auto writer = std::make_unique<UnfinishedDatabase>(file, mode);
+    const auto read = read_trajectories(file, {});
+    ASSERT_FALSE(read) << mode;
+    EXPECT_THAT(read.error().message,
+                HasSubstr(std::string("its writer has not finished it and keeps rows in ") + file +
+                          (mode == std::string("WAL") ? "-wal" : "-journal") + "; end that program, or run: sqlite3 '"))
+        << mode;
+  }
+}
+
+TEST(JuPedSim, ReadsAFileWhoseWriterHasEnded) {
+  for (const char* const mode : {"WAL", "PERSIST", "TRUNCATE"}) {
+    const TrackFolder folder;
+    const std::string file =
+        database(folder, std::string("PRAGMA journal_mode = ") + mode + ";" + rows_with_direction("(0,1,0,0,0,0)"));
+    EXPECT_TRUE(read_trajectories(file, {})) << mode;
+  }
 }
 
 TEST(JuPedSim, RefusesAFileThatIsCutOff) {

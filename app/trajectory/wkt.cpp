@@ -42,10 +42,9 @@ class WktReader {
     return false;
   }
   void skip_blanks() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-    if (at_ < text_.size() && text_[at_] == '#') {  // a comment
-      at_ = std::min(text_.find('\n', at_), text_.size());
-      skip_blanks();
+    for (;; at_ = std::min(text_.find('\n', at_), text_.size())) {
+      while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+      if (at_ == text_.size() || text_[at_] != '#') return;  // a comment
     }
   }
   std::string word() {
@@ -140,9 +139,13 @@ class WktReader {
   }
   bool read_geometry(FilePlan& plan, std::size_t depth) {
     if (depth == most_depth) return refuse("collections lie in each other more than 16 deep");
-    const std::size_t before = at_;
+    std::size_t before = at_;
     std::string kind = word();
-    if (kind == "SRID") return take('=') && skip_srid() && take(';') && read_geometry(plan, depth);
+    if (kind == "SRID") {
+      if (!take('=') || !skip_srid() || !take(';')) return false;
+      before = at_;
+      kind = word();
+    }
     const std::size_t after = at_;
     if (const std::string dimension = word(); dimension != "Z" && dimension != "M" && dimension != "ZM") at_ = after;
     if (kind == "POINT" || kind == "MULTIPOINT") return read_points_alone();

@@ -54,6 +54,18 @@ TEST(Wkt, SaysLineAndRemedyOfWhatIsBroken) {
   EXPECT_THAT(fault(deep), HasSubstr("more than 16 deep"));
 }
 
+TEST(Wkt, TakesASystemOfCoordinatesOnce) {
+  std::string many;
+  for (int i = 0; i < 40'000; ++i) many += "SRID=1;";
+  EXPECT_THAT(fault(many + "POINT (1 2)"), HasSubstr("\"SRID\" is no geometry that is read here"));
+}
+
+TEST(Wkt, SkipsAnyNumberOfComments) {
+  std::string many;
+  for (int i = 0; i < 200'000; ++i) many += "#\n";
+  EXPECT_EQ(fault(many + "POINT (1 2)"), "");
+}
+
 TEST(Walls, StandAboutTheOriginOfTheCrowd) {
   const TrackFolder folder;
   const std::string walls = folder.file("walls.wkt", "LINESTRING (1000000.25 2000000, 1000010.25 2000000)\n");

@@ -24,7 +24,9 @@ constexpr std::size_t piece_bytes = std::size_t{256} << 10U;
 
 struct FcdParser::State final : XmlReader {
   State(RowSink& rows_to, bool lenient)
-      : XmlReader("let SUMO write it to its end"), sink(&rows_to), is_lenient(lenient) {}
+      : XmlReader("let SUMO write it to its end, or take what is there with --lenient"),
+        sink(&rows_to),
+        is_lenient(lenient) {}
 
   RowSink* sink;
   bool is_lenient;
@@ -99,6 +101,7 @@ FcdParser::~FcdParser() = default;
 
 bool FcdParser::read(std::string_view text, bool is_last) { return state_->read(text, is_last); }
 const std::string& FcdParser::fault() const { return state_->fault(); }
+bool FcdParser::ends_early() const { return state_->ends_early(); }
 bool FcdParser::is_row_at_fault() const { return state_->is_row_at_fault; }
 std::size_t FcdParser::bad_rows() const { return state_->bad; }
 const std::string& FcdParser::first_bad_row() const { return state_->first_bad; }
@@ -125,13 +128,19 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
   parser.when_people_come([&] { tracks.blocks.clear(); });
   ProgressClock clock(progress);
   std::string piece(piece_bytes, '\0');
+  std::vector<std::string> said;
   std::size_t done = 0;
   for (bool is_last = false; !is_last;) {
     const auto read = input->read(std::as_writable_bytes(std::span(piece)));
     if (!read) return Error{file + ": " + read.error().message};
     done += *read;
     is_last = *read < piece.size();
-    if (!parser.read({piece.data(), *read}, is_last)) {
+    const bool is_read = parser.read({piece.data(), *read}, is_last);
+    if (!is_read && parser.ends_early() && options.lenient) {
+      const std::string& fault = parser.fault();
+      said.push_back("The file ends early, in " + fault.substr(0, fault.find(':')) +
+                     "; its rows up to there are read.");
+    } else if (!is_read) {
       if (sink.ids.size() > most_people) return too_many_people(file);
       return parser.is_row_at_fault() ? row_error(file, parser.fault(), "") : Error{file + ": " + parser.fault()};
     }
@@ -141,6 +150,7 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
   tracks.facts = fcd_facts();
   tracks.facts.format += parser.has_people() ? "" : " of vehicles";
   tracks.facts.has_z = parser.has_z();
+  tracks.facts.said = std::move(said);
   tracks.tables.push_back(std::move(sink.ids));
   tracks.bad_rows = parser.bad_rows();
   tracks.first_bad_row = parser.first_bad_row();

@@ -26,6 +26,7 @@ class FcdParser {
   bool read(std::string_view text, bool is_last);
   /// The end of a sentence, "line 7: ...".
   const std::string& fault() const;
+  bool ends_early() const;
   bool is_row_at_fault() const;  ///< --lenient would skip it
   std::size_t bad_rows() const;
   const std::string& first_bad_row() const;

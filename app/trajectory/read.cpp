@@ -26,24 +26,29 @@ std::size_t count_rows(const RawTracks& tracks) {
   return count;
 }
 
-/// Takes the obstacles, and the length of a step where rows have steps, of the scenario beside a file of Vadere.
-Status read_scenario(const std::string& file, const TrackReading& options, RawTracks& tracks) {
-  const auto scenario_file = scenario_beside(file);
-  if (!scenario_file) {
-    if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / VadereScenario{}.seconds_a_step;
-    return Done{};
-  }
-  const auto text = read_text(*scenario_file, "a scenario", most_json_bytes);
-  if (!text) return Error{*scenario_file + ": " + text.error().message};
+Result<VadereScenario> scenario_in(const std::string& file) {
+  const auto text = read_text(file, "a scenario", most_json_bytes);
+  if (!text) return text.error();
   const auto json = parse_json(*text);
-  if (!json) return Error{*scenario_file + ": its text " + json.error().message + "; give the walls with --walls"};
-  auto scenario = vadere_scenario(*json);
-  if (!scenario) return Error{*scenario_file + ": " + scenario.error().message};
+  if (!json) return Error{"its text " + json.error().message};
+  return vadere_scenario(*json);
+}
+
+/// Takes the obstacles, and the length of a step where rows have steps, of the scenario beside a file of Vadere.
+void take_scenario(const std::string& file, const TrackReading& options, RawTracks& tracks) {
+  if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / VadereScenario{}.seconds_a_step;
+  const auto scenario_file = scenario_beside(file);
+  if (!scenario_file) return;
+  auto scenario = scenario_in(*scenario_file);
+  if (!scenario) {
+    tracks.facts.said.push_back(*scenario_file + " is left out: " + scenario.error().message +
+                                "; --walls gives the place.");
+    return;
+  }
   if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / scenario->seconds_a_step;
-  if (!options.walls.empty()) return Done{};
+  if (!options.walls.empty()) return;
   tracks.plan = std::move(scenario->plan);
   tracks.facts.said.push_back("The place is that of " + *scenario_file + ".");
-  return Done{};
 }
 
 Status read_text_rows(const std::string& file, std::string_view head, const TrackReading& options,
@@ -61,8 +66,8 @@ Status read_text_rows(const std::string& file, std::string_view head, const Trac
     tracks.tables.clear();
     read = read_rows(file, *format, options, progress, tracks);
   }
-  if (!read || tracks.facts.format != "Vadere") return read;
-  return read_scenario(file, options, tracks);
+  if (read && tracks.facts.format == "Vadere") take_scenario(file, options, tracks);
+  return read;
 }
 
 Status read_raw(const std::string& file, const TrackReading& options, const ReadProgress& progress, RawTracks& tracks) {

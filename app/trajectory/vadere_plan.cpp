@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +20,16 @@ FileRing rectangle(double x, double y, double width, double height) {
   return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
+FileRing circle(const glm::dvec2& center, double radius) {
+  constexpr int corners = 32;
+  FileRing ring;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    ring.push_back(center + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+  }
+  return ring;
+}
+
 /// Returns the corners of a shape; none if it is no shape that people could see.
 FileRing ring_of(const Json& shape) {
   FileRing ring;
@@ -31,6 +42,12 @@ FileRing ring_of(const Json& shape) {
     const bool is_whole = take_number(shape, "x", x) && take_number(shape, "y", y) &&
                           take_number(shape, "width", width) && take_number(shape, "height", height);
     if (is_whole) ring = rectangle(x, y, width, height);
+  }
+  if (shape.contains("radius")) {
+    const Json& center = shape["center"];
+    const bool is_whole =
+        take_number(center, "x", x) && take_number(center, "y", y) && take_number(shape, "radius", width);
+    if (is_whole && width > 0.0) ring = circle({x, y}, width);
   }
   return ring.size() > 2 ? ring : FileRing();
 }

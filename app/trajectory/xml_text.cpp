@@ -52,7 +52,11 @@ bool XmlReader::read(std::string_view text, bool is_last) {
   if (!fault_.empty()) return false;
   const XML_Status status = XML_Parse(parser_, text.data(), static_cast<int>(text.size()), is_last ? 1 : 0);
   if (status != XML_STATUS_OK && fault_.empty()) {
-    fault_ = here() + "it is no whole XML (" + XML_ErrorString(XML_GetErrorCode(parser_)) + "); " + remedy_;
+    const XML_Error error = XML_GetErrorCode(parser_);
+    ends_early_ =
+        is_last && depth_ > 0 &&
+        (error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_UNCLOSED_TOKEN || error == XML_ERROR_PARTIAL_CHAR);
+    fault_ = here() + "it is no whole XML (" + XML_ErrorString(error) + "); " + remedy_;
   }
   return fault_.empty();
 }

@@ -34,6 +34,8 @@ class XmlReader {
   bool read(std::string_view text, bool is_last);
   /// The end of a sentence, "line 7: ...; ...". Empty while there is no error.
   const std::string& fault() const { return fault_; }
+  /// Returns whether the fault is that the document ends before its root does.
+  bool ends_early() const { return ends_early_; }
 
  protected:
   /// `remedy` is for a document that ends early or is no XML: "export it again".
@@ -51,6 +53,7 @@ class XmlReader {
   XML_ParserStruct* parser_;
   std::string remedy_, fault_;
   std::size_t depth_ = 0;
+  bool ends_early_ = false;
 };
 
 }  // namespace throng::app

@@ -194,6 +194,18 @@ TEST(Fcd, ReadsPeopleAndTurnsAnglesFromNorth) {
   EXPECT_NEAR(std::abs(tracks->persons[0].rows[1].heading), std::numbers::pi, 1e-6);  // north is -Z
 }
 
+TEST(Fcd, MayEndEarlyWhereRowsMayBeSkipped) {
+  const std::string text = std::string(fcd_head) +
+                           "<timestep time=\"0.00\"><person id=\"a\" x=\"1\" y=\"2\"/></timestep>\n"
+                           "<timestep time=\"1.00\"><person id=\"a\" x=\"2\" y=\"2\"/><person id=\"b\" x=";
+  EXPECT_THAT(error_of("a.xml", text), HasSubstr("or take what is there with --lenient"));
+  const auto tracks = read_as("a.xml", text, {.lenient = true});
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  EXPECT_EQ(tracks->row_count, 2U);
+  EXPECT_THAT(all_said(*tracks), HasSubstr("The file ends early, in line 5; its rows up to there are read."));
+  EXPECT_FALSE(read_as("a.xml", "<fcd-export></timestep>", {.lenient = true}));
+}
+
 TEST(Fcd, ForgetsManyVehiclesWhenTheFirstPersonComes) {
   std::string text = std::string(fcd_head) + "<timestep time=\"0\">\n";
   for (int i = 0; i < 10'000; ++i)

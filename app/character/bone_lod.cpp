@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr int version = 1;
-constexpr const char* remedy = "; mend it, or delete it to have the order computed again";
+constexpr const char* remedy = "mend it, or delete it to have the order computed again";
 
 // Words for people: a permutation, each bone after its parent.
 anim::Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int role_table_version = 1;
-constexpr JsonRemedies remedies{.malformed = "; delete it to go by the names of clips and bones again"};
+constexpr JsonRemedies remedies{.malformed = "delete it to go by the names of clips and bones again"};
 
 }  // namespace
 

@@ -30,7 +30,7 @@ SweepCurve sweep_in(std::span<const Json> stops, std::optional<std::string>& com
 }  // namespace
 
 anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport& report) {
-  const JsonFile file(report_file, {.wrong = ", as the measured figures that --ui=fixed shows have it"});
+  const JsonFile file(report_file, {.wrong = "it holds the measured figures that --ui=fixed shows"});
   const auto json = file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;

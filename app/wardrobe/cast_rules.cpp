@@ -223,9 +223,9 @@ const SceneRule* CastRules::scene(std::string_view name) const {
 anim::Result<CastRules> cast_rules(const Json& json) { return RulesReader(json).read(); }
 
 anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
-  const JsonFile rules_file(file, {.unread = "; give a file of rules like assets/cast.json",
-                                   .malformed = "; mend it, or begin with a copy of assets/cast.json",
-                                   .wrong = "; app/wardrobe/README.md says what rules hold"});
+  const JsonFile rules_file(file, {.unread = "give a file of rules like assets/cast.json",
+                                   .malformed = "mend it, or begin with a copy of assets/cast.json",
+                                   .wrong = "app/wardrobe/README.md says what rules hold"});
   const auto json = rules_file.read();
   if (!json) return json.error();
   auto rules = cast_rules(*json);

@@ -14,7 +14,7 @@ namespace {
 TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
   const throng::test::OwnFolder folder;
   const std::string path = folder.path() / "file.json";
-  const JsonFile file(path, {.unread = "; look", .malformed = "; mend", .wrong = "; change"});
+  const JsonFile file(path, {.unread = "look", .malformed = "mend", .wrong = "change"});
   EXPECT_EQ(file.read().error().message, path + ": there is no such file; check the path; look");
   std::ofstream(path) << "[";
   EXPECT_EQ(file.read().error().message, path + ": is not JSON at line 1, column 2; mend");

@@ -28,6 +28,7 @@ Image Image::blank(int width, int height) {
 namespace {
 
 constexpr std::size_t most_png_bytes = std::size_t{1} << 30U;
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;  // of a square of 16,384
 
 struct FreeImage {
   void operator()(png_image* png) const { png_image_free(png); }
@@ -46,7 +47,15 @@ Result<Image> read_png(const std::filesystem::path& file) {
   if (!bytes) return failed(bytes.error().message);
   png_image png{};
   const auto freed = owned(png);
+  constexpr std::size_t signature_bytes = 8;
+  const bool is_png = bytes->size() >= signature_bytes &&
+                      png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes->data()), 0, signature_bytes) == 0;
+  if (!is_png) return failed("it is no PNG; name one");
   if (png_image_begin_read_from_memory(&png, bytes->data(), bytes->size()) == 0) return failed(png.message);
+  if (std::uint64_t{png.width} * png.height > most_pixels) {
+    return failed("it is " + std::to_string(png.width) + " by " + std::to_string(png.height) +
+                  " pixels by its header, and 16384 by 16384 are the most; scale it down");
+  }
   png.format = PNG_FORMAT_RGBA;
   Image image = Image::blank(static_cast<int>(png.width), static_cast<int>(png.height));
   if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) return failed(png.message);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -68,7 +69,19 @@ TEST_F(ImageFile, IsRefusedWhenAbsentOrNoise) {
   std::ofstream(folder_ / "noise.png") << "this is no picture";
   const Result<Image> noise = read_png(folder_ / "noise.png");
   ASSERT_FALSE(noise);
-  EXPECT_NE(noise.error().message.find("noise.png"), std::string::npos);
+  EXPECT_NE(noise.error().message.find("noise.png: it is no PNG"), std::string::npos);
+}
+
+TEST_F(ImageFile, IsRefusedByItsHeaderWhereItWouldFillTheMemory) {
+  constexpr std::string_view of_60000_by_60000(
+      "\x89\x50\x4E\x47\x0D\x0A\x1A\x0A\x00\x00\x00\x0D\x49\x48\x44\x52\x00\x00\xEA\x60\x00\x00\xEA\x60"
+      "\x08\x06\x00\x00\x00\x80\xD2\x75\x42\x00\x00\x00\x0B\x49\x44\x41\x54\x78\x9C\x63\x60\x80\x01\x00"
+      "\x00\x0A\x00\x01\x7F\x80\x74\x5E",
+      56);
+  std::ofstream(folder_ / "bomb.png", std::ios::binary) << of_60000_by_60000;
+  const Result<Image> bomb = read_png(folder_ / "bomb.png");
+  ASSERT_FALSE(bomb);
+  EXPECT_NE(bomb.error().message.find("it is 60000 by 60000 pixels by its header"), std::string::npos);
 }
 
 TEST_F(ImageFile, SaysWhatItWasToldToSay) {

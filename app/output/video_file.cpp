@@ -67,7 +67,8 @@ anim::Status check_encoder(const std::filesystem::path& file) {
   if (!asked) return not_started(asked.error().message);
   const int status = asked->finish();
   const std::string encoder = encoder_of(file);
-  if (status != 0) return not_started(last_line(asked->said()));
+  const std::string words = last_line(asked->said());
+  if (status != 0) return not_started(words.empty() ? "it ends with status " + std::to_string(status) : words);
   if (asked->said().find(" " + encoder + " ") != std::string::npos) return anim::Done{};
   return anim::Error{"--video " + file.string() + ": this ffmpeg has no encoder " + encoder +
                      "; install the package ffmpeg, or name a " + (is_webm(file) ? ".mp4" : ".webm")};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -253,7 +254,9 @@ ValueReader file_names(std::vector<std::string>& target) {
 
 ValueReader file_that_ends_in(std::string ending, std::string& target) {
   return [ending = std::move(ending), &target](const std::string& text) -> Complaint {
-    if (!text.ends_with(ending)) return "must be a file name that ends in " + ending;
+    std::string small = text;
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (!small.ends_with(ending)) return "must be a file name that ends in " + ending;
     target = text;
     return {};
   };

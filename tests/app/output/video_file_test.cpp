@@ -70,6 +70,14 @@ TEST_F(Video, IsRefusedWithThePackageWhereThereIsNoFfmpeg) {
             "--video: ffmpeg does not start: there is none in PATH; install the package ffmpeg, or write --pictures");
 }
 
+TEST_F(Video, IsRefusedWithTheStatusOfAnFfmpegThatSaysNothing) {
+  const FakeFfmpeg ffmpeg(folder_, "");
+  std::ofstream(fs::path(ffmpeg.path()) / "ffmpeg") << "#!/bin/sh\nexit 9\n";
+  const anim::Status checked = check_encoder(file_);
+  ASSERT_FALSE(checked);
+  EXPECT_THAT(checked.error().message, HasSubstr("ffmpeg does not start: it ends with status 9; install"));
+}
+
 TEST_F(Video, IsRefusedWithTheNameOfTheEncoderThatIsNotThere) {
   const FakeFfmpeg ffmpeg(folder_, "", " libx264 libx264rgb ");
   EXPECT_TRUE(check_encoder(file_));

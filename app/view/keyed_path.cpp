@@ -4,10 +4,15 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 #include <glm/common.hpp>
 
+#include "app/files/joined.h"
 #include "app/settings/option_values.h"
+#include "app/trajectory/head_lines.h"
+#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text_format.h"
 #include "app/view/fly_camera.h"
 #include "engine/files/input_file.h"
 
@@ -36,24 +41,41 @@ Error fault(const std::string& file, std::size_t line, const std::string& what) 
   return Error{file + ": line " + std::to_string(line) + ": " + what};
 }
 
+constexpr std::array<std::string_view, 7> all_names{"time", "x", "y", "z", "yaw", "pitch", "fov"};
+
+/// Returns the numbers of a row with commas between them, as options have them, and with points in them.
+std::string with_commas(const std::string& line, char separator) {
+  std::vector<std::string> fields = fields_of(line, separator);
+  if (separator != ',') {
+    for (std::string& field : fields) std::ranges::replace(field, ',', '.');
+  }
+  return joined(fields, ",", ",");
+}
+
 }  // namespace
 
 Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
   const auto text = read_text(file, "a camera path", most_path_bytes);
   if (!text) return Error{file + ": " + text.error().message};
-  std::istringstream lines(*text);
+  if (const std::string why = why_no_text(*text, "name a table of camera keys"); !why.empty()) {
+    return Error{file + ": " + why};
+  }
+  const HeadLines head = lines_of(*text);
+  const char separator = separator_of(head.first);
+  std::vector<std::string> names = fields_of(head.first, separator);
+  if (names.size() == all_names.size() - 1) names.emplace_back(all_names.back());  // which may be left out
+  if (!std::ranges::equal(names, all_names)) {
+    return fault(file, head.first_line, "it is no header of a camera path; begin with time,x,y,z,yaw,pitch,fov");
+  }
+  std::istringstream lines(text->substr(head.body_byte));
   std::vector<CameraKey> keys;
   std::string line;
-  for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (number == 1) {
-      if (line == "time,x,y,z,yaw,pitch" || line == "time,x,y,z,yaw,pitch,fov") continue;
-      return fault(file, number, "it is no header of a camera path; begin with time,x,y,z,yaw,pitch,fov");
-    }
-    if (line.empty()) continue;
-    const std::size_t comma = line.find(',');
-    const auto seconds = finite_number_in(line.substr(0, comma));
-    const auto place = comma == std::string::npos ? std::nullopt : camera_place_in(line.substr(comma + 1));
+  for (std::size_t number = head.body_line; std::getline(lines, line); ++number) {
+    const std::string row = with_commas(line, separator);
+    if (row.empty() || is_comment(row)) continue;
+    const std::size_t comma = row.find(',');
+    const auto seconds = finite_number_in(row.substr(0, comma));
+    const auto place = comma == std::string::npos ? std::nullopt : camera_place_in(row.substr(comma + 1));
     if (!seconds || !place)
       return fault(file, number, "it is no key; write seconds and then a place as --camera has it");
     if (!keys.empty() && *seconds <= keys.back().seconds) {

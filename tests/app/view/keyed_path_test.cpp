@@ -41,6 +41,20 @@ TEST_F(KeyedPath, PassesEveryKeyAndStandsStillAtItsEnds) {
   }
 }
 
+TEST_F(KeyedPath, IsATableAsTrajectoriesAre) {
+  for (const char* const text :
+       {"\xEF\xBB\xBFtime,x,y,z,yaw,pitch\r\n0,0.5,2,9,0,0\r\n1,0,2,9,20,0\r\n",
+        "sep=;\n\"time\";\"x\";\"y\";\"z\";\"yaw\";\"pitch\"\n0;0,5;2;9;0;0\n% a comment\n1;0;2;9;20;0\n",
+        "# a comment\ntime x y z yaw pitch\n0 0.5 2 9 0 0\n\n1 0 2 9 20 0"}) {
+    const auto keys = read(text);
+    ASSERT_TRUE(keys) << keys.error().message;
+    ASSERT_EQ(keys->size(), 2U) << text;
+    EXPECT_EQ(keys->front().place.x, 0.5F) << text;
+    EXPECT_EQ(keys->back().place.yaw, 20.0F) << text;
+  }
+  EXPECT_THAT(refusal("time,x,y,z,yaw,pitch\r0,0,2,9,0,0\r"), HasSubstr("its lines end with a carriage return alone"));
+}
+
 TEST_F(KeyedPath, NamesTheLineThatIsWrong) {
   EXPECT_THAT(refusal("0,0,0,0,0,0\n"), HasSubstr("path.csv: line 1: it is no header of a camera path"));
   EXPECT_THAT(refusal(header + "0,0,0,0,0,0\n1,a,0,0,0,0\n"), HasSubstr("path.csv: line 3: it is no key"));

@@ -46,6 +46,9 @@ std::string_view without_line_end(std::string_view line) {
   return line;
 }
 
+/// "sep=;", which Excel writes and reads.
+bool is_separator_line(std::string_view line) { return line.size() == 5 && line.starts_with("sep="); }
+
 /// Returns whether a line has a unit for each column, or nothing, and at least one unit.
 bool is_line_of_units(std::string_view line, std::string_view names) {
   const char separator = separator_of(names);
@@ -66,11 +69,11 @@ HeadLines lines_of(std::string_view head) {
   bool is_viswalk = false;
   for (TextLine line; lines.second.empty() && walk.next(line);) {
     const std::string_view text = without_blanks(line.text);
-    if (text.empty()) continue;
+    if (text.empty() || (lines.first.empty() && is_separator_line(text))) continue;
     if (lines.first.empty() && text == viswalk_mark) {
       is_viswalk = true;
-    } else if (text.front() == '#' || (is_viswalk && text.front() == '*')) {
-      if (lines.first.empty()) lines.comments.push_back(text.substr(1));
+    } else if (is_comment(text) || (is_viswalk && text.front() == '*')) {
+      if (lines.first.empty()) lines.comments.push_back(text.substr(text.find_first_not_of("#%/*")));
     } else if (lines.first.empty()) {
       lines.first = without_line_end(line.text);
       lines.first_byte = line.byte;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -46,6 +47,14 @@ inline bool is_number_text(std::string_view text, double& value) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
   return !text.empty() && read_number(text.data(), text.data() + text.size(), value) == text.data() + text.size();
+}
+
+/// Reads a number with a comma in place of the point: "1,5".
+inline bool is_decimal_comma_text(std::string_view text, double& value) {
+  std::array<char, 40> pointed;
+  if (text.size() > pointed.size() || text.find('.') != std::string_view::npos) return false;
+  char* const end = std::ranges::replace_copy(text, pointed.begin(), ',', '.').out;
+  return is_number_text({pointed.data(), end}, value);
 }
 
 }  // namespace throng::app

@@ -59,6 +59,14 @@ std::string letters_and_digits(std::string_view text) {
   return result;
 }
 
+/// Vadere ends names by the number of the processor that wrote them: "startxpid5" is "startxpid1".
+std::string of_first_processor(std::string word) {
+  const std::size_t end = word.find_last_not_of("0123456789");
+  const bool has_number = end != std::string::npos && end + 1 < word.size();
+  if (has_number && std::string_view(word).substr(0, end + 1).ends_with("pid")) word.replace(end + 1, word.npos, "1");
+  return word;
+}
+
 bool has_word(std::string_view words, std::string_view wanted) {
   while (!words.empty()) {
     const std::size_t blank = std::min(words.find(' '), words.size());
@@ -167,7 +175,7 @@ TableColumn column_named(std::string_view name) {
     text.erase(0, colon + 1);  // $PEDESTRIAN:NO of Viswalk
   }
   TableColumn column{.field = TrackField::none, .name = std::string(name), .unit = unit_taken_off(text)};
-  const std::string word = letters_and_digits(text);
+  const std::string word = of_first_processor(letters_and_digits(text));
   for (const FieldNames& names : field_names) {
     if (has_word(names.words, word)) column.field = names.field;
   }

@@ -38,7 +38,6 @@ struct TableLayout {
   std::vector<TableColumn> columns;
   bool may_be_empty = false;  ///< a line without an id says nothing, as in tables of SUMO
   bool is_whole = false;      ///< a line has no more columns
-  bool whole_ids = false;     ///< ids are numbers: 1.0e+00 is 1
 
   bool has(TrackField field) const;
   const TableColumn* column_of(TrackField field) const;

@@ -4,8 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
+#include "app/trajectory/clock_text.h"
+#include "app/trajectory/head_lines.h"
 #include "app/trajectory/number_text.h"
 #include "engine/anim/base/plain_text.h"
 
@@ -75,6 +78,15 @@ std::string shown(std::string_view text) {
   return "\"" + anim::plain_text(text.substr(0, 40)) + (text.size() > 40 ? "...\"" : "\"");
 }
 
+/// Returns the id without a fraction of zeros, of which programs that write numbers alone put one: 1.0e+00 is 1.
+std::string_view plain_id(std::string_view id, std::span<char, 32> digits) {
+  double number = 0.0;
+  const bool is_whole = id.find('.') != std::string_view::npos && is_number_text(id, number) &&
+                        std::abs(number) < 1e15 && number == std::floor(number);
+  if (!is_whole) return id;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), std::llround(number)).ptr};
+}
+
 }  // namespace
 
 struct TableParser::Cells {
@@ -95,14 +107,14 @@ TableParser::TableParser(TableLayout layout) : layout_(std::move(layout)) {
         column.field == TrackField::end_time || column.field == TrackField::end_x || column.field == TrackField::end_y;
     if (is_end && !has_ends) column.field = TrackField::none;
   }
-  reads_all_columns_ = layout_.is_whole && !layout_.columns.empty() && layout_.columns.back().field != TrackField::none;
-  while (!layout_.columns.empty() && layout_.columns.back().field == TrackField::none) layout_.columns.pop_back();
+  known_count_ = layout_.columns.size();
+  while (known_count_ > 0 && layout_.columns[known_count_ - 1].field == TrackField::none) --known_count_;
 }
 
 bool TableParser::read(std::string_view line, RowSink& sink) {
   const char* const end = line.data() + line.size();
   const char* const at = after_blanks(line.data(), end, layout_.separator);
-  if (at == end || *at == '#') return true;
+  if (at == end || is_comment({at, static_cast<std::size_t>(end - at)})) return true;
   Cells cells;
   cells.numbers.fill(no_number);
   return read_cells(at, end, cells, sink) && add(cells, sink);
@@ -110,14 +122,11 @@ bool TableParser::read(std::string_view line, RowSink& sink) {
 
 bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowSink& sink) const {
   const char separator = layout_.separator;
-  for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
+  for (std::size_t i = 0; i < known_count_; ++i) {
     const TrackField field = layout_.columns[i].field;
     at = after_blanks(at, end, separator);
     if (at == end && (separator == ' ' || (i > 0 && end[-1] != separator))) {
-      sink.fault = "it has " + std::to_string(i) + (i == 1 ? " column" : " columns") + ", but " +
-                   layout_.columns.back().name + " is column " + std::to_string(layout_.columns.size()) +
-                   "; put what is missing there";
-      return false;
+      return refuse_short(i, sink);
     }
     const char* stop = nullptr;
     if (field != TrackField::none && field != TrackField::id) {
@@ -131,7 +140,7 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
         const std::string_view text = cell_text(at, stop);
         const bool is_left_out = text.empty() && layout_.may_be_empty;
         if (is_left_out) number = no_number;
-        if (!is_left_out && (!is_number_text(text, number) || !std::isfinite(number))) {
+        if (!is_left_out && (!is_value(field, text, number) || !std::isfinite(number))) {
           return refuse_cell(i, text, sink);
         }
       }
@@ -141,16 +150,40 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
     }
     at = stop < end && *stop == separator ? stop + 1 : stop;
   }
-  return !reads_all_columns_ || is_at_end(at, end, sink);
+  return !layout_.is_whole || has_all_columns(at, end, sink);
 }
 
-/// Cells beyond the last column are those of a decimal comma, or of another table.
-bool TableParser::is_at_end(const char* at, const char* end, RowSink& sink) const {
-  while (at < end && (is_blank(*at) || *at == layout_.separator)) ++at;
+/// Cells beyond the last column are those of a decimal comma, of names of rows, or of another table.
+bool TableParser::has_all_columns(const char* at, const char* end, RowSink& sink) const {
+  const char separator = layout_.separator;
+  std::size_t count = known_count_;
+  bool is_over = separator != ' ' && at[-1] != separator;
+  for (; !is_over && count < layout_.columns.size(); ++count) {
+    at = after_blanks(at, end, separator);
+    if (separator == ' ' && at == end) break;
+    at = end_of_cell(at, end, separator);
+    is_over = at == end;
+    if (!is_over && separator != ' ') ++at;
+  }
+  if (count < layout_.columns.size() && !layout_.may_be_empty) return refuse_short(count, sink);
+  while (at < end && (is_blank(*at) || *at == separator)) ++at;
   if (at == end || *at == '#') return true;
   sink.fault = "it goes on after its " + std::to_string(layout_.columns.size()) +
-               " columns; write numbers with a point, and names with a comma in quotes";
+               " columns; name each column, write numbers with a point, and names with a comma in quotes";
   return false;
+}
+
+bool TableParser::refuse_short(std::size_t count, RowSink& sink) const {
+  const std::size_t all = layout_.is_whole ? layout_.columns.size() : known_count_;
+  sink.fault = "it has " + std::to_string(count) + (count == 1 ? " column" : " columns") + ", but " +
+               layout_.columns[all - 1].name + " is column " + std::to_string(all) + "; put what is missing there";
+  return false;
+}
+
+bool TableParser::is_value(TrackField field, std::string_view text, double& value) const {
+  const bool is_time = field == TrackField::time || field == TrackField::end_time;
+  return is_number_text(text, value) || (layout_.separator != ',' && is_decimal_comma_text(text, value)) ||
+         (is_time && is_clock_text(text, value));
 }
 
 bool TableParser::refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const {
@@ -181,12 +214,7 @@ bool TableParser::add(const Cells& cells, RowSink& sink) const {
     row.angle = static_cast<float>(cells[TrackField::angle]);
   }
   char digits[32];
-  std::string_view id = cells.id;
-  if (double number = 0.0; layout_.whole_ids && is_number_text(id, number) && std::abs(number) < 1e15) {
-    const char* const stop = std::to_chars(digits, std::end(digits), std::llround(number)).ptr;
-    id = {digits, static_cast<std::size_t>(stop - digits)};
-  }
-  row.person = sink.ids.number_of(id);
+  row.person = sink.ids.number_of(plain_id(cells.id, digits));
   if (!add_row(row, sink)) return false;
   const double end_time = cells[TrackField::end_time];
   if (std::isnan(end_time)) return true;

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// Reads the lines of a table, each a row, or two where a line is a step. Empty lines and those after a # say nothing.
+/// Reads the lines of a table, each a row, or two where a line is a step. Empty lines and comments say nothing.
 class TableParser final : public LineParser {
  public:
   explicit TableParser(TableLayout layout);
@@ -19,14 +19,16 @@ class TableParser final : public LineParser {
  private:
   struct Cells;
   bool read_cells(const char* at, const char* end, Cells& cells, RowSink& sink) const;
-  bool is_at_end(const char* at, const char* end, RowSink& sink) const;
+  bool has_all_columns(const char* at, const char* end, RowSink& sink) const;
+  bool refuse_short(std::size_t count, RowSink& sink) const;
   bool add(const Cells& cells, RowSink& sink) const;
+  bool is_value(TrackField field, std::string_view text, double& value) const;
   bool refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const;
 
   TableLayout layout_;
   TrackField time_ = TrackField::time;
   bool has_direction_ = false;
-  bool reads_all_columns_ = false;
+  std::size_t known_count_ = 0;  // of columns up to the last one that is known
 };
 
 }  // namespace throng::app

@@ -1,6 +1,7 @@
 #include "app/trajectory/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/trajectory/head_lines.h"
 #include "app/trajectory/ndjson.h"
 #include "app/trajectory/number_text.h"
+#include "app/trajectory/rounded_times.h"
 #include "app/trajectory/table_parser.h"
 #include "engine/anim/base/plain_text.h"
 
@@ -24,6 +26,15 @@ bool is_row_of_numbers(std::string_view line) {
   return !fields.empty() && std::ranges::all_of(fields, [&](const std::string& field) {
     return field.empty() || is_number_text(field, number);
   });
+}
+
+/// Rows of numbers and a label, as those of the Stanford drones.
+bool is_mostly_numbers(std::string_view line) {
+  double number = 0.0;
+  const std::vector<std::string> fields = fields_of(line, separator_of(line));
+  const auto count =
+      std::ranges::count_if(fields, [&](const std::string& field) { return is_number_text(field, number); });
+  return static_cast<std::size_t>(count) * 2 > fields.size();
 }
 
 std::string lower_case(std::string_view text) {
@@ -60,6 +71,27 @@ double units_a_second(const std::string& unit) {
   if (unit == "ns") return 1e9;
   if (unit == "min") return 1.0 / 60.0;
   return 1.0;
+}
+
+/// Returns why two names cannot both be right: "x is in m, and y in cm"; empty if they can.
+std::string unlike_units(const TableLayout& layout) {
+  const TableColumn& x = *layout.column_of(TrackField::x);
+  for (const TrackField field : {TrackField::y, TrackField::z}) {
+    const TableColumn* const other = layout.column_of(field);
+    const bool has_both = other != nullptr && metres_of(x.unit) && metres_of(other->unit);
+    if (has_both && x.unit != other->unit) {
+      return anim::in_quotes(x.name) + " is in " + x.unit + ", and " + anim::in_quotes(other->name) + " in " +
+             other->unit + "; write both in one unit";
+    }
+  }
+  return {};
+}
+
+/// Returns whether these are the columns that SUMO gives its people without a prefix.
+bool is_plain_sumo(const TableLayout& layout) {
+  return std::ranges::all_of(std::array{"type", "speed", "pos", "slope"}, [&](std::string_view name) {
+    return std::ranges::count(layout.columns, name, &TableColumn::name) > 0;
+  });
 }
 
 /// Takes what the names of columns say of units, and which columns there are.
@@ -136,7 +168,6 @@ TextFormat street_matrix() {
   TextFormat format;
   using enum TrackField;
   TableLayout layout = layout_without_header({frame, id, x, z, y});
-  layout.whole_ids = true;
   take_columns(layout, format.facts);
   format.facts.format = "ETH/UCY matrix (obsmat)";
   format.facts.rate_rule = RateRule::annotated;
@@ -151,7 +182,6 @@ TextFormat four_numbers(const HeadLines& lines, std::string_view rows, bool has_
   const TrackField when = first.counts_frames ? frame : time;
   TableLayout layout =
       first.frame_is_first ? layout_without_header({when, id, x, y}) : layout_without_header({id, when, x, y});
-  layout.whole_ids = first.frame_is_first;
   if (has_height) layout.columns.push_back(column_named("z"));
   TextFormat format = archive_text(lines, std::move(layout));
   if (!first.frame_is_first) return format;
@@ -161,14 +191,19 @@ TextFormat four_numbers(const HeadLines& lines, std::string_view rows, bool has_
   return format;
 }
 
+Error without_header(const HeadLines& lines) {
+  const std::size_t columns = fields_of(lines.first, separator_of(lines.first)).size();
+  return {"rows of " + counted(columns, "column") +
+          " without a header; put a line before them that names the columns, such as id,frame,x,y"};
+}
+
 Result<TextFormat> table_without_header(const HeadLines& lines, std::string_view rows) {
   const std::size_t columns = fields_of(lines.first, separator_of(lines.first)).size();
   const bool has_blanks = separator_of(lines.first) == ' ' || separator_of(lines.first) == '\t';
   if (auto named = layout_in_comments(lines)) return archive_text(lines, *std::move(named));
   if (has_blanks && (columns == 4 || columns == 5)) return four_numbers(lines, rows, columns == 5);
   if (has_blanks && (columns == 7 || columns == 8)) return street_matrix();
-  return Error{"rows of " + counted(columns, "number") +
-               " without a header; put a line before them that names the columns, such as id,frame,x,y"};
+  return without_header(lines);
 }
 
 Error unnamed(const HeadLines& lines, const std::string& missing) {
@@ -198,17 +233,36 @@ Result<TextFormat> sumo_table(const HeadLines& lines) {
   return format;
 }
 
-Result<TextFormat> table_with_header(const HeadLines& lines) {
+/// Takes frames for the time where times are rounded to less than a frame.
+void prefer_frames(std::string_view rows, TableLayout& layout, RowFacts& facts) {
+  if (!layout.has(TrackField::time) || !layout.has(TrackField::frame)) return;
+  const RoundedTimes times = rounded_times_of(rows, layout);
+  if (!times.are_rounded) return;
+  const auto time = std::ranges::find(layout.columns, TrackField::time, &TableColumn::field);
+  facts.said.push_back("Times are rounded: several rows of a person have one " + anim::in_quotes(time->name) +
+                       ". Frames are taken instead; --fps gives their rate.");
+  if (times.rate) facts.rate = *times.rate * units_a_second(time->unit);
+  time->field = TrackField::none;
+}
+
+Result<TextFormat> table_with_header(const HeadLines& lines, std::string_view rows) {
   if (has_columns_of(lines.first, "person") || has_columns_of(lines.first, "vehicle")) return sumo_table(lines);
   TableLayout layout = layout_of_header(lines.first);
-  if (const std::string missing = missing_fields(layout); !missing.empty()) return unnamed(lines, missing);
+  if (const std::string missing = missing_fields(layout); !missing.empty()) {
+    return is_mostly_numbers(lines.first) ? without_header(lines) : unnamed(lines, missing);
+  }
   take_units(lines, layout);
+  if (std::string unlike = unlike_units(layout); !unlike.empty()) return Error{std::move(unlike)};
   TextFormat format;
+  prefer_frames(rows, layout, format.facts);
   take_columns(layout, format.facts);
   const bool is_vadere = layout.has(TrackField::end_time) || lower_case(lines.first).find("-pid") != std::string::npos;
   if (is_vadere) {
     format.facts.format = "Vadere";
     format.facts.repeats_ends = true;
+  } else if (is_plain_sumo(layout)) {
+    format.facts.format = "SUMO FCD table";
+    if (format.facts.angle == AngleMeaning::unknown) format.facts.angle = AngleMeaning::compass;
   } else {
     format.facts.format = "table with a header";
     take_comments(lines, format.facts);
@@ -236,6 +290,9 @@ std::string why_no_text(std::string_view head, std::string_view remedy) {
   std::string no_text = "it is no text and no database; " + std::string(remedy);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
+  if (head.find('\n') == head.npos && std::ranges::count(head, '\r') > 1) {
+    return "its lines end with a carriage return alone; save it with the ends of lines of Windows or Linux";
+  }
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";
   const auto is_odd = [](char c) {
     return static_cast<unsigned char>(c) < ' ' && std::string_view("\t\n\r\f\v\0", 6).find(c) == std::string_view::npos;
@@ -259,7 +316,7 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*o
   if (is_row_of_numbers(lines.first)) {
     return with_body(table_without_header(lines, head.substr(lines.first_byte)), lines.first_byte, lines.first_line);
   }
-  auto table = with_body(table_with_header(lines), lines.body_byte, lines.first_line);
+  auto table = with_body(table_with_header(lines, head.substr(lines.body_byte)), lines.body_byte, lines.first_line);
   if (table) table->body_line = lines.body_line;
   return table;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/files/joined.h"
+#include "app/trajectory/trajectories.h"
 
 namespace throng::app {
 namespace {
@@ -220,6 +221,24 @@ bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_u
   return is_head;
 }
 
+/// Doubts speeds that no person has. Vehicles have them.
+void doubt_speeds(RawTracks& tracks, const std::vector<SampledStep>& steps, const RowScale& scale) {
+  constexpr double slowest = 0.02;  // metres a second: the tenth of a shuffle
+  const double metres_a_second = scale.metres_a_unit * scale.times_a_second;
+  const double middle = pace(steps, 0.5) * metres_a_second, fast = pace(steps, 0.95) * metres_a_second;
+  RowFacts& facts = tracks.facts;
+  if (middle > static_cast<double>(fastest_person) && facts.format.find("vehicles") == std::string::npos) {
+    facts.said.push_back("People go " + fixed(middle, 0) +
+                         " m/s in the middle of all steps, which is too fast to be true: " +
+                         (facts.has_frames ? "--unit cm or --fps may mend it." : "--unit cm may mend it."));
+  }
+  if (steps.size() >= 10 && fast > 0.0 && fast < slowest) {
+    facts.said.push_back("People go " + fixed(fast, 4) + " m/s at the most, which is too slow to be true: " +
+                         (facts.has_frames ? "--fps or --unit may mend it."
+                                           : "name the column \"time [ms]\" where it counts milliseconds."));
+  }
+}
+
 }  // namespace
 
 Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options) {
@@ -233,6 +252,7 @@ Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options) {
   if (!angle) return angle.error();
   scale.angle = *angle;
   scale.z_is_head = z_is_head(tracks, options, scale.metres_a_unit);
+  doubt_speeds(tracks, steps, scale);
   return scale;
 }
 

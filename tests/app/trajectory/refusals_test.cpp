@@ -27,9 +27,10 @@ TEST(TrackRefusals, NameFileLineAndRemedyOfABadRow) {
   EXPECT_THAT(table_error("1,0,1e8,0\n"), HasSubstr("more than 10,000 km off; put metres there"));
   EXPECT_THAT(table_error("1,1e300,0,0\n"), HasSubstr("its time is thousands of years off"));
   EXPECT_THAT(table_error("1,0,1e999,0\n"), HasSubstr("\"1e999\" is not a number"));
-  EXPECT_THAT(error_of("a.csv", "id;time;x;y\n1;0;1,5;0\n"), HasSubstr("with a point instead of the comma"));
+  EXPECT_THAT(error_of("a.csv", "id;time;x;y\n1;0;1,500.5;0\n"), HasSubstr("with a point instead of the comma"));
   EXPECT_THAT(table_error("1,0," + std::string(100, 'x') + ",0\n"), HasSubstr("\"" + std::string(40, 'x') + "...\""));
-  EXPECT_THAT(table_error("1,0,1,5,0,5\n"), HasSubstr("it goes on after its 4 columns; write numbers with a point"));
+  EXPECT_THAT(table_error("1,0,1,5,0,5\n"),
+              HasSubstr("it goes on after its 4 columns; name each column, write numbers with a point"));
 }
 
 TEST(TrackRefusals, SkipAndCountBadRowsWhereTheyMay) {
@@ -63,8 +64,8 @@ TEST(TrackRefusals, SayWhatIsNoTextOfRows) {
                                             "ELF\x02\x01\0\0\0\0",
                                             10)),
               HasSubstr("it is no text and no database"));
-  EXPECT_THAT(error_of("a.csv", "1,2,3\n4,5,6\n"), HasSubstr("line 1: rows of 3 numbers without a header; put a line"));
-  EXPECT_THAT(error_of("a.csv", "1 2 3 4 5 6\n"), HasSubstr("rows of 6 numbers without a header"));
+  EXPECT_THAT(error_of("a.csv", "1,2,3\n4,5,6\n"), HasSubstr("line 1: rows of 3 columns without a header; put a line"));
+  EXPECT_THAT(error_of("a.csv", "1 2 3 4 5 6\n"), HasSubstr("rows of 6 columns without a header"));
   EXPECT_THAT(error_of("a.csv", std::string(100'000, 'x')), HasSubstr("line 1: it is longer than 64 KiB"));
   EXPECT_THAT(error_of("a.csv", header + std::string(3'000'000, '1')), HasSubstr("line 2: it is longer than 1 MiB"));
   const TrackFolder folder;

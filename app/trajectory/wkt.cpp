@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
 
 #include "app/trajectory/file_plan.h"
 #include "app/trajectory/number_text.h"
@@ -146,6 +149,7 @@ class WktReader {
       before = at_;
       kind = word();
     }
+    while (kind.ends_with('Z') || kind.ends_with('M')) kind.pop_back();  // LineStringZ
     const std::size_t after = at_;
     if (const std::string dimension = word(); dimension != "Z" && dimension != "M" && dimension != "ZM") at_ = after;
     if (kind == "POINT" || kind == "MULTIPOINT") return read_points_alone();
@@ -169,41 +173,79 @@ class WktReader {
   std::string fault_;
 };
 
-bool is_inside(const glm::dvec2& point, const FileRing& ring) {
-  bool is_in = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const glm::dvec2 &a = ring[i], &b = ring[j];
-    if ((a.y > point.y) != (b.y > point.y) && point.x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x)
-      is_in = !is_in;
+/// Finds the polygons that lie within another one. Each may be compared with each, so the work has an end.
+class ObstacleSearch {
+ public:
+  explicit ObstacleSearch(const std::vector<FileArea>& areas) : areas_(areas) {
+    for (const FileArea& area : areas) {
+      Box box{area.outline.front(), area.outline.front()};
+      for (const glm::dvec2& corner : area.outline) box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+      boxes_.push_back(box);
+    }
   }
-  return is_in;
-}
 
-/// Returns whether all corners of a ring lie within an area, which has other corners.
-bool is_within(const FileRing& ring, const FileArea& area) {
-  return std::ranges::all_of(ring, [&](const glm::dvec2& corner) {
-    return is_inside(corner, area.outline) &&
-           std::ranges::none_of(area.holes, [&](const FileRing& hole) { return is_inside(corner, hole); });
-  });
-}
+  /// Returns whether all corners of an area lie within another one, and not in its holes.
+  bool is_obstacle(std::size_t area) {
+    for (std::size_t other = 0; other < areas_.size() && !is_too_much(); ++other) {
+      ++steps_;
+      if (other != area && is_in_box(boxes_[area], boxes_[other]) && is_within(areas_[area].outline, areas_[other])) {
+        return true;
+      }
+    }
+    return false;
+  }
+  bool is_too_much() const { return steps_ > most_steps; }
+
+ private:
+  struct Box {
+    glm::dvec2 low, high;
+  };
+  static constexpr std::size_t most_steps = 3'200'000'000;  // some three seconds
+  static constexpr std::size_t steps_an_edge = 8;           // a comparison of boxes is one
+
+  static bool is_in_box(const Box& inner, const Box& outer) {
+    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y && inner.high.x <= outer.high.x &&
+           inner.high.y <= outer.high.y;
+  }
+  bool is_inside(const glm::dvec2& point, const FileRing& ring) {
+    steps_ += ring.size() * steps_an_edge;
+    bool is_in = false;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const glm::dvec2 &a = ring[i], &b = ring[j];
+      if ((a.y > point.y) != (b.y > point.y) && point.x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x)
+        is_in = !is_in;
+    }
+    return is_in;
+  }
+  bool is_within(const FileRing& ring, const FileArea& area) {
+    return std::ranges::all_of(ring, [&](const glm::dvec2& corner) {
+      return !is_too_much() && is_inside(corner, area.outline) &&
+             std::ranges::none_of(area.holes, [&](const FileRing& hole) { return is_inside(corner, hole); });
+    });
+  }
+
+  const std::vector<FileArea>& areas_;
+  std::vector<Box> boxes_;
+  std::size_t steps_ = 0;
+};
 
 /// A polygon within another one is something that stands there.
-void move_obstacles(FilePlan& plan) {
-  constexpr std::size_t most_polygons = 2000;  // each is compared with each
-  if (plan.floors.size() > most_polygons) return;
+Status move_obstacles(FilePlan& plan) {
+  ObstacleSearch search(plan.floors);
   std::vector<FileArea> floors;
   for (std::size_t i = 0; i < plan.floors.size(); ++i) {
-    bool is_obstacle = false;
-    for (std::size_t j = 0; j < plan.floors.size() && !is_obstacle; ++j) {
-      is_obstacle = i != j && is_within(plan.floors[i].outline, plan.floors[j]);
-    }
-    if (is_obstacle) {
+    if (search.is_obstacle(i)) {
       plan.obstacles.push_back(plan.floors[i].outline);
     } else {
       floors.push_back(plan.floors[i]);
     }
+    if (search.is_too_much()) {
+      return Error{"its " + std::to_string(plan.floors.size()) +
+                   " polygons take too long to compare; write obstacles as holes of the floor, or as lines"};
+    }
   }
   plan.floors = std::move(floors);
+  return Done{};
 }
 
 }  // namespace
@@ -212,7 +254,7 @@ Result<FilePlan> parse_wkt(std::string_view text) {
   FilePlan plan;
   WktReader reader(text);
   if (!reader.read_all(plan)) return reader.error();
-  move_obstacles(plan);
+  if (const Status moved = move_obstacles(plan); !moved) return moved.error();
   return plan;
 }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -32,12 +33,39 @@ TEST(Wkt, ReadsEveryKindOfGeometry) {
   EXPECT_EQ(plan->floors[0].holes[0].size(), 3U);
 }
 
+TEST(Wkt, TakesADimensionThatIsWrittenToTheName) {
+  const auto plan = parse_wkt("LineStringZ (0 0 1, 1 0 1) POLYGONZM((0 0 1 2, 4 0 1 2, 4 4 1 2)) POINTM (1 2 3)");
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->walls.size(), 1U);
+  EXPECT_EQ(plan->floors.size(), 1U);
+}
+
 TEST(Wkt, TakesAPolygonWithinAnotherAsAnObstacle) {
   const auto plan =
       parse_wkt("POLYGON ((0 0, 9 0, 9 9, 0 9)) POLYGON ((1 1, 2 1, 2 2, 1 2)) POLYGON ((20 0, 29 0, 29 9))");
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->floors.size(), 2U);
   EXPECT_EQ(plan->obstacles.size(), 1U);
+}
+
+/// Polygons of so many corners around (0, 0), each within the next.
+std::string nested_polygons(int count, int corners) {
+  std::string text;
+  for (int polygon = 1; polygon <= count; ++polygon) {
+    text += "POLYGON ((";
+    for (int i = 0; i < corners; ++i) {
+      const double turn = 6.28318530718 * i / corners;
+      text += std::to_string(polygon * std::cos(turn)) + " " + std::to_string(polygon * std::sin(turn)) + ",";
+    }
+    text.back() = ')';
+    text += ")";
+  }
+  return text;
+}
+
+TEST(Wkt, RefusesPolygonsThatTakeTooLongToCompare) {
+  EXPECT_EQ(fault(nested_polygons(20, 40)), "");
+  EXPECT_THAT(fault(nested_polygons(700, 1000)), HasSubstr("its 700 polygons take too long to compare; write"));
 }
 
 TEST(Wkt, SaysLineAndRemedyOfWhatIsBroken) {

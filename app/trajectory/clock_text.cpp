@@ -44,7 +44,8 @@ bool is_clock_text(std::string_view text, double& value) {
   std::array<int, 2> hours_and_minutes{};
   double seconds = 0.0;
   if (!take_numbers(text, ':', hours_and_minutes) || !text.starts_with(':')) return false;
-  if (!is_number_text(text.substr(1), seconds) || seconds >= 61.0 || hours_and_minutes[1] > 59) return false;
+  const bool has_seconds = is_number_text(text.substr(1), seconds) || is_decimal_comma_text(text.substr(1), seconds);
+  if (!has_seconds || seconds >= 61.0 || hours_and_minutes[1] > 59) return false;
   value += 3600.0 * hours_and_minutes[0] + 60.0 * hours_and_minutes[1] + seconds;
   return true;
 }

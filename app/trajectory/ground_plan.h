@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,22 @@ struct Plan {
   std::vector<Line> walls;      ///< upright, without thickness
   std::vector<Area> exits;
   std::vector<Line> measurement_lines;
+  std::size_t unknown_shapes = 0;  ///< of the file, which are left out
 
   bool is_empty() const {
     return floors.empty() && obstacles.empty() && walls.empty() && exits.empty() && measurement_lines.empty();
   }
 };
+
+/// Calls visit(point) for each point of what stands or can be walked on.
+template <typename Point, typename Visit>
+void for_points(const Plan<Point>& plan, Visit visit) {
+  for (const auto* const areas : {&plan.floors, &plan.exits}) {
+    for (const auto& area : *areas) std::ranges::for_each(area.outline, visit);
+  }
+  for (const auto& ring : plan.obstacles) std::ranges::for_each(ring, visit);
+  for (const auto& line : plan.walls) std::ranges::for_each(line.points, visit);
+}
 
 /// A plan in the program's axes: x and z in metres.
 using GroundPlan = Plan<glm::vec2>;

@@ -169,7 +169,8 @@ class NdjsonParser final : public LineParser {
       if (!number_of(TrackField::angle, value)) return false;
       row.angle = static_cast<float>(value);
     }
-    row.person = sink.ids.number_of(found[static_cast<std::size_t>(TrackField::id)]);
+    std::array<char, 32> digits;
+    row.person = sink.ids.number_of(plain_id(found[static_cast<std::size_t>(TrackField::id)], digits));
     return add_row(row, sink);
   }
 

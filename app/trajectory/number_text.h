@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -55,6 +56,17 @@ inline bool is_decimal_comma_text(std::string_view text, double& value) {
   if (text.size() > pointed.size() || text.find('.') != std::string_view::npos) return false;
   char* const end = std::ranges::replace_copy(text, pointed.begin(), ',', '.').out;
   return is_number_text({pointed.data(), end}, value);
+}
+
+/// Returns an id without a fraction of zeros, of which programs that write numbers alone put one: 1.0e+00 is 1. The
+/// view is into `id` or `digits`.
+inline std::string_view plain_id(std::string_view id, std::array<char, 32>& digits) {
+  double number = 0.0;
+  const bool is_whole = id.find('.') != std::string_view::npos && is_number_text(id, number) &&
+                        std::abs(number) < 1e15 && number == std::floor(number);
+  if (!is_whole) return id;
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), std::llround(number)).ptr;
+  return {digits.data(), static_cast<std::size_t>(end - digits.data())};
 }
 
 }  // namespace throng::app

@@ -6,8 +6,12 @@
 #include <filesystem>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "app/files/joined.h"
 #include "app/trajectory/fcd_xml.h"
+#include "app/trajectory/ground_bounds.h"
+#include "app/trajectory/json_records.h"
 #include "app/trajectory/raw_rows.h"
 #include "app/trajectory/sqlite_file.h"
 #include "app/trajectory/text_format.h"
@@ -75,42 +79,27 @@ Status read_raw(const std::string& file, const TrackReading& options, const Read
   if (!head) return head.error();
   if (is_sqlite(*head)) return read_sqlite(file, options, progress, tracks);
   if (is_xml(*head)) return read_fcd_xml(file, options, progress, tracks);
+  if (is_json_document(*head)) return read_json_records(file, options, tracks);
   return read_text_rows(file, *head, options, progress, tracks);
 }
 
 /// The width of a plan in its units; 0 of none.
 double width_of(const FilePlan& plan) {
-  double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;
-  const auto add = [&](const FileRing& ring) {
-    for (const glm::dvec2& point : ring) {
-      least_x = std::min(least_x, point.x);
-      most_x = std::max(most_x, point.x);
-      least_y = std::min(least_y, point.y);
-      most_y = std::max(most_y, point.y);
-    }
-  };
-  for (const FileArea& area : plan.floors) add(area.outline);
-  for (const FileRing& ring : plan.obstacles) add(ring);
-  for (const FileLine& line : plan.walls) add(line.points);
-  return std::max({most_x - least_x, most_y - least_y, 0.0});
+  glm::dvec2 least(1e300), most(-1e300);
+  for_points(plan, [&](const glm::dvec2& point) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  });
+  return std::max({most.x - least.x, most.y - least.y, 0.0});
 }
 
-double width_of(const Trajectories& tracks) {
-  float least_x = 1e30F, most_x = -1e30F, least_z = 1e30F, most_z = -1e30F;
-  for (const PersonTrack& person : tracks.persons) {
-    for (const TrackRow& row : person.rows) {
-      least_x = std::min(least_x, row.x);
-      most_x = std::max(most_x, row.x);
-      least_z = std::min(least_z, row.z);
-      most_z = std::max(most_z, row.z);
-    }
-  }
-  return static_cast<double>(std::max(most_x - least_x, most_z - least_z));
+double width_of(const GroundBounds& bounds) {
+  return static_cast<double>(std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y));
 }
 
 /// Walls of a file of its own may be in other units than the rows: in those in which they are about as wide.
 double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
-  const double people = std::max(width_of(tracks), 1.0), walls = width_of(plan);
+  const double people = std::max(width_of(bounds_of(tracks)), 1.0), walls = width_of(plan);
   double best = 1.0;
   const auto misfit = [&](double unit) { return walls > 0.0 ? std::abs(std::log(walls * unit / people)) : 0.0; };
   for (const double unit : std::array{0.01, 0.001}) {
@@ -142,7 +131,8 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (beside) raw.facts.said.push_back("The place is that of " + *beside + ".");
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
-  if (!walls->is_empty()) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
+  const bool has_walls = !walls->is_empty() || walls->unknown_shapes > 0;
+  if (has_walls) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
   if (progress) progress(1.0);
   return tracks;
 }
@@ -151,6 +141,10 @@ bool looks_like_trajectories(const std::string& file) {
   const auto head = read_head(file);
   if (!head) return false;
   if (is_sqlite(*head) || is_xml(*head)) return true;
+  if (is_json_document(*head)) {  // as models, presets and crowds are
+    RawTracks tracks;
+    return head->starts_with('[') || read_json_records(file, {}, tracks).has_value();
+  }
   if (text_format_of(*head, {})) return true;
   // A table that is refused is no model all the same.
   std::filesystem::path name = file;

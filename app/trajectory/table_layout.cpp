@@ -110,12 +110,6 @@ std::string acceptable(TrackField field) {
   return first + " (" + joined(shown) + ", ...)";
 }
 
-std::size_t rank_of(TrackField field, const std::string& name) {
-  std::string text = lower(name);
-  unit_taken_off(text);
-  return words_of(field).find(letters_and_digits(text));
-}
-
 }  // namespace
 
 bool TableLayout::has(TrackField field) const { return column_of(field) != nullptr; }
@@ -182,6 +176,12 @@ TableColumn column_named(std::string_view name) {
   return column;
 }
 
+std::size_t rank_of(const TableColumn& column) {
+  std::string text = lower(column.name);
+  unit_taken_off(text);
+  return words_of(column.field).find(letters_and_digits(text));
+}
+
 TableLayout layout_of_header(std::string_view line, std::string_view prefix) {
   TableLayout layout{.separator = separator_of(line), .columns = {}, .is_whole = true};
   for (const std::string& name : fields_of(line, layout.separator)) {
@@ -190,10 +190,9 @@ TableLayout layout_of_header(std::string_view line, std::string_view prefix) {
     const bool is_other = !prefix.empty() && !has_prefix && column.field != TrackField::time;
     if (is_other) column.field = TrackField::none;
     column.name = name;
-    // A table of Pathfinder has an id and a name: the commoner word is meant.
     const auto same = std::ranges::find(layout.columns, column.field, &TableColumn::field);
     if (column.field != TrackField::none && same != layout.columns.end()) {
-      const bool is_better = rank_of(column.field, column.name) < rank_of(same->field, same->name);
+      const bool is_better = rank_of(column) < rank_of(*same);
       (is_better ? same->field : column.field) = TrackField::none;
     }
     layout.columns.push_back(std::move(column));

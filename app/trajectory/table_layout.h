@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ bool is_unit(std::string_view word);
 
 /// Returns what the name of a column means, and its unit: "X [cm]" is x in cm. Case does not matter.
 TableColumn column_named(std::string_view name);
+
+/// Returns how uncommon a name is among those of its field: a table of Pathfinder has an id and a name, and the id is
+/// meant.
+std::size_t rank_of(const TableColumn& column);
 
 /// Names the columns of a header. `prefix` is left out of names: "person" for person_x. Of fields that two columns
 /// could be, the first is taken.

@@ -1,10 +1,8 @@
 #include "app/trajectory/table_parser.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <utility>
 
 #include "app/trajectory/clock_text.h"
@@ -73,18 +71,25 @@ std::string_view cell_text(const char* at, const char* end) {
   return {at, static_cast<std::size_t>(end - at)};
 }
 
+/// Returns the text of a quoted cell with one quote for two: ""a"" is "a".
+std::string with_single_quotes(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"') ++i;
+    result += text[i];
+  }
+  return result;
+}
+
 /// Returns what an error shows of a cell: its first letters.
 std::string shown(std::string_view text) {
   return "\"" + anim::plain_text(text.substr(0, 40)) + (text.size() > 40 ? "...\"" : "\"");
 }
 
-/// Returns the id without a fraction of zeros, of which programs that write numbers alone put one: 1.0e+00 is 1.
-std::string_view plain_id(std::string_view id, std::span<char, 32> digits) {
-  double number = 0.0;
-  const bool is_whole = id.find('.') != std::string_view::npos && is_number_text(id, number) &&
-                        std::abs(number) < 1e15 && number == std::floor(number);
-  if (!is_whole) return id;
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), std::llround(number)).ptr};
+bool is_value(TrackField field, std::string_view text, bool may_have_comma, double& value) {
+  const bool is_time = field == TrackField::time || field == TrackField::end_time;
+  return is_number_text(text, value) || (may_have_comma && is_decimal_comma_text(text, value)) ||
+         (is_time && is_clock_text(text, value));
 }
 
 }  // namespace
@@ -140,7 +145,8 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
         const std::string_view text = cell_text(at, stop);
         const bool is_left_out = text.empty() && layout_.may_be_empty;
         if (is_left_out) number = no_number;
-        if (!is_left_out && (!is_value(field, text, number) || !std::isfinite(number))) {
+        const bool may_have_comma = separator != ',' || *at == '"';
+        if (!is_left_out && (!is_value(field, text, may_have_comma, number) || !std::isfinite(number))) {
           return refuse_cell(i, text, sink);
         }
       }
@@ -180,12 +186,6 @@ bool TableParser::refuse_short(std::size_t count, RowSink& sink) const {
   return false;
 }
 
-bool TableParser::is_value(TrackField field, std::string_view text, double& value) const {
-  const bool is_time = field == TrackField::time || field == TrackField::end_time;
-  return is_number_text(text, value) || (layout_.separator != ',' && is_decimal_comma_text(text, value)) ||
-         (is_time && is_clock_text(text, value));
-}
-
 bool TableParser::refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const {
   double number = 0.0;
   const bool is_number = is_number_text(text, number);
@@ -213,8 +213,9 @@ bool TableParser::add(const Cells& cells, RowSink& sink) const {
   } else {
     row.angle = static_cast<float>(cells[TrackField::angle]);
   }
-  char digits[32];
-  row.person = sink.ids.number_of(plain_id(cells.id, digits));
+  std::array<char, 32> digits;
+  const bool has_quotes = cells.id.find("\"\"") != std::string_view::npos;
+  row.person = sink.ids.number_of(has_quotes ? with_single_quotes(cells.id) : plain_id(cells.id, digits));
   if (!add_row(row, sink)) return false;
   const double end_time = cells[TrackField::end_time];
   if (std::isnan(end_time)) return true;

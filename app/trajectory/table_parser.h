@@ -22,7 +22,6 @@ class TableParser final : public LineParser {
   bool has_all_columns(const char* at, const char* end, RowSink& sink) const;
   bool refuse_short(std::size_t count, RowSink& sink) const;
   bool add(const Cells& cells, RowSink& sink) const;
-  bool is_value(TrackField field, std::string_view text, double& value) const;
   bool refuse_cell(std::size_t column, std::string_view text, RowSink& sink) const;
 
   TableLayout layout_;

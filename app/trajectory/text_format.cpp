@@ -94,25 +94,6 @@ bool is_plain_sumo(const TableLayout& layout) {
   });
 }
 
-/// Takes what the names of columns say of units, and which columns there are.
-void take_columns(const TableLayout& layout, RowFacts& facts) {
-  const TableColumn* const time = layout.column_of(TrackField::time);
-  facts.has_frames = time == nullptr;
-  if (time != nullptr) facts.times_a_second = units_a_second(time->unit);
-  if (const auto metres = metres_of(layout.column_of(TrackField::x)->unit)) {
-    facts.unit = metres;
-    facts.said.push_back("The header says that x is in " + layout.column_of(TrackField::x)->unit + ".");
-  }
-  facts.has_z = layout.has(TrackField::z);
-  if (layout.has(TrackField::direction_x) && layout.has(TrackField::direction_y)) {
-    facts.angle = AngleMeaning::heading;
-  } else if (const TableColumn* const angle = layout.column_of(TrackField::angle)) {
-    facts.angle = angle->unit.starts_with("deg")   ? AngleMeaning::degrees
-                  : angle->unit.starts_with("rad") ? AngleMeaning::radians
-                                                   : AngleMeaning::unknown;
-  }
-}
-
 TableLayout layout_without_header(std::initializer_list<TrackField> fields) {
   TableLayout layout;
   static constexpr const char* names[] = {"",      "id",          "time",        "frame",    "x",     "y",    "z",
@@ -279,6 +260,24 @@ Result<TextFormat> with_body(Result<TextFormat> format, std::size_t body, std::s
 }
 
 }  // namespace
+
+void take_columns(const TableLayout& layout, RowFacts& facts) {
+  const TableColumn* const time = layout.column_of(TrackField::time);
+  facts.has_frames = time == nullptr;
+  if (time != nullptr) facts.times_a_second = units_a_second(time->unit);
+  if (const auto metres = metres_of(layout.column_of(TrackField::x)->unit)) {
+    facts.unit = metres;
+    facts.said.push_back("The header says that x is in " + layout.column_of(TrackField::x)->unit + ".");
+  }
+  facts.has_z = layout.has(TrackField::z);
+  if (layout.has(TrackField::direction_x) && layout.has(TrackField::direction_y)) {
+    facts.angle = AngleMeaning::heading;
+  } else if (const TableColumn* const angle = layout.column_of(TrackField::angle)) {
+    facts.angle = angle->unit.starts_with("deg")   ? AngleMeaning::degrees
+                  : angle->unit.starts_with("rad") ? AngleMeaning::radians
+                                                   : AngleMeaning::unknown;
+  }
+}
 
 bool has_first_row(std::string_view head) {
   const HeadLines lines = lines_of(head);

@@ -7,6 +7,7 @@
 
 #include "app/trajectory/raw_rows.h"
 #include "app/trajectory/reading.h"
+#include "app/trajectory/table_layout.h"
 
 namespace throng::app {
 
@@ -18,6 +19,9 @@ struct TextFormat {
   std::size_t body = 0;                   ///< the byte at which rows begin
   std::size_t body_line = 1;              ///< its line
 };
+
+/// Takes what the names of columns say of units, and which columns there are.
+void take_columns(const TableLayout& layout, RowFacts& facts);
 
 /// Tells a text apart by its first lines, which `head` holds up to its last newline or the file's end.
 /// The error is the end of a sentence that begins with the file's name.

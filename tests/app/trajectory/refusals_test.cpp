@@ -84,8 +84,7 @@ TEST(TrackRefusals, SayWhatIsWrongWithOtherFormats) {
               HasSubstr("of which none is x (posx, xpos, positionx, ...); name them so"));
   EXPECT_THAT(error_of("a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1, \"y\": 1}}\n{\"track\": {\"f\": 1\n"),
               HasSubstr("a.ndjson: line 2: it is no JSON object; put one there"));
-  EXPECT_EQ(error_of("a.json", "{\n  \"0\": {\n"),
-            "a.json: line 1: it is JSON over several lines; put the object of a row on each line, or export CSV");
+  EXPECT_EQ(error_of("a.json", "{\n  \"0\": {\n"), "a.json: its text is not JSON at line 3, column 1; export it again");
   EXPECT_THAT(error_of("a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": \"a\", \"y\": 1}}\n"),
               HasSubstr("line 1: \"a\" is not a number; put x there"));
   EXPECT_THAT(error_of("a.ndjson", "{\"track\": {\"f\": 1, \"x\": 1, \"y\": 1}}\n"), HasSubstr("it has no id"));

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/trajectory/raw_rows.h"
+#include "app/trajectory/reading.h"
+
+namespace throng::app {
+
+/// Returns whether a file that begins so is one JSON document: a list, or an object that is no row of its own.
+bool is_json_document(std::string_view head);
+
+/// Reads the objects of a document that have x and y, at any depth, by the names that columns of tables may have. An
+/// object has what those around it say besides: {"time": 0.4, "people": [{"id": 7, "x": 1.5, "y": 2}]} is a row, and
+/// so is {"id": 7, "way": [{"time": 0.4, "x": 1.5, "y": 2}]}. The document is of at most 16 MiB.
+/// Errors begin with the file's name.
+Status read_json_records(const std::string& file, const TrackReading& options, RawTracks& tracks);
+
+}  // namespace throng::app

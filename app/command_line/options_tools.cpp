@@ -4,6 +4,7 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
+#include "app/command_line/options_trajectories.h"
 #include "app/settings/placement_options.h"
 #include "app/settings/tuning_values.h"
 
@@ -72,8 +73,11 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reading(reader, options.reading);
   reader.flag("--json", options.json, "As one JSON object");
   declare_placement(reader, options.placement);
-  reader.footer("Example:\n  throng inspect fox.glb --strict");
+  reader.option_defaults()->group("How trajectories are read");
+  declare_track_reading(reader, options.tracks);
+  reader.footer("Examples:\n  throng inspect fox.glb --strict\n  throng inspect walk.csv --unit cm --fps 16");
   if (auto stop = reader.read(arguments)) return *stop;
+  options.tracks.up = options.placement.up == anim::UpAxis::y && reader.given("--up") ? TrackUp::y : TrackUp::z;
   return options;
 }
 

@@ -14,9 +14,8 @@ namespace {
 constexpr double most_rows_a_second = 10'000.0;
 constexpr double farthest_time = 1e12;  // seconds
 constexpr double fastest_rate = 100.0;
-constexpr std::array<const char*, 10> needs_file{"--walls",        "--fps",    "--unit",       "--height",
-                                                 "--angle",        "--start",  "--track-rate", "--track-part",
-                                                 "--track-repeat", "--lenient"};
+constexpr std::array needs_file{"--walls",   "--fps",   "--time-unit",  "--unit",       "--height",      "--angle",
+                                "--lenient", "--start", "--track-rate", "--track-part", "--track-repeat"};
 
 std::string name_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
@@ -43,6 +42,19 @@ ValueReader track_part(std::optional<std::pair<double, double>>& target) {
   };
 }
 
+/// Reads a word for a unit, or the metres of one.
+ValueReader length_unit(std::optional<double>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::optional<double> number;
+    if (!choice<double>(number, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"km", 1000.0}, {"ft", 0.3048}})(text) ||
+        !real_number(number, 1e-6, 1e6)(text)) {
+      target = number;
+      return {};
+    }
+    return "must be m, cm, mm, km, ft or the metres of a unit, 0.000001 to 1000000";
+  };
+}
+
 Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
   if (axis == anim::UpAxis::y) return reading.up = TrackUp::y, Complaint();
   if (axis == anim::UpAxis::z) return reading.up = TrackUp::z, Complaint();
@@ -51,24 +63,37 @@ Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
 
 }  // namespace
 
+void declare_track_reading(OptionReader& reader, TrackReading& reading) {
+  reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
+               file_name(reading.walls));
+  reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
+               real_number(reading.fps, 0.001, most_rows_a_second));
+  reader.value(
+      "--time-unit", "s|ms|us|ns|min", "The unit of its times, where rows have times (by name of the column)",
+      choice<double>(reading.times_a_second, {{"s", 1.0}, {"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}, {"min", 1.0 / 60.0}}));
+  reader.value("--unit", "m|cm|mm|km|ft|X", "The unit of its places, or how many metres it is (told apart)",
+               length_unit(reading.metres_a_unit));
+  reader.value(
+      "--height", "head|ground|none", "What its third coordinate is the height of; none: leave it out (by format)",
+      choice<TrackHeight>(reading.height,
+                          {{"head", TrackHeight::head}, {"ground", TrackHeight::ground}, {"none", TrackHeight::none}}));
+  reader.value("--angle", "degrees|radians|north|none",
+               "What its angles are: from +x, or degrees clockwise from north; none: leave them out (told apart)",
+               choice<TrackAngle>(reading.angle, {{"degrees", TrackAngle::degrees},
+                                                  {"radians", TrackAngle::radians},
+                                                  {"north", TrackAngle::north},
+                                                  {"none", TrackAngle::none}}));
+  reader.flag("--lenient", reading.lenient, "Skip rows that are wrong, and count them");
+}
+
 void declare_trajectories(OptionReader& reader, DemoOptions& options) {
-  TrackReading& reading = options.trajectories.reading;
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
   reader.value(
       "--trajectories", "FILE|-",
       "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
       "of standard input as they come, for at most --agents people at once (1000)",
       any_text(options.trajectories.file));
-  reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
-               file_name(reading.walls));
-  reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
-               real_number(reading.fps, 0.001, most_rows_a_second));
-  reader.value("--unit", "m|cm|mm", "The unit of its places (told apart)",
-               choice<double>(reading.metres_a_unit, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}));
-  reader.value("--height", "head|ground", "What its third coordinate is the height of (by format)",
-               choice<TrackHeight>(reading.height, {{"head", TrackHeight::head}, {"ground", TrackHeight::ground}}));
-  reader.value("--angle", "degrees|radians", "The unit of its angles (told apart)",
-               choice<TrackAngle>(reading.angle, {{"degrees", TrackAngle::degrees}, {"radians", TrackAngle::radians}}));
+  declare_track_reading(reader, options.trajectories.reading);
   reader.value("--start", "T", "Seconds of its clock at which the crowd begins (its first row)",
                real_number(options.trajectories.start, -farthest_time, farthest_time));
   reader.value("--track-rate", "X", "Seconds of its clock a second, -100 to 100; below 0: backwards (1)",
@@ -77,7 +102,6 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
                track_part(options.trajectories.part));
   reader.flag("--track-repeat", options.trajectories.repeats,
               "Begin anew at the end of the part (a window does; without one: stay there)");
-  reader.flag("--lenient", reading.lenient, "Skip rows that are wrong, and count them");
 }
 
 std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options) {

@@ -8,6 +8,9 @@
 
 namespace throng::app {
 
+/// Adds the options that say how a file of trajectories is read.
+void declare_track_reading(OptionReader& reader, TrackReading& reading);
+
 /// Adds the options of a recorded crowd.
 void declare_trajectories(OptionReader& reader, DemoOptions& options);
 

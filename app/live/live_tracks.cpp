@@ -31,25 +31,21 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   const bool is_tall = facts.tells_unit && facts.z_is_head && first.z > 50.0F && first.z < 300.0F;
   scale.metres_a_unit = options.metres_a_unit.value_or(facts.unit.value_or(is_tall ? 0.01 : 1.0));
   if (is_tall && !facts.unit) facts.said.emplace_back("Places are in centimetres, for heads are so high.");
-  scale.times_a_second = facts.times_a_second;
+  scale.times_a_second = times_a_second(facts, options);
   if (facts.has_frames) {
     scale.times_a_second = options.fps.value_or(facts.rate.value_or(25.0));
     if (!options.fps && !facts.rate) {
       facts.said.emplace_back("The rows do not say their frame rate: 25 a second are taken; --fps overrules it.");
     }
   }
-  scale.angle = facts.angle;
-  if (facts.angle != AngleMeaning::none && facts.angle != AngleMeaning::heading) {
-    if (options.angle == TrackAngle::radians) scale.angle = AngleMeaning::radians;
-    if (options.angle == TrackAngle::degrees && facts.angle != AngleMeaning::compass)
-      scale.angle = AngleMeaning::degrees;
-  }
+  scale.angle = angle_asked(facts.angle, options.angle);
   if (scale.angle == AngleMeaning::unknown) {
     scale.angle = AngleMeaning::degrees;
     facts.said.emplace_back("Angles are taken as degrees; --angle radians overrules it.");
   }
   scale.z_is_head =
       options.height == TrackHeight::head || (options.height == TrackHeight::by_format && facts.z_is_head);
+  scale.has_heights = options.height != TrackHeight::none;
   return scale;
 }
 

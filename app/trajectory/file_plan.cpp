@@ -48,6 +48,7 @@ Result<FilePlan> plan_of_text(std::string_view text) {
 
 GroundPlan placed_plan(const FilePlan& plan, double metres_a_unit, const glm::dvec2& origin) {
   GroundPlan placed;
+  placed.unknown_shapes = plan.unknown_shapes;
   for (const FileArea& area : plan.floors) placed.floors.push_back(placed_area(area, metres_a_unit, origin));
   for (const FileRing& ring : plan.obstacles) placed.obstacles.push_back(placed_ring(ring, metres_a_unit, origin));
   for (const FileLine& line : plan.walls) {

@@ -60,6 +60,8 @@ class FloorReader final : public XmlReader {
       plan_.obstacles.push_back(std::move(points_));
     } else if (points_.size() >= 2) {
       plan_.walls.push_back({std::move(points_), {}});
+    } else {
+      ++plan_.unknown_shapes;
     }
     points_ = {};
   }

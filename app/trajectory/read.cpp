@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "app/files/joined.h"
+#include "app/trajectory/doubts.h"
 #include "app/trajectory/fcd_xml.h"
 #include "app/trajectory/ground_bounds.h"
 #include "app/trajectory/json_records.h"
@@ -133,6 +134,7 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (!tracks) return tracks;
   const bool has_walls = !walls->is_empty() || walls->unknown_shapes > 0;
   if (has_walls) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
+  add_doubts(raw.facts, *tracks);
   if (progress) progress(1.0);
   return tracks;
 }

@@ -12,24 +12,34 @@ enum class TrackHeight : std::uint8_t {
   by_format,  ///< of the head in the text of the Jülich archive, of the ground elsewhere
   head,
   ground,
+  none,  ///< it is left out: people are on the ground at 0
 };
 
-/// The unit of a file's angles.
-enum class TrackAngle : std::uint8_t { told_apart, degrees, radians };
+/// Says what a file's angles are.
+enum class TrackAngle : std::uint8_t {
+  told_apart,
+  degrees,  ///< counterclockwise from +x, as radians are
+  radians,
+  north,  ///< degrees clockwise from north
+  none,   ///< they are left out: people look where they go
+};
 
 /// The axis of a file that points up. The ground is the file's (x, y) where that is z; it is (x, -z) where it is y.
 enum class TrackUp : std::uint8_t { z, y };
 
 /// Says how trajectories are read. Whatever is not set is told apart, and said in Trajectories::said.
 struct TrackReading {
-  std::optional<double> fps = {};            ///< frames a second of rows that have frames
-  std::optional<double> metres_a_unit = {};  ///< metres that a unit of x, y and z is
+  std::optional<double> fps = {};             ///< frames a second of rows that have frames
+  std::optional<double> times_a_second = {};  ///< units of time in a second, of rows that have times
+  std::optional<double> metres_a_unit = {};   ///< metres that a unit of x, y and z is
   TrackUp up = TrackUp::z;
   TrackHeight height = TrackHeight::by_format;
   TrackAngle angle = TrackAngle::told_apart;
   std::optional<double> start_seconds = {};  ///< rows before this time of the file's clock are left out
   std::string walls = {};  ///< a file of read_ground_plan(); without it, what lies in or beside the file
   bool lenient = false;    ///< skip rows that are wrong, and count them
+
+  friend bool operator==(const TrackReading&, const TrackReading&) = default;
 };
 
 /// Is called with the share of the file that is read, from 0 to 1, at most some ten times a second.

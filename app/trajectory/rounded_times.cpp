@@ -53,7 +53,7 @@ RoundedTimes rounded_times_of(std::string_view rows, const TableLayout& layout) 
       if (moments[i].time == moments[i - 1].time) ++at_one_time;
     }
   }
-  RoundedTimes result{.are_rounded = steps >= 10 && at_one_time * 2 >= steps};
+  RoundedTimes result{.are_rounded = steps >= 10 && at_one_time * 10 >= steps};
   if (!result.are_rounded || first_frames.size() < 3) return result;
   const auto begin = std::next(first_frames.begin()), end = std::prev(first_frames.end());  // the first time is cut off
   const double frames = end->second - begin->second;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "app/files/joined.h"
-#include "app/trajectory/trajectories.h"
 
 namespace throng::app {
 namespace {
@@ -130,22 +130,36 @@ double frames_a_second(RawTracks& tracks, const TrackReading& options, const std
   return rate_told(tracks, steps, metres_a_unit);
 }
 
-/// Returns how well angles agree with the ways that people go: 1 if they look ahead, -1 if they look back. NaN if
-/// nobody goes.
+/// Returns an angle of a file as radians counterclockwise from +x.
+double as_radians(double angle, AngleMeaning meaning) {
+  switch (meaning) {
+    case AngleMeaning::degrees:
+      return angle * degree;
+    case AngleMeaning::compass:
+      return std::numbers::pi / 2.0 - angle * degree;
+    case AngleMeaning::heading:
+      return angle - std::numbers::pi / 2.0;
+    default:
+      return angle;
+  }
+}
+
+/// Returns how well angles agree with the ways that people go: 1 if they look ahead, 0 if they go sideways, -1 if they
+/// look back. NaN if too few people go.
 double agreement(const std::vector<SampledStep>& steps, AngleMeaning meaning, double least_pace) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const SampledStep& step : steps) {
     const double way = std::hypot(step.x, step.y);
     if (!std::isfinite(step.angle) || way / step.time < least_pace) continue;
-    double angle = static_cast<double>(step.angle);
-    if (meaning != AngleMeaning::radians) angle *= degree;
-    if (meaning == AngleMeaning::compass) angle = std::numbers::pi / 2.0 - angle;
-    sum += std::cos(angle - std::atan2(step.y, step.x));
+    sum += std::cos(as_radians(static_cast<double>(step.angle), meaning) - std::atan2(step.y, step.x));
     ++count;
   }
   return count < 10 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
 }
+
+/// Angles that agree by less are those of people who walk like crabs.
+constexpr double least_agreement = 0.3, good_agreement = 0.7;
 
 /// The largest angle of the file, without its sign.
 double largest_angle(const RawTracks& tracks) {
@@ -161,12 +175,17 @@ double largest_angle(const RawTracks& tracks) {
 Result<AngleMeaning> angle_told(RawTracks& tracks, const std::vector<SampledStep>& steps, double least_pace) {
   const double largest = largest_angle(tracks);
   std::vector<std::string>& said = tracks.facts.said;
+  if (largest == 0.0) return AngleMeaning::degrees;
+  const double degrees = agreement(steps, AngleMeaning::degrees, least_pace);
+  if (agreement(steps, AngleMeaning::compass, least_pace) > good_agreement && degrees < least_agreement) {
+    said.emplace_back(
+        "Angles are degrees clockwise from north: so they agree with the ways that people go; --angle overrules it.");
+    return AngleMeaning::compass;
+  }
   if (largest > 2.0 * std::numbers::pi + 0.01) {
     said.push_back("Angles are in degrees: they go up to " + fixed(largest, 0) + ".");
     return AngleMeaning::degrees;
   }
-  if (largest == 0.0) return AngleMeaning::degrees;
-  const double degrees = agreement(steps, AngleMeaning::degrees, least_pace);
   const double radians = agreement(steps, AngleMeaning::radians, least_pace);
   if (std::isnan(radians) || std::abs(radians - degrees) < 0.2) {
     return Error{"its angles go up to " + fixed(largest, 2) +
@@ -178,28 +197,37 @@ Result<AngleMeaning> angle_told(RawTracks& tracks, const std::vector<SampledStep
   return is_radians ? AngleMeaning::radians : AngleMeaning::degrees;
 }
 
+/// Doubts angles of people who do not go where they look, and names the option with which they do.
+void doubt_angles(RawTracks& tracks, const std::vector<SampledStep>& steps, AngleMeaning meaning, double least_pace) {
+  const double agreed = agreement(steps, meaning, least_pace);
+  if (!(agreed < least_agreement)) return;  // NaN of too few steps is no doubt
+  std::string remedy = "--angle none has people look where they go";
+  for (const auto& [other, option] :
+       {std::pair(AngleMeaning::compass, "north"), std::pair(AngleMeaning::degrees, "degrees"),
+        std::pair(AngleMeaning::radians, "radians")}) {
+    const bool is_better = meaning != AngleMeaning::heading && agreement(steps, other, least_pace) > good_agreement;
+    if (is_better) remedy = std::string("with --angle ") + option + " they do";
+  }
+  tracks.facts.said.push_back("People do not go where their angles point, which agree by " + fixed(agreed, 2) +
+                              " on the average: " + remedy + ".");
+}
+
 Result<AngleMeaning> angle_of(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps,
                               double least_pace) {
-  AngleMeaning meaning = tracks.facts.angle;
-  if (meaning == AngleMeaning::none || meaning == AngleMeaning::heading) return meaning;
-  if (options.angle == TrackAngle::degrees && meaning != AngleMeaning::compass) meaning = AngleMeaning::degrees;
-  if (options.angle == TrackAngle::radians) meaning = AngleMeaning::radians;
+  AngleMeaning meaning = angle_asked(tracks.facts.angle, options.angle);
+  if (meaning == AngleMeaning::none) return meaning;
   if (meaning == AngleMeaning::unknown) {
     const auto told = angle_told(tracks, steps, least_pace);
     if (!told) return told;
     meaning = *told;
   }
-  if (const double agreed = agreement(steps, meaning, least_pace); agreed < 0.0) {
-    tracks.facts.said.push_back(
-        "Angles are taken " +
-        std::string(meaning == AngleMeaning::compass ? "clockwise from north" : "counterclockwise from +x") +
-        ", but people do not go where they point: they agree by " + fixed(agreed, 2) + " on the average.");
-  }
+  doubt_angles(tracks, steps, meaning, least_pace);
   return meaning;
 }
 
 bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_unit) {
-  if (!tracks.facts.has_z || options.height == TrackHeight::ground) return false;
+  const bool is_asked = options.height == TrackHeight::ground || options.height == TrackHeight::none;
+  if (!tracks.facts.has_z || is_asked) return false;
   const double high = high_z(tracks, 0.95) * metres_a_unit, low = high_z(tracks, 0.05) * metres_a_unit;
   std::vector<std::string>& said = tracks.facts.said;
   const bool could_be = low > 0.9 && high < 2.3;
@@ -221,38 +249,38 @@ bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_u
   return is_head;
 }
 
-/// Doubts speeds that no person has. Vehicles have them.
-void doubt_speeds(RawTracks& tracks, const std::vector<SampledStep>& steps, const RowScale& scale) {
-  constexpr double slowest = 0.02;  // metres a second: the tenth of a shuffle
-  const double metres_a_second = scale.metres_a_unit * scale.times_a_second;
-  const double middle = pace(steps, 0.5) * metres_a_second, fast = pace(steps, 0.95) * metres_a_second;
-  RowFacts& facts = tracks.facts;
-  if (middle > static_cast<double>(fastest_person) && facts.format.find("vehicles") == std::string::npos) {
-    facts.said.push_back("People go " + fixed(middle, 0) +
-                         " m/s in the middle of all steps, which is too fast to be true: " +
-                         (facts.has_frames ? "--unit cm or --fps may mend it." : "--unit cm may mend it."));
-  }
-  if (steps.size() >= 10 && fast > 0.0 && fast < slowest) {
-    facts.said.push_back("People go " + fixed(fast, 4) + " m/s at the most, which is too slow to be true: " +
-                         (facts.has_frames ? "--fps or --unit may mend it."
-                                           : "name the column \"time [ms]\" where it counts milliseconds."));
-  }
+}  // namespace
+
+AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked) {
+  if (of_file == AngleMeaning::none || asked == TrackAngle::none) return AngleMeaning::none;
+  if (of_file == AngleMeaning::heading || asked == TrackAngle::told_apart) return of_file;
+  if (asked == TrackAngle::radians) return AngleMeaning::radians;
+  const bool is_compass = asked == TrackAngle::north || of_file == AngleMeaning::compass;  // which is in degrees
+  return is_compass ? AngleMeaning::compass : AngleMeaning::degrees;
 }
 
-}  // namespace
+double times_a_second(const RowFacts& facts, const TrackReading& options) {
+  return options.times_a_second.value_or(facts.times_a_second);
+}
 
 Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options) {
   const std::vector<SampledStep> steps = sample_steps(tracks);
   RowScale scale;
   scale.metres_a_unit = unit_of(tracks, options, steps);
   scale.times_a_second = tracks.facts.has_frames ? frames_a_second(tracks, options, steps, scale.metres_a_unit)
-                                                 : tracks.facts.times_a_second;
+                                                 : times_a_second(tracks.facts, options);
+  if (tracks.facts.has_frames && options.times_a_second) {
+    tracks.facts.said.emplace_back("--time-unit is not used, for the rows have frames: --fps gives their rate.");
+  }
+  if (!tracks.facts.has_frames && options.fps) {
+    tracks.facts.said.emplace_back("--fps is not used, for the rows have times: --time-unit gives their unit.");
+  }
   constexpr double least_speed = 0.3;  // metres a second: slower people look anywhere
   const auto angle = angle_of(tracks, options, steps, least_speed / (scale.times_a_second * scale.metres_a_unit));
   if (!angle) return angle.error();
   scale.angle = *angle;
   scale.z_is_head = z_is_head(tracks, options, scale.metres_a_unit);
-  doubt_speeds(tracks, steps, scale);
+  scale.has_heights = options.height != TrackHeight::none;
   return scale;
 }
 

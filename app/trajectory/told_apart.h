@@ -13,7 +13,14 @@ struct RowScale {
   double metres_a_unit = 1.0;
   AngleMeaning angle = AngleMeaning::none;  ///< never unknown
   bool z_is_head = false;
+  bool has_heights = true;  ///< false: z is left out
 };
+
+/// Returns what the file's angles mean where the options may overrule what it says.
+AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked);
+
+/// Returns how many units of time are a second, where rows have times.
+double times_a_second(const RowFacts& facts, const TrackReading& options);
 
 /// Tells apart what neither the file nor the options say, by how people move and by their heights, and adds what was
 /// told to facts.said. Rows have numbers of tables.front(). The error is the end of a sentence.

@@ -127,7 +127,7 @@ OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& sca
     std::vector<float> heights;
     const std::size_t end = persons.size() * (part + 1) / parts;
     for (std::size_t i = persons.size() * part / parts; i < end; ++i) {
-      if (scale.angle != AngleMeaning::heading && scale.angle != AngleMeaning::none) {
+      if (scale.angle != AngleMeaning::heading && facts.angle != AngleMeaning::none) {
         for (TrackRow& row : persons[i].rows) row.heading = heading_of_angle(row.heading, scale.angle);
       }
       sort_rows(persons[i]);
@@ -181,7 +181,7 @@ TrackRow track_row(const RawRow& raw, const RowScale& scale, const glm::dvec2& o
   row.seconds = raw.time / scale.times_a_second;
   row.x = static_cast<float>(raw.x * scale.metres_a_unit - origin.x);
   row.z = static_cast<float>(origin.y - raw.y * scale.metres_a_unit);
-  row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
+  if (scale.has_heights) row.y = static_cast<float>(static_cast<double>(raw.z) * scale.metres_a_unit);
   row.heading = raw.angle;
   return row;
 }

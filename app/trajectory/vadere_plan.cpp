@@ -30,12 +30,15 @@ FileRing circle(const glm::dvec2& center, double radius) {
   return ring;
 }
 
-/// Returns the corners of a shape; none if it is no shape that people could see.
-FileRing ring_of(const Json& shape) {
+/// Returns the corners of a shape; none if it is of another kind, which the plan counts.
+FileRing ring_of(const Json& shape, FilePlan& plan) {
   FileRing ring;
   double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
   for (const Json& point : shape["points"].elements()) {
-    if (!take_number(point, "x", x) || !take_number(point, "y", y)) return {};
+    if (!take_number(point, "x", x) || !take_number(point, "y", y)) {
+      ring.clear();
+      break;
+    }
     ring.emplace_back(x, y);
   }
   if (shape.contains("width")) {
@@ -49,7 +52,9 @@ FileRing ring_of(const Json& shape) {
         take_number(center, "x", x) && take_number(center, "y", y) && take_number(shape, "radius", width);
     if (is_whole && width > 0.0) ring = circle({x, y}, width);
   }
-  return ring.size() > 2 ? ring : FileRing();
+  if (ring.size() > 2) return ring;
+  ++plan.unknown_shapes;
+  return {};
 }
 
 /// Returns the floor within the border, where there is one.
@@ -76,13 +81,13 @@ Result<VadereScenario> vadere_scenario(const Json& json) {
   FilePlan& plan = result.plan;
   if (auto border = border_of(topography["attributes"])) plan.floors.push_back({std::move(*border), {}});
   for (const Json& obstacle : topography["obstacles"].elements()) {
-    if (FileRing ring = ring_of(obstacle["shape"]); !ring.empty()) plan.obstacles.push_back(std::move(ring));
+    if (FileRing ring = ring_of(obstacle["shape"], plan); !ring.empty()) plan.obstacles.push_back(std::move(ring));
   }
   for (const Json& target : topography["targets"].elements()) {
-    if (FileRing ring = ring_of(target["shape"]); !ring.empty()) plan.exits.push_back({std::move(ring), {}});
+    if (FileRing ring = ring_of(target["shape"], plan); !ring.empty()) plan.exits.push_back({std::move(ring), {}});
   }
   for (const Json& area : topography["measurementAreas"].elements()) {
-    FileRing ring = ring_of(area["shape"]);
+    FileRing ring = ring_of(area["shape"], plan);
     if (ring.empty()) continue;
     ring.push_back(ring.front());
     plan.measurement_lines.push_back({std::move(ring), {}});

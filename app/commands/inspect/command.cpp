@@ -205,6 +205,10 @@ int inspect_tracks(const InspectOptions& options) {
 
 int run_inspect(const InspectOptions& options) {
   if (looks_like_trajectories(options.model)) return inspect_tracks(options);
+  if (options.tracks != TrackReading{.up = options.tracks.up}) {
+    return end_with(exit_job_failed,
+                    options.model + ": it is no file of trajectories; leave out --fps and what else is for their rows");
+  }
   auto file = read_model_file(options.model, options.reading);
   if (!file) return end_with(exit_job_failed, file.error().message);
   anim::face_forward(*file);

@@ -20,6 +20,28 @@ TEST(TrajectoryOptionsOfALine, MakeTheSceneThatOfTheFile) {
   EXPECT_TRUE(options.trajectories.reading.lenient);
 }
 
+TEST(TrajectoryOptionsOfALine, OverruleWhatAFileMeans) {
+  const TrackReading reading =
+      options_of("--trajectories walk.csv --time-unit ms --unit 0.02 --angle north --height none").trajectories.reading;
+  EXPECT_EQ(reading.times_a_second, 1000.0);
+  EXPECT_EQ(reading.metres_a_unit, 0.02);
+  EXPECT_EQ(reading.angle, TrackAngle::north);
+  EXPECT_EQ(reading.height, TrackHeight::none);
+}
+
+TEST(TrajectoryOptionsOfALine, AreThoseOfInspectToo) {
+  const ParsedCommand command =
+      parse_command_line(words("inspect walk.csv --walls w.wkt --fps 16 --unit km --angle none --up y --lenient"));
+  ASSERT_TRUE(std::holds_alternative<InspectOptions>(command));
+  const TrackReading& reading = std::get<InspectOptions>(command).tracks;
+  EXPECT_EQ(reading.walls, "w.wkt");
+  EXPECT_EQ(reading.fps, 16.0);
+  EXPECT_EQ(reading.metres_a_unit, 1000.0);
+  EXPECT_EQ(reading.angle, TrackAngle::none);
+  EXPECT_EQ(reading.up, TrackUp::y);
+  EXPECT_TRUE(reading.lenient);
+}
+
 TEST(TrajectoryOptionsOfALine, SayHowItsTimeIsPlayed) {
   const DemoOptions options =
       options_of("--trajectories walk.csv --track-rate -0.5 --track-part 40,12.5 --track-repeat");
@@ -55,6 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"AnotherScene", "--trajectories a.csv --scene plaza", "--scene: does not go with --trajectories"},
         Refused{"OtherAgents", "--trajectories a.csv --agents 9", "--agents: does not go with --trajectories"},
         Refused{"ARecording", "--trajectories a.csv --record r", "--record: does not go with --trajectories"},
+        Refused{"NoUnit", "--trajectories a.csv --unit px",
+                "--unit px: must be m, cm, mm, km, ft or the metres of a unit, 0.000001 to 1000000"},
         Refused{"RateAlone", "--track-rate 2", "--track-rate: goes with --trajectories"},
         Refused{"NoRate", "--trajectories a.csv --track-rate 0",
                 "--track-rate 0: must be a number, -100 to 100, and not 0"},

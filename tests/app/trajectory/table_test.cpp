@@ -146,14 +146,6 @@ TEST(TrackTable, RefusesAnglesThatAgreeWithTheWaysInBothUnits) {
   EXPECT_THAT(error_of("a.csv", text), HasSubstr("may be degrees or radians"));
 }
 
-TEST(TrackTable, SaysThatAnglesDoNotPointWhereTheyGo) {
-  std::string text = "id,time,x,y,angle [deg]\n";
-  for (int i = 0; i < 20; ++i) text += "1," + std::to_string(i) + "," + std::to_string(i) + ",0,180\n";
-  const auto tracks = read_as("a.csv", text);
-  ASSERT_TRUE(tracks) << tracks.error().message;
-  EXPECT_THAT(all_said(*tracks), HasSubstr("people do not go where they point"));
-}
-
 TEST(TrackTable, TakesYAsUpWhereItIsTold) {
   const auto tracks = read_as("a.csv", "id,time,x,y,z\n1,0,1,0.5,3\n1,1,2,0.5,4\n", {.up = TrackUp::y});
   ASSERT_TRUE(tracks) << tracks.error().message;

@@ -8,7 +8,7 @@
 
 #include "app/files/memory_check.h"
 #include "app/output/label_text.h"
-#include "engine/render/image.h"
+#include "app/regression/compare.h"
 
 namespace throng::app {
 namespace {
@@ -84,8 +84,10 @@ anim::Status LabelFiles::take(Show& show, int frame, bool is_drawn) {
 anim::Status LabelFiles::write(const LabelFrame& frame, const render::NumberImage& mask,
                                const render::NumberImage& depth) {
   static_cast<void>(kept_.next());
-  if (anim::Status written = render::write_png(mask, folder_.file("mask", frame.number)); !written) return written;
-  if (anim::Status written = render::write_png(depth, folder_.file("depth", frame.number)); !written) return written;
+  anim::Status written = render::write_png(mask, folder_.file("mask", frame.number), label_texts());
+  if (!written) return written;
+  written = render::write_png(depth, folder_.file("depth", frame.number), depth_texts(frame.metres_a_step));
+  if (!written) return written;
   return lines_.write(line_of(frame) + "\n");
 }
 

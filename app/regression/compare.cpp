@@ -2,33 +2,100 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
-#include <utility>
+
+#include "app/settings/option_values.h"
 
 namespace throng::app {
 namespace {
 
 using render::Image;
+using render::NumberImage;
 
-constexpr int compared_channels = 3;
+constexpr int colour_channels = 3;
 constexpr int block_edge = 16;
+constexpr int step_of_16_bits = 257;  // a step of 255
+constexpr const char *kind_keyword = "Throng holds", *step_keyword = "Throng depth_step";
 
-std::string size_text(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
+std::string sides_of(const NumberImage& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
 
-/// Says how far one pixel is off: all channels together, and the worst of them.
+/// Returns what two pictures hold both. Grey ones that do not say what their numbers are may hold anything.
+std::optional<PixelKind> kind_of_both(PixelKind expected, PixelKind actual) {
+  if (expected == actual) return expected;
+  if (expected != PixelKind::numbers && actual != PixelKind::numbers) return {};
+  const bool has_colours = expected == PixelKind::colours || actual == PixelKind::colours;
+  return has_colours ? PixelKind::colours : PixelKind::numbers;
+}
+
+/// Says how far one pixel is off: all channels together, and the worst of them in steps of 255, rounded up.
 struct PixelDifference {
-  int sum = 0, worst = 0;
+  double sum = 0.0;
+  int worst = 0;
+  bool is_seen = false;
 };
 
-PixelDifference difference_at(const Image& expected, const Image& actual, int x, int y) {
-  PixelDifference result;
-  for (int channel = 0; channel < compared_channels; ++channel) {
-    const int steps = std::abs(expected.pixel(x, y)[channel] - actual.pixel(x, y)[channel]);
-    result.sum += steps;
-    result.worst = std::max(result.worst, steps);
+/// Finds how far pixels of two pictures are off that hold the same.
+class PixelMeter {
+ public:
+  PixelMeter(const ComparedPicture& expected, const ComparedPicture& actual, PixelKind kind)
+      : expected_(expected), actual_(actual), kind_(kind) {}
+
+  int channels() const { return kind_ == PixelKind::colours ? colour_channels : 1; }
+  PixelDifference at(int x, int y) const {
+    if (kind_ == PixelKind::colours) return colours_at(x, y);
+    const int before = value(expected_, x, y, 0), now = value(actual_, x, y, 0);
+    if (kind_ == PixelKind::depths) return between_depths(before, now);
+    return before == now ? PixelDifference() : PixelDifference{.sum = 1.0, .worst = 255, .is_seen = true};
   }
-  return result;
+  int steps_at(int x, int y, int channel) const {
+    return std::abs(value(expected_, x, y, channel) - value(actual_, x, y, channel));
+  }
+
+ private:
+  static int value(const ComparedPicture& picture, int x, int y, int channel) {
+    const std::uint16_t* const pixel = picture.image.pixel(x, y);
+    if (picture.image.channels > 1) return pixel[channel];
+    return channel == colour_channels ? 65535 : pixel[0];
+  }
+
+  PixelDifference colours_at(int x, int y) const {
+    int sum = 0, worst = 0;
+    for (int channel = 0; channel < colour_channels; ++channel) {
+      const int steps = steps_at(x, y, channel);
+      sum += steps;
+      worst = std::max(worst, steps);
+    }
+    const int alpha = steps_at(x, y, colour_channels);
+    sum = std::max(sum, alpha * colour_channels);
+    worst = std::max(worst, alpha);
+    return {.sum = static_cast<double>(sum) / step_of_16_bits,
+            .worst = (worst + step_of_16_bits - 1) / step_of_16_bits,
+            .is_seen = worst > seen_steps * step_of_16_bits};
+  }
+
+  /// Pictures of two steps round one depth apart, by half of the coarser step at most.
+  PixelDifference between_depths(int before, int now) const {
+    const auto metres = [](const ComparedPicture& picture, int depth) {
+      return picture.metres_a_step * (depth == 0 ? 65535 : depth);
+    };
+    const double off = std::abs(metres(expected_, before) - metres(actual_, now));
+    const double rounding = std::max(expected_.metres_a_step, actual_.metres_a_step) / 2;
+    if (off <= rounding && (before == 0) == (now == 0)) return {};
+    return {.sum = off, .worst = 255, .is_seen = true};
+  }
+
+  const ComparedPicture &expected_, &actual_;
+  PixelKind kind_;
+};
+
+/// Pictures of one size are painted whatever they hold.
+PixelMeter painting_meter(const ComparedPicture& expected, const ComparedPicture& actual) {
+  return {expected, actual, kind_of_both(expected.kind, actual.kind).value_or(PixelKind::colours)};
 }
 
 void paint(std::uint8_t* pixel, const std::array<int, 3>& color) {
@@ -77,55 +144,101 @@ void frame_block(Image& picture, int left, int top) {
 
 }  // namespace
 
-render::Result<PictureDifference> measure_difference(const Image& expected, const Image& actual) {
-  if (expected.width != actual.width || expected.height != actual.height) {
-    return render::Error{"the sizes differ: " + size_text(expected) + " expected, " + size_text(actual) + " drawn"};
+std::string pixel_kind_name(PixelKind kind) {
+  constexpr std::array<const char*, 4> names{"colours", "numbers", "labels", "depths"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+render::Result<ComparedPicture> read_compared(const std::filesystem::path& file) {
+  auto image = render::read_any_png(file);
+  if (!image) return image.error();
+  const PixelKind unsaid = image->channels == 1 ? PixelKind::numbers : PixelKind::colours;
+  ComparedPicture picture(std::move(*image), unsaid);
+  const auto texts = render::read_png_texts(file);
+  if (!texts || unsaid == PixelKind::colours) return picture;
+  for (const render::PngText& each : *texts) {
+    if (each == label_texts().front()) picture.kind = PixelKind::labels;
+    if (each.keyword != step_keyword) continue;
+    const auto step = finite_number_in(each.text);
+    if (step && *step > 0.0) picture.metres_a_step = *step;
   }
-  PictureDifference result;
+  if (picture.metres_a_step > 0.0) picture.kind = PixelKind::depths;
+  return picture;
+}
+
+std::vector<render::PngText> label_texts() { return {{kind_keyword, pixel_kind_name(PixelKind::labels)}}; }
+
+std::vector<render::PngText> depth_texts(double metres_a_step) {
+  return {{kind_keyword, pixel_kind_name(PixelKind::depths)}, {step_keyword, shortest_text(metres_a_step)}};
+}
+
+render::Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual) {
+  const NumberImage& picture = expected.image;
+  if (picture.width != actual.image.width || picture.height != actual.image.height) {
+    return render::Error{"the sizes differ: " + sides_of(picture) + " expected, " + sides_of(actual.image) + " drawn"};
+  }
+  const auto kind = kind_of_both(expected.kind, actual.kind);
+  if (!kind) {
+    return render::Error{"what the pictures hold differs: " + pixel_kind_name(expected.kind) + " expected, " +
+                         pixel_kind_name(actual.kind) + " drawn; compare two of one kind"};
+  }
+  const PixelMeter meter(expected, actual, *kind);
+  PictureDifference result{.kind = *kind};
   double total = 0.0, seen = 0.0;
-  for (int top = 0; top < expected.height; top += block_edge) {
-    for (int left = 0; left < expected.width; left += block_edge) {
-      const int bottom = std::min(top + block_edge, expected.height);
-      const int right = std::min(left + block_edge, expected.width);
-      int sum = 0;
+  for (int top = 0; top < picture.height; top += block_edge) {
+    for (int left = 0; left < picture.width; left += block_edge) {
+      const int bottom = std::min(top + block_edge, picture.height);
+      const int right = std::min(left + block_edge, picture.width);
+      double sum = 0.0;
       for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) {
-          const PixelDifference pixel = difference_at(expected, actual, x, y);
+          const PixelDifference pixel = meter.at(x, y);
           sum += pixel.sum;
-          seen += pixel.worst > seen_steps ? 1 : 0;
+          seen += pixel.is_seen ? 1 : 0;
         }
       }
       total += sum;
-      const double block_mean = sum / static_cast<double>((bottom - top) * (right - left) * compared_channels);
+      const double block_mean = sum / static_cast<double>((bottom - top) * (right - left) * meter.channels());
       if (block_mean <= result.worst_block) continue;
       result.worst_block = block_mean;
       result.worst_block_x = left;
       result.worst_block_y = top;
     }
   }
-  const double pixels = static_cast<double>(expected.width) * expected.height;
-  result.mean = total / (pixels * compared_channels);
+  const double pixels = static_cast<double>(picture.width) * picture.height;
+  result.mean = total / (pixels * meter.channels());
   result.share = seen / pixels;
   return result;
 }
 
-Image paint_difference(const Image& expected, const Image& actual) {
+Image paint_difference(const ComparedPicture& expected, const ComparedPicture& actual) {
   constexpr int gain = 8;
-  Image picture = Image::blank(expected.width, expected.height);
-  for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
-    if (i % 4 == compared_channels) continue;
-    picture.rgba[i] = static_cast<std::uint8_t>(std::min(255, gain * std::abs(expected.rgba[i] - actual.rgba[i])));
+  const PixelMeter meter = painting_meter(expected, actual);
+  Image picture = Image::blank(expected.image.width, expected.image.height);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const int alpha = meter.steps_at(x, y, colour_channels);
+      std::array<int, 3> color{};
+      for (int channel = 0; channel < colour_channels; ++channel) {
+        const int steps = std::max(meter.steps_at(x, y, channel), alpha);
+        color.at(static_cast<std::size_t>(channel)) = (gain * steps + step_of_16_bits - 1) / step_of_16_bits;
+      }
+      if (meter.channels() == 1) color.fill(meter.at(x, y).worst);
+      paint(picture.pixel(x, y), color);
+    }
   }
   return picture;
 }
 
-Image paint_heat(const Image& expected, const Image& actual, const PictureDifference& difference) {
-  Image picture = Image::blank(expected.width, expected.height);
+Image paint_heat(const ComparedPicture& expected, const ComparedPicture& actual, const PictureDifference& difference) {
+  const PixelMeter meter = painting_meter(expected, actual);
+  Image picture = render::in_8_bits(expected.image);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      const int steps = difference_at(expected, actual, x, y).worst;
-      const int grey = dimmed_grey(expected.pixel(x, y));
+      const int steps = meter.at(x, y).worst;
+      const int grey = dimmed_grey(picture.pixel(x, y));
       paint(picture.pixel(x, y), steps == 0 ? std::array<int, 3>{grey, grey, grey} : heat_of(steps));
+      picture.pixel(x, y)[colour_channels] = 255;
     }
   }
   if (difference.worst_block > 0) frame_block(picture, difference.worst_block_x, difference.worst_block_y);
@@ -138,6 +251,11 @@ Image rounded_to_bits(Image image, int bits) {
     if (value != 255) value = static_cast<std::uint8_t>(value & kept);
   }
   return image;
+}
+
+ComparedPicture rounded_to_bits(ComparedPicture picture, int bits) {
+  if (bits == 8 || picture.kind != PixelKind::colours) return picture;
+  return rounded_to_bits(render::in_8_bits(picture.image), bits);
 }
 
 }  // namespace throng::app

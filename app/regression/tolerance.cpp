@@ -8,7 +8,30 @@
 namespace throng::app {
 namespace {
 
-std::string percent(double share) { return fixed(100 * share, 2) + "%"; }
+/// What is there is not rounded to nothing.
+std::string rounded(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  if (value == 0.0 || text.find_first_of("123456789") != std::string::npos) return text;
+  return "below " + text.substr(0, text.size() - 1) + "1";
+}
+
+std::string percent(double share) { return rounded(100 * share, 2) + "%"; }
+
+/// Returns a mean in the unit of what the pictures hold.
+std::string amount(const PictureDifference& difference, double mean) {
+  if (difference.kind == PixelKind::colours) return rounded(mean, 3);
+  return difference.kind == PixelKind::depths ? rounded(mean, 3) + " m" : percent(mean);
+}
+
+/// The mean of what differs or not is the share.
+bool has_mean(const PictureDifference& difference) {
+  return difference.kind == PixelKind::colours || difference.kind == PixelKind::depths;
+}
+
+std::string other_pixels(PixelKind kind) {
+  if (kind != PixelKind::colours) return "have other " + pixel_kind_name(kind);
+  return "differ by more than " + std::to_string(seen_steps) + " steps";
+}
 
 bool has_no_limit(const Tolerance& tolerance) { return !tolerance.mean && !tolerance.worst_block && !tolerance.share; }
 
@@ -33,14 +56,16 @@ std::string place_of_block(const PictureDifference& difference) {
 std::vector<JudgedFigure> judge(const PictureDifference& difference, const Tolerance& given) {
   Tolerance tolerance = given;
   if (has_no_limit(given)) tolerance.mean = tolerance.worst_block = tolerance.share = no_difference();
-  const auto steps = [](double value) { return fixed(value, 3); };
+  const auto steps = [&](double value) { return amount(difference, value); };
+  const std::string others = difference.kind == PixelKind::colours
+                                 ? "share of pixels off by more than " + std::to_string(seen_steps) + " steps"
+                                 : "share of pixels that " + other_pixels(difference.kind);
   std::vector<JudgedFigure> figures;
-  figures.push_back(judged("mean", difference.mean, tolerance.mean, steps));
+  if (has_mean(difference)) figures.push_back(judged("mean", difference.mean, tolerance.mean, steps));
   figures.push_back(judged("worst block", difference.worst_block, tolerance.worst_block, [&](double value) {
     return value == 0 ? steps(value) : steps(value) + " at " + place_of_block(difference);
   }));
-  figures.push_back(judged("share of pixels off by more than " + std::to_string(seen_steps) + " steps",
-                           difference.share, tolerance.share, percent));
+  figures.push_back(judged(others, difference.share, tolerance.share, percent));
   if (!figures.back().limit.empty()) figures.back().limit = percent(tolerance.share->most);
   return figures;
 }
@@ -49,11 +74,18 @@ bool all_within(const std::vector<JudgedFigure>& figures) {
   return std::ranges::all_of(figures, &JudgedFigure::is_within);
 }
 
+std::string unfit_limits(const PictureDifference& difference, const Tolerance& tolerance) {
+  const bool has_steps = tolerance.mean || tolerance.worst_block;
+  if (difference.kind == PixelKind::colours || !has_steps) return {};
+  return "limits of mean and worst block are steps of colours, and the pictures hold " +
+         pixel_kind_name(difference.kind) + "; limit the share alone";
+}
+
 std::string figures_text(const PictureDifference& difference) {
-  if (difference == PictureDifference()) return "no pixel differs";
-  return "mean " + fixed(difference.mean, 3) + ", worst block " + fixed(difference.worst_block, 3) + " at " +
-         place_of_block(difference) + ", " + percent(difference.share) + " of pixels differ by more than " +
-         std::to_string(seen_steps) + " steps";
+  if (difference.is_none()) return "no pixel differs";
+  const std::string mean = has_mean(difference) ? "mean " + amount(difference, difference.mean) + ", " : "";
+  return mean + "worst block " + amount(difference, difference.worst_block) + " at " + place_of_block(difference) +
+         ", " + percent(difference.share) + " of pixels " + other_pixels(difference.kind);
 }
 
 std::string excess_text(const std::vector<JudgedFigure>& figures) {

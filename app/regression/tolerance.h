@@ -30,11 +30,14 @@ struct JudgedFigure {
   bool is_within = true;
 };
 
-/// Returns mean, worst block and share, in this order.
+/// Returns mean, worst block and share, in this order; of labels and numbers no mean.
 std::vector<JudgedFigure> judge(const PictureDifference& difference, const Tolerance& tolerance);
 
 /// Returns whether all are within their limits.
 bool all_within(const std::vector<JudgedFigure>& figures);
+
+/// Returns why limits do not go with these pictures: steps of 255 say nothing of numbers. Empty if they do.
+std::string unfit_limits(const PictureDifference& difference, const Tolerance& tolerance);
 
 /// Returns "mean 0.030, worst block 1.200 at 320,160, 0.01% of pixels differ by more than 16 steps", or that nothing
 /// does.

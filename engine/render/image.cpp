@@ -1,11 +1,11 @@
 #include "engine/render/image.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <csetjmp>
 #include <cstring>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,46 +25,32 @@ Image Image::blank(int width, int height) {
   return image;
 }
 
+NumberImage in_16_bits(const Image& image) {
+  constexpr int step = 257;  // 255 becomes 65535
+  NumberImage deep{.width = image.width, .height = image.height, .numbers = {}, .channels = 4};
+  deep.numbers.resize(image.rgba.size());
+  std::ranges::transform(image.rgba, deep.numbers.begin(),
+                         [](std::uint8_t value) { return static_cast<std::uint16_t>(value * step); });
+  return deep;
+}
+
+Image in_8_bits(const NumberImage& image) {
+  constexpr int step = 257;
+  Image shallow = Image::blank(image.width, image.height);
+  for (std::size_t i = 0; i < shallow.rgba.size(); ++i) {
+    if (image.channels == 1 && i % 4 == 3) continue;  // grey hides what is behind it
+    const int number = image.numbers[image.channels == 1 ? i / 4 : i];
+    shallow.rgba[i] = static_cast<std::uint8_t>((number + step / 2) / step);
+  }
+  return shallow;
+}
+
 namespace {
 
 constexpr std::size_t most_png_bytes = std::size_t{1} << 30U;
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;  // of a square of 16,384
 
-struct FreeImage {
-  void operator()(png_image* png) const { png_image_free(png); }
-};
-
-std::unique_ptr<png_image, FreeImage> owned(png_image& png) {
-  png.version = PNG_IMAGE_VERSION;
-  return std::unique_ptr<png_image, FreeImage>(&png);
-}
-
-}  // namespace
-
-Result<Image> read_png(const std::filesystem::path& file) {
-  const auto failed = [&](const std::string& why) { return Error{"cannot read image " + file.string() + ": " + why}; };
-  const auto bytes = read_file(file, "a .png", most_png_bytes);
-  if (!bytes) return failed(bytes.error().message);
-  png_image png{};
-  const auto freed = owned(png);
-  constexpr std::size_t signature_bytes = 8;
-  const bool is_png = bytes->size() >= signature_bytes &&
-                      png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes->data()), 0, signature_bytes) == 0;
-  if (!is_png) return failed("it is no PNG; name one");
-  if (png_image_begin_read_from_memory(&png, bytes->data(), bytes->size()) == 0) return failed(png.message);
-  if (std::uint64_t{png.width} * png.height > most_pixels) {
-    return failed("it is " + std::to_string(png.width) + " by " + std::to_string(png.height) +
-                  " pixels by its header, and 16384 by 16384 are the most; scale it down");
-  }
-  png.format = PNG_FORMAT_RGBA;
-  Image image = Image::blank(static_cast<int>(png.width), static_cast<int>(png.height));
-  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) return failed(png.message);
-  return image;
-}
-
-namespace {
-
-/// A PNG on its way out of memory, as it is and without a colour space.
+/// A PNG on its way out of memory. libpng leaves by a jump when something fails, so no object is made meanwhile.
 struct PngReader {
   std::span<const std::byte> left;
   png_structp png = nullptr;
@@ -91,27 +77,41 @@ struct PngReader {
     reader->left = reader->left.subspan(count);
   }
 
-  bool read(NumberImage& image) {
+  /// Returns whether there are pixels, and says of which form `image` will be.
+  bool begin(NumberImage& image) {
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_read_fn(png, this, give);
     png_read_info(png, info);
-    if (png_get_bit_depth(png, info) != 16 || png_get_color_type(png, info) != PNG_COLOR_TYPE_GRAY ||
-        png_get_interlace_type(png, info) != PNG_INTERLACE_NONE) {
-      png_error(png, "it is no grey PNG of 16 bits");
-    }
-    if (std::endian::native == std::endian::little) png_set_swap(png);
     image.width = static_cast<int>(png_get_image_width(png, info));
     image.height = static_cast<int>(png_get_image_height(png, info));
-    image.numbers.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    for (int row = 0; row < image.height; ++row) {
-      const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
-      png_read_row(png, reinterpret_cast<png_bytep>(image.numbers.data() + first), nullptr);
+    constexpr png_uint_32 colour = PNG_INFO_gAMA | PNG_INFO_sRGB | PNG_INFO_iCCP | PNG_INFO_tRNS;
+    image.channels = 1;
+    if (png_get_bit_depth(png, info) != 16 || png_get_color_type(png, info) != PNG_COLOR_TYPE_GRAY ||
+        png_get_valid(png, info, colour) != 0) {
+      image.channels = 4;
+      png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
+      png_set_expand_16(png);
+      png_set_gray_to_rgb(png);
+      png_set_add_alpha(png, 0xFFFF, PNG_FILLER_AFTER);
+    }
+    if (std::endian::native == std::endian::little) png_set_swap(png);
+    return true;
+  }
+
+  bool read_rows(NumberImage& image) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    const int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    for (int pass = 0; pass < passes; ++pass) {
+      for (int row = 0; row < image.height; ++row) {
+        png_read_row(png, reinterpret_cast<png_bytep>(image.pixel(0, row)), nullptr);
+      }
     }
     return true;
   }
 };
 
-/// A PNG on its way into a file. libpng leaves by a jump when something fails, so no object is made meanwhile.
+/// A PNG on its way into a file, with jumps as above.
 struct PngWriter {
   OutputFile* output;
   png_structp png = nullptr;
@@ -137,32 +137,30 @@ struct PngWriter {
     if (!writer->outcome) png_error(png, "");
   }
 
-  void begin(int width, int height, int bits, int color_type) {
+  void begin(int width, int height, int bits, int color_type, std::span<png_text> texts) {
     png_set_write_fn(png, this, take, nullptr);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits, color_type,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (color_type == PNG_COLOR_TYPE_RGB_ALPHA) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(png, info);
   }
 
   bool write(const Image& image, std::span<png_text> texts) {
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
-    begin(image.width, image.height, 8, PNG_COLOR_TYPE_RGB_ALPHA);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
-    png_write_info(png, info);
+    begin(image.width, image.height, 8, PNG_COLOR_TYPE_RGB_ALPHA, texts);
     for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
     png_write_end(png, info);
     return true;
   }
 
-  bool write(const NumberImage& image) {
+  bool write(const NumberImage& image, std::span<png_text> texts) {
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
-    begin(image.width, image.height, 16, PNG_COLOR_TYPE_GRAY);
-    png_write_info(png, info);
+    begin(image.width, image.height, 16, image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB_ALPHA, texts);
     if (std::endian::native == std::endian::little) png_set_swap(png);
     for (int row = 0; row < image.height; ++row) {
-      const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
-      png_write_row(png, reinterpret_cast<png_const_bytep>(image.numbers.data() + first));
+      png_write_row(png, reinterpret_cast<png_const_bytep>(image.pixel(0, row)));
     }
     png_write_end(png, info);
     return true;
@@ -182,11 +180,12 @@ std::vector<png_text> lent_to_libpng(std::span<const PngText> texts) {
   return lent;
 }
 
-Status write_whole_png(const auto& image, const std::filesystem::path& file, auto... more) {
+Status write_whole_png(const auto& image, const std::filesystem::path& file, std::span<const PngText> texts) {
   auto output = OutputFile::create(file);
   if (!output) return output.error();
+  std::vector<png_text> lent = lent_to_libpng(texts);
   PngWriter writer(*output);
-  if (!writer.write(image, more...)) {
+  if (!writer.write(image, lent)) {
     return writer.outcome ? Error{file.string() + ": cannot be written: there is no memory left"} : writer.outcome;
   }
   return output->commit();
@@ -194,14 +193,31 @@ Status write_whole_png(const auto& image, const std::filesystem::path& file, aut
 
 }  // namespace
 
-Result<NumberImage> read_number_png(const std::filesystem::path& file) {
+Result<NumberImage> read_any_png(const std::filesystem::path& file) {
   const auto failed = [&](const std::string& why) { return Error{"cannot read image " + file.string() + ": " + why}; };
   const auto bytes = read_file(file, "a .png", most_png_bytes);
   if (!bytes) return failed(bytes.error().message);
+  constexpr std::size_t signature_bytes = 8;
+  const bool is_png = bytes->size() >= signature_bytes &&
+                      png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes->data()), 0, signature_bytes) == 0;
+  if (!is_png) return failed("it is no PNG; name one");
   PngReader reader(*bytes);
   NumberImage image;
-  if (!reader.read(image)) return failed(reader.complaint);
+  if (!reader.begin(image)) return failed(reader.complaint);
+  const std::uint64_t pixels = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+  if (pixels > most_pixels) {
+    return failed("it is " + std::to_string(image.width) + " by " + std::to_string(image.height) +
+                  " pixels by its header, and 16384 by 16384 are the most; scale it down");
+  }
+  image.numbers.resize(pixels * static_cast<std::size_t>(image.channels));
+  if (!reader.read_rows(image)) return failed(reader.complaint);
   return image;
+}
+
+Result<Image> read_png(const std::filesystem::path& file) {
+  const auto image = read_any_png(file);
+  if (!image) return image.error();
+  return in_8_bits(*image);
 }
 
 bool is_whole_png(const std::filesystem::path& file, int width, int height) {
@@ -226,8 +242,10 @@ bool is_whole_png(const std::filesystem::path& file, int width, int height) {
 }
 
 Status write_png(const Image& image, const std::filesystem::path& file, std::span<const PngText> texts) {
-  return write_whole_png(image, file, lent_to_libpng(texts));
+  return write_whole_png(image, file, texts);
 }
-Status write_png(const NumberImage& image, const std::filesystem::path& file) { return write_whole_png(image, file); }
+Status write_png(const NumberImage& image, const std::filesystem::path& file, std::span<const PngText> texts) {
+  return write_whole_png(image, file, texts);
+}
 
 }  // namespace throng::render

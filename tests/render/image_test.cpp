@@ -126,20 +126,62 @@ NumberImage slope(int width, int height) {
 TEST_F(ImageFile, OfNumbersIsReadAsItWasWritten) {
   const NumberImage written = slope(31, 17);
   ASSERT_TRUE(write_png(written, folder_ / "numbers.png"));
-  const Result<NumberImage> read = read_number_png(folder_ / "numbers.png");
+  const Result<NumberImage> read = read_any_png(folder_ / "numbers.png");
   ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->channels, 1);
   EXPECT_EQ(read->width, 31);
   EXPECT_EQ(read->height, 17);
   EXPECT_EQ(read->numbers, written.numbers);
-  EXPECT_EQ(read->at(2, 1), 33 * 257);
+  EXPECT_EQ(*read->pixel(2, 1), 33 * 257);
 }
 
-TEST_F(ImageFile, OfNumbersIsNoPictureAndNoPieceOfOne) {
-  ASSERT_TRUE(write_png(gradient(9, 9), folder_ / "picture.png"));
-  EXPECT_FALSE(read_number_png(folder_ / "picture.png"));
+TEST_F(ImageFile, OfColoursWith16BitsIsReadToTheLastBit) {
+  NumberImage written = in_16_bits(gradient(9, 7));
+  written.numbers[5] = 12345;
+  ASSERT_TRUE(write_png(written, folder_ / "deep.png"));
+  const Result<NumberImage> read = read_any_png(folder_ / "deep.png");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->channels, 4);
+  EXPECT_EQ(read->numbers, written.numbers);
+  EXPECT_EQ(read_png(folder_ / "deep.png")->rgba, in_8_bits(written).rgba) << "16 bits are sRGB as 8 are";
+}
+
+TEST_F(ImageFile, OfAPaletteOfGreyOrOfLinearColoursBecomesSrgbWithAlpha) {
+  constexpr std::string_view palette(
+      "\x89\x50\x4E\x47\x0D\x0A\x1A\x0A\x00\x00\x00\x0D\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x01"
+      "\x01\x03\x00\x00\x00\xCE\xEC\xED\xC9\x00\x00\x00\x06\x50\x4C\x54\x45\x0A\x14\x1E\xC8\x64\x32\x77\xA0"
+      "\xB3\x9C\x00\x00\x00\x02\x74\x52\x4E\x53\x00\x80\x9B\x2B\x4E\x18\x00\x00\x00\x0A\x49\x44\x41\x54\x78"
+      "\xDA\x63\x70\x00\x00\x00\x42\x00\x41\x84\xBF\x8E\x62\x00\x00\x00\x00\x49\x45\x4E\x44\xAE\x42\x60\x82",
+      99);
+  constexpr std::string_view grey(
+      "\x89\x50\x4E\x47\x0D\x0A\x1A\x0A\x00\x00\x00\x0D\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x01"
+      "\x08\x00\x00\x00\x00\xD1\x49\x20\x56\x00\x00\x00\x0B\x49\x44\x41\x54\x78\xDA\x63\x60\xA8\x07\x00\x00"
+      "\x82\x00\x80\xB3\xB6\x6E\xD1\x00\x00\x00\x00\x49\x45\x4E\x44\xAE\x42\x60\x82",
+      68);
+  constexpr std::string_view linear(
+      "\x89\x50\x4E\x47\x0D\x0A\x1A\x0A\x00\x00\x00\x0D\x49\x48\x44\x52\x00\x00\x00\x01\x00\x00\x00\x01"
+      "\x08\x02\x00\x00\x00\x90\x77\x53\xDE\x00\x00\x00\x04\x67\x41\x4D\x41\x00\x01\x86\xA0\x31\xE8\x96\x5F"
+      "\x00\x00\x00\x0C\x49\x44\x41\x54\x78\xDA\x63\x30\x67\xF8\x0F\x00\x01\xA8\x01\x37\x23\x73\x4E\xA1\x00"
+      "\x00\x00\x00\x49\x45\x4E\x44\xAE\x42\x60\x82",
+      85);
+  const auto pixels = [&](std::string_view bytes) {
+    std::ofstream(folder_ / "other.png", std::ios::binary) << bytes;
+    const Result<Image> read = read_png(folder_ / "other.png");
+    return read ? std::vector<int>(read->rgba.begin(), read->rgba.end()) : std::vector<int>();
+  };
+  EXPECT_EQ(pixels(palette), (std::vector{10, 20, 30, 0, 200, 100, 50, 128}));
+  EXPECT_EQ(pixels(grey), (std::vector{0, 0, 0, 255, 127, 127, 127, 255}));
+  const std::vector<int> of_linear = pixels(linear);
+  ASSERT_EQ(of_linear.size(), 4U);
+  EXPECT_NEAR(of_linear[0], 128, 3) << "0.216 of the light";
+  EXPECT_EQ(of_linear[1], 0);
+  EXPECT_EQ(of_linear[2], 255);
+}
+
+TEST_F(ImageFile, OfNumbersIsReadInAllPiecesOrNot) {
   ASSERT_TRUE(write_png(slope(31, 17), folder_ / "numbers.png"));
   std::filesystem::resize_file(folder_ / "numbers.png", 60);
-  const Result<NumberImage> read = read_number_png(folder_ / "numbers.png");
+  const Result<NumberImage> read = read_any_png(folder_ / "numbers.png");
   ASSERT_FALSE(read);
   EXPECT_NE(read.error().message.find("it ends too early"), std::string::npos) << read.error().message;
 }

@@ -80,7 +80,7 @@ bool CaseDrawer::draw(const RegressionCase& wanted, CaseOutcome& outcome) const 
 }
 
 void CaseDrawer::hold(const RegressionCase& wanted, CaseOutcome& outcome) const {
-  const auto actual = render::read_png(outcome.actual);
+  const auto actual = read_compared(outcome.actual);
   if (!actual) return fail(outcome, Verdict::not_drawn, actual.error().message);
   std::error_code error;
   if (!fs::exists(wanted.expected, error)) {
@@ -88,21 +88,21 @@ void CaseDrawer::hold(const RegressionCase& wanted, CaseOutcome& outcome) const 
                 "there is no expected picture " + wanted.expected.string() + "; look at " + outcome.actual.string() +
                     ", and if it is right, make it with: " + plan_.typed + " --case " + wanted.name + " --update");
   }
-  const auto expected = render::read_png(wanted.expected);
+  const auto expected = read_compared(wanted.expected);
   if (!expected) return fail(outcome, Verdict::failed, expected.error().message);
   outcome.expected = wanted.expected;
   outcome.expected_origin = read_origin(wanted.expected);
   compare(wanted, rounded_to_bits(*expected, plan_.all.bits), rounded_to_bits(*actual, plan_.all.bits), outcome);
 }
 
-void CaseDrawer::compare(const RegressionCase& wanted, const render::Image& expected, const render::Image& actual,
+void CaseDrawer::compare(const RegressionCase& wanted, const ComparedPicture& expected, const ComparedPicture& actual,
                          CaseOutcome& outcome) const {
   const std::string other = other_origin(outcome.expected_origin, outcome.actual_origin);
   const std::string first = other.empty() ? "" : other + "; ";
   const auto difference = measure_difference(expected, actual);
   if (!difference) return fail(outcome, Verdict::failed, first + difference.error().message);
   outcome.figures = judge(*difference, wanted.tolerance);
-  outcome.differs = *difference != PictureDifference();
+  outcome.differs = !difference->is_none();
   outcome.brief = figures_text(*difference);
   if (all_within(outcome.figures)) return;
   outcome.difference = file_of(outcome, "difference");
@@ -121,10 +121,11 @@ void CaseDrawer::update(const RegressionCase& wanted, CaseOutcome& outcome) {
   const auto drawn = render::read_png(outcome.actual);
   if (!drawn) return fail(outcome, Verdict::not_drawn, drawn.error().message);
   const render::Image picture = rounded_to_bits(*drawn, plan_.all.bits);
-  const auto before = render::read_png(wanted.expected);
+  const auto before = read_compared(wanted.expected);
+  const auto difference = before ? measure_difference(*before, picture) : before.error();
   outcome.expected = wanted.expected;
   written_.insert(wanted.expected);
-  if (before && before->width == picture.width && before->rgba == picture.rgba) {
+  if (difference && difference->is_none()) {
     outcome.verdict = Verdict::same;
     outcome.expected_origin = read_origin(wanted.expected);
     return;

@@ -32,7 +32,7 @@ class CaseDrawer {
   std::string file_of(const CaseOutcome& outcome, const char* what) const;
   bool draw(const RegressionCase& wanted, CaseOutcome& outcome) const;
   void hold(const RegressionCase& wanted, CaseOutcome& outcome) const;
-  void compare(const RegressionCase& wanted, const render::Image& expected, const render::Image& actual,
+  void compare(const RegressionCase& wanted, const ComparedPicture& expected, const ComparedPicture& actual,
                CaseOutcome& outcome) const;
   void update(const RegressionCase& wanted, CaseOutcome& outcome);
 

@@ -10,14 +10,17 @@
 namespace throng::app {
 
 int run_compare(const CompareOptions& options) {
-  const auto expected = render::read_png(options.expected);
+  const auto expected = read_compared(options.expected);
   if (!expected) return end_with(exit_job_failed, expected.error().message);
-  const auto actual = render::read_png(options.actual);
+  const auto actual = read_compared(options.actual);
   if (!actual) return end_with(exit_job_failed, actual.error().message);
   const std::string other = other_origin(read_origin(options.expected), read_origin(options.actual));
   const std::string first = other.empty() ? "" : other + "; ";
   const auto difference = measure_difference(*expected, *actual);
   if (!difference) return end_with(exit_job_failed, first + difference.error().message);
+  if (const std::string unfit = unfit_limits(*difference, options.tolerance); !unfit.empty()) {
+    return end_with(exit_job_failed, unfit);
+  }
   if (!options.difference.empty()) {
     const auto written = render::write_png(paint_difference(*expected, *actual), options.difference);
     if (!written) return end_with(exit_job_failed, written.error().message);

@@ -89,6 +89,15 @@ TEST(Bits, OfAChannelAreCutAndWhiteStays) {
   EXPECT_EQ(rounded_to_bits(image, 1).pixel(1, 0)[0], 255);
 }
 
+TEST(Bits, AreCutOfColoursAlone) {
+  render::NumberImage deep = render::in_16_bits(Image::blank(2, 1));
+  deep.numbers[0] = 0x7F7F;
+  EXPECT_EQ(rounded_to_bits({deep, PixelKind::colours}, 6).image.numbers[0], 0x7C7C);
+  deep.numbers[0] = 0x7F80;
+  EXPECT_EQ(rounded_to_bits({deep, PixelKind::colours}, 8).image.numbers[0], 0x7F80);
+  EXPECT_EQ(rounded_to_bits({deep, PixelKind::labels}, 6).image.numbers[0], 0x7F80);
+}
+
 TEST(Tolerance, HoldsToNothingButTheSameWhereItHasNoLimit) {
   EXPECT_TRUE(all_within(judge({}, {})));
   EXPECT_FALSE(all_within(judge({.mean = 1e-6}, {})));

@@ -65,7 +65,7 @@ Result<InputFile> InputFile::open(const std::filesystem::path& path, std::string
   std::shared_ptr<void> handle = std::make_shared<Descriptor>(number);
   if (fstat(number, &status) != 0) return failure("read");
   if (!S_ISREG(status.st_mode)) return refused(status.st_mode);
-  return InputFile(std::move(handle), static_cast<std::uint64_t>(status.st_size));
+  return unless_pointer(InputFile(std::move(handle), static_cast<std::uint64_t>(status.st_size)));
 }
 
 Result<std::size_t> InputFile::read(std::span<std::byte> bytes) {

@@ -24,7 +24,8 @@ struct MappedFile {
 class InputFile {
  public:
   /// Opens a file; follows links. `wanted` says what the file should be. It never waits.
-  /// Errors: there is no such file, it is a folder, a pipe, a device or a socket, it may not be read.
+  /// Errors: there is no such file, it is a folder, a pipe, a device or a socket, it may not be read, or a pointer of
+  /// Git LFS stands in its place.
   static Result<InputFile> open(const std::filesystem::path& path, std::string_view wanted = "a file");
 
   /// Returns how many bytes it had when it was opened.
@@ -39,6 +40,7 @@ class InputFile {
 
  private:
   InputFile(std::shared_ptr<void> handle, std::uint64_t size) : handle_(std::move(handle)), size_(size) {}
+  static Result<InputFile> unless_pointer(InputFile file);
 
   std::shared_ptr<void> handle_;  // what the system has for it; closes the file
   std::uint64_t size_;

@@ -33,7 +33,7 @@ Result<InputFile> InputFile::open(const std::filesystem::path& path, std::string
   }
   LARGE_INTEGER size{};
   if (GetFileSizeEx(opened, &size) == 0) return failure("read");
-  return InputFile(std::move(handle), static_cast<std::uint64_t>(size.QuadPart));
+  return unless_pointer(InputFile(std::move(handle), static_cast<std::uint64_t>(size.QuadPart)));
 }
 
 Result<std::size_t> InputFile::read(std::span<std::byte> bytes) {

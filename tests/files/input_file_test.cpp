@@ -54,6 +54,15 @@ TEST_F(InputFiles, LargerThanTheLimitAreRefused) {
   EXPECT_EQ(complaint(file_), "it is larger than 10 B, the most for a .glb");
 }
 
+TEST_F(InputFiles, SayThatAPointerOfGitLfsStandsInTheirPlace) {
+  put("version https://git-lfs.github.com/spec/v1\noid "
+      "sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n");
+  EXPECT_EQ(complaint(file_), "it is a pointer of Git LFS, not the file itself; run git lfs pull");
+  EXPECT_FALSE(map_file(file_, "a .glb"));
+  put("version https://git-lfs.example.com is another text, which is long enough");
+  EXPECT_EQ(read_text(file_, "a text", 1000)->size(), 73U);
+}
+
 TEST_F(InputFiles, SayWhatLiesInTheirPlace) {
   EXPECT_EQ(complaint(file_), "there is no such file; check the path");
   EXPECT_EQ(complaint(file_ / "below"), "there is no such file; check the path");

@@ -91,9 +91,9 @@ bool has_surface(const anim::ImportedFile& file) {
 anim::Error no_mesh(const std::string& path, const anim::Model& model) {
   const std::size_t clips = model.clips.size();
   return {anim::plain_text(path) + ": it has a skeleton of " + counted(model.skeleton.bones.size(), "bone") +
-          (clips > 0 ? " and " + counted(clips, "clip") : "") +
-          ", but no mesh to draw; open the file that has the mesh" +
-          (clips > 0 ? ", with --clips-from and this file" : ", or export both into one")};
+          (clips > 0 ? " and " + counted(clips, "clip") : "") + ", but no mesh to draw; " +
+          (clips > 0 ? "name the file of a character with a mesh, and add --clips-from " + anim::plain_text(path)
+                     : "export it into one .glb with its mesh")};
 }
 
 anim::Error too_many(const std::string& entry) {

@@ -1,5 +1,6 @@
 #include "engine/anim/import/json_document.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -131,6 +132,10 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   while (!text.empty() && text.back() == '\0') text.remove_suffix(1);
   json document = parse_text(text, repairs);
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
+  if (std::ranges::none_of(std::array{"asset", "scenes", "nodes", "meshes", "buffers"},
+                           [&](const char* key) { return document.contains(key); })) {
+    throw Refusal("it is JSON, but not glTF, which says its version in \"asset\"; name a .glb or .gltf");
+  }
   leave_out_unknown_values(document, repairs);
   keep_extra(document, "animations", data_keys_property);
   keep_extra(document, "animations", curves_property);

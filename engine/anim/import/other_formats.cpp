@@ -17,6 +17,8 @@ constexpr std::string_view by_its_program = "export it as glTF 2.0 (.glb) from t
 constexpr std::string_view by_fbx = "export it from its program as FBX, import that in Blender, and export glTF 2.0";
 constexpr std::string_view by_unpacking = "unpack it and open the .glb or .gltf in it";
 constexpr std::string_view by_opening = "open it in Blender and export glTF 2.0 (.glb)";
+constexpr std::string_view by_table =
+    "if its rows say who is where when, save them as CSV and give it with --trajectories";
 constexpr std::string_view by_model = "open the .glb or .gltf file that it belongs to";
 
 struct Format {
@@ -50,7 +52,17 @@ constexpr Format draco{"a bare Draco mesh", "export the rigged character as glTF
 constexpr Format picture{"a picture", by_model};
 constexpr Format buffer{"a buffer of a .gltf file", by_model};
 constexpr Format web_page{"a web page, so a download probably failed", "download the file again"};
-constexpr Format lfs{"a pointer of Git LFS, not the file itself", "run git lfs pull"};
+constexpr Format hdf5{"an HDF5 file", by_table};
+constexpr Format parquet{"a Parquet table", by_table};
+constexpr Format arrow{"an Arrow table", by_table};
+constexpr Format numpy{"an array of NumPy", by_table};
+constexpr Format matlab{"a MATLAB file", by_table};
+constexpr Format sqlite{"a database of SQLite", "if it is a recorded crowd, give it with --trajectories"};
+constexpr Format spreadsheet{"a spreadsheet", by_table};
+constexpr Format text_table{"a table of text", "if its rows say who is where when, give it with --trajectories"};
+constexpr Format wide_text{"a text in UTF-16", "save it as UTF-8"};
+constexpr Format json_list{"a list of JSON", "name a .glb or .gltf"};
+constexpr Format pdf{"a PDF", by_model};
 constexpr Format recording{"a recording", "give it with --replay"};
 
 struct Signature {
@@ -94,8 +106,16 @@ constexpr std::array signatures{
     Signature{"\xFD"
               "7zXZ",
               archive},
-    Signature{"version https://git-lfs", lfs},
     Signature{"THRONGRC", recording},
+    Signature{"\x89HDF\r\n\x1A\n", hdf5},
+    Signature{"PAR1", parquet},
+    Signature{"ARROW1", arrow},
+    Signature{"\x93NUMPY", numpy},
+    Signature{"MATLAB 5.0 MAT-file", matlab},
+    Signature{"SQLite format 3\0"sv, sqlite},
+    Signature{"%PDF-", pdf},
+    Signature{"\xFF\xFE", wide_text},
+    Signature{"\xFE\xFF", wide_text},
 };
 
 /// Many formats share a container, so the name's ending goes before these.
@@ -130,6 +150,9 @@ constexpr std::array endings{
     Ending{".jpg", picture},      Ending{".jpeg", picture},
     Ending{".webp", picture},     Ending{".ktx2", picture},
     Ending{".bin", buffer},       Ending{".rec", recording},
+    Ending{".csv", text_table},   Ending{".tsv", text_table},
+    Ending{".xlsx", spreadsheet}, Ending{".xls", spreadsheet},
+    Ending{".ods", spreadsheet},
 };
 
 std::string sentence(const Format& format) {
@@ -161,6 +184,16 @@ const Format* by_markup(std::string_view text) {
   return nullptr;
 }
 
+/// A first line of words or numbers with separators between them is that of a table, or of a .gltf that is damaged.
+const Format* by_first_line(std::string_view text, const std::filesystem::path& path) {
+  if (text.starts_with('[')) return &json_list;
+  if (equal_without_case(path.extension().string(), ".gltf")) return nullptr;
+  const std::string_view line = text.substr(0, std::min(text.find_first_of("\r\n"), std::size_t{4096}));
+  const bool is_plain =
+      std::ranges::all_of(line, [](char c) { return c == '\t' || static_cast<unsigned char>(c) >= ' '; });
+  return is_plain && line.find_first_of(",;\t") != std::string_view::npos ? &text_table : nullptr;
+}
+
 }  // namespace
 
 std::string describe_other_format(std::span<const std::byte> bytes, const std::filesystem::path& path) {
@@ -170,7 +203,8 @@ std::string describe_other_format(std::span<const std::byte> bytes, const std::f
   if (const Format* format = by_beginning(containers, text)) return sentence(*format);
   const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   text.remove_prefix(std::min(begin, text.size()));
-  const Format* const format = by_markup(text);
+  const Format* format = by_markup(text);
+  if (format == nullptr) format = by_first_line(text, path);
   return format == nullptr ? std::string() : sentence(*format);
 }
 

@@ -190,9 +190,7 @@ TEST_F(CastFiles, WithoutAMeshAreRefusedInWords) {
   put_text("no_mesh.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"a"}],)"
                            R"("skins":[{"joints":[0]}]})");
   EXPECT_EQ(refusal(load_cast(cast_of({&file, 1}))),
-            file +
-                ": it has a skeleton of 1 bone, but no mesh to draw; open the file that has the mesh, or export "
-                "both into one");
+            file + ": it has a skeleton of 1 bone, but no mesh to draw; export it into one .glb with its mesh");
 }
 
 TEST_F(CastFiles, KnowWhoseColoursAreTheirFilesOwn) {

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/pixels/decode.h"
+#include "engine/anim/import/pixels/halve.h"
 
 namespace throng::import {
 
@@ -16,18 +18,34 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
+std::string sides_of(const anim::Image& image) {
+  return std::to_string(image.width) + " by " + std::to_string(image.height);
+}
+
+/// Scales an image down until it fits into its share of the memory for images, and says so.
+void scale_into(std::uint64_t share, anim::Image& image, const std::string& name, std::vector<std::string>& repairs) {
+  const std::string before = sides_of(image);
+  while (image.rgba.size() > share && image.rgba.size() > 4) image = halved(image);
+  if (sides_of(image) == before) return;
+  repairs.push_back(name + ": scaled down from " + before + " to " + sides_of(image) +
+                    " pixels, because the images of its file would take too much memory; --memory-limit allows more");
+}
+
 /// Decodes within what the account allows, and charges it with the pixels.
-anim::Result<anim::Image> decode_within_account(MemoryAccount& memory, Bytes bytes, const std::string& name) {
-  const std::uint64_t free = memory.take_image_allowance(bytes.size());
+anim::Result<anim::Image> decode_within_account(Document& document, Bytes bytes, const std::string& name) {
+  MemoryAccount& memory = *document.memory;
+  const std::uint64_t budget = memory.decoder_memory();
+  const std::size_t known = document.decoded_images.size(), all = document.images.size();
+  const std::uint64_t share = memory.image_share(bytes.size(), all > known ? all - known : 1);
   try {
-    anim::Result<anim::Image> image = decode_image(bytes, memory.left() + free);
-    const std::uint64_t pixels = image ? image->rgba.size() : 0;
-    const std::uint64_t free_pixels = std::min(free, pixels);
-    memory.give_back_image_allowance(free - free_pixels);
-    memory.charge_for_good(pixels - free_pixels, name);
+    anim::Result<anim::Image> image = decode_image(bytes, budget);
+    if (!image) return image;
+    memory.count_decoded(image->rgba.size(), name);
+    scale_into(share, *image, name, document.repairs);
+    memory.charge_for_image(image->rgba.size(), name);
     return image;
   } catch (const OverBudget& over) {
-    memory.refuse(over.bytes, name, free);
+    memory.refuse(over.bytes, name, budget - memory.left());
   }
 }
 
@@ -69,7 +87,7 @@ anim::Image read_image(Document& document, int image) {
     read = document.files.read(uri, encoded.file, name, *document.memory);
     bytes = read;
   }
-  auto decoded = decode_within_account(*document.memory, bytes, name);
+  auto decoded = decode_within_account(document, bytes, name);
   return image_of(document.decoded_images.emplace(encoded.place, std::move(decoded)).first->second);
 }
 

@@ -17,8 +17,9 @@ struct ImportOptions {
 /// the object and what to do.
 /// Reads files only below the model's own folder, and where symbolic links in it lead.
 /// Names and messages are plain text (plain_text.h), whatever the file holds.
-/// Never throws, crashes or hangs on any input. The size of the files bounds the memory: what would hold more than 64
-/// MB and four times the files is refused before it is taken (memory/README.md).
+/// Never throws, crashes or hangs on any input. What would hold more than 64 MB and four times the files is refused
+/// before it is taken. Images may hold 1 GB besides, into which they are scaled down, and JSON 256 MB
+/// (memory/README.md).
 anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 
 /// Does the same, but accepts a file without skins, which has animations and no models.

@@ -119,12 +119,6 @@ glm::vec3 emission_of(const tinygltf::Material& source) {
   return glm::vec3(factor[0], factor[1], factor[2]) * times;
 }
 
-/// Counts the bytes of an image that import makes: first those that images may take for nothing.
-void charge_for_image(MemoryAccount& memory, std::uint64_t bytes, const std::string& name) {
-  const std::uint64_t free = memory.take_image_allowance(bytes / free_memory_an_image_byte);
-  memory.charge_for_good(bytes - std::min(free, bytes), name);
-}
-
 }  // namespace
 
 int MaterialCollector::material(int file_material) {
@@ -221,7 +215,7 @@ int MaterialCollector::index_of_converted(const anim::Image& diffuse, const anim
   const auto known = std::ranges::find_if(converted_, is_same);
   if (known != converted_.end()) return known->base_color;
   const glm::ivec2 sides = sides_of_both(diffuse, specular);
-  charge_for_image(*document_.memory, 2 * rgba_size(sides.x, sides.y), "images of specular and glossy materials");
+  document_.memory->charge_for_image(2 * rgba_size(sides.x, sides.y), "images of specular and glossy materials");
   MetallicRoughnessImages images = to_metallic_roughness(diffuse, specular, factors);
   images_.push_back(std::move(images.base_color));
   images_.push_back(std::move(images.metallic_roughness));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ const std::vector<HostileFile>& hostile_files();
 
 /// Writes a model with skins of 70,000 joints.
 std::filesystem::path write_skins_of_many_joints(const TemporaryFolder& folder);
+
+/// Writes a model that shows as many images, in a file each.
+std::filesystem::path write_with_images(const TemporaryFolder& folder, std::size_t count, const std::vector<char>& png);
 
 /// Writes a model that shows an image, called "skin", which it finds in a file of that name.
 std::filesystem::path write_with_image(const TemporaryFolder& folder, const char* name, const std::vector<char>& bytes);

@@ -62,10 +62,44 @@ std::filesystem::path write_flat_image(const TemporaryFolder& folder) {
   return write_with_image(folder, "skin.png", png_of_zeros(4096, 4096, false));
 }
 
+/// What images may hold besides, however small their files are, and what a decoder may.
+constexpr std::uint64_t memory_for_images = 2'000'000'000;
+
+TEST(DenseImage, IsReadHoweverSmallItsFileIs) {
+  for (const bool is_jpeg : {false, true}) {
+    const TemporaryFolder folder;
+    const auto bytes = is_jpeg ? jpeg_of_zeros(8192, 8192) : webp_of_zeros(8192, 8192);
+    const std::filesystem::path model = write_with_image(folder, "skin.png", bytes);
+    const ImportApart imported = import_apart(model);
+    EXPECT_THAT(imported.message, IsEmpty());
+    EXPECT_LE(imported.peak, (memory_for(model) + memory_for_images) * times);
+  }
+}
+
+TEST(DenseImage, OfFlatColourIsWhole) {
+  const TemporaryFolder folder;
+  const anim::ImportedFile file = import_good(write_flat_image(folder));
+  EXPECT_EQ(file.models.at(0).images.at(0).width, 4096);
+  EXPECT_THAT(file.repairs, IsEmpty());
+}
+
+TEST(DenseImages, ThatTakeTooMuchTogetherAreScaledDownAndSaid) {
+  const TemporaryFolder folder;
+  const std::filesystem::path model = write_with_images(folder, 17, png_of_zeros(4096, 4096, false));
+  EXPECT_LE(import_apart(model).peak, (memory_for(model) + memory_for_images) * times);
+  const anim::ImportedFile file = import_good(model);
+  EXPECT_EQ(file.models.at(0).images.front().width, 2048);
+  EXPECT_EQ(file.models.at(0).images.back().width, 4096) << "which has what the others left";
+  ASSERT_FALSE(file.repairs.empty());
+  EXPECT_EQ(file.repairs.front(),
+            "image 0 \"skin\": scaled down from 4096 by 4096 to 2048 by 2048 pixels, because the images of its file "
+            "would take too much memory; --memory-limit allows more");
+}
+
 TEST(MemoryLimit, OfTheCallerAllowsMore) {
   const TemporaryFolder folder;
   const std::filesystem::path model = write_flat_image(folder);
-  EXPECT_THAT(message_of(model), HasSubstr("image 0 \"skin\" needs 67.1 MB"));
+  EXPECT_THAT(import_apart(model, {.memory_limit = 66'000'000}).message, HasSubstr("image 0 \"skin\" needs 67.1 MB"));
   EXPECT_THAT(import_apart(model, {.memory_limit = 500'000'000}).message, IsEmpty());
 }
 

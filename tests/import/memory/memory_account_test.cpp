@@ -50,20 +50,34 @@ TEST(MemoryAccount, KnowsNoSizeThatIsTooLargeToAdd) {
   EXPECT_THROW(account.add_file(~std::uint64_t{0}, "buffer 0"), MemoryRefusal);
 }
 
-TEST(MemoryAccount, GivesImagesAnAllowanceThatEnds) {
+TEST(MemoryAccount, GivesEachImageItsShareHoweverSmallItsFileIs) {
   MemoryAccount account;
-  EXPECT_EQ(account.take_image_allowance(1000), 128'000U);
-  EXPECT_EQ(account.take_image_allowance(1'000'000'000), 1'000'000'000U - 128'000U);
-  EXPECT_EQ(account.take_image_allowance(1000), 0U);
-  account.give_back_image_allowance(100);
-  EXPECT_EQ(account.take_image_allowance(1000), 100U);
+  EXPECT_EQ(account.image_share(0, 4), 250'000'000U);
+  account.charge_for_image(100'000'000, "image 0");
+  EXPECT_EQ(account.image_share(0, 3), 300'000'000U);
+  EXPECT_EQ(account.image_share(1000, 3), 300'002'000U) << "a large file may have a large image";
+  EXPECT_EQ(account.left(), 64'000'000U) << "meshes lose nothing to images";
+}
+
+TEST(MemoryAccount, KeepsSmallImagesWholeBesideMany) { EXPECT_EQ(MemoryAccount().image_share(0, 100'000), 4U << 20U); }
+
+TEST(MemoryAccount, RefusesImagesThatTookTooMuchToDecode) {
+  MemoryAccount account;
+  for (int i = 0; i < 5; ++i) account.count_decoded(1'000'000'000, "image");
+  try {
+    account.count_decoded(1, "image 5");
+    FAIL();
+  } catch (const MemoryRefusal& refusal) {
+    EXPECT_THAT(refusal.what(), HasSubstr("image 5 is one too many: the images before it have 5000.0 MB of pixels; "));
+  }
 }
 
 TEST(MemoryAccount, OfAGivenLimitHasNoAllowance) {
   MemoryAccount account(1'000'000);
   account.add_file(1000, "the file");
   EXPECT_EQ(account.left(), 999'000U);
-  EXPECT_EQ(account.take_image_allowance(1000), 0U);
+  EXPECT_EQ(account.image_share(1000, 3), 999'000U);
+  EXPECT_EQ(account.decoder_memory(), 999'000U);
   EXPECT_EQ(account.json_allowance(1000), 0U);
 }
 

@@ -42,10 +42,30 @@ void MemoryAccount::charge_for_good(std::uint64_t bytes, const std::string& obje
   for_good_ += bytes;
 }
 
-std::uint64_t MemoryAccount::take_image_allowance(std::uint64_t encoded) {
-  const std::uint64_t taken = std::min(product(encoded, free_memory_an_image_byte), free_image_memory_);
-  free_image_memory_ -= taken;
-  return taken;
+std::uint64_t MemoryAccount::image_share(std::uint64_t encoded, std::size_t images) const {
+  if (is_given_) return left();
+  constexpr std::uint64_t small_image = std::uint64_t{4} << 20U;  // many of them are no reason to scale one
+  const std::uint64_t of_its_file = std::min(product(encoded, memory_a_file_byte / 2), left() / 2);
+  return std::max(free_image_memory_ / images, std::min(free_image_memory_ / 2, small_image)) + of_its_file;
+}
+
+std::uint64_t MemoryAccount::decoder_memory() const {
+  return is_given_ ? left() : std::max(sum(left(), free_image_memory_), most_decoder_memory);
+}
+
+void MemoryAccount::count_decoded(std::uint64_t bytes, const std::string& object) {
+  if (!is_given_ && decoded_ > sum(limit_, most_decoded_memory)) {
+    throw MemoryRefusal(object + " is one too many: the images before it have " + told(decoded_) +
+                        " of pixels; use fewer or smaller images, or allow more with --memory-limit");
+  }
+  decoded_ = sum(decoded_, bytes);
+}
+
+void MemoryAccount::charge_for_image(std::uint64_t bytes, const std::string& object) {
+  const std::uint64_t free = std::min(bytes, free_image_memory_);
+  if (bytes - free > left()) refuse(bytes, object, free);
+  free_image_memory_ -= free;
+  for_good_ += bytes - free;
 }
 
 std::uint64_t MemoryAccount::json_allowance(std::uint64_t text) const {

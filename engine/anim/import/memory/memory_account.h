@@ -10,10 +10,11 @@ namespace throng::import {
 inline constexpr std::uint64_t basic_memory = 64'000'000;  ///< bytes, however small the file is
 inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of those that it names
 
-// Images and JSON are packed far more densely than all else. What they take up to here does not count; a JPEG of 4096
-// pixels squared takes 67 MB, and often has less than one.
-inline constexpr std::uint64_t free_memory_an_image_byte = 128;
-inline constexpr std::uint64_t most_free_image_memory = 1'000'000'000;  ///< bytes, all images together
+// Images and JSON are packed far more densely than all else. What they take up to here does not count; a flat PNG of
+// 4096 pixels squared takes 67 MB, and may have 15 KB.
+inline constexpr std::uint64_t most_free_image_memory = 1'000'000'000;  ///< bytes of pixels, all images together
+inline constexpr std::uint64_t most_decoder_memory = 1'000'000'000;     ///< bytes, of one image at a time
+inline constexpr std::uint64_t most_decoded_memory = 4'000'000'000;     ///< bytes, all images before they are scaled
 inline constexpr std::uint64_t free_memory_a_json_byte = 32;
 inline constexpr std::uint64_t most_free_json_memory = 256'000'000;  ///< bytes
 
@@ -40,9 +41,15 @@ class MemoryAccount {
   /// Counts bytes that stay to the end, whatever scope is open. Throws MemoryRefusal likewise.
   void charge_for_good(std::uint64_t bytes, const std::string& object);
 
-  /// Takes what the `encoded` bytes of an image may take without being counted, and returns it.
-  std::uint64_t take_image_allowance(std::uint64_t encoded);
-  void give_back_image_allowance(std::uint64_t bytes) { free_image_memory_ += bytes; }
+  /// Returns how many bytes the pixels of an image may keep that is the first of `images`, so that each has its share.
+  std::uint64_t image_share(std::uint64_t encoded, std::size_t images) const;
+  /// Returns how many bytes the decoder of an image may hold for a while, the pixels among them.
+  std::uint64_t decoder_memory() const;
+  /// Counts what decoders made, whether or not it is kept. Throws MemoryRefusal where images made too much before.
+  void count_decoded(std::uint64_t bytes, const std::string& object);
+  /// Counts the pixels of an image, which stay to the end: first those that images may take for nothing. Throws
+  /// MemoryRefusal.
+  void charge_for_image(std::uint64_t bytes, const std::string& object);
 
   /// Returns what JSON of so many bytes may take without being counted.
   std::uint64_t json_allowance(std::uint64_t text) const;
@@ -58,6 +65,7 @@ class MemoryAccount {
   std::uint64_t limit_;
   std::uint64_t held_ = 0, for_good_ = 0;
   std::uint64_t free_image_memory_;
+  std::uint64_t decoded_ = 0;
 };
 
 /// Gives back what is charged while it lives, but for what is kept.

@@ -109,7 +109,8 @@ struct LoadOptions {
   double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
   bool strict = false;       ///< refuses what would be repaired
   bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
-  /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and more for its images.
+  /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and more for its images,
+  /// which are scaled down to 1 GB of pixels where they have more.
   std::uint64_t memory_limit = 0;
   /// Reads a pack into memory of its own instead of mapping it. A mapped file may only be replaced by renaming another
   /// one to its name, as `throng bake` does: if a program cuts or overwrites it, this one ends.

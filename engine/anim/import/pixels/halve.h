@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/anim/asset/model.h"
+
+namespace throng::import {
+
+/// Returns an image with half as many columns and rows, rounded up. A texel is the mean of those that it stands for, as
+/// they are stored.
+anim::Image halved(const anim::Image& image);
+
+}  // namespace throng::import

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/files/program_words.h"
+#include "app/output/whole_video.h"
 #include "app/settings/option_values.h"
 
 namespace throng::app {
@@ -102,14 +103,17 @@ anim::Status VideoFile::add(const render::Image& frame) {
 }
 
 anim::Status VideoFile::finish() {
-  if (const int status = encoder_.finish(); status != 0) return ended("failed at the end of the video", status);
-  return file_.commit();
+  const int status = encoder_.finish();
+  if (status != 0) return ended("failed at the end of the video", status);
+  const bool is_whole = !file_.full_disk_in(encoder_.said()) && is_whole_video(file_.part());
+  return is_whole ? file_.commit() : ended("left a video that is not whole", status);
 }
 
 anim::Error VideoFile::ended(const std::string& how, int status) const {
+  if (auto full = file_.full_disk_in(encoder_.said())) return *full;
   const std::string words = last_line(encoder_.said());
   return {file_.file().string() + ": ffmpeg " + how + " (status " + std::to_string(status) + ")" +
-          (words.empty() ? "" : ": " + words)};
+          (words.empty() ? "" : ": " + words) + "; write --pictures instead"};
 }
 
 }  // namespace throng::app

@@ -31,7 +31,8 @@ class VideoFile {
 
   /// Adds a frame, which has the size of the video. Errors: ffmpeg ended; the error has its last words.
   anim::Status add(const render::Image& frame);
-  /// Ends the video, and gives the file its name. Errors: ffmpeg failed, or the file cannot be written.
+  /// Ends the video, and gives the file its name. Errors: ffmpeg failed, the disk is full, or the video has no end,
+  /// whatever the exit status of ffmpeg.
   anim::Status finish();
 
  private:

@@ -2,6 +2,7 @@
 
 #if !defined(_WIN32)  // output_calls_windows.cpp is for Windows
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 
@@ -41,7 +42,10 @@ int replace(const std::filesystem::path& part, const std::filesystem::path& file
   return std::rename(part.c_str(), file.c_str());
 }
 
-bool means_full(int error_number) { return error_number == ENOSPC || error_number == EDQUOT; }
+std::span<const int> errors_of_a_full_disk() {
+  static constexpr std::array<int, 2> numbers{ENOSPC, EDQUOT};
+  return numbers;
+}
 
 }  // namespace throng::output_calls
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 
 /// What OutputFile asks of the system. Calls fail as those of POSIX do: with -1, and the number of the error in errno.
 namespace throng::output_calls {
@@ -18,7 +19,7 @@ int close(int descriptor);
 void take_rights(int descriptor, const std::filesystem::path& from);
 /// Gives a file the name of another one, which it replaces.
 int replace(const std::filesystem::path& part, const std::filesystem::path& file);
-/// Returns whether the number of an error means that the disk, or what the user may have of it, is full.
-bool means_full(int error_number);
+/// Returns the numbers of the errors which mean that the disk, or what the user may have of it, is full.
+std::span<const int> errors_of_a_full_disk();
 
 }  // namespace throng::output_calls

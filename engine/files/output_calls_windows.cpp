@@ -1,6 +1,7 @@
 #if defined(_WIN32)
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -39,7 +40,10 @@ int replace(const std::filesystem::path& part, const std::filesystem::path& file
   return -1;
 }
 
-bool means_full(int error_number) { return error_number == ENOSPC; }
+std::span<const int> errors_of_a_full_disk() {
+  static constexpr std::array<int, 1> numbers{ENOSPC};
+  return numbers;
+}
 
 }  // namespace throng::output_calls
 

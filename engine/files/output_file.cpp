@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -23,7 +24,8 @@ Error cannot_write(const fs::path& file, const std::string& why) {
   return {file.string() + ": cannot be written: " + why};
 }
 Error cannot_write(const fs::path& file, int error_number) {
-  return cannot_write(file, std::generic_category().message(error_number));
+  const std::string remedy = error_number == ENOENT ? "; make its folder, or name another file" : "";
+  return cannot_write(file, std::generic_category().message(error_number) + remedy);
 }
 
 /// Returns the file that a name stands for, through links, also where that file does not exist yet.
@@ -68,13 +70,15 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-std::string why_full(const fs::path& file, std::uint64_t missing) {
+/// Says that the disk is full, and what is missing where it is known.
+Error disk_is_full(const fs::path& file, std::uint64_t missing) {
   std::error_code error;
   const fs::path folder = file.parent_path();
   const fs::space_info disk = fs::space(folder.empty() ? "." : folder, error);
   const std::uint64_t free = error ? 0 : disk.available;
-  return "the disk is full: " + size_text(missing) + " more are needed, and " + size_text(free) +
-         " are free; make room, or name a file on another disk";
+  const std::string need =
+      missing == 0 ? "" : ": " + size_text(missing) + " more are needed, and " + size_text(free) + " are free";
+  return cannot_write(file, "the disk is full" + need + "; make room, or name a file on another disk");
 }
 
 /// Returns the process that writes a part: 1234 for "1234" and "1234-1".
@@ -140,10 +144,18 @@ Status OutputFile::open_part() {
 
 Status OutputFile::fail(int error_number) {
   const std::uint64_t missing = std::max<std::uint64_t>(expected_, written_ + pending_.size()) - written_;
-  const bool is_full = output_calls::means_full(error_number);
-  state_ =
-      is_full && !part_.empty() ? cannot_write(file_, why_full(file_, missing)) : cannot_write(file_, error_number);
+  const std::span<const int> full = output_calls::errors_of_a_full_disk();
+  const bool is_full = std::ranges::find(full, error_number) != full.end();
+  state_ = is_full && !part_.empty() ? disk_is_full(file_, missing) : cannot_write(file_, error_number);
   return state_;
+}
+
+std::optional<Error> OutputFile::full_disk_in(std::string_view words) const {
+  const auto is_said = [&](int number) {
+    return words.find(std::generic_category().message(number)) != std::string_view::npos;
+  };
+  if (!std::ranges::any_of(output_calls::errors_of_a_full_disk(), is_said)) return {};
+  return disk_is_full(file_, 0);
 }
 
 Status OutputFile::flush() {

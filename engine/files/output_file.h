@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ class OutputFile {
   Status commit(Sync sync = Sync::disk);
   const std::filesystem::path& file() const { return file_; }
   const std::filesystem::path& part() const { return part_; }  ///< empty for a device or a pipe
+  /// Returns the error of a full disk, if the words of another program that writes the part tell of one.
+  std::optional<Error> full_disk_in(std::string_view words) const;
 
  private:
   OutputFile(std::filesystem::path file, Unfinished unfinished, std::uint64_t expected);

@@ -90,7 +90,9 @@ TEST_F(OutputFiles, CheckNamesOptionFileAndReason) {
   const fs::path file = folder_ / "absent" / "a.png";
   const auto status = check_can_be_written("--screenshot", file);
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message, "--screenshot " + file.string() + ": cannot be written: No such file or directory");
+  EXPECT_EQ(status.error().message,
+            "--screenshot " + file.string() +
+                ": cannot be written: No such file or directory; make its folder, or name another file");
 }
 
 TEST_F(OutputFiles, CheckRefusesAFolder) {

@@ -19,8 +19,12 @@ inline std::string contents_of(const std::filesystem::path& file) {
 /// it does with a video is `body`, where $file is the file to write. It notes the words that it was started with.
 class FakeFfmpeg {
  public:
-  /// Writes what comes: the frames, one behind the other.
-  static constexpr const char* takes_all = "cat > \"$file\"";
+  /// Writes an .mp4 whose media are what comes: the frames, one behind the other.
+  static constexpr const char* takes_all = R"(cat > "$file"
+length=$(($(wc -c < "$file") + 8))
+digits=$(printf '\\%03o' $((length >> 24 & 255)) $((length >> 16 & 255)) $((length >> 8 & 255)) $((length & 255)))
+{ printf "${digits}mdat"; cat "$file"; printf '\000\000\000\010moov'; } > "$file.whole"
+mv "$file.whole" "$file")";
 
   FakeFfmpeg(const std::filesystem::path& folder, const std::string& body,
              const std::string& encoders = " libx264 libvpx-vp9 ")
@@ -40,6 +44,12 @@ class FakeFfmpeg {
   ~FakeFfmpeg() { setenv("PATH", path_before_.c_str(), 1); }
   FakeFfmpeg(const FakeFfmpeg&) = delete;
   FakeFfmpeg& operator=(const FakeFfmpeg&) = delete;
+
+  /// Returns the frames of a video that it has taken.
+  static std::string frames_in(const std::filesystem::path& file) {
+    const std::string video = contents_of(file);
+    return video.size() < 16 ? "" : video.substr(8, video.size() - 16);
+  }
 
   std::string path() const { return folder_.string(); }
   /// Returns the words of its last start for a video.

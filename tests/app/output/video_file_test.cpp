@@ -45,7 +45,7 @@ class Video : public test::TemporaryFolder {
 TEST_F(Video, GetsEveryFrameInSizeAndRate) {
   const FakeFfmpeg ffmpeg(folder_, FakeFfmpeg::takes_all);
   ASSERT_TRUE(make(7, 20, 10, 59.94));
-  EXPECT_EQ(fs::file_size(file_), 7U * 20 * 10 * 3);
+  EXPECT_EQ(FakeFfmpeg::frames_in(file_).size(), 7U * 20 * 10 * 3);
   EXPECT_THAT(ffmpeg.words(), HasSubstr("-pixel_format rgb24 -video_size 20x10 -framerate 59.94"));
   EXPECT_THAT(ffmpeg.words(), HasSubstr("-c:v libx264"));
   EXPECT_THAT(ffmpeg.words(), HasSubstr("format=yuv420p"));
@@ -53,7 +53,7 @@ TEST_F(Video, GetsEveryFrameInSizeAndRate) {
 }
 
 TEST_F(Video, OfTheWebIsVp9) {
-  const FakeFfmpeg ffmpeg(folder_, FakeFfmpeg::takes_all);
+  const FakeFfmpeg ffmpeg(folder_, R"(printf '\032\105\337\243\200\030\123\200\147\200' > "$file")");
   auto video = VideoFile::create(folder_ / "crowd.webm", {2, 2, 60});
   ASSERT_TRUE(video);
   ASSERT_TRUE((*video)->finish());
@@ -92,7 +92,8 @@ TEST_F(Video, ThatFfmpegGivesUpSaysItsLastWordsAndLeavesTheOldFile) {
   const anim::Status made = make(1000, 200, 100);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
-            file_.string() + ": ffmpeg ended before the video did (status 3): the disk has no room");
+            file_.string() +
+                ": ffmpeg ended before the video did (status 3): the disk has no room; write --pictures instead");
   EXPECT_EQ(contents_of(file_), "old");
   EXPECT_EQ(parts(), 0U);
 }
@@ -107,10 +108,30 @@ TEST_F(Video, ThatFailsAtItsEndIsNoVideo) {
   EXPECT_EQ(parts(), 0U);
 }
 
+TEST_F(Video, ThatIsCutShortIsNoVideoWhateverTheStatusOfFfmpeg) {
+  const FakeFfmpeg ffmpeg(folder_, std::string(FakeFfmpeg::takes_all) + "; truncate -s -1 \"$file\"");
+  const anim::Status made = make(3, 20, 10);
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message, HasSubstr("ffmpeg left a video that is not whole (status 0); write --pictures"));
+  EXPECT_FALSE(fs::exists(file_));
+  EXPECT_EQ(parts(), 0U);
+}
+
+TEST_F(Video, OnAFullDiskSaysSoWhateverTheStatusOfFfmpeg) {
+  const FakeFfmpeg ffmpeg(folder_, "cat > \"$file\"; echo 'Error closing file: No space left on device' >&2");
+  std::ofstream(file_) << "old";
+  const anim::Status made = make(3, 20, 10);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, file_.string() +
+                                      ": cannot be written: the disk is full; make room, or name a file on another "
+                                      "disk");
+  EXPECT_EQ(contents_of(file_), "old");
+}
+
 TEST_F(Video, IsNotHeldUpByAnFfmpegThatTalks) {
   const FakeFfmpeg ffmpeg(folder_, "head -c 300000 /dev/zero | tr '\\0' x; " + std::string(FakeFfmpeg::takes_all));
   ASSERT_TRUE(make(20, 100, 100));
-  EXPECT_EQ(fs::file_size(file_), 20U * 100 * 100 * 3);
+  EXPECT_EQ(FakeFfmpeg::frames_in(file_).size(), 20U * 100 * 100 * 3);
 }
 
 TEST_F(Video, ThatIsGivenUpEndsItsFfmpegAndLeavesNothing) {

@@ -105,8 +105,8 @@ void declare_output(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Every frame of a headless run");
   reader.value("--video", "FILE.mp4|.webm", "Write a video, with the ffmpeg that is installed",
                video_file(output.video));
-  reader.value("--fps-out", "N", "Frames a second of the video; without --dt, of the run too (those of the run)",
-               real_number(output.frames_per_second, least_rate, most_rate));
+  reader.value("--fps-out", "N[/N]", "Frames a second of the video; without --dt, of the run too (those of the run)",
+               frame_rate(output.frames_per_second, least_rate, most_rate));
   reader.value("--pictures", "DIR", "Write numbered PNGs; those of the same run that are there are kept",
                folder_name(output.pictures));
   reader.value("--labels", "DIR", "Write who is where: mask and depth as PNGs, boxes and joints as JSON",

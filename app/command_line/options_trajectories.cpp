@@ -66,8 +66,8 @@ Complaint take_up_axis(TrackReading& reading, anim::UpAxis axis) {
 void declare_track_reading(OptionReader& reader, TrackReading& reading) {
   reader.value("--walls", "FILE", "Walls and floors: WKT, .scenario or .floor (what the file has)",
                file_name(reading.walls));
-  reader.value("--fps", "N", "Frames a second of its rows, where they have frames (what the file says)",
-               real_number(reading.fps, 0.001, most_rows_a_second));
+  reader.value("--fps", "N[/N]", "Frames a second of its rows, where they have frames (what the file says)",
+               frame_rate(reading.fps, 0.001, most_rows_a_second));
   reader.value(
       "--time-unit", "s|ms|us|ns|min", "The unit of its times, where rows have times (by name of the column)",
       choice<double>(reading.times_a_second, {{"s", 1.0}, {"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}, {"min", 1.0 / 60.0}}));

@@ -71,6 +71,20 @@ ValueReader real_number(std::optional<double>& target, double least, double most
   return [&target, least, most](const std::string& text) { return read_number(text, least, most, target.emplace()); };
 }
 
+ValueReader frame_rate(std::optional<double>& target, double least, double most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    constexpr int most_part = std::numeric_limits<int>::max();
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    int frames = 0, seconds = 0;
+    const bool is_quotient = !read_number(text.substr(0, slash), 1, most_part, frames) && slash < text.size() &&
+                             !read_number(text.substr(slash + 1), 1, most_part, seconds);
+    const std::string number = is_quotient ? shortest_text(static_cast<double>(frames) / seconds) : text;
+    Complaint complaint = read_number(number, least, most, target.emplace());
+    if (complaint) complaint->append(", or two whole ones with / between them, such as 30000/1001");
+    return complaint;
+  };
+}
+
 ValueReader number_between(float& target, float least, float most) {
   return [&target, least, most](const std::string& text) {
     return read_number(text, static_cast<double>(least), static_cast<double>(most), target);

@@ -53,6 +53,8 @@ ValueReader whole_number(int& target, int least, int most);
 ValueReader number_between(float& target, float least, float most);
 /// Reads any number from `least` to `most`.
 ValueReader real_number(std::optional<double>& target, double least, double most);
+/// Reads frames a second from `least` to `most`: a number, or a quotient of two whole ones as 30000/1001.
+ValueReader frame_rate(std::optional<double>& target, double least, double most);
 /// Reads a number of bytes with or without a unit: "500MB", "1.5GB", "2GiB".
 ValueReader memory_size(std::uint64_t& target);
 ValueReader frame_seconds(std::optional<double>& target);  ///< 1e-6 to 3600

@@ -25,6 +25,10 @@ TEST(OutputOptionsOfALine, LetTheRateSayTheStepUnlessTheStepIsSaid) {
   EXPECT_FALSE(options_of("--headless --video a.mp4").dt.has_value());
 }
 
+TEST(OutputOptionsOfALine, TakeARateAsTelevisionWritesIt) {
+  EXPECT_EQ(options_of("--headless --video a.mp4 --fps-out 30000/1001").output.frames_per_second, 30000.0 / 1001.0);
+}
+
 TEST(OutputOptionsOfALine, LetSecondsSayTheLength) {
   EXPECT_EQ(options_of("--headless --seconds 2").frames, 120);
   EXPECT_EQ(options_of("--headless --seconds 2 --dt 0.1").frames, 20);
@@ -70,7 +74,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"TheLastFrameAlone", "--headless --labels l --draw last",
                 "--labels: takes each frame; leave out --draw"},
         Refused{"ARateOfNothing", "--headless --fps-out 30", "--fps-out: goes with --video"},
-        Refused{"NoRate", "--headless --video a.mp4 --fps-out 0", "--fps-out 0: must be a number, 0.1 to 1000"},
+        Refused{"NoRate", "--headless --video a.mp4 --fps-out 0",
+                "--fps-out 0: must be a number, 0.1 to 1000, or two whole ones with / between them, such as "
+                "30000/1001"},
+        Refused{
+            "ARateOverNothing", "--headless --video a.mp4 --fps-out 30/0",
+            "--fps-out 30/0: must be a number, 0.1 to 1000, or two whole ones with / between them, such as 30000/1001"},
+        Refused{"ARateBelowTheLeast", "--headless --video a.mp4 --fps-out 1/100",
+                "--fps-out 1/100: must be a number, 0.1 to 1000, or two whole ones with / between them, such as "
+                "30000/1001"},
         Refused{"TwoLengths", "--headless --seconds 1 --frames 60",
                 "--seconds: --frames says it too; give one of them"},
         Refused{"SecondsOfAWindow", "--seconds 1", "--seconds: a window goes by the clock; add --headless"},

@@ -42,6 +42,10 @@ TEST(TrajectoryOptionsOfALine, AreThoseOfInspectToo) {
   EXPECT_TRUE(reading.lenient);
 }
 
+TEST(TrajectoryOptionsOfALine, TakeARateAsTelevisionWritesIt) {
+  EXPECT_EQ(options_of("--trajectories walk.csv --fps 30000/1001").trajectories.reading.fps, 30000.0 / 1001.0);
+}
+
 TEST(TrajectoryOptionsOfALine, SayHowItsTimeIsPlayed) {
   const DemoOptions options =
       options_of("--trajectories walk.csv --track-rate -0.5 --track-part 40,12.5 --track-repeat");

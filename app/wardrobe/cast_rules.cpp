@@ -16,6 +16,7 @@ namespace {
 
 constexpr int rules_version = 1;
 constexpr double least_size = 0.3, most_size = 2.0;
+constexpr std::size_t most_colors = 1000;  // of all palettes; each is held against those before it
 
 using RuleComplaint = std::optional<std::string>;
 
@@ -113,6 +114,8 @@ class RulesReader {
     for (const Json& json : member.value.elements()) {
       if (const auto color = color_of(json)) palette.colors.push_back(*color);
     }
+    colors_ += member.value.elements().size();
+    if (colors_ > most_colors) complain("\"colours\" must be at most " + std::to_string(most_colors) + " in all");
     if (palette.colors.empty() || palette.colors.size() != member.value.elements().size()) {
       complain("colours " + anim::in_quotes(member.key) + " must be an array of colours like \"#2F4A63\"");
     }
@@ -206,6 +209,7 @@ class RulesReader {
 
   const Json& json_;
   CastRules rules_;
+  std::size_t colors_ = 0;  // of the palettes so far
   RuleComplaint complaint_;
 };
 

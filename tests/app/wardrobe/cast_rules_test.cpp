@@ -61,6 +61,14 @@ TEST(CastRules, RefuseWhatTheyCannotMean) {
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 2"), HasSubstr("\"version\" must be 1"));
 }
 
+TEST(CastRules, HaveNoMoreColoursThanCanBeToldApartInTime) {
+  const std::string red = "\"#FF0000\"";
+  std::string many = red;
+  for (int color = 1; color < 999; ++color) many += ", " + red;  // and the other of "reds"
+  EXPECT_EQ(complaint_with(red, many), "(taken)");
+  EXPECT_THAT(complaint_with(red, many + ", " + red), HasSubstr("\"colours\" must be at most 1000 in all"));
+}
+
 Wardrobe wardrobe_of(std::initializer_list<const char*> names) {
   std::vector<anim::ModelPart> parts;
   for (const char* name : names) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,15 +40,27 @@ ClipSource best_source(const anim::ImportedFile& clips, const anim::Skeleton& sk
 /// Mixamo calls every clip "mixamo.com".
 bool says_something(const std::string& name) { return !name.empty() && name.find("mixamo.com") == std::string::npos; }
 
-/// Returns the clip's name, or that of its file, made one that no other clip has.
-std::string name_for(const anim::Clip& clip, const std::string& clip_file, const std::vector<std::string>& taken) {
-  const std::string stem = anim::plain_text(std::filesystem::path(clip_file).stem().string());
-  std::string name = says_something(clip.name) ? clip.name : stem;
-  if (std::ranges::count(taken, name) > 0 && name != stem) name = stem + " " + name;
-  const std::string wanted = name;
-  for (int number = 2; std::ranges::count(taken, name) > 0; ++number) name = wanted + " " + std::to_string(number);
-  return name;
-}
+/// Gives clips of a file names that no other clip has.
+class ClipNames {
+ public:
+  ClipNames(const std::string& clip_file, const std::vector<std::string>& taken)
+      : stem_(anim::plain_text(std::filesystem::path(clip_file).stem().string())), taken_(taken.begin(), taken.end()) {}
+
+  /// Returns the clip's name, or that of its file, with a number behind it where it is taken.
+  std::string name_for(const anim::Clip& clip) {
+    std::string wanted = says_something(clip.name) ? clip.name : stem_;
+    if (taken_.contains(wanted) && wanted != stem_) wanted = stem_ + " " + wanted;
+    int& number = numbers_.try_emplace(wanted, 1).first->second;
+    std::string name = wanted;
+    while (!taken_.insert(name).second) name = wanted + " " + std::to_string(++number);
+    return name;
+  }
+
+ private:
+  std::string stem_;
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> numbers_;  // the last number that stands behind a name
+};
 
 std::string listed(const std::set<std::string>& bones) {
   constexpr std::size_t most = 8;
@@ -101,9 +115,10 @@ std::string plays_none(const ClipFile& clips) {
 void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedFile& file, anim::Model& model) {
   std::set<std::string> lost;
   bool as_they_were = true;
+  ClipNames names(clips.path, file.animations);
   for (const anim::Clip& clip : source.model->clips) {
     anim::RetargetedClip fitted = source.retargeter->retarget(clip);
-    fitted.clip.name = name_for(clip, clips.path, file.animations);
+    fitted.clip.name = names.name_for(clip);
     fitted.clip.animation = static_cast<int>(file.animations.size());
     file.animations.push_back(fitted.clip.name);
     model.clips.push_back(std::move(fitted.clip));

@@ -38,6 +38,18 @@ TEST(ClipFiles, AddTheirClipsUnderNamesThatNoOtherHas) {
   EXPECT_THAT(file.notes, Contains(HasSubstr("clips taken, with their keys as they are")));
 }
 
+TEST(ClipFiles, GetTheNameOfTheirFileAndNumbersWhereAllAreCalledMixamo) {
+  anim::ImportedFile file = *import::import_file(mannequin);
+  const std::size_t clips = file.models.front().clips.size();
+  std::vector<ClipFile> clip_files = *read_clip_files({&mannequin, 1});
+  for (anim::Clip& clip : clip_files.front().imported.models.front().clips) clip.name = "mixamo.com";
+  ASSERT_TRUE(add_clips_from(pointers_to(clip_files), file, 0));
+  const std::vector<anim::Clip>& all = file.models.front().clips;
+  EXPECT_EQ(all[clips].name, "mannequin");
+  EXPECT_EQ(all[clips + 1].name, "mannequin 2");
+  EXPECT_EQ(all.back().name, "mannequin " + std::to_string(clips));
+}
+
 TEST(ClipFiles, GoToTheModelThatIsMeant) {
   anim::ImportedFile file = *import::import_file(mannequin);
   file.models.push_back(file.models.front());

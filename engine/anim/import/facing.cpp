@@ -141,7 +141,8 @@ glm::vec4 tangent_of(const glm::dvec3& sum, float side, const glm::dvec3& normal
 }  // namespace
 
 void shade_flat(anim::SkinnedMesh& mesh) {
-  constexpr float alike = 1e-4F;  // normals of triangles in one plane, which share their vertices
+  constexpr float alike = 1e-4F;                // normals of triangles in one plane, which share their vertices
+  constexpr std::ptrdiff_t most_compared = 64;  // copies; a fan has as many as triangles
   std::vector<std::uint32_t> sources(mesh.positions.size());
   std::iota(sources.begin(), sources.end(), 0U);
   std::vector<std::vector<std::uint32_t>> copies(sources.size());  // of each vertex, itself among them once it is used
@@ -151,8 +152,9 @@ void shade_flat(anim::SkinnedMesh& mesh) {
     for (std::size_t corner = i; corner < i + 3; ++corner) {
       const std::uint32_t vertex = mesh.indices[corner];
       const auto is_alike = [&](std::uint32_t copy) { return glm::distance(mesh.normals[copy], normal) < alike; };
-      const auto same = std::ranges::find_if(copies[vertex], is_alike);
-      if (same != copies[vertex].end()) {
+      const auto last = copies[vertex].end();
+      const auto same = std::find_if(last - std::min(most_compared, last - copies[vertex].begin()), last, is_alike);
+      if (same != last) {
         mesh.indices[corner] = *same;
         continue;
       }

@@ -17,6 +17,7 @@
 #include "engine/anim/bake/footsteps.h"
 #include "engine/anim/bake/grid.h"
 #include "engine/anim/bake/ground_speed.h"
+#include "engine/anim/bake/name_numbers.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/bake/reorder.h"
 #include "engine/anim/bake/root_motion.h"
@@ -150,14 +151,6 @@ double reach_of(const BoundsSurvey& room, const Skeleton& skeleton, const Surfac
   return room.reach(without_turn(skeleton, proxy, clip, baked.root_motion, start), glm::dvec3(0.0));
 }
 
-/// Returns the index of `name` among `names`, and adds it if it is new.
-std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::ranges::find(names, name);
-  const auto index = static_cast<std::uint32_t>(found - names.begin());
-  if (found == names.end()) names.push_back(name);
-  return index;
-}
-
 /// Returns the file's data keys in the time of the baked clip, or footsteps for a loop that has none.
 std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked,
                                        const BakeOptions& options) {
@@ -170,18 +163,18 @@ std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& c
 }
 
 /// Data keys get the numbers of their names one clip after the other, so that no thread decides them.
-void add_data_keys(Character& character, BakedClip& baked, std::span<const NamedDataKey> keys) {
+void add_data_keys(NameNumbers& names, BakedClip& baked, std::span<const NamedDataKey> keys) {
   for (const NamedDataKey& key : keys) {
     const Ticks time = std::clamp(key_ticks(key.time), Ticks{}, baked.duration);
-    baked.data_keys.push_back({.time = time, .name = intern(character.data_key_names, key.name)});
+    baked.data_keys.push_back({.time = time, .name = names.of(key.name)});
   }
   std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);
 }
 
 /// Curves get the numbers of their names as data keys do.
-void add_curves(Character& character, BakedClip& baked, const Clip& clip, double start) {
+void add_curves(NameNumbers& names, BakedClip& baked, const Clip& clip, double start) {
   for (const NamedCurve& curve : clip.curves) {
-    baked.curves.push_back(bake_curve(curve, start, intern(character.curve_names, curve.name)));
+    baked.curves.push_back(bake_curve(curve, start, names.of(curve.name)));
   }
 }
 
@@ -224,9 +217,10 @@ Character bake_character(const Model& model, const BakeOptions& options) {
               [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
   character.bounds = room.bounds(reaches);
   character.bounds.reach += character.morph_reach;
+  NameNumbers keys(character.data_key_names), curves(character.curve_names);
   for (std::size_t clip = 0; clip < clips.size(); ++clip) {
-    add_data_keys(character, character.clips[clip], data_keys[clip]);
-    add_curves(character, character.clips[clip], clips[clip], start_of(clips[clip], options));
+    add_data_keys(keys, character.clips[clip], data_keys[clip]);
+    add_curves(curves, character.clips[clip], clips[clip], start_of(clips[clip], options));
   }
   return character;
 }

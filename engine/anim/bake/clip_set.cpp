@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/anim/bake/bone_match.h"
+#include "engine/anim/bake/name_numbers.h"
 #include "engine/anim/bake/reorder.h"
 #include "engine/anim/base/plain_text.h"
 
@@ -57,12 +58,9 @@ Character lend_character(const std::shared_ptr<const Character>& from) {
 
 /// Returns for each name of `more` its index in `names`, which take the new ones.
 std::vector<std::uint32_t> join_names(std::vector<std::string>& names, const std::vector<std::string>& more) {
+  NameNumbers numbers(names);
   std::vector<std::uint32_t> indices;
-  for (const std::string& name : more) {
-    const auto found = std::ranges::find(names, name);
-    indices.push_back(static_cast<std::uint32_t>(found - names.begin()));
-    if (found == names.end()) names.push_back(name);
-  }
+  for (const std::string& name : more) indices.push_back(numbers.of(name));
   return indices;
 }
 

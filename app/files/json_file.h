@@ -10,7 +10,7 @@ namespace throng::app {
 
 /// The remedies that complaints end with: for a missing file, for a file that is not JSON, and for wrong contents.
 struct JsonRemedies {
-  std::string_view unread = {}, malformed = {}, wrong = {};
+  std::string_view unread = {}, malformed = "mend it there", wrong = {};
 };
 
 /// A file of JSON that people may write by hand. Every complaint is one sentence that begins with the file's name.

@@ -94,7 +94,8 @@ anim::Status LabelFiles::write(const LabelFrame& frame, const render::NumberImag
 anim::Status LabelFiles::keep() {
   return writer_.add([this]() -> anim::Status {
     const auto line = kept_.next();
-    return line ? lines_.write(*line + "\n") : anim::Error{"labels.jsonl has changed while it was read"};
+    if (line) return lines_.write(*line + "\n");
+    return anim::Error{lines_.file().string() + ": it has changed while it was read; name another folder"};
   });
 }
 

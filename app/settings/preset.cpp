@@ -80,7 +80,7 @@ Complaint read_camera_place(const std::string& key, const Json& json, std::optio
 
 Complaint from_json_text(std::string_view text, Preset& preset) {
   const auto json = parse_json(text);
-  return json ? from_json(*json, preset) : Complaint(json.error().message);
+  return json ? from_json(*json, preset) : Complaint(json.error().message + "; mend it there");
 }
 
 Complaint from_json(const Json& json, Preset& preset) {

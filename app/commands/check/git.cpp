@@ -38,7 +38,8 @@ std::optional<std::string> unkept_in(const fs::path& folder, const std::vector<s
   const auto ended = run_child(words);
   if (!ended) return "git is not installed, so nothing can bring back what is replaced in " + folder.string();
   if (ended->status != 0) {
-    return "git cannot bring back what is replaced in " + folder.string() + " (" + first_line(ended->errors) + ")";
+    const std::string why = ended->errors.empty() ? "" : " (" + first_line(ended->errors) + ")";
+    return "git cannot bring back what is replaced in " + folder.string() + why;
   }
   const std::vector<std::string> unkept = names_in(ended->output);
   if (unkept.empty()) return {};

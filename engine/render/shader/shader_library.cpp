@@ -15,7 +15,7 @@ std::string read_log(GLuint id, auto get_number, auto get_log) {
   get_number(id, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length), '\0');
   get_log(id, length, nullptr, log.data());
-  return log;
+  return length > 1 ? log : "the driver gives no reason";  // the length counts the 0 behind the log
 }
 
 void declare_captured(GLuint program, const std::vector<std::string>& captured) {

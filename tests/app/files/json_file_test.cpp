@@ -18,6 +18,7 @@ TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
   EXPECT_EQ(file.read().error().message, path + ": there is no such file; check the path; look");
   std::ofstream(path) << "[";
   EXPECT_EQ(file.read().error().message, path + ": is not JSON at line 1, column 2; mend");
+  EXPECT_EQ(JsonFile(path).read().error().message, path + ": is not JSON at line 1, column 2; mend it there");
   std::ofstream(path) << "[7]";
   EXPECT_EQ(*file.read(), Json::array({7}));
   EXPECT_EQ(file.wrong("has a hole").message, path + ": has a hole; change");

@@ -125,7 +125,7 @@ TEST_F(Presets, AreRefusedWithFileKeyAndWhatToDo) {
   EXPECT_THAT(refusal_of(R"({"smooth": null})"), HasSubstr("\"smooth\" must be a number, a word, true or false"));
   EXPECT_THAT(refusal_of(R"({"camera": "front"})"), HasSubstr("\"camera\" must be x,y,z,yaw,pitch[,fov]"));
   EXPECT_THAT(refusal_of("[]"), HasSubstr("must be a JSON object"));
-  EXPECT_THAT(refusal_of(R"({"agents")"), HasSubstr("is not JSON at line 1, column 10"));
+  EXPECT_THAT(refusal_of(R"({"agents")"), HasSubstr("is not JSON at line 1, column 10; mend it there"));
   EXPECT_THAT(refusal_of(std::string(70'000, '[')), HasSubstr("larger than 64.0 KiB"));
   EXPECT_THAT(read_preset(folder_).error().message, HasSubstr("it is a folder"));
 }

@@ -1,5 +1,7 @@
 #include "app/wardrobe/clothing.h"
 
+#include <cstddef>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -10,6 +12,8 @@
 namespace throng::app {
 
 namespace {
+
+constexpr std::size_t most_parts = 1000;  // each is held against the others, for each body
 
 /// Returns MODEL.cast.json, if it is there.
 std::filesystem::path rules_beside(const CharacterSource& source) {
@@ -39,6 +43,10 @@ std::filesystem::path rules_file_of(const CharacterSource& source) {
 }
 
 anim::Result<Clothing> clothing_of(const CharacterSource& source) {
+  if (source.model.parts.size() > most_parts) {
+    return anim::Error{anim::plain_text(source.file) + ": it has " + std::to_string(source.model.parts.size()) +
+                       " parts to wear, and " + std::to_string(most_parts) + " are the most; split the model"};
+  }
   Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}};
   auto rules = rules_for(source, clothing.wardrobe);
   if (!rules && source.rules) return anim::Error{owner_of_rules(source) + ": " + rules.error().message};

@@ -18,7 +18,7 @@ struct Clothing {
 
 /// Returns the clothing of a character: its parts, and CharacterSource::rules, or else those of the file
 /// CharacterSource::cast_rules, or of MODEL.cast.json beside its file, or even ones for a file with parts and without
-/// rules. Errors: those of read_cast_rules, and a name that no part has.
+/// rules. Errors: those of read_cast_rules, a name that no part has, and more than 1000 parts.
 anim::Result<Clothing> clothing_of(const CharacterSource& source);
 
 /// Returns the file that the rules of a character come from; empty where there is none.

@@ -40,9 +40,12 @@ class PlanBuilder {
     std::array<float, 3> lengths{};
     for (std::size_t i = 0; i < 3; ++i) lengths.at(i) = glm::distance(corners.at(i), corners.at((i + 1) % 3));
     for (std::size_t i = 1; i < 3; ++i) first = lengths.at(i) > lengths.at(first) ? i : first;
-    if (lengths.at(first) <= longest) return add_whole(corners, normal, paint);
     const glm::vec3 &a = corners.at(first), &b = corners.at((first + 1) % 3), &c = corners.at((first + 2) % 3);
     const glm::vec3 middle = 0.5F * (a + b);
+    const float rest = std::max(glm::distance(a, middle), glm::distance(middle, b));
+    // Numbers far from the origin have none between them, and halving would never end.
+    const bool is_halved = rest < 0.75F * lengths.at(first);
+    if (lengths.at(first) <= longest || !is_halved) return add_whole(corners, normal, paint);
     add({a, middle, c}, normal, paint, longest);
     add({middle, b, c}, normal, paint, longest);
   }

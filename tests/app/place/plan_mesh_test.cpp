@@ -254,4 +254,12 @@ TEST(PlanMesh, NoTriangleIsLong) {
   EXPECT_LT(faces.size(), 100'000U);
 }
 
+TEST(PlanMesh, FarFromTheOriginEndsWhereNumbersDo) {
+  for (const float far : {2e7F, 1e8F, 9e8F}) {
+    const glm::vec2 corner(far, far);
+    const GroundPlan plan = floor_of(rectangle(corner, corner + glm::vec2(200.0F)));
+    EXPECT_FALSE(plan_mesh(plan).vertices.empty()) << far;
+  }
+}
+
 }  // namespace throng::app::plan_mesh_test

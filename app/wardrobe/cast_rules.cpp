@@ -17,6 +17,7 @@ namespace {
 constexpr int rules_version = 1;
 constexpr double least_size = 0.3, most_size = 2.0;
 constexpr std::size_t most_colors = 1000;  // of all palettes; each is held against those before it
+constexpr std::size_t most_bodies = 256;   // an agent keeps the number of its body in a byte
 
 using RuleComplaint = std::optional<std::string>;
 
@@ -49,16 +50,16 @@ class RulesReader {
         {"version", "bodies", "skin", "colours", "clothes", "styles", "scenes", "weather", "teams", "things", "seed"},
         complaint_);
     all.version(rules_version);
-    all.need({"styles", "scenes"});
+    all.need({"bodies", "styles", "scenes"});
     all.texts("skin", rules_.skin);
-    for (const Json::Member& body : json_["bodies"].members()) read_body(body);
-    for (const Json::Member& palette : json_["colours"].members()) read_palette(palette);
-    for (const Json::Member& cloth : json_["clothes"].members()) read_cloth(cloth);
-    for (const Json::Member& style : json_["styles"].members()) read_style(style);
-    for (const Json::Member& scene : json_["scenes"].members()) {
+    for (const Json::Member& body : all.members("bodies")) read_body(body);
+    for (const Json::Member& palette : all.members("colours")) read_palette(palette);
+    for (const Json::Member& cloth : all.members("clothes")) read_cloth(cloth);
+    for (const Json::Member& style : all.members("styles")) read_style(style);
+    for (const Json::Member& scene : all.members("scenes")) {
       rules_.scenes.push_back({scene.key, weighed("scene " + anim::in_quotes(scene.key), scene.value)});
     }
-    for (const Json::Member& weather : json_["weather"].members()) {
+    for (const Json::Member& weather : all.members("weather")) {
       rules_.weather.push_back({weather.key, weighed("weather " + anim::in_quotes(weather.key), weather.value)});
     }
     for (const Json& team : all.elements("teams")) read_team(team);
@@ -91,9 +92,9 @@ class RulesReader {
     return names;
   }
 
-  std::vector<SlotRule> slots(const std::string& owner, const Json& json) {
+  std::vector<SlotRule> worn_slots(const std::string& owner, const JsonObject& object) {
     std::vector<SlotRule> slots;
-    for (const Json::Member& slot : json.members()) {
+    for (const Json::Member& slot : object.members("wears")) {
       slots.push_back({slot.key, weighed(owner + ", " + anim::in_quotes(slot.key), slot.value)});
     }
     return slots;
@@ -106,7 +107,7 @@ class RulesReader {
     object.number("share", share, 0.0, most_weight);
     object.number("size", size, least_size, most_size);
     rules_.bodies.push_back({member.key, static_cast<float>(share), static_cast<float>(size),
-                             slots("body " + anim::in_quotes(member.key), object["wears"])});
+                             worn_slots("body " + anim::in_quotes(member.key), object)});
   }
 
   void read_palette(const Json::Member& member) {
@@ -157,8 +158,8 @@ class RulesReader {
     object.texts("bodies", style.bodies);
     object.flag("alike", style.alike);
     object.flag("old", style.old);
-    style.wears = slots(owner, object["wears"]);
-    for (const Json::Member& color : object["colours"].members()) {
+    style.wears = worn_slots(owner, object);
+    for (const Json::Member& color : object.members("colours")) {
       if (!color.value.is<std::string>()) {
         complain(owner + ": the colours of " + anim::in_quotes(color.key) + " must be the name of a palette");
       } else {
@@ -177,8 +178,14 @@ class RulesReader {
   }
 
   void check_names() {
-    if (rules_.scenes.empty() || rules_.scenes.front().styles.empty()) complain("\"scenes\" must name styles");
+    if (rules_.bodies.empty()) complain("\"bodies\" must name a body, as in {\"man\": {}}");
+    if (rules_.bodies.size() > most_bodies) {
+      complain("\"bodies\" has " + std::to_string(rules_.bodies.size()) + " bodies, and " +
+               std::to_string(most_bodies) + " are the most");
+    }
+    if (rules_.scenes.empty()) complain("\"scenes\" must name a scene, as in {\"any\": {\"casual\": 1}}");
     for (const SceneRule& scene : rules_.scenes) {
+      if (scene.styles.empty()) complain("scene " + anim::in_quotes(scene.scene) + " must name a style");
       for (const WeighedName& style : scene.styles) {
         if (rules_.style(style.name) == nullptr) {
           complain("scene " + anim::in_quotes(scene.scene) + ": no style is called " + anim::in_quotes(style.name));

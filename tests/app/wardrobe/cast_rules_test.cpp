@@ -59,6 +59,21 @@ TEST(CastRules, RefuseWhatTheyCannotMean) {
   EXPECT_THAT(complaint_with("\"share\": 3", "\"share\": \"many\""), HasSubstr("\"share\" must be a number"));
   EXPECT_THAT(complaint_with("\"weather\"", "\"wether\""), HasSubstr("unknown key \"wether\""));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 2"), HasSubstr("\"version\" must be 1"));
+  EXPECT_THAT(complaint_with("{\"t_shirt\": 1, \"none\": 2}", "1"), HasSubstr("must be an object of names"));
+  EXPECT_THAT(complaint_with("{\"cold\": {\"warm\": 4}}", "4"), HasSubstr("\"weather\" must be an object"));
+}
+
+TEST(CastRules, RefuseACrowdWithoutBodiesOrAStyle) {
+  const std::string bodies = R"({"man": {"share": 3, "size": 1.0}, "woman": {"size": 0.93}})";
+  EXPECT_THAT(complaint_with("\"bodies\": " + bodies + ",", ""), HasSubstr("\"bodies\" is missing"));
+  EXPECT_THAT(complaint_with(bodies, "[]"), HasSubstr("\"bodies\" must be an object"));
+  EXPECT_THAT(complaint_with(bodies, "{}"), HasSubstr("\"bodies\" must name a body, as in {\"man\": {}}"));
+  EXPECT_THAT(complaint_with("{\"any\": {\"casual\": 1}}", "{}"), HasSubstr("\"scenes\" must name a scene"));
+  EXPECT_THAT(complaint_with("{\"casual\": 1}}", "{\"casual\": 1}, \"parade\": {}}"),
+              HasSubstr("scene \"parade\" must name a style"));
+  std::string many = "{\"man\": {}";
+  for (int body = 0; body < 256; ++body) many += ", \"" + std::to_string(body) + "\": {}";
+  EXPECT_THAT(complaint_with(bodies, many + "}"), HasSubstr("\"bodies\" has 257 bodies, and 256 are the most"));
 }
 
 TEST(CastRules, HaveNoMoreColoursThanCanBeToldApartInTime) {

@@ -63,7 +63,9 @@ TEST(RulesText, OfNobodyWhoDressesIsEmpty) {
 TEST(RulesText, RefusesASeedAndThingsThatCannotBe) {
   for (const char* const wrong : {R"("seed": -1)", R"("things": 101)", R"("things": "many")"}) {
     const auto read = rules_of_text(
-        std::string(R"({"version": 1, "styles": {"a": {"wears": {}}}, "scenes": {"any": {"a": 1}}, )") + wrong + "}");
+        std::string(
+            R"({"version": 1, "bodies": {"man": {}}, "styles": {"a": {"wears": {}}}, "scenes": {"any": {"a": 1}}, )") +
+        wrong + "}");
     ASSERT_FALSE(read) << wrong;
     EXPECT_THAT(read.error().message, HasSubstr("must be"));
   }

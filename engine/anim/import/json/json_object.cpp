@@ -55,6 +55,11 @@ std::span<const Json> JsonObject::elements(std::string_view key) const {
   return (*this)[key].elements();
 }
 
+std::span<const Json::Member> JsonObject::members(std::string_view key) const {
+  if (has(key) && !(*this)[key].is_object()) wrong(key, "an object");
+  return (*this)[key].members();
+}
+
 void JsonObject::wrong(std::string_view key, std::string_view expected) const {
   complain('"' + std::string(key) + "\" must be " + std::string(expected));
 }

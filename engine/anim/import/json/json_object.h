@@ -52,6 +52,8 @@ class JsonObject {
   }
   /// Returns the elements of an array; none where there is no array.
   std::span<const Json> elements(std::string_view key) const;
+  /// Returns the members of an object; none where there is no object.
+  std::span<const Json::Member> members(std::string_view key) const;
 
   /// Complains that the member must be what is expected.
   void wrong(std::string_view key, std::string_view expected) const;

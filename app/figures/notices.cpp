@@ -99,6 +99,17 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
   return shortened(lines, "sizes and places of other models");
 }
 
+std::string rules_notice(std::span<const Clothing> clothing) {
+  std::string lines;
+  std::set<std::string> said;
+  for (const Clothing& each : clothing) {
+    std::string own;
+    add_some(own, each.doubts, each.origin, " more such things; mend these first.");
+    if (said.insert(own).second) add_line(lines, own);
+  }
+  return lines;
+}
+
 std::string tracks_notice(const Trajectories& trajectories) {
   const std::string counts = trajectories.is_live ? "rows as they come."
                                                   : counted_people(trajectories.persons.size()) + ", " +

@@ -6,6 +6,7 @@
 #include "app/character/source.h"
 #include "app/lod/shown_poses.h"
 #include "app/trajectory/trajectories.h"
+#include "app/wardrobe/clothing.h"
 #include "engine/anim/agent/animation_system.h"
 
 /// Sentences about what a run does otherwise than a person would expect. Each is empty where there is nothing to say.
@@ -26,6 +27,9 @@ std::string import_notice(std::span<const CharacterSource> characters);
 
 /// Says, in a line each, which characters are not shown in the size and place of their files, and why.
 std::string placement_notice(std::span<const CharacterSource> characters);
+
+/// Says what rules of who wears what can hold and nobody can mean, up to four lines for each file.
+std::string rules_notice(std::span<const Clothing> clothing);
 
 /// Says what a recorded crowd is, what was told apart in its file, and how many odd things `throng inspect` lists.
 std::string tracks_notice(const Trajectories& trajectories);

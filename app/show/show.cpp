@@ -229,6 +229,7 @@ anim::Status Show::set_rig(std::size_t character, const std::vector<RigChoice>& 
 anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file) {
   if (anim::Status set = set_cast_rules(*show.stage_, character, std::move(rules), file); !set) return set;
   show.recorder_.add(RecordedRules{static_cast<std::uint32_t>(character), *show.stage_->people()[character].rules});
+  show.update_notice();
   return anim::Done{};
 }
 
@@ -338,6 +339,7 @@ void Show::update_notice() {
   }
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
+  if (stage_->tuning().wardrobe) add_line(notice, rules_notice(clothing_of(*stage_)));
   add_line(notice, local_store_notice(stage_->system()));
   add_line(notice, palette_notice(stage_->shown()));
   add_line(notice, palette_format_notice(stage_->system(), stage_->people()));

@@ -8,6 +8,8 @@
 #include "app/stage/memory_needs.h"
 #include "app/stage/moment.h"
 #include "app/wardrobe/cast_rules_text.h"
+#include "app/wardrobe/rule_doubts.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -170,11 +172,12 @@ anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules
   Clothing& clothing = stage.clothing_[character];
   if (std::string wrong = wrong_for(rules, clothing.wardrobe); !wrong.empty()) return anim::Error{std::move(wrong)};
   source.rules = rules_text(rules);
-  if (!file.empty()) source.cast_rules = file;
+  if (!file.empty()) source.cast_rules = file, clothing.origin = anim::plain_text(file);
   source.roles.bodies = body_kinds(rules);
   const bool is_other = rules != clothing.rules;
   source.rules_are_chosen = source.rules_are_chosen || is_other || !file.empty();
   clothing.rules = std::move(rules);
+  clothing.doubts = doubts_of(clothing.rules, clothing.wardrobe);
   if (is_other && stage.tuning_.wardrobe) stage.populate();
   return anim::Done{};
 }

@@ -115,6 +115,7 @@ class Stage {
   friend const CrowdMeasures& measures_of(const Stage& stage) { return stage.measures_; }
   friend anim::Status keep_joints(Stage& stage);
   friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
+  friend std::span<const Clothing> clothing_of(const Stage& stage) { return stage.clothing_; }
   friend const CastRules& cast_rules_of(const Stage& stage, std::size_t character);
   friend anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);

@@ -7,6 +7,7 @@
 
 #include "app/character/skin_choice.h"
 #include "app/wardrobe/cast_rules_text.h"
+#include "app/wardrobe/rule_doubts.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
@@ -47,13 +48,14 @@ anim::Result<Clothing> clothing_of(const CharacterSource& source) {
     return anim::Error{anim::plain_text(source.file) + ": it has " + std::to_string(source.model.parts.size()) +
                        " parts to wear, and " + std::to_string(most_parts) + " are the most; split the model"};
   }
-  Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}};
+  Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}, .origin = owner_of_rules(source)};
   auto rules = rules_for(source, clothing.wardrobe);
-  if (!rules && source.rules) return anim::Error{owner_of_rules(source) + ": " + rules.error().message};
+  if (!rules && source.rules) return anim::Error{clothing.origin + ": " + rules.error().message};
   if (!rules) return rules.error();
   clothing.rules = std::move(*rules);
   const std::string wrong = wrong_for(clothing.rules, clothing.wardrobe);
-  if (!wrong.empty()) return anim::Error{owner_of_rules(source) + ": " + wrong};
+  if (!wrong.empty()) return anim::Error{clothing.origin + ": " + wrong};
+  clothing.doubts = doubts_of(clothing.rules, clothing.wardrobe);
   return clothing;
 }
 

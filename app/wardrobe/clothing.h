@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/character/source.h"
 #include "app/wardrobe/cast_rules.h"
@@ -12,8 +13,10 @@ namespace throng::app {
 
 /// Holds what the agents of a character may wear, and the rules.
 struct Clothing {
-  Wardrobe wardrobe;  ///< empty where nothing is drawn, or where the file of the character has no parts
-  CastRules rules;    ///< without styles where nobody dresses
+  Wardrobe wardrobe;        ///< empty where nothing is drawn, or where the file of the character has no parts
+  CastRules rules;          ///< without styles where nobody dresses
+  std::string origin = {};  ///< where the rules come from, for people; empty: from no file
+  std::vector<std::string> doubts = {};  ///< doubts_of() the rules
 };
 
 /// Returns the clothing of a character: its parts, and CharacterSource::rules, or else those of the file

@@ -96,6 +96,13 @@ TEST(ImportNotice, NamesTheFileOrTheBuiltInCharacter) {
   EXPECT_EQ(import_notice(people), "mannequin (built in): clips were taken.\nperson.glb: clips were taken.");
 }
 
+TEST(RulesNotice, SaysOnceForEachFileWhatItDoubts) {
+  Clothing doubted, other;
+  doubted.origin = "mine.cast.json", doubted.doubts = {"a scene is none; name another"};
+  other.origin = "other.cast.json";
+  EXPECT_EQ(rules_notice(std::vector{doubted, other, doubted}), "mine.cast.json: a scene is none; name another.");
+}
+
 class PaletteFormatNotice : public testing::Test {
  protected:
   PaletteFormatNotice() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/character/files.h"
@@ -274,6 +275,11 @@ TEST_F(DressedCrowdTest, LeadsChildrenByTheHand) {
     EXPECT_LT(glm::distance(crowd.positions()[agent], crowd.positions()[agent - 1]), 1.0F);
   }
   EXPECT_GT(led, 5);
+}
+
+TEST_F(DressedCrowdTest, WearsByRulesThatNobodyDoubts) {
+  EXPECT_THAT(clothing_.doubts, testing::IsEmpty());
+  EXPECT_THAT(clothing_.origin, testing::EndsWith("cast.json"));
 }
 
 TEST_F(DressedCrowdTest, IsTheSameForTheSameSeed) {

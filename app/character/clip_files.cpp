@@ -72,8 +72,9 @@ std::string listed(const std::set<std::string>& bones) {
 
 std::string how_they_fit(const anim::Retargeter& retargeter, bool as_they_were) {
   if (as_they_were) return "with their keys as they are";
-  char text[64];
-  std::snprintf(text, sizeof(text), "retargeted to legs %.3g times as long", retargeter.plan().scale);
+  char text[96];
+  std::snprintf(text, sizeof(text), "retargeted to legs %.3g times as long, in the units of both files",
+                retargeter.plan().scale);
   return text;
 }
 
@@ -85,6 +86,17 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
   return {anim::plain_text(clip_file + ": no bone of " + file +
                            " has the name or the part of one of its bones; say in " + file +
                            ".throng.json, under \"rig\", which is which")};
+}
+
+/// A walk on two legs is none of a body that rests on four. The other way round, a file of clips may rest in any pose.
+bool walks_otherwise(const anim::RetargetPlan& plan) {
+  return plan.own_carriage == anim::Carriage::bent && plan.source_carriage == anim::Carriage::upright;
+}
+
+anim::Error another_body(const std::string& clip_file, const std::string& file) {
+  return {anim::plain_text(clip_file + ": its body stands upright, and the trunk of " + file +
+                           " lies across its legs, as on four feet; give --clips-from clips of a body like it, or "
+                           "export a person standing")};
 }
 
 /// Weights of morphs are those of another surface; clips that have nothing else go.
@@ -108,13 +120,18 @@ anim::Result<ClipFile> read_clip_file(const std::string& path, const import::Imp
   return ClipFile{.path = path, .imported = std::move(*clips)};
 }
 
-std::string plays_none(const ClipFile& clips) {
-  return "it plays none of the clips of " + anim::plain_text(clips.path) + ", because no bone matches";
+std::string plays_none(const ClipFile& clips, const char* why) {
+  return "it plays none of the clips of " + anim::plain_text(clips.path) + ", because " + why;
 }
 
 void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedFile& file, anim::Model& model) {
   std::set<std::string> lost;
   bool as_they_were = true;
+  const anim::RetargetPlan& plan = source.retargeter->plan();
+  if (plan.own_carriage == anim::Carriage::upright && plan.source_carriage == anim::Carriage::bent) {
+    file.notes.push_back(anim::plain_text(clips.path) +
+                         ": its body rests bent and this one upright; look whether its clips are those of an animal");
+  }
   ClipNames names(clips.path, file.animations);
   for (const anim::Clip& clip : source.model->clips) {
     anim::RetargetedClip fitted = source.retargeter->retarget(clip);
@@ -173,13 +190,17 @@ anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* 
   for (const ClipFile* const clips : clip_files) {
     const ClipSource source = best_source(clips->imported, file.models[model].skeleton);
     if (source.model == nullptr) return no_clips(clips->path);
-    const bool fits = source.retargeter->match().matched() > 0;
-    if (!fits && clips->must_fit) return no_bone_in_common(clips->path, file.file);
+    const bool has_bones = source.retargeter->match().matched() > 0;
+    const bool fits = has_bones && !walks_otherwise(source.retargeter->plan());
+    if (!fits && clips->must_fit) {
+      return has_bones ? another_body(clips->path, file.file) : no_bone_in_common(clips->path, file.file);
+    }
     if (fits) {
       take_clips(*clips, source, file, file.models[model]);
       taken.push_back(clips->path);
     } else {
-      file.notes.push_back(plays_none(*clips));
+      file.notes.push_back(
+          plays_none(*clips, has_bones ? "they are of a body that stands upright" : "no bone matches"));
     }
   }
   return taken;

@@ -16,7 +16,7 @@ namespace throng::app {
 struct ClipFile {
   std::string path;
   anim::ImportedFile imported;
-  bool must_fit = true;  ///< false: a character that has none of its bones goes without
+  bool must_fit = true;  ///< false: a character that has none of its bones, or another body, goes without
 };
 
 /// Reads files of clips, which need no mesh and no skin, with the parts of the body that a person chose for them.
@@ -36,7 +36,8 @@ std::optional<ClipFile> read_clips_alone(const std::string& path, const import::
 /// alike, else retargeted. Sentences in file.notes say for each file how its clips fit and which of its bones nobody
 /// follows. Clips without a name of their own are called as their file. The model is in the space of its file, with no
 /// size or place yet. Returns the paths of those whose clips were taken.
-/// Errors: a file that has no clips, or that must fit and has no bone that the model knows.
+/// Errors: a file that has no clips, or that must fit and has no bone that the model knows, or whose body stands
+/// upright while the model rests on four feet.
 anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
                                                       anim::ImportedFile& file, std::size_t model);
 

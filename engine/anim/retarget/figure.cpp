@@ -55,6 +55,24 @@ std::vector<const LimbBones*> legs_of(const Figure& figure) {
   return legs;
 }
 
+Carriage carriage_of(const Figure& figure) {
+  constexpr double most_upright = -0.9, least_bent = -0.6;  // cosines of 154 and 127 degrees; a fox has 103
+  const auto middle = [&](BodyRole left, BodyRole right) {
+    return 0.5 * (figure.pose.place(figure.rig.at(left)) + figure.pose.place(figure.rig.at(right)));
+  };
+  for (const BodyRole role : {BodyRole::left_upper_arm, BodyRole::right_upper_arm, BodyRole::left_upper_leg,
+                              BodyRole::right_upper_leg, BodyRole::left_foot, BodyRole::right_foot}) {
+    if (figure.rig.at(role) < 0) return Carriage::unknown;
+  }
+  const glm::dvec3 hips = middle(BodyRole::left_upper_leg, BodyRole::right_upper_leg);
+  const glm::dvec3 trunk = middle(BodyRole::left_upper_arm, BodyRole::right_upper_arm) - hips;
+  const glm::dvec3 legs = middle(BodyRole::left_foot, BodyRole::right_foot) - hips;
+  const double lengths = glm::length(trunk) * glm::length(legs), cosine = glm::dot(trunk, legs);
+  if (!(lengths > 0.0)) return Carriage::unknown;
+  if (cosine < most_upright * lengths) return Carriage::upright;
+  return cosine > least_bent * lengths ? Carriage::bent : Carriage::unknown;
+}
+
 Figure figure_of(const Skeleton& skeleton, const RigMap& rig) {
   Figure figure{.skeleton = skeleton, .rig = rig, .pose = bind_pose(skeleton)};
   figure.left_leg =

@@ -30,6 +30,14 @@ struct Figure {
 
 std::vector<const LimbBones*> legs_of(const Figure& figure);
 
+/// How a body carries its trunk in the reference pose.
+enum class Carriage : unsigned char {
+  unknown,  ///< it lacks arms or legs, or lies between the two
+  upright,  ///< the trunk goes on where the legs end, as that of a person
+  bent      ///< the trunk lies across the legs, as that of an animal on four feet, or of somebody who sits
+};
+Carriage carriage_of(const Figure& figure);
+
 /// Measures a skeleton. It and its rig must outlive the figure.
 Figure figure_of(const Skeleton& skeleton, const RigMap& rig);
 

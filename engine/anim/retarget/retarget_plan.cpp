@@ -49,6 +49,8 @@ class Planner {
     plan_.turn = quarter_turns(source_.rig.limbs.forward, own_.rig.limbs.forward);
     plan_.forward_in_hips = own_.rig.limbs.forward;
     plan_.leg_length = own_.leg_length();
+    plan_.own_carriage = carriage_of(own_);
+    plan_.source_carriage = carriage_of(source_);
     has_same_frames_ = have_same_frames();
     source_stands_ = !has_same_frames_ || stand_alike();
     if (!source_stands_) stand_source();

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/retarget/figure.h"
 #include "engine/anim/retarget/rig_match.h"
 
 namespace throng::anim {
@@ -47,6 +48,8 @@ struct RetargetPlan {
   std::vector<FollowedLeg> legs;
   glm::dvec3 forward_in_hips{0.0, 0.0, 1.0};  ///< where the skeleton that follows faces, in the frame of its hips
   double leg_length = 1.0;                    ///< its thigh and shin with the height of the ankle, metres
+  Carriage own_carriage = Carriage::unknown;
+  Carriage source_carriage = Carriage::unknown;
 };
 
 RetargetPlan plan_retarget(const Skeleton& from, const Skeleton& to, const RigMatch& match);

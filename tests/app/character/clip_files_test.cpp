@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/anim/import/import.h"
+#include "engine/anim/rig/rig_map.h"
 
 namespace throng::app::clip_files_test {
 namespace {
@@ -64,6 +66,49 @@ TEST(ClipFiles, GoToTheModelThatIsMeant) {
 
 TEST(ClipFiles, OfWhomNobodyFollowsAreRefused) {
   EXPECT_THAT(refusal_of(mannequin, {other}), HasSubstr("\"rig\", which is which"));
+}
+
+/// Turns all above the hips forward, as the trunk of an animal lies.
+void put_on_four_feet(anim::Skeleton& skeleton) {
+  const anim::RigMap rig = anim::find_rig(skeleton);
+  const auto hips = static_cast<std::size_t>(rig.at(anim::BodyRole::hips));
+  const glm::dvec3 pivot = skeleton.references[hips].origin;
+  const glm::dquat forward = glm::angleAxis(1.6, glm::dvec3(1.0, 0.0, 0.0));
+  std::vector<bool> is_trunk(skeleton.bones.size(), false);
+  for (std::size_t bone = 0; bone < skeleton.bones.size(); ++bone) {
+    const int parent = skeleton.bones[bone].parent;
+    is_trunk[bone] = static_cast<int>(bone) == rig.at(anim::BodyRole::spine) ||
+                     (parent >= 0 && is_trunk[static_cast<std::size_t>(parent)]);
+    if (!is_trunk[bone]) continue;
+    anim::ReferenceFrame& frame = skeleton.references[bone];
+    frame.origin = pivot + forward * (frame.origin - pivot);
+    frame.rotation = forward * frame.rotation;
+  }
+}
+
+TEST(ClipFiles, OfABodyThatStandsAreRefusedByOneOnFourFeet) {
+  anim::ImportedFile fox = *import::import_skins(mannequin);
+  put_on_four_feet(fox.models.front().skeleton);
+  std::vector<ClipFile> clips = *read_clip_files({&mannequin, 1});
+  const auto refused = add_clips_from(pointers_to(clips), fox, 0);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("mannequin.glb: its body stands upright, and the trunk of "));
+  EXPECT_THAT(refused.error().message, HasSubstr(" lies across its legs, as on four feet; give --clips-from clips of"));
+  clips.front().must_fit = false;
+  const auto taken = add_clips_from(pointers_to(clips), fox, 0);
+  ASSERT_TRUE(taken) << taken.error().message;
+  EXPECT_TRUE(taken->empty());
+  EXPECT_THAT(fox.notes, Contains(HasSubstr("it plays none of the clips of")));
+}
+
+TEST(ClipFiles, OfABodyThatRestsBentAreDoubted) {
+  std::vector<ClipFile> clips = *read_clip_files({&mannequin, 1});
+  put_on_four_feet(clips.front().imported.models.front().skeleton);
+  anim::ImportedFile person = *import::import_skins(mannequin);
+  const auto taken = add_clips_from(pointers_to(clips), person, 0);
+  ASSERT_TRUE(taken) << taken.error().message;
+  ASSERT_FALSE(person.notes.empty());
+  EXPECT_THAT(person.notes.front(), HasSubstr("its body rests bent and this one upright; look whether its clips"));
 }
 
 TEST(ClipFiles, ThatAreNotThereAreRefusedByName) {

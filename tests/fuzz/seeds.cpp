@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -111,6 +112,26 @@ anim::Status write_crowd_files(const std::filesystem::path& folder) {
   return app::write_crowd_file(folder / "built-in.throng", {.characters = {{}}, .preset = {}});
 }
 
+/// Writes texts that are nested deeper than anything is read, for each target that reads such a text.
+anim::Status write_nested(const std::filesystem::path& folder) {
+  const auto repeated = [](std::string_view text) {
+    constexpr std::size_t most_bytes = 60'000;
+    std::string nested;
+    while (nested.size() < most_bytes) nested += text;
+    return nested;
+  };
+  for (const char* const target : {"import", "machine", "preset", "crowd_file", "roles", "rules", "bone_order",
+                                   "tracks", "ground_plan", "check_cases"}) {
+    const std::filesystem::path place = folder / target;
+    std::filesystem::create_directories(place);
+    if (anim::Status written = write_whole_file(place / "nested-arrays.json", repeated("[")); !written) return written;
+    anim::Status written = write_whole_file(place / "nested-objects.json", repeated("{\"a\":"));
+    if (!written) return written;
+  }
+  const anim::Status written = write_whole_file(folder / "tracks" / "nested.xml", "<fcd-export>" + repeated("<a>"));
+  return written ? write_whole_file(folder / "ground_plan" / "nested.wkt", repeated("GEOMETRYCOLLECTION(")) : written;
+}
+
 anim::Status write_all(const std::filesystem::path& folder) {
   for (const char* const target : {"pack", "recording", "preset", "roles", "bone_order", "crowd_file"}) {
     std::filesystem::create_directories(folder / target);
@@ -119,7 +140,8 @@ anim::Status write_all(const std::filesystem::path& folder) {
   if (anim::Status written = write_pack_of(folder / "pack" / "two-clips.pack", 7, 2); !written) return written;
   if (anim::Status written = write_recording(folder / "recording" / "everything.rec"); !written) return written;
   if (anim::Status written = write_crowd_files(folder / "crowd_file"); !written) return written;
-  return write_kept(folder);
+  if (anim::Status written = write_kept(folder); !written) return written;
+  return write_nested(folder);
 }
 
 }  // namespace

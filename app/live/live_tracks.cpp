@@ -13,11 +13,11 @@
 #include "app/files/joined.h"
 #include "app/trajectory/fcd_xml.h"
 #include "app/trajectory/sqlite_file.h"
+#include "app/trajectory/text/xml_text.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/told_apart.h"
 #include "app/trajectory/tracks.h"
-#include "app/trajectory/xml_text.h"
 #include "engine/files/waiting_input.h"
 
 namespace throng::app {

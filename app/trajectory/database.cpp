@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -68,10 +67,12 @@ void bind_hands(sqlite3* handle) {
 }
 
 /// Returns whether a file is there that begins with these bytes.
-bool begins_with(const std::filesystem::path& file, std::string_view bytes) {
+bool begins_with(const std::string& file, std::string_view bytes) {
+  auto opened = InputFile::open(file);
   std::string begin(bytes.size(), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  return stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == bytes;
+  if (!opened) return false;
+  const auto read = opened->read(std::as_writable_bytes(std::span(begin)));
+  return read && *read == bytes.size() && begin == bytes;
 }
 
 /// Returns the journal beside a database whose writer has not finished; empty if it has. The first bytes of a journal

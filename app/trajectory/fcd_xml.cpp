@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/trajectory/number_text.h"
 #include "app/trajectory/progress_clock.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/xml_text.h"
 #include "app/trajectory/text_rows.h"
-#include "app/trajectory/xml_text.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/files/input_file.h"
 

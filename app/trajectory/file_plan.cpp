@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "app/trajectory/floor_xml.h"
-#include "app/trajectory/head_lines.h"
 #include "app/trajectory/sqlite_file.h"
+#include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/xml_text.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/vadere_plan.h"
-#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/trajectory/number_text.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/table_layout.h"
 
 namespace throng::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "app/trajectory/number_text.h"
 #include "app/trajectory/raw_rows.h"
-#include "app/trajectory/xml_text.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/xml_text.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/trajectory/clock_text.h"
-#include "app/trajectory/head_lines.h"
 #include "app/trajectory/ndjson.h"
-#include "app/trajectory/number_text.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/clock_text.h"
+#include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/table_layout.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/text_rows.h"
 #include "engine/anim/import/json/json.h"

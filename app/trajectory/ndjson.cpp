@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/trajectory/number_text.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/table_layout.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {

@@ -15,11 +15,11 @@
 #include "app/trajectory/json_records.h"
 #include "app/trajectory/raw_rows.h"
 #include "app/trajectory/sqlite_file.h"
+#include "app/trajectory/text/xml_text.h"
 #include "app/trajectory/text_format.h"
 #include "app/trajectory/text_rows.h"
 #include "app/trajectory/tracks.h"
 #include "app/trajectory/vadere_plan.h"
-#include "app/trajectory/xml_text.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {

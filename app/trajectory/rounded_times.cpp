@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/trajectory/number_text.h"
+#include "app/trajectory/text/number_text.h"
 
 namespace throng::app {
 namespace {

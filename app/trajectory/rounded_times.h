@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/table_layout.h"
 
 namespace throng::app {
 

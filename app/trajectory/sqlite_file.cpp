@@ -10,10 +10,10 @@
 
 #include "app/files/joined.h"
 #include "app/trajectory/database.h"
-#include "app/trajectory/number_text.h"
 #include "app/trajectory/page_rows.h"
 #include "app/trajectory/progress_clock.h"
 #include "app/trajectory/reading_threads.h"
+#include "app/trajectory/text/number_text.h"
 #include "app/trajectory/text_rows.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/base/plain_text.h"

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "app/trajectory/clock_text.h"
-#include "app/trajectory/head_lines.h"
-#include "app/trajectory/number_text.h"
+#include "app/trajectory/text/clock_text.h"
+#include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/number_text.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/trajectory/raw_rows.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/table_layout.h"
 
 namespace throng::app {
 

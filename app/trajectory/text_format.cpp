@@ -10,11 +10,11 @@
 
 #include "app/files/joined.h"
 #include "app/trajectory/first_columns.h"
-#include "app/trajectory/head_lines.h"
 #include "app/trajectory/ndjson.h"
-#include "app/trajectory/number_text.h"
 #include "app/trajectory/rounded_times.h"
 #include "app/trajectory/table_parser.h"
+#include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/number_text.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {

@@ -7,7 +7,7 @@
 
 #include "app/trajectory/raw_rows.h"
 #include "app/trajectory/reading.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/table_layout.h"
 
 namespace throng::app {
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 
 #include "app/trajectory/file_plan.h"
-#include "app/trajectory/number_text.h"
+#include "app/trajectory/text/number_text.h"
 #include "engine/anim/base/plain_text.h"
 
 namespace throng::app {

@@ -10,8 +10,8 @@
 
 #include "app/files/joined.h"
 #include "app/settings/option_values.h"
-#include "app/trajectory/head_lines.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/table_layout.h"
 #include "app/trajectory/text_format.h"
 #include "app/view/fly_camera.h"
 #include "engine/files/input_file.h"

@@ -59,6 +59,7 @@ const std::vector<House>& houses() {
       {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh", "light"}, {"passes"}, {"scenery"}}},
       {"app/",
        {{"files"},
+        {"trajectory/text"},
         {"trajectory"},
         {"live"},
         {"character"},

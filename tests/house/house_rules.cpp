@@ -102,7 +102,7 @@ const std::vector<Part>& parts() {
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
       {"draco/", {"engine/anim/import/"}},
       {"sqlite3.h", {"app/trajectory/database.cpp"}},
-      {"expat.h", {"app/trajectory/xml_text.cpp"}},
+      {"expat.h", {"app/trajectory/text/xml_text.cpp"}},
   };
   return all;
 }

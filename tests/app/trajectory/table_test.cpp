@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/trajectory/number_text.h"
 #include "app/trajectory/raw_rows.h"
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/number_text.h"
+#include "app/trajectory/text/table_layout.h"
 #include "tests/app/trajectory/track_file.h"
 
 namespace throng::app::table_test {

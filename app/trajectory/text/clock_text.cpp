@@ -1,11 +1,11 @@
-#include "app/trajectory/clock_text.h"
+#include "app/trajectory/text/clock_text.h"
 
 #include <array>
 #include <charconv>
 #include <chrono>
 #include <cstddef>
 
-#include "app/trajectory/number_text.h"
+#include "app/trajectory/text/number_text.h"
 
 namespace throng::app {
 namespace {

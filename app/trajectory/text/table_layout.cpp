@@ -1,4 +1,4 @@
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/table_layout.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/trajectory/head_lines.h"
+#include "app/trajectory/text/head_lines.h"
 
 #include <algorithm>
 #include <string>
@@ -73,7 +73,8 @@ HeadLines lines_of(std::string_view head) {
     if (lines.first.empty() && text == viswalk_mark) {
       is_viswalk = true;
     } else if (is_comment(text) || (is_viswalk && text.front() == '*')) {
-      if (lines.first.empty()) lines.comments.push_back(text.substr(text.find_first_not_of("#%/*")));
+      if (lines.first.empty())
+        lines.comments.push_back(text.substr(std::min(text.find_first_not_of("#%/*"), text.size())));
     } else if (lines.first.empty()) {
       lines.first = without_line_end(line.text);
       lines.first_byte = line.byte;

@@ -1,11 +1,11 @@
-#include "app/trajectory/xml_text.h"
+#include "app/trajectory/text/xml_text.h"
 
 #include <new>
 #include <utility>
 
 #include <expat.h>
 
-#include "app/trajectory/head_lines.h"
+#include "app/trajectory/text/head_lines.h"
 
 namespace throng::app {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/trajectory/table_layout.h"
+#include "app/trajectory/text/table_layout.h"
 
 namespace throng::app {
 

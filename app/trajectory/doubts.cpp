@@ -111,7 +111,8 @@ std::string doubt_of_statures(const Trajectories& tracks) {
          "--height ground if z is no head.";
 }
 
-std::string doubt_of_heights(const Trajectories& tracks) {
+std::string doubt_of_heights(const RowFacts& facts, const Trajectories& tracks) {
+  if (!facts.has_z) return {};
   constexpr float highest_step = 2.0F;  // metres: a stage
   float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
   for (const PersonTrack& person : tracks.persons) {
@@ -146,7 +147,7 @@ void add_doubts(const RowFacts& facts, Trajectories& tracks) {
   const GroundBounds people = bounds_of(tracks);
   std::string of_unit = doubt_of_extent(tracks, people);
   if (of_unit.empty()) of_unit = doubt_of_speeds(facts, tracks);
-  for (std::string doubt : {std::move(of_unit), doubt_of_statures(tracks), doubt_of_heights(tracks),
+  for (std::string doubt : {std::move(of_unit), doubt_of_statures(tracks), doubt_of_heights(facts, tracks),
                             doubt_of_place(tracks, people), doubt_of_shapes(tracks.plan)}) {
     if (!doubt.empty()) tracks.said.push_back(std::move(doubt));
   }

@@ -96,6 +96,7 @@ bool is_value(TrackField field, std::string_view text, bool may_have_comma, doub
 
 struct TableParser::Cells {
   std::string_view id;
+  bool has_quotes = false;  ///< two stand for one in the id
   std::array<double, track_field_count> numbers;
 
   double operator[](TrackField field) const { return numbers[index_of(field)]; }
@@ -145,14 +146,17 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
         const std::string_view text = cell_text(at, stop);
         const bool is_left_out = text.empty() && layout_.may_be_empty;
         if (is_left_out) number = no_number;
-        const bool may_have_comma = separator != ',' || *at == '"';
+        const bool may_have_comma = separator != ',' || (at < stop && *at == '"');
         if (!is_left_out && (!is_value(field, text, may_have_comma, number) || !std::isfinite(number))) {
           return refuse_cell(i, text, sink);
         }
       }
     } else {
       stop = end_of_cell(at, end, separator);
-      if (field == TrackField::id) cells.id = cell_text(at, stop);
+      if (field == TrackField::id) {
+        cells.id = cell_text(at, stop);
+        cells.has_quotes = at < stop && *at == '"' && cells.id.find("\"\"") != std::string_view::npos;
+      }
     }
     at = stop < end && *stop == separator ? stop + 1 : stop;
   }
@@ -214,8 +218,7 @@ bool TableParser::add(const Cells& cells, RowSink& sink) const {
     row.angle = static_cast<float>(cells[TrackField::angle]);
   }
   std::array<char, 32> digits;
-  const bool has_quotes = cells.id.find("\"\"") != std::string_view::npos;
-  row.person = sink.ids.number_of(has_quotes ? with_single_quotes(cells.id) : plain_id(cells.id, digits));
+  row.person = sink.ids.number_of(cells.has_quotes ? with_single_quotes(cells.id) : plain_id(cells.id, digits));
   if (!add_row(row, sink)) return false;
   const double end_time = cells[TrackField::end_time];
   if (std::isnan(end_time)) return true;

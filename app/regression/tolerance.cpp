@@ -10,7 +10,7 @@ namespace {
 
 /// What is there is not rounded to nothing.
 std::string rounded(double value, int decimals) {
-  const std::string text = fixed(value, decimals);
+  std::string text = fixed(value, decimals);
   if (value == 0.0 || text.find_first_of("123456789") != std::string::npos) return text;
   return "below " + text.substr(0, text.size() - 1) + "1";
 }
@@ -38,8 +38,9 @@ bool has_no_limit(const Tolerance& tolerance) { return !tolerance.mean && !toler
 /// Without any limit, two pictures must be the same.
 DifferenceLimit no_difference() { return {.most = 0, .because = "no tolerance is given"}; }
 
-JudgedFigure judged(std::string name, double value, const std::optional<DifferenceLimit>& limit, auto text) {
-  JudgedFigure figure{.name = std::move(name), .value = text(value), .limit = {}, .because = {}};
+JudgedFigure judged(const std::string& name, double value, const std::optional<DifferenceLimit>& limit,
+                    const auto& text) {
+  JudgedFigure figure{.name = name, .value = text(value), .limit = {}, .because = {}};
   if (!limit) return figure;
   figure.limit = shortest_text(limit->most);
   figure.because = limit->because;
@@ -53,20 +54,20 @@ std::string place_of_block(const PictureDifference& difference) {
 
 }  // namespace
 
-std::vector<JudgedFigure> judge(const PictureDifference& difference, const Tolerance& given) {
-  Tolerance tolerance = given;
-  if (has_no_limit(given)) tolerance.mean = tolerance.worst_block = tolerance.share = no_difference();
+std::vector<JudgedFigure> judge(const PictureDifference& difference, const Tolerance& tolerance) {
+  Tolerance limits = tolerance;
+  if (has_no_limit(tolerance)) limits.mean = limits.worst_block = limits.share = no_difference();
   const auto steps = [&](double value) { return amount(difference, value); };
   const std::string others = difference.kind == PixelKind::colours
                                  ? "share of pixels off by more than " + std::to_string(seen_steps) + " steps"
                                  : "share of pixels that " + other_pixels(difference.kind);
   std::vector<JudgedFigure> figures;
-  if (has_mean(difference)) figures.push_back(judged("mean", difference.mean, tolerance.mean, steps));
-  figures.push_back(judged("worst block", difference.worst_block, tolerance.worst_block, [&](double value) {
+  if (has_mean(difference)) figures.push_back(judged("mean", difference.mean, limits.mean, steps));
+  figures.push_back(judged("worst block", difference.worst_block, limits.worst_block, [&](double value) {
     return value == 0 ? steps(value) : steps(value) + " at " + place_of_block(difference);
   }));
-  figures.push_back(judged(others, difference.share, tolerance.share, percent));
-  if (!figures.back().limit.empty()) figures.back().limit = percent(tolerance.share->most);
+  figures.push_back(judged(others, difference.share, limits.share, percent));
+  if (!figures.back().limit.empty()) figures.back().limit = percent(limits.share->most);
   return figures;
 }
 

@@ -81,7 +81,7 @@ std::string journal_of(const std::string& file) {
   std::error_code error;
   std::filesystem::path real = std::filesystem::canonical(file, error);  // SQLite follows links, too
   if (error) real = file;
-  const std::string log = real.string() + "-wal", rollback = real.string() + "-journal";
+  std::string log = real.string() + "-wal", rollback = real.string() + "-journal";
   for (const std::string_view magic : {"\x37\x7F\x06\x82", "\x37\x7F\x06\x83"}) {
     if (begins_with(log, magic)) return log;
   }

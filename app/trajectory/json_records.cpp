@@ -30,7 +30,7 @@ bool is_number_in(const Json& json, TrackField field, double& number) {
   if (json.is_number()) {
     number = json.get<double>();
   } else if (json.is<std::string>()) {
-    const std::string text = json.get<std::string>();
+    const auto text = json.get<std::string>();
     const bool is_time = field == TrackField::time && is_clock_text(text, number);
     if (!is_time && !is_number_text(text, number)) return false;
   } else {

@@ -64,7 +64,7 @@ Status read_place(Database& database, const Tables& tables, FilePlan& plan, std:
   const bool has_hash = has_columns(geometry, {"hash"});
   std::optional<std::int64_t> first;
   if (has_hash && has_columns(table_named(tables, "frame_data"), {"frame", "geometry_hash"})) {
-    const Status found =
+    Status found =
         database.for_rows("SELECT geometry_hash FROM frame_data ORDER BY frame LIMIT 1", [&](const DatabaseRow& row) {
           first = row.whole(0);
           return false;

@@ -289,7 +289,7 @@ std::string why_no_text(std::string_view head, std::string_view remedy) {
   std::string no_text = "it is no text and no database; " + std::string(remedy);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return "it is UTF-16; save it as UTF-8";
   if (head.starts_with("\x1F\x8B")) return "it is packed; unpack it with gunzip";
-  if (head.find('\n') == head.npos && std::ranges::count(head, '\r') > 1) {
+  if (head.find('\n') == std::string_view::npos && std::ranges::count(head, '\r') > 1) {
     return "its lines end with a carriage return alone; save it with the ends of lines of Windows or Linux";
   }
   if (head.starts_with("PK\x03\x04")) return "it is a zip file or a spreadsheet; unpack it, or save it as CSV";

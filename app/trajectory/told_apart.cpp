@@ -47,6 +47,7 @@ double percentile(std::vector<double> values, double share) {
 
 double step_time(const std::vector<SampledStep>& steps) {
   std::vector<double> times;
+  times.reserve(steps.size());
   for (const SampledStep& step : steps) times.push_back(step.time);
   return percentile(std::move(times), 0.5);
 }
@@ -54,6 +55,7 @@ double step_time(const std::vector<SampledStep>& steps) {
 /// Units that people go in a unit of time, of all that move, at a percentile.
 double pace(const std::vector<SampledStep>& steps, double share) {
   std::vector<double> paces;
+  paces.reserve(steps.size());
   for (const SampledStep& step : steps) paces.push_back(std::hypot(step.x, step.y) / step.time);
   return percentile(std::move(paces), share);
 }
@@ -217,7 +219,7 @@ Result<AngleMeaning> angle_of(RawTracks& tracks, const TrackReading& options, co
   AngleMeaning meaning = angle_asked(tracks.facts.angle, options.angle);
   if (meaning == AngleMeaning::none) return meaning;
   if (meaning == AngleMeaning::unknown) {
-    const auto told = angle_told(tracks, steps, least_pace);
+    auto told = angle_told(tracks, steps, least_pace);
     if (!told) return told;
     meaning = *told;
   }

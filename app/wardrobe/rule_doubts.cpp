@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -83,8 +82,9 @@ class RuleDoubts {
         return each.weight > 0.0F && is_for(*rules_.style(each.name), body.name);
       };
       if (body.share <= 0.0F || std::ranges::any_of(scene.styles, suits)) continue;
-      doubt(name + ": no style is for the body " + anim::in_quotes(body.name) + ", who wears " + first_style +
-            " for want of one; add a style for this body");
+      std::string text = name + ": no style is for the body " + anim::in_quotes(body.name);
+      text.append(", who wears ").append(first_style).append(" for want of one; add a style for this body");
+      doubt(std::move(text));
     }
   }
 
@@ -184,7 +184,7 @@ class RuleDoubts {
     };
     std::ranges::for_each(style.wears, wear);
     for (const SlotRule& slot : body.wears) {
-      if (!has_name(style.wears | std::views::transform(&SlotRule::slot), slot.slot)) wear(slot);
+      if (std::ranges::find(style.wears, slot.slot, &SlotRule::slot) == style.wears.end()) wear(slot);
     }
     std::vector<std::string> lacking;
     for (const WardrobePart& part : wardrobe_.parts()) {

@@ -60,6 +60,7 @@ Character lend_character(const std::shared_ptr<const Character>& from) {
 std::vector<std::uint32_t> join_names(std::vector<std::string>& names, const std::vector<std::string>& more) {
   NameNumbers numbers(names);
   std::vector<std::uint32_t> indices;
+  indices.reserve(more.size());
   for (const std::string& name : more) indices.push_back(numbers.of(name));
   return indices;
 }

@@ -63,7 +63,7 @@ class RulesReader {
       rules_.weather.push_back({weather.key, weighed("weather " + anim::in_quotes(weather.key), weather.value)});
     }
     for (const Json& team : all.elements("teams")) read_team(team);
-    double things = rules_.things;
+    auto things = static_cast<double>(rules_.things);
     all.number("things", things, 0.0, most_things);
     rules_.things = static_cast<float>(things);
     all.whole("seed", rules_.seed, 0U, std::numeric_limits<std::uint32_t>::max());

@@ -28,7 +28,7 @@ std::string import_notice(std::span<const CharacterSource> characters);
 /// Says, in a line each, which characters are not shown in the size and place of their files, and why.
 std::string placement_notice(std::span<const CharacterSource> characters);
 
-/// Says what rules of who wears what can hold and nobody can mean, up to four lines for each file.
+/// Says the doubts of the rules that dress people, up to four lines for each file of rules.
 std::string rules_notice(std::span<const Clothing> clothing);
 
 /// Says what a recorded crowd is, what was told apart in its file, and how many odd things `throng inspect` lists.

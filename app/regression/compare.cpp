@@ -17,7 +17,6 @@ using render::NumberImage;
 
 constexpr int colour_channels = 3;
 constexpr int block_edge = 16;
-constexpr int step_of_16_bits = 257;  // a step of 255
 constexpr const char *kind_keyword = "Throng holds", *step_keyword = "Throng depth_step";
 
 std::string sides_of(const NumberImage& image) {
@@ -73,9 +72,9 @@ class PixelMeter {
     const int alpha = steps_at(x, y, colour_channels);
     sum = std::max(sum, alpha * colour_channels);
     worst = std::max(worst, alpha);
-    return {.sum = static_cast<double>(sum) / step_of_16_bits,
-            .worst = (worst + step_of_16_bits - 1) / step_of_16_bits,
-            .is_seen = worst > seen_steps * step_of_16_bits};
+    return {.sum = static_cast<double>(sum) / render::deep_steps,
+            .worst = (worst + render::deep_steps - 1) / render::deep_steps,
+            .is_seen = worst > seen_steps * render::deep_steps};
   }
 
   /// Pictures of two steps round one depth apart, by half of the coarser step at most.
@@ -221,7 +220,7 @@ Image paint_difference(const ComparedPicture& expected, const ComparedPicture& a
       std::array<int, 3> color{};
       for (int channel = 0; channel < colour_channels; ++channel) {
         const int steps = std::max(meter.steps_at(x, y, channel), alpha);
-        color.at(static_cast<std::size_t>(channel)) = (gain * steps + step_of_16_bits - 1) / step_of_16_bits;
+        color.at(static_cast<std::size_t>(channel)) = (gain * steps + render::deep_steps - 1) / render::deep_steps;
       }
       if (meter.channels() == 1) color.fill(meter.at(x, y).worst);
       paint(picture.pixel(x, y), color);

@@ -116,7 +116,6 @@ class Stage {
   friend anim::Status keep_joints(Stage& stage);
   friend const KeptJoints& joints_of(const Stage& stage) { return stage.joints_; }
   friend std::span<const Clothing> clothing_of(const Stage& stage) { return stage.clothing_; }
-  friend const CastRules& cast_rules_of(const Stage& stage, std::size_t character);
   friend anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file);
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
@@ -173,7 +172,7 @@ anim::Status keep_joints(Stage& stage);
 
 /// Returns who wears what among a character's agents.
 inline const CastRules& cast_rules_of(const Stage& stage, std::size_t character) {
-  return stage.clothing_[character].rules;
+  return clothing_of(stage)[character].rules;
 }
 
 /// Takes other rules of who wears what, at a frame boundary. `file` is where they come from now; empty: where they did.

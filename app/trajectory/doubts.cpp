@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,16 +18,6 @@ namespace throng::app {
 namespace {
 
 constexpr std::size_t most_people_looked_at = 2000, most_steps_looked_at = 50'000;
-
-/// Returns what holds the place; nothing where the file has none.
-std::optional<GroundBounds> place_bounds(const GroundPlan& plan) {
-  std::optional<GroundBounds> bounds;
-  for_points(plan, [&](const glm::vec2& point) {
-    if (!bounds) bounds = {point, point};
-    add_to(*bounds, point);
-  });
-  return bounds;
-}
 
 /// Returns the metres between two; 0 if they touch.
 float gap_between(const GroundBounds& one, const GroundBounds& other) {
@@ -70,7 +59,7 @@ std::string in_metres(float value) {
 
 std::string doubt_of_extent(const Trajectories& tracks, const GroundBounds& people) {
   constexpr float narrowest = 0.5F;  // three people have no room in it
-  const float width = std::max(people.high.x - people.low.x, people.high.y - people.low.y);
+  const float width = width_of(people);
   if (tracks.persons.size() < 3 || width >= narrowest) return {};
   return "All " + counted_people(tracks.persons.size()) + " stay within " + in_metres(width) +
          ", as places in degrees or kilometres do: export metres, or say with --unit how many metres a unit is.";
@@ -129,7 +118,7 @@ std::string doubt_of_heights(const RowFacts& facts, const Trajectories& tracks) 
 
 std::string doubt_of_place(const Trajectories& tracks, const GroundBounds& people) {
   constexpr float farthest = 1.0F;  // metres: people may wait before a door
-  const auto place = place_bounds(tracks.plan);
+  const auto place = bounds_of(tracks.plan);
   const float gap = place ? gap_between(*place, people) : 0.0F;
   if (gap <= farthest) return {};
   return "The walls and floors lie " + in_metres(gap) + " away from all people: --walls takes others.";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
@@ -21,7 +23,14 @@ inline void add_to(GroundBounds& bounds, const glm::vec2& place) {
 }
 inline void add_to(GroundBounds& bounds, const TrackRow& row) { add_to(bounds, glm::vec2(row.x, row.z)); }
 
-/// Returns what holds everybody at every time. While rows still come, it holds the place too, or else a few metres
+inline float width_of(const GroundBounds& bounds) {
+  return glm::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+}
+
+/// Returns what holds the place; nothing where there is none.
+std::optional<GroundBounds> bounds_of(const GroundPlan& plan);
+
+/// Returns what holds all people at every time. While rows still come, it holds the place too, or else a few metres
 /// around the first row.
 GroundBounds bounds_of(const Trajectories& trajectories);
 

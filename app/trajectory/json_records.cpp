@@ -1,16 +1,14 @@
 #include "app/trajectory/json_records.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
-#include <vector>
 
 #include "app/trajectory/ndjson.h"
 #include "app/trajectory/text/clock_text.h"
 #include "app/trajectory/text/head_lines.h"
+#include "app/trajectory/text/known_keys.h"
 #include "app/trajectory/text/number_text.h"
 #include "app/trajectory/text/table_layout.h"
 #include "app/trajectory/text_format.h"
@@ -51,18 +49,13 @@ class RecordWalk {
     for (const Json& element : json.elements()) {
       if (!take(element, around)) return false;
     }
-    std::array<std::size_t, track_field_count> ranks;
-    ranks.fill(no_rank);
+    FieldRanks ranks;
     for (const Json::Member& member : json.members()) {
       if (is_structure(member.value)) continue;
-      const KnownKey& key = known(member.key);
-      const auto field = static_cast<std::size_t>(key.column.field);
-      if (key.column.field == TrackField::none || key.rank >= ranks[field]) continue;
-      ranks[field] = key.rank;
-      around[field] = &member.value;
+      const KnownKeys::Key& key = keys_.of(member.key);
+      if (ranks.takes(key)) around[static_cast<std::size_t>(key.column.field)] = &member.value;
     }
-    const bool has_place = ranks[static_cast<std::size_t>(TrackField::x)] != no_rank &&
-                           ranks[static_cast<std::size_t>(TrackField::y)] != no_rank;
+    const bool has_place = ranks.has(TrackField::x) && ranks.has(TrackField::y);
     if (has_place && !add(around)) return false;
     for (const Json::Member& member : json.members()) {
       if (is_structure(member.value) && !take(member.value, around)) return false;
@@ -79,26 +72,10 @@ class RecordWalk {
  private:
   static bool is_structure(const Json& json) { return json.is_array() || json.is_object(); }
 
-  struct KnownKey {
-    TableColumn column;
-    std::size_t rank = 0;  ///< the least of an object's keys for a field counts
-  };
-  static constexpr std::size_t no_rank = std::numeric_limits<std::size_t>::max();
-
-  /// What keys mean is kept, for the same few come in every record.
-  const KnownKey& known(const std::string& key) {
-    const auto found = std::ranges::find(known_, key, [](const KnownKey& each) { return each.column.name; });
-    if (found != known_.end()) return *found;
-    if (known_.size() == most_known_keys) known_.pop_back();
-    const TableColumn column = column_named(key);
-    known_.push_back({column, std::min(rank_of(column), no_rank - 1)});
-    return known_.back();
-  }
-
   bool add(const FieldValues& values) {
     ++records_;
     if (records_ == 1) {
-      for (const KnownKey& key : known_) {
+      for (const KnownKeys::Key& key : keys_.all()) {
         const bool is_here = key.column.field != TrackField::none && field_value(values, key.column.field) != nullptr;
         if (is_here && !layout_.has(key.column.field)) layout_.columns.push_back(key.column);
       }
@@ -149,8 +126,7 @@ class RecordWalk {
 
   RowSink& sink_;
   bool is_lenient_;
-  static constexpr std::size_t most_known_keys = 64;
-  std::vector<KnownKey> known_;
+  KnownKeys keys_;
   TableLayout layout_;
   std::size_t records_ = 0, bad_ = 0;
   std::string first_bad_;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "app/trajectory/text/known_keys.h"
 #include "app/trajectory/text/number_text.h"
 #include "app/trajectory/text/table_layout.h"
 #include "engine/anim/base/plain_text.h"
@@ -91,7 +91,13 @@ bool for_members(JsonScanner& scanner, Visit visit) {
   return scanner.takes('}');
 }
 
-using Found = std::array<std::string_view, track_field_count>;
+/// The values of a line, by field.
+struct FoundValues {
+  std::array<std::string_view, track_field_count> texts;
+  FieldRanks ranks;
+
+  std::string_view operator[](TrackField field) const { return texts[static_cast<std::size_t>(field)]; }
+};
 
 class NdjsonParser final : public LineParser {
  public:
@@ -100,7 +106,7 @@ class NdjsonParser final : public LineParser {
   bool read(std::string_view line, RowSink& sink) override {
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) return true;
     JsonScanner scanner(line);
-    Found found;
+    FoundValues found;
     bool is_prediction = false, is_scene = false;
     const bool is_object = for_members(scanner, [&](std::string_view key) {
       if (key == "track")
@@ -121,18 +127,19 @@ class NdjsonParser final : public LineParser {
   bool has(TrackField field) const { return (seen_ >> static_cast<unsigned>(field) & 1U) != 0; }
 
  private:
-  bool take(JsonScanner& scanner, std::string_view key, Found& found, bool& is_prediction) {
+  bool take(JsonScanner& scanner, std::string_view key, FoundValues& found, bool& is_prediction) {
     if (key == "prediction_number") {
       std::string_view value;
       if (!scanner.take_plain(value)) return false;
       is_prediction = value != "null";
       return true;
     }
-    const TrackField field = field_of(key);
-    if (field == TrackField::none) return scanner.skip_value();
-    if (scanner.is_at('{') || scanner.is_at('[')) return scanner.skip_value();
-    seen_ |= 1U << static_cast<unsigned>(field);
-    return scanner.take_plain(found[static_cast<std::size_t>(field)]);
+    const bool is_plain = !scanner.is_at('{') && !scanner.is_at('[');
+    const KnownKeys::Key& known = keys_.of(key);
+    if (!is_plain || !found.ranks.takes(known)) return scanner.skip_value();
+    const auto field = static_cast<std::size_t>(known.column.field);
+    seen_ |= 1U << field;
+    return scanner.take_plain(found.texts[field]);
   }
 
   static bool take_scene(JsonScanner& scanner, std::string_view key, RowSink& sink) {
@@ -144,9 +151,9 @@ class NdjsonParser final : public LineParser {
     return true;
   }
 
-  bool add(const Found& found, RowSink& sink) const {
+  bool add(const FoundValues& found, RowSink& sink) const {
     const auto number_of = [&](TrackField field, double& value) {
-      const std::string_view text = found[static_cast<std::size_t>(field)];
+      const std::string_view text = found[field];
       if (is_number_text(text, value) && std::isfinite(value)) return true;
       const std::string name = field == TrackField::x ? "x" : field == TrackField::y ? "y" : "time or frame";
       sink.fault = text.empty() ? "it has no " + name + "; add it"
@@ -154,39 +161,29 @@ class NdjsonParser final : public LineParser {
       return false;
     };
     RawRow row;
-    if (found[static_cast<std::size_t>(TrackField::id)].empty()) {
+    if (found[TrackField::id].empty()) {
       sink.fault = "it has no id of a person; add \"p\" or \"id\"";
       return false;
     }
     if (!number_of(time_, row.time) || !number_of(TrackField::x, row.x) || !number_of(TrackField::y, row.y))
       return false;
     double value = 0.0;
-    if (!found[static_cast<std::size_t>(TrackField::z)].empty()) {
+    if (!found[TrackField::z].empty()) {
       if (!number_of(TrackField::z, value)) return false;
       row.z = static_cast<float>(value);
     }
-    if (!found[static_cast<std::size_t>(TrackField::angle)].empty()) {
+    if (!found[TrackField::angle].empty()) {
       if (!number_of(TrackField::angle, value)) return false;
       row.angle = static_cast<float>(value);
     }
     std::array<char, 32> digits;
-    row.person = sink.ids.number_of(plain_id(found[static_cast<std::size_t>(TrackField::id)], digits));
+    row.person = sink.ids.number_of(plain_id(found[TrackField::id], digits));
     return add_row(row, sink);
-  }
-
-  /// The fields that keys mean are kept, for the same few come in every line.
-  TrackField field_of(std::string_view key) {
-    for (const auto& [name, field] : known_) {
-      if (name == key) return field;
-    }
-    const TrackField field = column_named(key).field;
-    if (known_.size() < 32) known_.emplace_back(key, field);
-    return field;
   }
 
   friend Result<TextFormat> throng::app::ndjson_format(std::string_view);
 
-  std::vector<std::pair<std::string, TrackField>> known_;
+  KnownKeys keys_;
   unsigned seen_ = 0;
   TrackField time_ = TrackField::frame;
 };
@@ -194,8 +191,8 @@ class NdjsonParser final : public LineParser {
 }  // namespace
 
 Result<TextFormat> ndjson_format(std::string_view first) {
-  if (first.find('}') == std::string_view::npos) {
-    return Error{"it is JSON over several lines; put the object of a row on each line, or export CSV"};
+  if (first.find('}') == std::string_view::npos || first.find('[') < first.find('{')) {
+    return Error{"it is one document of JSON; put the object of a row on each line, or export CSV"};
   }
   auto parser = std::make_unique<NdjsonParser>();
   RowSink sink;

@@ -94,13 +94,9 @@ double width_of(const FilePlan& plan) {
   return std::max({most.x - least.x, most.y - least.y, 0.0});
 }
 
-double width_of(const GroundBounds& bounds) {
-  return static_cast<double>(std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y));
-}
-
 /// Walls of a file of its own may be in other units than the rows: in those in which they are about as wide.
 double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
-  const double people = std::max(width_of(bounds_of(tracks)), 1.0), walls = width_of(plan);
+  const double people = std::max(static_cast<double>(width_of(bounds_of(tracks))), 1.0), walls = width_of(plan);
   double best = 1.0;
   const auto misfit = [&](double unit) { return walls > 0.0 ? std::abs(std::log(walls * unit / people)) : 0.0; };
   for (const double unit : std::array{0.01, 0.001}) {

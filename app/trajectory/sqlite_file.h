@@ -12,7 +12,7 @@ namespace throng::app {
 bool is_sqlite(std::string_view head);
 
 /// Reads the rows and the place of a database of JuPedSim. Opens it read-only, takes no part in transactions of others
-/// (what lies in a journal beside it is not read), and runs nothing that the file brings along.
+/// (a journal with rows beside it is refused), and runs nothing that the file brings along.
 /// Errors begin with the file's name.
 Status read_sqlite(const std::string& file, const TrackReading& options, const ReadProgress& progress,
                    RawTracks& tracks);

@@ -311,7 +311,8 @@ Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*o
     return Error{head.empty() ? "it is empty; name a file with rows" : "it has no rows; name a file with some"};
   }
   const std::size_t text = lines.first.find_first_not_of(" \t");
-  if (lines.first[text] == '{') return with_body(ndjson_format(lines.first), lines.first_byte, lines.first_line);
+  if (lines.first[text] == '{' || lines.first[text] == '[')
+    return with_body(ndjson_format(lines.first), lines.first_byte, lines.first_line);
   if (is_row_of_numbers(lines.first)) {
     return with_body(table_without_header(lines, head.substr(lines.first_byte)), lines.first_byte, lines.first_line);
   }

@@ -14,7 +14,7 @@ namespace throng::app {
 /// Holds what the agents of a character may wear, and the rules.
 struct Clothing {
   Wardrobe wardrobe;        ///< empty where nothing is drawn, or where the file of the character has no parts
-  CastRules rules;          ///< without styles where nobody dresses
+  CastRules rules;          ///< without styles where people do not dress
   std::string origin = {};  ///< where the rules come from, for people; empty: from no file
   std::vector<std::string> doubts = {};  ///< doubts_of() the rules
 };

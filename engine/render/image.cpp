@@ -26,21 +26,19 @@ Image Image::blank(int width, int height) {
 }
 
 NumberImage in_16_bits(const Image& image) {
-  constexpr int step = 257;  // 255 becomes 65535
   NumberImage deep{.width = image.width, .height = image.height, .numbers = {}, .channels = 4};
   deep.numbers.resize(image.rgba.size());
   std::ranges::transform(image.rgba, deep.numbers.begin(),
-                         [](std::uint8_t value) { return static_cast<std::uint16_t>(value * step); });
+                         [](std::uint8_t value) { return static_cast<std::uint16_t>(value * deep_steps); });
   return deep;
 }
 
 Image in_8_bits(const NumberImage& image) {
-  constexpr int step = 257;
   Image shallow = Image::blank(image.width, image.height);
   for (std::size_t i = 0; i < shallow.rgba.size(); ++i) {
     if (image.channels == 1 && i % 4 == 3) continue;  // grey hides what is behind it
     const int number = image.numbers[image.channels == 1 ? i / 4 : i];
-    shallow.rgba[i] = static_cast<std::uint8_t>((number + step / 2) / step);
+    shallow.rgba[i] = static_cast<std::uint8_t>((number + deep_steps / 2) / deep_steps);
   }
   return shallow;
 }

@@ -52,6 +52,9 @@ Result<NumberImage> read_any_png(const std::filesystem::path& file);
 /// Reads the colours of a PNG, rounded to 8 bits; one number a pixel is grey.
 Result<Image> read_png(const std::filesystem::path& file);
 
+/// A step of 8 bits is so many steps of 16: 255 is 65535.
+inline constexpr int deep_steps = 257;
+
 /// Returns colours with 16 bits a channel, and back, rounded. One number a pixel becomes grey.
 NumberImage in_16_bits(const Image& image);
 Image in_8_bits(const NumberImage& image);

@@ -1,4 +1,4 @@
-// Rules of who wears what: what is read is written again, reads as the same, is doubted in words, and dresses somebody.
+// Rules of who wears what: what is read is written again, reads as the same, is doubted in words, and dresses a person.
 
 #include <cstdlib>
 #include <string>

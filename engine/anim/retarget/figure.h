@@ -34,7 +34,7 @@ std::vector<const LimbBones*> legs_of(const Figure& figure);
 enum class Carriage : unsigned char {
   unknown,  ///< it lacks arms or legs, or lies between the two
   upright,  ///< the trunk goes on where the legs end, as that of a person
-  bent      ///< the trunk lies across the legs, as that of an animal on four feet, or of somebody who sits
+  bent      ///< the trunk lies across the legs, as that of an animal on four feet, or of a person who sits
 };
 Carriage carriage_of(const Figure& figure);
 

@@ -165,6 +165,16 @@ TEST(Ndjson, ReadsTrajnetWithItsScenes) {
   EXPECT_EQ(file_place(*tracks, tracks->persons[0].rows[1]), glm::dvec2(2.0, -2.0));
 }
 
+TEST(Ndjson, TakesTheIdOfWhoHasANameToo) {
+  const auto tracks = read_as("a.jsonl",
+                              "{\"id\": 1, \"name\": \"Max\", \"time\": 0, \"x\": 1, \"y\": 2}\n"
+                              "{\"name\": \"Max\", \"id\": 2, \"time\": 0, \"x\": 9, \"y\": 2}\n");
+  ASSERT_TRUE(tracks) << tracks.error().message;
+  ASSERT_EQ(tracks->persons.size(), 2U);
+  EXPECT_EQ(tracks->persons[0].id, "1");
+  EXPECT_EQ(tracks->persons[1].id, "2");
+}
+
 TEST(Ndjson, ReadsRowsWithOtherNames) {
   const auto tracks =
       read_as("a.jsonl",

@@ -47,8 +47,8 @@ class MemoryAccount {
   std::uint64_t decoder_memory() const;
   /// Counts what decoders made, whether or not it is kept. Throws MemoryRefusal where images made too much before.
   void count_decoded(std::uint64_t bytes, const std::string& object);
-  /// Counts the pixels of an image, which stay to the end: first those that images may take for nothing. Throws
-  /// MemoryRefusal.
+  /// Counts the pixels of an image, which stay to the end. What is left of the allowance of images is taken first.
+  /// Throws MemoryRefusal.
   void charge_for_image(std::uint64_t bytes, const std::string& object);
 
   /// Returns what JSON of so many bytes may take without being counted.

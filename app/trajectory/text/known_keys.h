@@ -31,7 +31,8 @@ class KnownKeys {
     if (keys_.size() == most_keys) keys_.pop_back();
     TableColumn column = column_named(name);
     const std::size_t rank = std::min(rank_of(column), no_rank - 1);
-    return keys_.emplace_back(std::move(column), rank);
+    keys_.push_back({std::move(column), rank});  // emplace_back() of an aggregate needs clang 16
+    return keys_.back();
   }
   /// Returns the keys that came so far, at most 64.
   std::span<const Key> all() const { return keys_; }

@@ -50,19 +50,17 @@ std::string refusal(const anim::Skeleton& skeleton, const PlacedPart& chosen, co
 
 }  // namespace
 
-anim::Result<std::vector<RigChoice>> rig_choices_in(const Json& rig, const JsonFile& file) {
-  if (!rig.is_object()) return file.wrong("\"rig\" must be an object of parts of the body and names of bones");
-  std::vector<RigChoice> choices;
+std::optional<std::string> read_rig_choices(const Json& rig, std::vector<RigChoice>& choices) {
+  if (!rig.is_object()) return "\"rig\" must be an object of parts of the body and names of bones";
   for (const auto& [part, bone] : rig.members()) {
     const auto role = anim::body_role_named(part);
     if (!role) {
-      return file.wrong("\"rig\" has no part \"" + part + "\"; it knows " +
-                        joined(anim::body_role_names, ", ", " and "));
+      return "\"rig\" has no part \"" + part + "\"; it knows " + joined(anim::body_role_names, ", ", " and ");
     }
-    if (!bone.is<std::string>()) return file.wrong("\"rig\": \"" + part + "\" must be the name of a bone");
+    if (!bone.is<std::string>()) return "\"rig\": \"" + part + "\" must be the name of a bone";
     choices.push_back({*role, bone.get<std::string>()});
   }
-  return choices;
+  return {};
 }
 
 Json rig_json(std::span<const RigChoice> choices) {

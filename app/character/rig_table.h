@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "app/character/rig_choice.h"
-#include "app/files/json_file.h"
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 
-/// Reads {"hips": "Bone.003", "leftFoot": "ankle.l"}; the parts have VRM's names. The error names the file and what is
-/// wrong in it.
-anim::Result<std::vector<RigChoice>> rig_choices_in(const Json& rig, const JsonFile& file);
+/// Adds to `choices` what {"hips": "Bone.003", "leftFoot": "ankle.l"} says; the parts have VRM's names. Returns what is
+/// wrong, as the end of a sentence.
+std::optional<std::string> read_rig_choices(const Json& rig, std::vector<RigChoice>& choices);
 Json rig_json(std::span<const RigChoice> choices);
 
 /// Gives bones the parts that a person chose, over what the file says. Errors: the skeleton has no such bone, one bone

@@ -43,17 +43,15 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
   return choices;
 }
 
-anim::Result<std::vector<RoleChoice>> role_choices_in(const Json& clips, const JsonFile& file) {
-  if (!clips.is_object()) return file.wrong("\"clips\" must be an object of roles and clip names");
-  std::vector<RoleChoice> choices;
+std::optional<std::string> read_role_choices(const Json& clips, std::vector<RoleChoice>& choices) {
+  if (!clips.is_object()) return "\"clips\" must be an object of roles and clip names";
   for (const auto& [name, clip] : clips.members()) {
     const auto role = role_named(name);
-    if (!role) return file.wrong("\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
-    if (!clip.is<std::string>())
-      return file.wrong("\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
+    if (!role) return "\"clips\" has no role \"" + name + "\"; it knows " + known_roles();
+    if (!clip.is<std::string>()) return "\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"";
     choices.push_back({*role, clip.get<std::string>()});
   }
-  return choices;
+  return {};
 }
 
 Json clips_json(std::span<const RoleChoice> choices) {
@@ -64,8 +62,10 @@ Json clips_json(std::span<const RoleChoice> choices) {
 
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
-template <typename Choice, typename Parse>
-anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key, const Parse& parse) const {
+template <typename Choice>
+anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key,
+                                                     std::optional<std::string> (*read_choices)(
+                                                         const Json&, std::vector<Choice>&)) const {
   const fs::path found = file_.found();
   if (found.empty()) return std::vector<Choice>();
   const JsonFile file(found, remedies);
@@ -73,13 +73,15 @@ anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key, const Pars
   if (!table) return table.error();
   std::optional<std::string> complaint;
   JsonObject("", *table, {"version", "clips", "rig"}, complaint).version(role_table_version);
+  std::vector<Choice> choices;
+  if (!complaint && table->contains(key)) complaint = read_choices((*table)[key], choices);
   if (complaint) return file.wrong(*complaint);
-  return table->contains(key) ? parse((*table)[key], file) : std::vector<Choice>();
+  return choices;
 }
 
-anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key<RoleChoice>("clips", role_choices_in); }
+anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key("clips", read_role_choices); }
 
-anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key<RigChoice>("rig", rig_choices_in); }
+anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key("rig", read_rig_choices); }
 
 anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
   const auto rig = read_rig();

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/character/rig_table.h"
 #include "app/character/roles.h"
-#include "app/files/json_file.h"
 #include "app/files/kept_file.h"
 #include "engine/anim/base/result.h"
 
@@ -21,8 +21,8 @@ anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const s
 /// Returns every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
 
-/// Reads {"walk": "Walking_A", "cheer": "none"}. The error names the file and what is wrong in it.
-anim::Result<std::vector<RoleChoice>> role_choices_in(const Json& clips, const JsonFile& file);
+/// Adds to `choices` what {"walk": "Walking_A", "cheer": "none"} says. Returns what is wrong, as the end of a sentence.
+std::optional<std::string> read_role_choices(const Json& clips, std::vector<RoleChoice>& choices);
 Json clips_json(std::span<const RoleChoice> choices);
 
 /// The file MODEL.throng.json, in which a person says which clip of a model plays which role, and which bone is which
@@ -45,9 +45,12 @@ class RoleFile {
   anim::Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
 
  private:
-  /// Returns what `parse(value, file)` makes of one key of the file; nothing where there is no file or no such key.
-  template <typename Choice, typename Parse>
-  anim::Result<std::vector<Choice>> read_key(const char* key, const Parse& parse) const;
+  /// Returns what `read_choices(value, choices)` adds for one key of the file; nothing where there is no file or no such
+  /// key.
+  template <typename Choice>
+  anim::Result<std::vector<Choice>> read_key(const char* key,
+                                             std::optional<std::string> (*read_choices)(const Json&,
+                                                                                        std::vector<Choice>&)) const;
   anim::Result<std::filesystem::path> write_both(std::span<const RoleChoice> clips,
                                                  std::span<const RigChoice> rig) const;
 

@@ -77,10 +77,10 @@ anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) 
   const int frames = frames_of_run(options, show);
   bool last = false, told = false;
   for (int frame = 1; !last; ++frame) {
-    while (asked_to_stop() == 0 && !has_rows_for(show, step, std::chrono::milliseconds(100))) {
+    while (asked_to_stop() == 0 && !show.has_rows_for(step, std::chrono::milliseconds(100))) {
     }
     show.animate(step);
-    const LiveCrowd* const live = live_crowd_of(show);
+    const LiveCrowd* const live = show.live();
     last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
     tell_once(show.recorder().outcome(), told);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
@@ -111,7 +111,7 @@ anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay
       replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
   if (!run) return run;
   if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
-  const LiveCrowd* const live = live_crowd_of(show);
+  const LiveCrowd* const live = show.live();
   if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
   if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
   const bool is_over_last = output != nullptr && output->drew_last();
@@ -126,7 +126,10 @@ anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* repl
   if (replay != nullptr) {
     if (anim::Status begun = replay->begin(show); !begun) return begun;
   }
-  if (options.selected) show.hands().select(static_cast<std::uint32_t>(*options.selected));
+  if (options.selected) {
+    const anim::Status selected = show.take(Select{static_cast<std::uint32_t>(*options.selected)});
+    if (!selected) return selected;
+  }
   const bool window = options.context == ContextKind::window;
   return window ? run_window(show, options, replay) : run_headless(show, options, replay);
 }

@@ -73,10 +73,9 @@ void DroppedTracks::read(WindowSession& session) const {
   if (!tracks) return session.messages().say(tracks.error().message, Message::Kind::refused);
   const std::size_t people = tracks->persons.size();
   Show& show = session.show;
-  const anim::Status shown = replace_trajectories(show, std::make_shared<const Trajectories>(std::move(*tracks)));
+  const anim::Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
   if (!session.messages().tell(shown)) return;
-  session.tuning.scene = session.accepted.scene = Scene::tracks;
-  session.tuning.agents = session.accepted.agents = show.stage().tuning().agents;
+  session.editor.follow();
   session.camera.put(place_of(show.camera), show);
   session.reporter.describe_characters(show);
   session.messages().say("Opened " + next_.file + ": " + counted_people(people));

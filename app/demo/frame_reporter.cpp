@@ -4,7 +4,7 @@
 
 #include "app/demo/mesh_reporter.h"
 #include "app/demo/selection_reporter.h"
-#include "app/demo/wardrobe_commands.h"
+#include "app/demo/wardrobe_reporter.h"
 #include "app/demo/window_camera.h"
 #include "engine/anim/base/cores.h"
 
@@ -122,10 +122,11 @@ void FrameReporter::describe_device(const Show& show) {
   report_.hardware_threads = anim::usable_cores();
 }
 
-void FrameReporter::describe_character(const Show& show, std::size_t character) {
+void FrameReporter::describe_character(const Show& show, std::uint32_t character) {
   const CharacterSource& source = show.stage().characters()[character];
   const anim::Skeleton& skeleton = source.character->skeleton;
   report_.character = character;
+  described_ = source.character;
   report_.clip_names = source.clip_names;
   report_.suggested_role_clips = source.suggested;
   report_.level_bone_counts = skeleton.level_bone_counts;
@@ -143,8 +144,8 @@ void FrameReporter::report_wardrobe_of(const Stage& stage) {
   reported_looks_ = stage.crowd().looks().number;
 }
 
-void FrameReporter::refuse_body(const NewBody& asked, const std::string& why) {
-  report_.body.refused = asked.changed;
+void FrameReporter::refuse_body(anim::BodyRole part, const std::string& why) {
+  report_.body.refused = part;
   report_.body.refusal = why;
 }
 
@@ -163,9 +164,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
     describe_characters(show);  // a replay has others from here on
   }
   const CharacterSource& shown = show.stage().characters()[report_.character];
-  if (shown.rig != report_.body.said || shown.placement.choice != report_.placement.choice) {
-    describe_character(show, report_.character);  // here too
-  }
+  if (shown.character != described_ || shown.rig != report_.body.said) describe_character(show, report_.character);
   if (show.stage().tuning().scene != described_scene_) {
     described_scene_ = show.stage().tuning().scene;
     read_standard_rules(show.stage(), report_.character, report_.wardrobe);  // it has other styles
@@ -305,11 +304,6 @@ void FrameReporter::add_units(const anim::AnimationSystem& system) {
             .timeline = report_.timeline.back()};
   });
   report_.kept = slow_frames_.report();
-}
-
-void FrameReporter::look_at(const OverlayCommands& commands) {
-  if (commands.look_at_frame) slow_frames_.look_at(*commands.look_at_frame);
-  if (commands.look_at_last_frames) slow_frames_.look_at_last();
 }
 
 }  // namespace throng::app

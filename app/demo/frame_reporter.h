@@ -24,10 +24,10 @@ class FrameReporter {
   /// Reports the characters of the show anew; call it when they have changed.
   void describe_characters(const Show& show);
   /// Chooses the character whose roles and bones are reported; the first one at first.
-  void describe_character(const Show& show, std::size_t character);
+  void describe_character(const Show& show, std::uint32_t character);
 
   /// Reports that a person asked for a part of the body in vain, until a character is described anew.
-  void refuse_body(const NewBody& asked, const std::string& why);
+  void refuse_body(anim::BodyRole part, const std::string& why);
 
   /// Reports a frame that was animated and drawn. `frame_ms` is the time from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms);
@@ -45,8 +45,11 @@ class FrameReporter {
   void report_replay(const ReplayReport& replay) { report_.replay = replay; }
   /// Returns what is reported of the cameras.
   CameraReport& cameras() { return report_.cameras; }
-  /// Reports the frame that a person looks at from now on.
-  void look_at(const OverlayCommands& commands);
+  /// Reports the kept frame whose number is nearest from now on, or the last ones again.
+  void look_at(int frame) { slow_frames_.look_at(frame); }
+  void look_at_last() { slow_frames_.look_at_last(); }
+  /// Reports whether the last change was made to an order of bones.
+  void report_undo(bool is_of_bones) { report_.can_undo_bones = is_of_bones; }
   /// Reports the camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
@@ -75,10 +78,11 @@ class FrameReporter {
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
   TrackedPersonReporter tracked_person_;
-  std::shared_ptr<const Trajectories> tracks_;  // those whose people are counted
-  Scene described_scene_ = Scene::plaza;        // whose rules of the wardrobe were read
-  std::uint64_t reported_looks_ = 0;            // CrowdLooks::number when the wardrobe was reported
-  int mesh_levels_ = 1;                         // the most of a character
+  std::shared_ptr<const Trajectories> tracks_;        // those whose people are counted
+  std::shared_ptr<const anim::Character> described_;  // of the character shown
+  Scene described_scene_ = Scene::plaza;              // whose rules of the wardrobe were read
+  std::uint64_t reported_looks_ = 0;                  // CrowdLooks::number when the wardrobe was reported
+  int mesh_levels_ = 1;                               // the most of a character
 };
 
 }  // namespace throng::app

@@ -36,30 +36,34 @@ void WindowCamera::steer(Show& show, const InputFrame& input, const FlyControls&
   if (fly_.camera() != before) show.films = false;
 }
 
-void WindowCamera::obey(const CameraCommands& commands, Show& show) {
-  if (commands.home) go_home(show);
-  if (commands.named) {
-    const std::vector<NamedCamera> cameras = cameras_of(show.stage());
-    if (*commands.named < cameras.size()) put(cameras[*commands.named].place, show);
-  }
-  if (commands.change_follow) {
-    show.guide.follow(!show.guide.follows());
-    show.films = false;
-  }
-  if (commands.follow_behind && show.stage().selected()) {
-    show.guide.follow_behind(FollowCamera(*show.stage().selected()), true);
-    show.films = false;
-  }
-  if (commands.fly_speed) fly_.set_speed(*commands.fly_speed);
-  if (commands.keep_bookmark) bookmarks_.at(*commands.keep_bookmark) = place();
-  if (!commands.go_to_bookmark) return;
-  if (const auto& kept = bookmarks_.at(*commands.go_to_bookmark)) put(*kept, show);
+void WindowCamera::take(const CameraRequest& request, Show& show) {
+  std::visit([&](const auto& asked) { carry_out(asked, show); }, request);
 }
 
-void WindowCamera::go_home(Show& show) {
+void WindowCamera::carry_out(const GoHome& /*asked*/, Show& show) {
   show.guide.follow(false);
   put(place_of(show.guide.home(show.stage())), show);
   show.films = true;
+}
+
+void WindowCamera::carry_out(const GoToCamera& asked, Show& show) {
+  const std::vector<NamedCamera> cameras = cameras_of(show.stage());
+  if (asked.camera < cameras.size()) put(cameras[asked.camera].place, show);
+}
+
+void WindowCamera::carry_out(const ToggleFollow& /*asked*/, Show& show) {
+  show.guide.follow(!show.guide.follows());
+  show.films = false;
+}
+
+void WindowCamera::carry_out(const FollowBehind& /*asked*/, Show& show) {
+  if (!show.stage().selected()) return;
+  show.guide.follow_behind(FollowCamera(*show.stage().selected()), true);
+  show.films = false;
+}
+
+void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
+  if (const auto& kept = bookmarks_.at(asked.place)) put(*kept, show);
 }
 
 void WindowCamera::put(const CameraPlace& place, Show& show) {

@@ -6,6 +6,7 @@
 
 #include "app/overlay/controls/ui_map.h"
 #include "app/report/camera_report.h"
+#include "app/request/request.h"
 #include "app/settings/settings.h"
 #include "app/show/show.h"
 #include "app/view/fly_camera.h"
@@ -14,7 +15,7 @@
 namespace throng::app {
 
 /// The camera of the person at the window: flown by hand, sent to a place, or left to the show. In a frame:
-///     steer(...)  obey(...)  show.apply(...)  hand_over(...)  show.animate(...)  take_back(...)
+///     steer(...)  take(...)  show.take(...)  hand_over(...)  show.animate(...)  take_back(...)
 class WindowCamera {
  public:
   explicit WindowCamera(const Show& show);
@@ -23,7 +24,7 @@ class WindowCamera {
   /// leaves to it.
   void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
   /// Does what the person asks for.
-  void obey(const CameraCommands& commands, Show& show);
+  void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
   void put(const CameraPlace& place, Show& show);
   /// Moves the camera until the whole crowd is seen in `area` of the picture, in pixels from the top left.
@@ -44,7 +45,13 @@ class WindowCamera {
   void report(CameraReport& report) const;
 
  private:
-  void go_home(Show& show);
+  void carry_out(const GoHome& asked, Show& show);
+  void carry_out(const GoToCamera& asked, Show& show);
+  void carry_out(const ToggleFollow& asked, Show& show);
+  void carry_out(const FollowBehind& asked, Show& show);
+  void carry_out(const SetFlySpeed& asked, Show& /*show*/) { fly_.set_speed(asked.speed); }
+  void carry_out(const KeepBookmark& asked, Show& /*show*/) { bookmarks_.at(asked.place) = place(); }
+  void carry_out(const GoToBookmark& asked, Show& show);
 
   FlyCamera fly_;
   CameraBookmarks bookmarks_;

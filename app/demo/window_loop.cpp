@@ -7,12 +7,12 @@
 #include <string>
 
 #include "app/demo/stop_signals.h"
-#include "app/demo/window_commands.h"
 #include "app/demo/window_replay.h"
+#include "app/demo/window_requests.h"
 #include "app/demo/window_session.h"
 #include "app/files/data_folder.h"
 #include "app/overlay/overlay.h"
-#include "app/recording/crowd_file.h"
+#include "app/request/crowd_file.h"
 #include "app/settings/preset.h"
 #include "engine/files/output_file.h"
 
@@ -26,7 +26,7 @@ class WindowLoop {
  public:
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : session_(show, options),
-        overlay_(fonts_folder(options), options.ui_scale, session_.tuning, session_.input.clipboard()) {
+        overlay_(fonts_folder(options), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.set_preset_names(preset_names());
@@ -58,7 +58,7 @@ class WindowLoop {
 
   void take_kept(const std::string& crowd_file) {
     const auto setup = read_crowd_file(crowd_file);
-    if (setup) commands_.take_kept(*setup);  // else it has gone since the characters were read
+    if (setup) requests_.take_kept(*setup);  // else it has gone since the characters were read
   }
 
   // Programs that drive the window wait for this line.
@@ -80,39 +80,28 @@ class WindowLoop {
     reporter.see_from(session_.camera.place());
     session_.camera.report(reporter.cameras());
     reporter.messages().pass(seconds);
-    const Tuning before = session_.tuning;
-    const OverlayCommands commands = overlay_.build(reporter.report(), session_.tuning);
-    lift_triangle_limit(before);
+    reporter.report_undo(session_.editor.can_undo_bones());
+    const Requests requests = overlay_.build(reporter.report(), session_.editor.tuning());
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
-      if (!commands.models.empty()) refuse_drop(commands.models.front());
-      repeat(commands.replay, seconds);
+      repeat(requests, seconds);
     } else {
-      commands_.obey(commands);
-      apply_what_is_wanted(commands.exact_crowd);
+      requests_.take(requests);
+      show_what_is_wanted(last_of<ShowExactCrowd>(requests) != nullptr);
       session_.camera.hand_over(show);
-      show.animate(step(seconds, commands.step));
+      show.animate(step(seconds, last_of<StepFrame>(requests) != nullptr));
       measure_for_sweep();
     }
     session_.camera.take_back(show);
     present();
-    commands_.obey_after_drawing(commands);
+    requests_.take_after_drawing(requests);
     build_saved_shaders(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().tell(show.recorder().outcome());
-    done_ = done_ || (commands.quit && may_leave()) || session_.input.asked_to_close() || asked_to_stop() != 0;
-  }
-
-  // An error limit that a person sets goes before the triangles that a device affords, as on the command line.
-  void lift_triangle_limit(const Tuning& before) {
-    const int afforded = session_.show.painter().spared().triangles;
-    Tuning& tuning = session_.tuning;
-    const bool sets_error = tuning.error_px != before.error_px || tuning.mesh_error_px != before.mesh_error_px;
-    if (!sets_error || afforded == 0 || tuning.triangle_budget != afforded) return;
-    tuning.triangle_budget = 0;
-    session_.messages().say("The error limit decides over meshes now: the triangle limit of this device is off.");
+    done_ = done_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
+            asked_to_stop() != 0;
   }
 
   // A person who writes a shader sees it as soon as it is saved.
@@ -124,7 +113,7 @@ class WindowLoop {
   }
 
   bool may_leave() {
-    if (replay_ || !session_.unkept.ask_about(session_.tuning, overlay_.tuning_pair())) return true;
+    if (replay_ || !session_.unkept.ask_about(session_.editor.tuning(), overlay_.tuning_pair())) return true;
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;
@@ -136,11 +125,14 @@ class WindowLoop {
   }
 
   // What was recorded happens, and nothing else.
-  void repeat(const ReplayCommands& commands, double seconds) {
-    replay_->obey(commands);
+  void repeat(const Requests& requests, double seconds) {
+    for (const Request& request : requests) {
+      if (const auto* const asked = std::get_if<ReplayRequest>(&request)) replay_->take(*asked);
+      if (const auto* const drop = as<OpenFiles>(request)) refuse_drop(drop->files.front());
+    }
     replay_->advance(session_.show, seconds);
     session_.reporter.report_replay(replay_->report());
-    session_.tuning = session_.show.stage().tuning();
+    session_.editor.follow();
   }
 
   void fly(const InputFrame& input, float seconds) {
@@ -150,7 +142,7 @@ class WindowLoop {
   }
 
   anim::Ticks step(double seconds, bool single) const {
-    const Tuning& tuning = session_.tuning;
+    const Tuning& tuning = session_.editor.tuning();
     if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
     if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
@@ -186,17 +178,21 @@ class WindowLoop {
     return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};
   }
 
-  void apply_what_is_wanted(bool exact_crowd) {
+  // The exact crowd while its key is held, the next stop of a sweep, or the values that the person asks for.
+  void show_what_is_wanted(bool exact_crowd) {
+    const Tuning& tuning = session_.editor.tuning();
     TuningSweep& sweep = session_.sweep;
-    if (!sweep.began_with(session_.tuning)) sweep.stop();
+    if (!sweep.began_with(tuning)) sweep.stop();
     while (sweep.runs() && !exact_crowd) {
-      const Tuning stop = sweep.tuning();
-      const bool is_applied = stop == session_.show.stage().tuning();
-      const anim::Status applied = is_applied ? anim::Done{} : session_.show.apply(stop);
-      if (applied) return;
-      sweep.refuse(applied.error().message);
+      const anim::Status shown = show(sweep.tuning());
+      if (shown) return;
+      sweep.refuse(shown.error().message);
     }
-    apply(exact_crowd ? without_level_of_detail(session_.tuning) : session_.tuning);
+    session_.messages().tell(show(exact_crowd ? without_level_of_detail(tuning) : tuning));
+  }
+
+  anim::Status show(const Tuning& tuning) {
+    return tuning == session_.show.stage().tuning() ? anim::Done{} : session_.show.take(Apply{tuning});
   }
 
   // Frames in which nobody was posed, or the exact crowd was, tell nothing.
@@ -208,26 +204,18 @@ class WindowLoop {
     session_.reporter.show_sweep(sweep.curve());
   }
 
-  void apply(const Tuning& tuning) {
-    if (tuning == session_.show.stage().tuning()) return;
-    if (session_.messages().tell(session_.show.apply(tuning))) {
-      session_.accepted = session_.tuning;
-    } else {
-      session_.tuning = session_.accepted;
-    }
-  }
-
   void write_ui_map() {
     const std::string& file = session_.options.ui_map;
     if (file.empty()) return;
-    session_.messages().tell(write_whole_file(
-        file, to_json(overlay_.ui_map(), session_.tuning, session_.reporter.report()), OutputFile::Sync::system));
+    session_.messages().tell(
+        write_whole_file(file, to_json(overlay_.ui_map(), session_.editor.tuning(), session_.reporter.report()),
+                         OutputFile::Sync::system));
   }
 
   WindowSession session_;
   std::optional<WindowReplay> replay_;  // none: people say what happens
   Overlay overlay_;
-  WindowCommands commands_{session_, overlay_};
+  WindowRequests requests_{session_, overlay_};
   Clock::time_point last_frame_ = Clock::now();
   Clock::time_point next_look_at_shaders_ = last_frame_;
   anim::Status failed_ = anim::Done{};

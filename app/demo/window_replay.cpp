@@ -18,21 +18,28 @@ WindowReplay::WindowReplay(Replay& replay) : replay_(replay) {
   report_.frames = replay.count_frames();
 }
 
-void WindowReplay::obey(const ReplayCommands& commands) {
-  if (commands.change_loop) report_.loops = !report_.loops;
-  if (commands.speed) report_.speed = *commands.speed;
-  const auto last = static_cast<std::int64_t>(report_.frames);
-  const auto from = static_cast<std::int64_t>(report_.sought.value_or(report_.frame));
-  if (commands.change_pause && report_.ended) {
-    report_.sought = 1;
-    report_.paused = false;
-  } else if (commands.change_pause) {
+void WindowReplay::take(const ReplayRequest& request) {
+  std::visit([this](const auto& asked) { carry_out(asked); }, request);
+}
+
+void WindowReplay::carry_out(const ToggleReplayPause& /*asked*/) {
+  if (!report_.ended) {
     report_.paused = !report_.paused;
+    return;
   }
-  if (commands.step == 0 && !commands.go_to) return;
-  const std::int64_t wanted = commands.go_to ? static_cast<std::int64_t>(*commands.go_to) : from + commands.step;
-  report_.sought = static_cast<std::uint64_t>(std::clamp<std::int64_t>(wanted, 1, std::max<std::int64_t>(last, 1)));
-  report_.paused = report_.paused || commands.step != 0;
+  report_.sought = 1;
+  report_.paused = false;
+}
+
+void WindowReplay::carry_out(const StepReplay& asked) {
+  const auto from = static_cast<std::int64_t>(report_.sought.value_or(report_.frame));
+  go_to(from + asked.frames);
+  report_.paused = true;
+}
+
+void WindowReplay::go_to(std::int64_t frame) {
+  const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(report_.frames), 1);
+  report_.sought = static_cast<std::uint64_t>(std::clamp<std::int64_t>(frame, 1, last));
 }
 
 void WindowReplay::advance(Show& show, double seconds) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "app/report/replay_report.h"
+#include "app/request/request.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
 #include "engine/anim/base/result.h"
@@ -17,7 +18,7 @@ class WindowReplay {
   explicit WindowReplay(Replay& replay);
 
   /// Does what the person asks for.
-  void obey(const ReplayCommands& commands);
+  void take(const ReplayRequest& request);
   /// Repeats the frames of the next `seconds`, or some of those on the way to the frame that was asked for. A frame of
   /// the window never waits long for them.
   void advance(Show& show, double seconds);
@@ -27,6 +28,12 @@ class WindowReplay {
   const anim::Status& outcome() const { return outcome_; }
 
  private:
+  void carry_out(const ToggleReplayPause& asked);
+  void carry_out(const ToggleReplayLoop& /*asked*/) { report_.loops = !report_.loops; }
+  void carry_out(const StepReplay& asked);
+  void carry_out(const SeekReplay& asked) { go_to(static_cast<std::int64_t>(asked.frame)); }
+  void carry_out(const SetReplaySpeed& asked) { report_.speed = asked.speed; }
+  void go_to(std::int64_t frame);
   void play(Show& show, double seconds);
   void seek(Show& show);
   void step(Show& show);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/demo/crowd_editor.h"
 #include "app/demo/frame_reporter.h"
 #include "app/demo/unkept_values.h"
 #include "app/demo/window_camera.h"
@@ -15,23 +16,21 @@ struct WindowSession {
   WindowSession(Show& show_in_window, const DemoOptions& given)
       : show(show_in_window),
         options(given),
-        tuning(show.stage().tuning()),
-        accepted(tuning),
-        unkept(tuning),
+        unkept(show.stage().tuning()),
         input(show.painter().context().window()),
         camera(show),
-        reporter(show) {}
+        reporter(show),
+        editor(show, reporter) {}
 
   Messages& messages() { return reporter.messages(); }
 
   Show& show;
   const DemoOptions& options;
-  Tuning tuning;    ///< the values that the person asks for
-  Tuning accepted;  ///< the last of them that could be
   UnkeptValues unkept;
   WindowInput input;
   WindowCamera camera;
   FrameReporter reporter;
+  CrowdEditor editor;  ///< its values are those that the person asks for
   TuningSweep sweep;
 };
 

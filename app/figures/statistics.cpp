@@ -1,9 +1,9 @@
 #include "app/figures/statistics.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
+#include "app/files/byte_hash.h"
 #include "engine/anim/import/json/json.h"
 #include "engine/files/output_file.h"
 
@@ -116,12 +116,6 @@ void add_events(Json& json, const std::optional<EventSums>& sums) {
 }  // namespace
 
 double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
-
-std::string hex_string(std::uint64_t bits) {
-  char text[17];
-  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(bits));
-  return text;
-}
 
 void Statistics::add_update(double milliseconds) {
   if (!first_update_ms_) first_update_ms_ = milliseconds;

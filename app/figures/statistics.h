@@ -58,7 +58,4 @@ class Statistics {
 /// Returns the median of `values`; 0 where there are none.
 double median(std::vector<double> values);
 
-/// Returns 16 hexadecimal digits.
-std::string hex_string(std::uint64_t bits);
-
 }  // namespace throng::app

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <string>
 #include <string_view>
 
 #include "engine/anim/base/hash.h"
@@ -27,5 +29,12 @@ class ByteHash {
   std::uint64_t word_ = 0;  // up to seven bytes that are not in `hash_` yet
   std::uint64_t count_ = 0;
 };
+
+/// Returns 16 hexadecimal digits.
+inline std::string hex_string(std::uint64_t bits) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(bits));
+  return text;
+}
 
 }  // namespace throng::app

@@ -74,7 +74,7 @@ LabelMaker::LabelMaker(const Stage& stage) {
 }
 
 anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
-  if (anim::Status drawn = draw_labels(show, is_drawn, picture_); !drawn) return drawn;
+  if (anim::Status drawn = show.draw_labels(is_drawn, picture_); !drawn) return drawn;
   const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
   frame_.number = number;
   frame_.seconds = anim::to_seconds(show.stage().system().clock());

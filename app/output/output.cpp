@@ -41,7 +41,7 @@ int frames_of_run(const DemoOptions& options, const Show& show) {
   const Crowd& crowd = show.stage().crowd();
   const Followers* const recorded = followers_of(crowd);
   const bool goes_on_to_its_end = recorded != nullptr && options.output.any();
-  if (!options.frames_given && live_crowd_of(show) != nullptr) return 0;
+  if (!options.frames_given && show.live() != nullptr) return 0;
   if (options.frames_given || !goes_on_to_its_end) return options.frames;
   const TrackClock& clock = track_clock_of(crowd);
   const double left = clock.rate < 0.0 ? clock.seconds - clock.first : clock.last - clock.seconds;

@@ -30,7 +30,7 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "Upright, or how a rag-doll is."});
   widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + size_text(selected.bytes),
                {.what = "Its entities in main memory."});
-  show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.commands);
+  show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.requests);
 }
 
 /// Draws a share, 0 to 1, between the words and the figure.
@@ -93,7 +93,7 @@ std::optional<std::string> why_not_held(const SelectionReport& selected) {
 }
 
 void show_hands(const TabContext& context, const SelectionReport& selected) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Hold its clip");
   const auto last = static_cast<double>(std::max(selected.clip_seconds, 0.01F));
   widgets.begin_idle(why_not_held(selected));
@@ -101,14 +101,16 @@ void show_hands(const TabContext& context, const SelectionReport& selected) {
   if (widgets.number("Hold clip at", seconds, 0, {.highest = last, .decimals = 2, .suffix = " s"},
                      {.what = "Drag to stop it and to move through its clip. Crowd logic holds it in its place.",
                       .unit = "seconds from the clip's start"})) {
-    commands.hold_at = static_cast<float>(seconds);
+    requests.push_back(Hold{selected.agent, static_cast<float>(seconds)});
   }
   widgets.end_idle();
   ButtonRow buttons(widgets, 2);
-  commands.let_go |= buttons.button("Let go", {.what = "It goes on as the crowd wants it."},
-                                    selected.held_at ? nullptr : "its clip is not held");
-  commands.push_over |= buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."},
-                                       selected.can_fall ? nullptr : cannot_fall);
+  if (buttons.button("Let go", {.what = "It goes on as the crowd wants it."},
+                     selected.held_at ? nullptr : "its clip is not held"))
+    requests.push_back(Hold{});
+  if (buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."},
+                     selected.can_fall ? nullptr : cannot_fall))
+    requests.push_back(Push{selected.agent, ahead_of(report.camera)});
 }
 
 /// Draws a column a frame, as high as the interval is long, above a dot in the colour of the bone level.

@@ -45,7 +45,7 @@ std::vector<Badge> badges_of(const TabContext& context) {
          {"recording", colour::recording,
           "Records " + report.recording.file + "   " + clock_text(report.messages.now() - report.recording.began_at),
           "All that happens goes into that file. A click or R ends it.",
-          [](const TabContext& ended) { ended.commands.record = true; }});
+          [](const TabContext& ended) { ended.requests.push_back(ToggleRecording{}); }});
   const TuningPair& pair = context.memory.pair;
   add_if(pair.has_two(), {"pair", colour::accent, pair.title_in_use() + " is in use",
                           pair.other_title() + " waits. A click or B changes their places. The tab Presets ends it.",
@@ -56,7 +56,7 @@ std::vector<Badge> badges_of(const TabContext& context) {
           [](const TabContext& ended) { ended.widgets.focus().give_back(); }});
   add_if(tuning.paused, {"paused", colour::frame, "Paused", "A click or Space goes on.",
                          [](const TabContext& ended) { ended.tuning.paused = false; }});
-  add_if(context.commands.exact_crowd,
+  add_if(last_of<ShowExactCrowd>(context.requests) != nullptr,
          {"exact", colour::accent, "The exact crowd", "As long as X is held, nothing is skipped and nothing dropped."});
   add_if(look.freeze_camera, {"frozen", colour::accent, "LOD camera frozen",
                               "Level of detail goes on from where the camera was frozen. A click lets it go.",
@@ -79,7 +79,7 @@ std::vector<Badge> badges_of(const TabContext& context) {
           "A part of the frame is left out, to show what it costs. A click brings all back.",
           [](const TabContext& ended) { ended.tuning.taken_away = {}; }});
   add_if(report.sweep.runs, {"sweep", colour::accent, "Sweep", "One value goes through its range. A click ends it.",
-                             [](const TabContext& ended) { ended.commands.stop_sweep = true; }});
+                             [](const TabContext& ended) { ended.requests.push_back(StopSweep{}); }});
   return badges;
 }
 

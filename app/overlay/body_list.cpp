@@ -25,12 +25,12 @@ int said_bone(const BodyParts& body, anim::BodyRole part) {
   return bone == body.bones.end() ? -1 : static_cast<int>(bone - body.bones.begin());
 }
 
-NewBody changed_body(const BodyParts& body, anim::BodyRole part, int bone) {
-  NewBody changed{.choices = body.said, .changed = part};
-  std::erase_if(changed.choices, [&](const RigChoice& choice) { return choice.role == part; });
-  if (bone >= 0) changed.choices.push_back({part, body.bones[static_cast<std::size_t>(bone)]});
-  std::ranges::sort(changed.choices, {}, &RigChoice::role);
-  return changed;
+std::vector<RigChoice> with_part(const BodyParts& body, anim::BodyRole part, int bone) {
+  std::vector<RigChoice> parts = body.said;
+  std::erase_if(parts, [&](const RigChoice& choice) { return choice.role == part; });
+  if (bone >= 0) parts.push_back({part, body.bones[static_cast<std::size_t>(bone)]});
+  std::ranges::sort(parts, {}, &RigChoice::role);
+  return parts;
 }
 
 void show_part(const TabContext& context, anim::BodyRole part) {
@@ -44,7 +44,7 @@ void show_part(const TabContext& context, anim::BodyRole part) {
           {.what = "The bone that is this part of the body. Guessed: as the file says, or as names and "
                    "shape of the skeleton suggest.",
            .cost = "Changing it places all agents anew."})) {
-    context.commands.body = changed_body(body, part, bone);
+    context.requests.push_back(SetBody{context.report.character, with_part(body, part, bone)});
   }
   if (body.refused != part || context.widgets.is_searching()) return;
   context.widgets.caption(body.refusal + ".");
@@ -52,19 +52,20 @@ void show_part(const TabContext& context, anim::BodyRole part) {
 }
 
 void show_open_list(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.caption(report.body.follows);
   for (std::size_t part = 0; part < anim::body_role_count; ++part) {
     show_part(context, static_cast<anim::BodyRole>(part));
   }
   ButtonRow buttons(widgets, 2);
-  commands.save_body |= buttons.button(
-      "Save body",
-      {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
-               "the ground and clips of other files go by it from then on."});
+  if (buttons.button(
+          "Save body",
+          {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
+                   "the ground and clips of other files go by it from then on."}))
+    requests.push_back(SaveBody{});
   if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."},
                      report.body.said.empty() ? "every part is as it is guessed" : nullptr)) {
-    commands.body = NewBody{};
+    requests.push_back(SetBody{report.character, {}});
   }
 }
 

@@ -50,22 +50,20 @@ void scroll_with_drag() {
 void change(const TabContext& context, const BoneLodChoice& choice) {
   const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
   if (choice.bones == now.bones && choice.level_counts == now.level_counts) return;
-  context.memory.bones.undo.push_back(taken_back(choice, now.level_counts));
-  context.commands.bone_lod = choice;
+  context.requests.push_back(SetBones{context.report.character, choice});
 }
 
 void show_bone_buttons(const TabContext& context) {
-  std::vector<BoneLodChoice>& undo = context.memory.bones.undo;
   ButtonRow buttons(context.widgets, 3);
   if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."},
-                     undo.empty() ? "nothing was changed yet" : nullptr)) {
-    context.commands.bone_lod = undo.back();
-    undo.pop_back();
+                     context.report.can_undo_bones ? nullptr : "the last change was none of bones")) {
+    context.requests.push_back(Undo{});
   }
-  context.commands.save_bone_lod |=
-      buttons.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."});
-  context.commands.export_lod |= buttons.button(
-      "Export LOD", {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."});
+  if (buttons.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."}))
+    context.requests.push_back(SaveBones{});
+  if (buttons.button("Export LOD",
+                     {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."}))
+    context.requests.push_back(ExportLod{});
 }
 
 std::string name_of_bone_row(std::size_t place) { return "Bone " + std::to_string(place); }
@@ -150,14 +148,6 @@ void finish_drag(const TabContext& context) {
 
 }  // namespace
 
-BoneLodChoice taken_back(const BoneLodChoice& choice, const std::vector<int>& level_counts) {
-  BoneLodChoice back{.bones = std::vector<int>(choice.bones.size()), .level_counts = level_counts};
-  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
-    back.bones[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
-  }
-  return back;
-}
-
 BoneLodChoice with_border_moved(BoneLodChoice choice, std::size_t level, int bones) {
   std::vector<int>& counts = choice.level_counts;
   const auto last = static_cast<int>(counts.size()) - 1, moved = static_cast<int>(level);
@@ -168,8 +158,7 @@ BoneLodChoice with_border_moved(BoneLodChoice choice, std::size_t level, int bon
 }
 
 void show_bone_list(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
-  if (std::exchange(memory.bones.character, report.character) != report.character) memory.bones.undo.clear();
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Bones, the most visible first");
   widgets.text("Search", memory.bones.search, "part of a name",
                {.what = "Shows the bones whose names have it. While it is empty, bones can be dragged."});

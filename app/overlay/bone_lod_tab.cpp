@@ -74,7 +74,7 @@ void show_band(const TabContext& context) {
 }
 
 void show_levels(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Levels");
   context.row("bone_lod",
               {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "

@@ -17,7 +17,7 @@ void show_scene_cameras(const TabContext& context) {
     ButtonRow buttons(context.widgets, static_cast<int>(in_a_row));
     for (std::size_t i = first; i < std::min(first + in_a_row, names.size()); ++i) {
       const bool pressed = buttons.button(names[i], {.what = "Goes to this camera of the scene."});
-      if (pressed) context.commands.cameras.named = i;
+      if (pressed) context.requests.push_back(GoToCamera{i});
     }
   }
 }
@@ -25,20 +25,22 @@ void show_scene_cameras(const TabContext& context) {
 void show_ways_to_go(const TabContext& context) {
   const CameraReport& cameras = context.report.cameras;
   ButtonRow buttons(context.widgets, 2);
-  context.commands.cameras.home |= buttons.button(
-      "Home", {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."});
-  context.commands.frame_crowd |=
-      buttons.button("Frame crowd", {.what = "Moves the camera until everybody is seen beside the panel. Key F."});
+  if (buttons.button(
+          "Home",
+          {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."}))
+    context.requests.push_back(GoHome{});
+  if (buttons.button("Frame crowd", {.what = "Moves the camera until everybody is seen beside the panel. Key F."}))
+    context.requests.push_back(FrameCrowd{});
   const char* const nobody = context.report.selected ? nullptr : "Nobody is selected. Click at somebody first.";
   ButtonRow follow(context.widgets, 2);
-  context.commands.cameras.change_follow |=
-      follow.button(cameras.follows ? "Stop following" : "Follow",
-                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, nobody);
-  context.commands.cameras.follow_behind |=
-      follow.button("From behind",
+  if (follow.button(cameras.follows ? "Stop following" : "Follow",
+                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, nobody))
+    context.requests.push_back(ToggleFollow{});
+  if (follow.button("From behind",
                     {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
                              "go round."},
-                    nobody);
+                    nobody))
+    context.requests.push_back(FollowBehind{});
 }
 
 // Says who has the camera, where that is not the person alone.
@@ -58,12 +60,12 @@ void show_bookmarks(const TabContext& context) {
                       "A place of the camera. The first click keeps the place, later ones go there; Ctrl and a "
                       "click keep another one. Keys 1 to 9, and Ctrl with them."};
   ButtonRow buttons(context.widgets, static_cast<int>(bookmark_count));
-  CameraCommands& commands = context.commands.cameras;
   for (std::size_t i = 0; i < bookmark_count; ++i) {
     const bool is_kept = context.report.cameras.kept.at(i);
     const std::string digit = std::to_string(i + 1);
     if (!buttons.marked_button(digit.c_str(), "Bookmark " + digit, help, is_kept)) continue;
-    (is_kept && !ImGui::GetIO().KeyCtrl ? commands.go_to_bookmark : commands.keep_bookmark) = i;
+    const bool goes = is_kept && !ImGui::GetIO().KeyCtrl;
+    context.requests.push_back(goes ? CameraRequest(GoToBookmark{i}) : CameraRequest(KeepBookmark{i}));
   }
 }
 
@@ -87,7 +89,7 @@ void show_camera_section(const TabContext& context) {
                      {.what = "How fast W A S D and Q E fly; the wheel over the crowd changes it too. Shift is four "
                               "times as fast, Ctrl a quarter.",
                       .unit = "metres a second"})) {
-    context.commands.cameras.fly_speed = static_cast<float>(speed);
+    context.requests.push_back(SetFlySpeed{static_cast<float>(speed)});
   }
   if (widgets.is_searching()) return;
   const CameraPlace& camera = context.report.camera;

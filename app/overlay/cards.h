@@ -4,6 +4,7 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/frame_report.h"
+#include "app/request/request.h"
 
 namespace throng::app {
 
@@ -12,7 +13,7 @@ inline constexpr const char* cannot_fall = "it has fallen already, or its body i
 
 /// Shows the strip below the crowd: the cost of the last frame, and of the frames before it. A click at one of these
 /// looks at it.
-void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
+void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests);
 
 /// Shows the keys and explains every word of the panel; those that have the letters of `searched`, which the person
 /// edits there. Returns whether the person closed the card.
@@ -24,11 +25,14 @@ bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages
 /// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
 /// far as there is room; of somebody of a recorded crowd, speed and steps over time. The card begins in the upper left
 /// of `place`, where there is mostly sky. Closing it deselects the agent.
-void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
+void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests);
 
 /// Shows the button *View*, which asks for the selected agent's character alone, in the clip that it plays. `name`
 /// tells it apart in the map.
-void show_view_button(Widgets& widgets, const std::string& name, float width, OverlayCommands& commands);
+void show_view_button(Widgets& widgets, const std::string& name, float width, Requests& requests);
+
+/// Returns the way in which an agent is pushed that is seen from a camera.
+glm::vec3 ahead_of(const CameraPlace& camera);
 
 /// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);

@@ -30,7 +30,7 @@ void show_characters(const TabContext& context) {
   auto shown = static_cast<int>(report.character);
   if (context.widgets.pick("Model", shown, shown, names, nullptr,
                            {.what = "The characters of the crowd: whose roles are shown below, and whose bones."})) {
-    context.commands.character = static_cast<std::size_t>(shown);
+    context.requests.push_back(ShowCharacter{static_cast<CharacterNumber>(shown)});
   }
 }
 
@@ -39,7 +39,7 @@ void show_who(const TabContext& context) {
   show_characters(context);
   if (ButtonRow(context.widgets, 1)
           .button("View model", {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
-    context.commands.viewer.view = {.character = context.report.character};
+    context.requests.push_back(View{{.character = context.report.character}});
   }
   context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
                                 "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
@@ -82,7 +82,7 @@ std::string cast_label(const std::vector<std::string>& names, std::size_t charac
 }
 
 void show_cast(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   if (report.characters.size() < 2 || report.cast.size() != report.characters.size()) return;
   widgets.section("Cast");
   const bool counts_heads =
@@ -99,7 +99,7 @@ void show_cast(const TabContext& context) {
     double share = member.share;
     const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
     if (widgets.number(label.c_str(), share, member.starting_share, scale, help))
-      commands.share = NewShare{character, share};
+      requests.push_back(SetShare{static_cast<CharacterNumber>(character), share});
   }
   std::string counts;
   for (const CastMember& member : report.cast) {
@@ -111,13 +111,15 @@ void show_cast(const TabContext& context) {
                       "The model chosen above takes all places that it can stand or walk in. The others stay in the "
                       "cast."};
   if (widgets.named_button(words.c_str(), "Everyone is this", help, ImGui::GetContentRegionAvail().x)) {
-    commands.everyone = report.character;
+    for (std::size_t i = 0; i < report.cast.size(); ++i) {
+      requests.push_back(SetShare{static_cast<CharacterNumber>(i), i == report.character ? most_share : least_share});
+    }
   }
 }
 
-std::size_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
+std::uint32_t nearest_snapshot(const std::vector<float>& ages, double seconds) {
   const auto distance = [seconds](float age) { return std::abs(static_cast<double>(age) - seconds); };
-  return static_cast<std::size_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
+  return static_cast<std::uint32_t>(std::ranges::min_element(ages, {}, distance) - ages.begin());
 }
 
 const char* why_no_snapshot(const FrameReport& report) {
@@ -144,23 +146,24 @@ void show_snapshots(const TabContext& context) {
   }
   context.widgets.end_idle();
   if (!seconds_back || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-  if (*seconds_back > 0 && !none) context.commands.rewind = nearest_snapshot(ages, *seconds_back);
+  if (*seconds_back > 0 && !none) context.requests.push_back(GoBack{nearest_snapshot(ages, *seconds_back)});
   seconds_back.reset();
 }
 
 void show_time(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   const std::vector<float>& ages = report.snapshots;
   widgets.section("Time");
   context.row("paused", {.what = "Holds the crowd; the camera still flies. Space does the same."});
   context.row("time_scale", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
   show_snapshots(context);
   ButtonRow buttons(widgets, 2);
-  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."},
-                                  tuning.paused ? nullptr : "the crowd is not paused");
+  if (buttons.button("Step", {.what = "One frame onwards, while paused."},
+                     tuning.paused ? nullptr : "the crowd is not paused"))
+    requests.push_back(StepFrame{});
   if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
                      ages.empty() ? why_no_snapshot(report) : nullptr)) {
-    commands.rewind = 0;
+    requests.push_back(GoBack{0});
   }
   if (report.tracks) return;
   widgets.caption(ages.empty()
@@ -185,7 +188,7 @@ void show_scale(const TabContext& context) {
 }
 
 void show_picture(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Picture");
   context.row("debug_view",
               {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
@@ -202,13 +205,14 @@ void show_picture(const TabContext& context) {
   context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
                           .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
-  commands.copy_camera |=
-      buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});
-  commands.screenshot |= buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
+  if (buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."}))
+    requests.push_back(CopyCamera{});
+  if (buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."}))
+    requests.push_back(TakeScreenshot{});
 }
 
 void show_light(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Light");
   ButtonRow buttons(widgets, static_cast<int>(times_of_day.size()));
   for (const TimeOfDay& time : times_of_day) {
@@ -267,12 +271,12 @@ void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) 
   context.widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
                        {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
   if (clips[role] == before || clips[role] == no_clip) return;
-  context.commands.viewer.view = {.character = report.character, .preview = RolePreview{row.role, clips[role]}};
+  context.requests.push_back(View{{.character = report.character, .preview = RolePreview{row.role, clips[role]}}});
   clips[role] = before;
 }
 
 void show_roles(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Roles");
   RoleClips clips = report.role_clips;
   const auto show_all = [&](bool of_scenes) {
@@ -282,8 +286,8 @@ void show_roles(const TabContext& context) {
   };
   show_all(true);
   ButtonRow buttons(widgets, 3);
-  commands.save_roles |=
-      buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."});
+  if (buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."}))
+    requests.push_back(SaveRoles{});
   const bool resets = buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."});
   bool& open = memory.shows_gaits;
   if (buttons.button(open ? "Hide gaits" : "Show gaits",
@@ -292,7 +296,7 @@ void show_roles(const TabContext& context) {
   }
   if (open || widgets.is_searching()) show_all(false);
   if (resets) clips = report.suggested_role_clips;
-  if (clips != report.role_clips) commands.roles = clips;
+  if (clips != report.role_clips) requests.push_back(SetRoles{report.character, clips});
 }
 
 void show_in_view(const TabContext& context) {

@@ -73,7 +73,7 @@ void draw_kept_frames(const Theme& theme, const Area& graph, const FrameReport& 
 }
 
 // Enter looks at the newest of the frames that are kept; left and right go to the one before and after.
-void look_by_keys(PanelFocus& focus, const FrameReport& report, OverlayCommands& commands) {
+void look_by_keys(PanelFocus& focus, const FrameReport& report, Requests& requests) {
   const std::vector<int>& kept = report.kept.numbers;
   const bool enters = focus.take_activation();
   const int step = focus.take_step();
@@ -83,10 +83,10 @@ void look_by_keys(PanelFocus& focus, const FrameReport& report, OverlayCommands&
   if (report.kept.looked_at && !enters) {
     place = static_cast<int>(std::ranges::lower_bound(kept, report.kept.looked_at->number()) - kept.begin()) + step;
   }
-  commands.look_at_frame = kept[static_cast<std::size_t>(std::clamp(place, 0, last))];
+  requests.push_back(LookAtFrame{kept[static_cast<std::size_t>(std::clamp(place, 0, last))]});
 }
 
-void show_frame_under_pointer(const Area& graph, const FrameReport& report, OverlayCommands& commands) {
+void show_frame_under_pointer(const Area& graph, const FrameReport& report, Requests& requests) {
   const std::size_t count = std::min(report.frame_ms_history.size(), report.update_ms_history.size());
   const float step = graph.width() / static_cast<float>(frames_shown - 1);
   const auto frames_ago =
@@ -99,13 +99,13 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report, Over
             short_milliseconds(report.update_ms_history[index]) + " ms",
         report.kept.numbers.empty() ? "" : "click: what the slow frame nearest to it did, one with a dot"});
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    commands.look_at_frame = report.frame - static_cast<int>(frames_ago);
+    requests.push_back(LookAtFrame{report.frame - static_cast<int>(frames_ago)});
   }
 }
 
 }  // namespace
 
-void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {
   const Theme& theme = widgets.theme();
   begin_fixed_window("Frame strip", place, 0, theme.panels_have_ground ? 0 : ImGuiWindowFlags_NoBackground);
   draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
@@ -114,7 +114,7 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   if (graph.width() < theme.px(least_graph_width)) return ImGui::End();
   widgets.pressable("Frame graph", graph);
   graph.hovered = ImGui::IsItemHovered();
-  look_by_keys(widgets.stop("Frame graph", graph), report, commands);
+  look_by_keys(widgets.stop("Frame graph", graph), report, requests);
   draw_well(theme, graph);
   const float top = graph_top(report);
   draw_scale(theme, graph, top);
@@ -122,7 +122,7 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_line(graph, report.update_ms_history, top, frames_shown, colour::accent, theme.px(1.5F));
   draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
   draw_kept_frames(theme, graph, report);
-  show_frame_under_pointer(graph, report, commands);
+  show_frame_under_pointer(graph, report, requests);
   ImGui::End();
 }
 

@@ -10,7 +10,7 @@ namespace throng::app {
 namespace {
 
 // A list closes itself (Widgets::pick).
-void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, OverlayCommands& commands) {
+void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Requests& requests) {
   if (open.list) return;
   if (!switches.search.empty() && !switches.hidden && !open.viewer) {
     switches.search.clear();
@@ -19,11 +19,11 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Overla
   } else if (switches.log && !switches.hidden) {
     switches.log = false;
   } else if (open.viewer) {
-    commands.viewer.leave = true;
-  } else if (open.selection) {
-    commands.deselect = true;
+    requests.push_back(LeaveViewer{});
+  } else if (open.selected) {
+    requests.push_back(Select{});
   } else {
-    commands.quit = true;
+    requests.push_back(Quit{});
   }
 }
 
@@ -31,28 +31,41 @@ constexpr std::size_t place_of_digit(Key key) {
   return static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::digit_1);
 }
 
-void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, CameraCommands& commands) {
-  commands.home |= key == Key::home;
-  const bool follows = key == Key::g && open.selection;
-  (input.down(Key::shift) ? commands.follow_behind : commands.change_follow) |= follows;
-  if (place_of_digit(key) >= bookmark_count) return;
-  (input.down(Key::control) ? commands.keep_bookmark : commands.go_to_bookmark) = place_of_digit(key);
+void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Requests& requests) {
+  if (key == Key::home) requests.push_back(GoHome{});
+  if (key == Key::g && open.selected) {
+    requests.push_back(input.down(Key::shift) ? CameraRequest(FollowBehind{}) : CameraRequest(ToggleFollow{}));
+  }
+  const std::size_t place = place_of_digit(key);
+  if (place >= bookmark_count) return;
+  requests.push_back(input.down(Key::control) ? CameraRequest(KeepBookmark{place})
+                                              : CameraRequest(GoToBookmark{place}));
 }
 
-void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning,
-                   OverlayCommands& commands) {
+void add_history_key(const InputFrame& input, Key key, Requests& requests) {
+  if (!input.down(Key::control)) return;
+  const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
+  if (redoes) {
+    requests.push_back(Redo{});
+  } else if (key == Key::z) {
+    requests.push_back(Undo{});
+  }
+}
+
+void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning, Requests& requests) {
   if (key == Key::space) tuning.paused = !tuning.paused;
-  commands.frame_crowd |= key == Key::f && !input.down(Key::control);
-  commands.copy_camera |= key == Key::c;
-  commands.record |= key == Key::r;
-  commands.push_over |= key == Key::p && open.selection;
+  if (key == Key::f && !input.down(Key::control)) requests.push_back(FrameCrowd{});
+  if (key == Key::c) requests.push_back(CopyCamera{});
+  if (key == Key::r) requests.push_back(ToggleRecording{});
+  if (key == Key::p && open.selected) requests.push_back(Push{*open.selected, open.ahead});
+  add_history_key(input, key, requests);
 }
 
-void ask_the_viewer(Key key, const ViewerSettings& settings, ViewerCommands& commands) {
-  commands.face_front |= key == Key::f;
+void ask_the_viewer(Key key, ViewerSettings settings, Requests& requests) {
+  if (key == Key::f) requests.push_back(FaceFront{});
   if (key != Key::space) return;
-  commands.settings = settings;
-  commands.settings->plays = !settings.plays;
+  settings.plays = !settings.plays;
+  requests.push_back(SetViewer{settings});
 }
 
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
@@ -76,42 +89,31 @@ void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
 }  // namespace
 
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
-                   OverlayCommands& commands) {
+                   Requests& requests) {
   if (!open.viewer) ask_for_search(input, switches);
-  commands.exact_crowd = input.down(Key::x) && !open.viewer;
+  if (input.down(Key::x) && !open.viewer) requests.push_back(ShowExactCrowd{});
   for (const Key key : input.pressed) {
     if (key == Key::tab && !input.down(Key::control)) switches.hidden = !switches.hidden;
     switches.tabs_further += tabs_further(input, key);
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
-    commands.reload_shaders |= key == Key::f5;
-    commands.screenshot |= key == Key::f12;
-    if (key == Key::escape) close_the_topmost(open, switches, commands);
+    if (key == Key::f5) requests.push_back(ReloadShaders{});
+    if (key == Key::f12) requests.push_back(TakeScreenshot{});
+    if (key == Key::escape) close_the_topmost(open, switches, requests);
     if (open.viewer) {
-      ask_the_viewer(key, *open.viewer, commands.viewer);
+      ask_the_viewer(key, *open.viewer, requests);
     } else {
-      ask_the_crowd(input, key, open, tuning, commands);
-      if (!types_sign(input)) add_camera_key(input, key, open, commands.cameras);
+      ask_the_crowd(input, key, open, tuning, requests);
+      if (!types_sign(input)) add_camera_key(input, key, open, requests);
     }
   }
 }
 
-void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning) {
-  if (!input.down(Key::control)) return;
-  for (const Key key : input.pressed) {
-    const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
-    if (redoes) {
-      history.redo(tuning);
-    } else if (key == Key::z) {
-      history.undo(tuning);
-    }
-  }
-}
-
-void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands) {
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests) {
   if (std::ranges::count(input.pressed, Key::b) == 0) return;
   if (!pair.has_two()) {
-    commands.hint = "There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values.";
+    requests.push_back(
+        Tell{"There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values."});
   }
   pair.change_places(tuning);
 }

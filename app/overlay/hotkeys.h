@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "app/report/frame_report.h"
+#include "app/request/request.h"
 #include "app/settings/settings.h"
-#include "app/settings/tuning_history.h"
 #include "app/settings/tuning_pair.h"
+#include "app/view/camera_bookmarks.h"
 #include "app/view/input.h"
 
 namespace throng::app {
@@ -25,20 +25,18 @@ struct OverlaySwitches {
 /// messages, the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
-  bool selection = false;
-  std::optional<ViewerSettings> viewer = {};  ///< of the viewer that is open
+  std::optional<std::uint32_t> selected = {};  ///< the selected agent
+  glm::vec3 ahead{0.0F};                       ///< where the camera looks
+  std::optional<ViewerSettings> viewer = {};   ///< of the viewer that is open
 };
 
 /// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text
 /// field has the keys.
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
-                   OverlayCommands& commands);
-
-/// Takes changes of values back by Ctrl+Z, and makes them again by Ctrl+Y or Ctrl+Shift+Z.
-void apply_history_keys(const InputFrame& input, TuningHistory& history, Tuning& tuning);
+                   Requests& requests);
 
 /// Brings the other of two tunings into use by B, or says how to get one.
-void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, OverlayCommands& commands);
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests);
 
 /// Tells a click at the crowd from a drag, and from a click at the overlay.
 class CrowdClick {

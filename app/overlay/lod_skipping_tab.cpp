@@ -61,7 +61,7 @@ void show_rule(const TabContext& context) {
 }
 
 void show_looking(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   LodInspection& look = tuning.inspection;
   const LodInspection& plain = standard.inspection;
   widgets.section("Look");
@@ -175,7 +175,7 @@ void show_budget(const TabContext& context) {
 }
 
 void show_who_limits(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Who limits you");
   widgets.steady_caption(report.limit_sentence);
   TakenAway& away = tuning.taken_away;

@@ -55,7 +55,7 @@ std::string what_is_demoted(const TabContext& context) {
 }  // namespace
 
 void show_meshes(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Meshes");
   int mesh = tuning.mesh_lod + 1;
   context.unless_idle("mesh_lod", [&] {

@@ -3,21 +3,20 @@
 
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
+#include "app/settings/option_values.h"
 
 namespace throng::app {
 namespace {
 
 using anim::PlacementChoice;
 
-constexpr double least_scale = 1e-6, most_scale = 1e6;
-
 // Loading takes time, so a value that is dragged counts once it is let go.
 void send_when_let_go(const TabContext& context) {
-  std::optional<NewPlacement>& wanted = context.memory.placement;
+  std::optional<SetPlacement>& wanted = context.memory.placement;
   if (!wanted || ImGui::IsAnyItemActive()) return;
   const bool is_new =
       wanted->character == context.report.character && wanted->choice != context.report.placement.choice;
-  if (is_new) context.commands.placement = *wanted;
+  if (is_new) context.requests.push_back(*wanted);
   wanted.reset();
 }
 
@@ -49,7 +48,7 @@ void show_size(const TabContext& context, PlacementChoice& choice) {
 }  // namespace
 
 void show_model(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   if (report.characters.empty()) return;
   widgets.section("Model");
   const bool is_dragged = memory.placement && memory.placement->character == report.character;
@@ -62,7 +61,7 @@ void show_model(const TabContext& context) {
                  {.what = "What stands on the ground. guess: the file's origin, unless the body is far from it or "
                           "reaches below it. file: its origin. feet: its lowest point."});
   widgets.caption(report.placement.reasons + ".");
-  if (choice != before) memory.placement = NewPlacement{report.character, choice};
+  if (choice != before) memory.placement = SetPlacement{report.character, choice};
   send_when_let_go(context);
 }
 

@@ -66,13 +66,12 @@ struct Overlay::State {
   OverlaySwitches switches;
   CrowdClick click;
   TabMemory memory;
-  bool showed_b = false;  ///< in the frame before
   PanelColumn column{widgets};
   AidsMemory aids;
   bool shows_viewer = false;  ///< which has no strip
+  bool is_in_a_change = false;
 
   void take_keys_of_panel(const FrameReport& report);
-  void watch_values(const FrameReport& report, const Tuning& tuning);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
   void show_viewer(const Layout& layout, const TabContext& context_of_tab);
 };
@@ -106,32 +105,32 @@ void Overlay::begin_frame(int width, int height, double seconds, const InputFram
   ImGui::NewFrame();
 }
 
-OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
+Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   State& state = *state_;
-  OverlayCommands commands;
+  Tuning tuning = before;
+  Requests requests;
   state.map.widgets.clear();
   state.map.idle.clear();
   state.map.over_crowd.clear();
-  commands.models = state.input.dropped;
+  if (!state.input.dropped.empty()) requests.push_back(OpenFiles{state.input.dropped});
   state.take_keys_of_panel(report);
   const auto clicked = state.click.update(state.input, !uses_pointer());
-  if (!report.viewer) commands.select_at = clicked;
+  if (clicked && !report.viewer) requests.push_back(SelectAt{*clicked});
   if (!uses_keyboard()) {
     const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
-    apply_hotkeys(state.input, {.list = list_is_open, .selection = report.selected.has_value(), .viewer = viewer},
-                  state.switches, tuning, commands);
-    if (report.replay) apply_replay_keys(state.input, commands.replay);
-    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, commands);
-    if (!viewer && !report.replay) {
-      apply_pair_key(state.input, state.memory.pair, tuning, commands);
-      apply_history_keys(state.input, state.memory.history, tuning);
-    }
+    const auto selected = report.selected ? std::optional(report.selected->agent) : std::nullopt;
+    apply_hotkeys(state.input,
+                  {.list = list_is_open, .selected = selected, .ahead = ahead_of(report.camera), .viewer = viewer},
+                  state.switches, tuning, requests);
+    if (report.replay) apply_replay_keys(state.input, requests);
+    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, requests);
+    if (!viewer && !report.replay) apply_pair_key(state.input, state.memory.pair, tuning, requests);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   state.shows_viewer = report.viewer.has_value();
   if (!state.switches.hidden) {
-    const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
+    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
     if (report.viewer) {
       state.show_viewer(layout, context);
     } else {
@@ -144,10 +143,11 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
   if (state.aids.is_legend_alone) {
-    const TabContext context{state.widgets, report, tuning, state.standard, commands, state.memory};
+    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
     show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
   }
-  state.watch_values(report, tuning);
+  if (tuning != before) requests.push_back(Apply{tuning});
+  state.is_in_a_change = ImGui::IsAnyItemActive() || state.widgets.focus().is_stepping();
   state.widgets.focus().end_frame(state.theme);
   ImGui::Render();
   state.map.tab = state.column.tab();
@@ -156,7 +156,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   state.map.shows_b = state.memory.pair.shows_b();
   state.map.focus = state.widgets.focus().name();
   state.map.typing = ImGui::GetIO().WantTextInput;
-  return commands;
+  return requests;
 }
 
 void Overlay::State::take_keys_of_panel(const FrameReport& report) {
@@ -167,23 +167,16 @@ void Overlay::State::take_keys_of_panel(const FrameReport& report) {
                                       .search = !switches.search.empty() && !report.viewer});
 }
 
-// Values that a replay sets, or that B brings into use, are no step that a person takes back.
-void Overlay::State::watch_values(const FrameReport& report, const Tuning& tuning) {
-  const bool is_another = std::exchange(showed_b, memory.pair.shows_b()) != memory.pair.shows_b();
-  if (report.replay || is_another) memory.history.take(tuning);
-  memory.history.watch(tuning, ImGui::IsAnyItemActive() || widgets.focus().is_stepping());
-}
-
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
   const FrameReport& report = context_of_tab.report;
   Area below_notices = layout.crowd;
   below_notices.from.y = show_notices(context_of_tab, layout.crowd);
-  show_frame_strip(widgets, layout.strip, report, context_of_tab.commands);
-  if (context_of_tab.commands.look_at_frame) column.go_to("Scheduling");
+  show_frame_strip(widgets, layout.strip, report, context_of_tab.requests);
+  if (last_of<LookAtFrame>(context_of_tab.requests) != nullptr) column.go_to("Scheduling");
   column.show_tabs(layout.column, context_of_tab, switches);
-  if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.commands.replay);
+  if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.requests);
   if (report.tracks) show_track_bar(context_of_tab, layout.crowd);
-  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.commands);
+  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.requests);
 }
 
 void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {
@@ -214,6 +207,8 @@ void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
 std::uint32_t Overlay::panel_color() { return colour::panel | IM_COL32_A_MASK; }
 
 void Overlay::show_legend_only() { state_->switches.hidden = state_->aids.is_legend_alone = true; }
+
+bool Overlay::is_in_a_change() const { return state_->is_in_a_change; }
 
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 

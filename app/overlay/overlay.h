@@ -6,6 +6,7 @@
 
 #include "app/overlay/controls/ui_map.h"
 #include "app/report/frame_report.h"
+#include "app/request/request.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_pair.h"
 #include "app/view/input.h"
@@ -17,7 +18,7 @@ namespace throng::app {
 /// Returns the share of a picture's width that the panel's column takes at its right.
 float column_share(int width, float scale);
 
-/// The panel over the crowd. It reads a report of the frame, edits a copy of the tuning, and returns commands.
+/// The panel over the crowd. It reads a report of the frame and the tuning, and returns requests.
 ///
 ///   +--------------------------------+-----------+
 ///   | notices                        | tabs      |   The column is 380 pixels wide and the strip 132 high (times
@@ -42,8 +43,9 @@ class Overlay {
   /// Begins a frame, `seconds` after the one before. `width` and `height` are pixels of the picture, above 0.
   void begin_frame(int width, int height, double seconds, const InputFrame& input);
 
-  /// Lays the overlay out and ends the frame. Call it once after each begin_frame.
-  OverlayCommands build(const FrameReport& report, Tuning& tuning);
+  /// Lays the overlay out and ends the frame. Returns what the person asks for, in order; other values than those of
+  /// `tuning` come last. Call it once after each begin_frame.
+  Requests build(const FrameReport& report, const Tuning& tuning);
 
   /// Returns the triangles of the last build, which are valid until the next begin_frame.
   ImDrawData* draw_data() const;
@@ -67,6 +69,9 @@ class Overlay {
   void leave_ground_out();
   /// Returns the sRGB colour of the panels, red in the lowest byte.
   static std::uint32_t panel_color();
+
+  /// Returns whether the person is in the middle of a change, such as a drag, whose requests belong together.
+  bool is_in_a_change() const;
 
   void set_hidden(bool hidden);
   /// Shows from now on nothing but the legend, with the time and the number of people.

@@ -80,7 +80,7 @@ void show_differences(const TabContext& context) {
 }
 
 void show_pair(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   TuningPair& pair = memory.pair;
   widgets.section("Compare");
   for (std::size_t place = 0; place < TuningPair::letters.size(); ++place) show_tuning_name(context, place);
@@ -107,7 +107,7 @@ void show_pair(const TabContext& context) {
 }
 
 void show_saving(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   std::string& name = memory.preset_name;
   widgets.section("Keep");
   widgets.text("Name", name, "letters, digits, - and _", {.what = "What the tuning and the camera are kept under."});
@@ -117,18 +117,18 @@ void show_saving(const TabContext& context) {
                   {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
                            "preset of that name is replaced."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
-    commands.save_preset = name;
+    requests.push_back(SavePreset{name});
   }
-  commands.copy_command_line |=
-      ButtonRow(widgets, 1)
+  if (ButtonRow(widgets, 1)
           .button("Copy as command line",
                   {.what = "Puts the options that make this crowd into the clipboard: its models and roles, and "
                            "what differs from what no option means. Orders of bones and parts of the body are in "
-                           "crowd files alone."});
+                           "crowd files alone."}))
+    requests.push_back(CopyCommandLine{});
 }
 
 void show_names(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Kept");
   if (report.preset_names.empty()) widgets.caption("Nothing yet.");
   const std::string into_other = std::string("To ") + memory.pair.other_letter();
@@ -136,21 +136,21 @@ void show_names(const TabContext& context) {
     const NameRow row(widgets, name);
     if (row.button(2, into_other.c_str(), into_other + " " + name,
                    {.what = "Its values become the other tuning, to compare with what is in use."})) {
-      commands.load_into_other = name;
+      requests.push_back(LoadIntoOther{name});
     }
     if (row.button(1, "Load", "Load " + name, {.what = "Its values and its camera, at the next frame."})) {
-      commands.load_preset = name;
+      requests.push_back(LoadPreset{name});
     }
     const bool asked = memory.about_to_delete == name;
     if (row.button(0, asked ? "Really?" : "Delete", "Delete " + name, {.what = "Removes its file."})) {
-      if (asked) commands.delete_preset = name;
+      if (asked) requests.push_back(DeletePreset{name});
       memory.about_to_delete = asked ? "" : name;
     }
   }
 }
 
 void show_crowd_files(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   std::string& name = memory.crowd_name;
   widgets.section("Crowd files");
   widgets.text("Crowd name", name, "letters, digits, - and _", {.what = "NAME of NAME.throng, in the working folder."});
@@ -161,13 +161,13 @@ void show_crowd_files(const TabContext& context) {
                            "bones, all values and the camera. throng NAME.throng, a drop on the window or Open brings "
                            "all of it back."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
-    commands.save_crowd = name;
+    requests.push_back(SaveCrowd{name});
   }
   if (widgets.is_searching()) return;
   for (const std::string& each : report.crowd_names) {
     const NameRow row(widgets, each);
     if (row.button(0, "Open", "Open " + each, {.what = "Its characters, values and camera. The crowd begins anew."})) {
-      commands.open_crowd = each;
+      requests.push_back(OpenCrowd{each});
     }
   }
 }

@@ -14,8 +14,8 @@ namespace bar {
 constexpr float height = 66, padding = 14, speed = 40, loop = 48, shortest_track = 80;
 }  // namespace bar
 
-void show_buttons(BarControls& controls, const ReplayReport& replay, ReplayCommands& commands) {
-  commands.change_pause |= controls.left("Replay.play", BarControls::button);
+void show_buttons(BarControls& controls, const ReplayReport& replay, Requests& requests) {
+  if (controls.left("Replay.play", BarControls::button)) requests.push_back(ToggleReplayPause{});
   controls.fill(false);
   if (replay.paused || replay.ended) {
     controls.draw_arrow(1, false);
@@ -23,29 +23,29 @@ void show_buttons(BarControls& controls, const ReplayReport& replay, ReplayComma
     controls.draw_pause();
   }
   for (const int way : {-1, 1}) {
-    if (controls.left(way < 0 ? "Replay.back" : "Replay.on", BarControls::button)) commands.step = way;
+    if (controls.left(way < 0 ? "Replay.back" : "Replay.on", BarControls::button)) requests.push_back(StepReplay{way});
     controls.fill(false);
     controls.draw_arrow(static_cast<float>(way), true);
   }
 }
 
-void show_speeds(BarControls& controls, const ReplayReport& replay, ReplayCommands& commands) {
+void show_speeds(BarControls& controls, const ReplayReport& replay, Requests& requests) {
   const float needed =
       static_cast<float>(replay_speeds.size()) * (bar::speed + BarControls::gap) + bar::loop + BarControls::gap;
   if (!controls.has_room_for(needed + bar::shortest_track)) return;
   for (std::size_t i = replay_speeds.size(); i > 0; --i) {
     const float speed = replay_speeds.at(i - 1);
-    if (controls.right("Replay.speed:" + times_words(speed), bar::speed)) commands.speed = speed;
+    if (controls.right("Replay.speed:" + times_words(speed), bar::speed)) requests.push_back(SetReplaySpeed{speed});
     controls.fill(speed == replay.speed);
     controls.write(times_words(speed), speed == replay.speed);
   }
-  commands.change_loop |= controls.right("Replay.loop", bar::loop);
+  if (controls.right("Replay.loop", bar::loop)) requests.push_back(ToggleReplayLoop{});
   controls.fill(replay.loops);
   controls.write("Loop", replay.loops);
 }
 
 // A press anywhere on the track goes to the frame there, and a drag goes along.
-void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay, ReplayCommands& commands) {
+void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay, Requests& requests) {
   const Theme& theme = widgets.theme();
   widgets.pressable("Replay.track", place);
   const float from = place.from.x + theme.px(7), to = place.to.x - theme.px(7);
@@ -54,13 +54,13 @@ void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay,
   if (ImGui::IsItemActive()) {
     const float share = std::clamp((ImGui::GetIO().MousePos.x - from) / std::max(to - from, 1.0F), 0.0F, 1.0F);
     const auto wanted = 1 + static_cast<std::uint64_t>(std::lround(share * frames));
-    if (wanted != shown) commands.go_to = wanted;
+    if (wanted != shown) requests.push_back(SeekReplay{wanted});
     shown = wanted;
   }
   if (const int step = widgets.stop("Replay.track", place).take_step()) {
     const auto last = static_cast<std::int64_t>(std::max<std::uint64_t>(replay.frames, 1));
-    commands.go_to =
-        static_cast<std::uint64_t>(std::clamp(static_cast<std::int64_t>(shown) + step, std::int64_t{1}, last));
+    requests.push_back(SeekReplay{
+        static_cast<std::uint64_t>(std::clamp(static_cast<std::int64_t>(shown) + step, std::int64_t{1}, last))});
   }
   const auto x_of = [&](std::uint64_t frame) {
     return std::lerp(from, to, static_cast<float>(std::max<std::uint64_t>(frame, 1) - 1) / frames);
@@ -82,7 +82,7 @@ std::string state_of_replay(const ReplayReport& replay) {
 
 }  // namespace
 
-void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, ReplayCommands& commands) {
+void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, Requests& requests) {
   const Theme& theme = widgets.theme();
   const Area place = begin_bar(widgets, "Replay", crowd, bar::height);
   const float left = place.from.x + theme.px(bar::padding), right = place.to.x - theme.px(bar::padding);
@@ -96,17 +96,17 @@ void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& re
   ImGui::PopClipRect();
   const float below = place.to.y - theme.px(9);
   BarControls controls(widgets, {.from = {left, below - theme.px(BarControls::height)}, .to = {right, below}});
-  show_buttons(controls, replay, commands);
-  show_speeds(controls, replay, commands);
-  show_track(widgets, controls.rest(), replay, commands);
+  show_buttons(controls, replay, requests);
+  show_speeds(controls, replay, requests);
+  show_track(widgets, controls.rest(), replay, requests);
   ImGui::End();
 }
 
-void apply_replay_keys(const InputFrame& input, ReplayCommands& commands) {
+void apply_replay_keys(const InputFrame& input, Requests& requests) {
   for (const Key key : input.pressed) {
-    commands.change_pause |= key == Key::space;
-    if (key == Key::left) commands.step = -1;
-    if (key == Key::right) commands.step = 1;
+    if (key == Key::space) requests.push_back(ToggleReplayPause{});
+    if (key == Key::left) requests.push_back(StepReplay{-1});
+    if (key == Key::right) requests.push_back(StepReplay{1});
   }
 }
 

@@ -2,15 +2,16 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/replay_report.h"
+#include "app/request/request.h"
 #include "app/view/input.h"
 
 namespace throng::app {
 
 /// Shows a replay's place and outcome at the foot of the crowd, with its controls: play and pause, a frame back and on,
 /// a track over all frames, loop, speed.
-void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, ReplayCommands& commands);
+void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, Requests& requests);
 
 /// Does what the keys pressed in this frame ask of a replay: Space pauses, Left and Right go a frame back and on.
-void apply_replay_keys(const InputFrame& input, ReplayCommands& commands);
+void apply_replay_keys(const InputFrame& input, Requests& requests);
 
 }  // namespace throng::app

@@ -113,9 +113,9 @@ void show_looked_at(const TabContext& context, const FrameDetails& frame, float 
   widgets.fact("Copied in, out", size_text(frame.work.copies.bytes_in) + ", " + size_text(frame.work.copies.bytes_out),
                {.what = "Entity blocks, over all PUs.", .unit = "bytes"});
   widgets.fact("Palettes written", size_text(frame.work.palette_bytes), {.what = "In that frame.", .unit = "bytes"});
-  context.commands.look_at_last_frames |=
-      ButtonRow(widgets, 1)
-          .button("Back to the last frames", {.what = "The table and the timeline show what happens now again."});
+  if (ButtonRow(widgets, 1)
+          .button("Back to the last frames", {.what = "The table and the timeline show what happens now again."}))
+    context.requests.push_back(LookAtLastFrames{});
 }
 
 void show_pu_table(const TabContext& context, std::span<const PuReport> pus, float update_ms) {
@@ -162,7 +162,7 @@ std::string as_hex(std::uint64_t value) {
 }
 
 void show_totals(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   const int tile = report.schedule.plan.width;
   std::size_t laid_out = 0;
   for (const PuReport& pu : report.pu) laid_out = std::max(laid_out, pu.local_store_laid_out_bytes);

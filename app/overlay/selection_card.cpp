@@ -7,6 +7,7 @@
 #include "app/overlay/controls/card.h"
 #include "app/overlay/tracked_person_view.h"
 #include "app/settings/choices.h"
+#include "app/view/fly_camera.h"
 
 namespace throng::app {
 namespace {
@@ -109,27 +110,28 @@ float draw_graph(Widgets& widgets, const Area& card, float y, std::size_t rows, 
   return row.from.y + theme.px(5);
 }
 
-void show_foot(Widgets& widgets, const Area& card, float y, const SelectionReport& selected,
-               OverlayCommands& commands) {
+void show_foot(Widgets& widgets, const Area& card, float y, const FrameReport& report, Requests& requests) {
+  const SelectionReport& selected = *report.selected;
   const Theme& theme = widgets.theme();
   const float width = theme.px(92), gap = theme.px(8), right = card.to.x - theme.px(card_margin);
   const std::string words = selected.tracked != nullptr ? pose_words(selected) : blocks(selected);
   draw_text(theme.small, {card.from.x + theme.px(card_margin), y + theme.px(5)}, colour::dim, words);
   const float view_width = theme.px(60);
   ImGui::SetCursorScreenPos({right - view_width - 2 * (width + gap), y});
-  show_view_button(widgets, "View", view_width, commands);
+  show_view_button(widgets, "View", view_width, requests);
   ImGui::SameLine(0, gap);
   widgets.begin_idle(selected.can_fall ? std::nullopt : std::optional<std::string>(cannot_fall));
-  commands.push_over |= widgets.button(
-      "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
-      width);
+  if (widgets.button("Push over",
+                     {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
+                     width))
+    requests.push_back(Push{selected.agent, ahead_of(report.camera)});
   widgets.end_idle();
   ImGui::SameLine(0, gap);
-  commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
+  if (widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width)) requests.push_back(Select{});
 }
 
 // The graph of the speed takes what is left over by the words, the steps and the buttons.
-void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {
   const Theme& theme = widgets.theme();
   const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
   const float wanted = theme.px(tracked_person_height + foot_height);
@@ -137,7 +139,7 @@ void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& r
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, std::min(wanted, Card::most_height(theme, place, width))},
                    .title = title_of_tracked(*report.selected, report.tracks->clock.seconds)});
-  commands.deselect |= card.was_closed();
+  if (card.was_closed()) requests.push_back(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();
   const float foot = std::max(content.to.y, content.from.y + theme.px(least_tracked_person_height + foot_height)) -
@@ -145,26 +147,29 @@ void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& r
   show_tracked_person(widgets,
                       {.from = {content.from.x + theme.px(card_margin), content.from.y + theme.px(4)},
                        .to = {content.to.x - theme.px(card_margin), foot - theme.px(4)}},
-                      report, commands);
-  show_foot(widgets, content, foot, *report.selected, commands);
+                      report, requests);
+  show_foot(widgets, content, foot, report, requests);
 }
 
 }  // namespace
 
-void show_view_button(Widgets& widgets, const std::string& name, float width, OverlayCommands& commands) {
-  commands.viewer.view_selected |= widgets.named_button(
-      "View", name, {.what = "Shows its character alone, clip by clip, while the crowd waits."}, width);
+void show_view_button(Widgets& widgets, const std::string& name, float width, Requests& requests) {
+  if (widgets.named_button("View", name, {.what = "Shows its character alone, clip by clip, while the crowd waits."},
+                           width))
+    requests.push_back(ViewSelected{});
 }
+
+glm::vec3 ahead_of(const CameraPlace& camera) { return render::forward(camera_at(camera)); }
 
 std::string place_in_clip(const EntityRow& row) {
   if (row.duration_seconds <= 0) return "";
   return fixed(row.position_seconds, 2) + " / " + fixed(row.duration_seconds, 2);
 }
 
-void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {
   const SelectionReport& selected = *report.selected;
   const Theme& theme = widgets.theme();
-  if (selected.tracked != nullptr && report.tracks) return show_tracked_card(widgets, place, report, commands);
+  if (selected.tracked != nullptr && report.tracks) return show_tracked_card(widgets, place, report, requests);
   const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
   const float without_rows = theme.px(4 + 2 * text_height + 2 + entity_height + 5 + foot_height);
   const float for_rows = Card::most_height(theme, place, width) - without_rows;
@@ -174,12 +179,12 @@ void show_selection_card(Widgets& widgets, const Area& place, const FrameReport&
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, without_rows + static_cast<float>(rows) * theme.px(entity_height)},
                    .title = "Agent " + with_thousands(selected.agent) + "   " + doing(selected)});
-  commands.deselect |= card.was_closed();
+  if (card.was_closed()) requests.push_back(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();
   const float y = draw_words(theme, content, selected);
   const float below = draw_graph(widgets, content, y, rows, selected);
-  show_foot(widgets, content, below, selected, commands);
+  show_foot(widgets, content, below, report, requests);
 }
 
 }  // namespace throng::app

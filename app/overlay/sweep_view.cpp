@@ -174,21 +174,21 @@ void show_sweep_button(const TabContext& context) {
   ButtonRow buttons(context.widgets, 1);
   const bool stands = context.tuning.paused || context.tuning.taken_away.animation;
   if (context.report.sweep.runs) {
-    context.commands.stop_sweep |= buttons.button("Stop", {.what = "The curve so far stays."});
+    if (buttons.button("Stop", {.what = "The curve so far stays."})) context.requests.push_back(StopSweep{});
   } else if (buttons.button(
                  "Sweep",
                  {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of all. "
                           "Then the value is as it was. Poses are the same throughout.",
                   .cost = "Some frames are slow meanwhile."},
                  stands ? "time stands still, so nobody is posed" : nullptr)) {
-    context.commands.sweep = context.memory.swept;
+    context.requests.push_back(StartSweep{context.memory.swept});
   }
 }
 
 }  // namespace
 
 void show_sweep(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   const SweepCurve& curve = report.sweep;
   widgets.section("Sweep: what an update takes");
   widgets.begin_idle(curve.runs ? std::optional<std::string>("a sweep runs") : std::nullopt);

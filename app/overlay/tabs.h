@@ -10,9 +10,9 @@
 #include "app/overlay/controls/widgets.h"
 #include "app/overlay/notices.h"
 #include "app/report/frame_report.h"
+#include "app/request/request.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
-#include "app/settings/tuning_history.h"
 #include "app/settings/tuning_pair.h"
 #include "app/settings/tuning_values.h"
 
@@ -26,16 +26,14 @@ struct BoneListMemory {
     std::size_t over = 0;  ///< the row under the pointer
   };
   std::string search;
-  std::size_t character = 0;
   std::optional<Drag> drag;
-  std::vector<BoneLodChoice> undo;  ///< each takes the order after it back to the one before
 };
 
 /// All that the tabs remember from frame to frame.
 struct TabMemory {
   BoneListMemory bones;
-  std::optional<NewPlacement> placement;     ///< a size or a place that is being dragged
-  std::optional<NewCast> cast;               ///< rules whose value is being dragged
+  std::optional<SetPlacement> placement;     ///< a size or a place that is being dragged
+  std::optional<TuneRules> rules;            ///< rules whose value is being dragged
   bool shows_styles = false;                 ///< the list of styles is open
   bool shows_body = false;                   ///< the list of the parts of the body is open
   bool shows_gaits = false;                  ///< the list of roles that only trajectories ask for is open
@@ -44,7 +42,6 @@ struct TabMemory {
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
   std::optional<double> seconds_back;        ///< where the slider over snapshots is dragged to
   TuningPair pair;                           ///< key B changes their places
-  TuningHistory history;
   NoticeMemory notices;
   std::string searched_help;
   std::string rules_name;
@@ -57,7 +54,7 @@ struct TabContext {
   const FrameReport& report;
   Tuning& tuning;
   const Tuning& standard;  ///< the defaults to go back to
-  OverlayCommands& commands;
+  Requests& requests;      ///< of this frame, to be added to
   TabMemory& memory;
 
   /// Shows the tuning's value with that key. The table of values gives name, kind, range, words and default. A value

@@ -38,11 +38,12 @@ class ClockInHand {
   explicit ClockInHand(const TabContext& context) : context_(context) {}
 
   const TrackClock& now() const {
-    return context_.commands.track_clock ? *context_.commands.track_clock : context_.report.tracks->clock;
+    const Seek* const asked = last_of<Seek>(context_.requests);
+    return asked != nullptr ? asked->clock : context_.report.tracks->clock;
   }
   const PeopleOverTime& people() const { return *context_.report.tracks->people; }
   void set(const TrackClock& clock) {
-    if (clock != now()) context_.commands.track_clock = clock;
+    if (clock != now()) context_.requests.push_back(Seek{clock});
   }
   bool plays() const { return !context_.tuning.paused && !has_ended(now()); }
   bool goes_back() const { return now().rate < 0.0; }
@@ -271,7 +272,7 @@ void show_track_bar(const TabContext& context, const Area& crowd) {
   ImGui::End();
 }
 
-void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, OverlayCommands& commands) {
+void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, Requests& requests) {
   TrackClock clock = tracks.clock;
   const PeopleOverTime& people = *tracks.people;
   for (const Key key : input.pressed) {
@@ -291,7 +292,7 @@ void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tunin
     if (sign == U'[') clock = with_part(clock, clock.seconds, clock.last);
     if (sign == U']') clock = with_part(clock, clock.first, clock.seconds);
   }
-  if (clock != tracks.clock) commands.track_clock = clock;
+  if (clock != tracks.clock) requests.push_back(Seek{clock});
 }
 
 }  // namespace throng::app

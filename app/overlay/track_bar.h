@@ -14,6 +14,6 @@ void show_track_bar(const TabContext& context, const Area& crowd);
 /// Does what the keys pressed in this frame ask of a recorded crowd: Left and Right go a row back and on, with Shift a
 /// second, and pause; `[` and `]` begin and end the part that is played; Shift+Space plays the other way; Space at the
 /// end begins anew. That Space pauses is for the caller to have done.
-void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, OverlayCommands& commands);
+void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, Requests& requests);
 
 }  // namespace throng::app

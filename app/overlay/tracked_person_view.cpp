@@ -72,12 +72,12 @@ void draw_footfalls(const Theme& theme, const Area& place, const TimeAxis& axis,
 }
 
 void show_speed_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis, const FrameReport& report,
-                      OverlayCommands& commands) {
+                      Requests& requests) {
   const TrackedPerson& person = *report.selected->tracked;
   const TrackClock& clock = report.tracks->clock;
   const auto go_to = [&](double seconds) {
     const TrackClock wanted = gone_to(clock, seconds);
-    if (wanted != clock) commands.track_clock = wanted;
+    if (wanted != clock) requests.push_back(Seek{wanted});
   };
   widgets.pressable("Selected.speed", graph);
   const double pointed = axis.time_at(ImGui::GetIO().MousePos.x);
@@ -104,7 +104,7 @@ std::string title_of_tracked(const SelectionReport& selected, double seconds) {
   return name + (is_slow ? "slow walk" : role_names.at(index_of(selected.role)));
 }
 
-void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands) {
+void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {
   const Theme& theme = widgets.theme();
   const TrackedPerson& person = *report.selected->tracked;
   const double now = report.tracks->clock.seconds;
@@ -115,7 +115,7 @@ void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport&
                    .to = {place.to.x, axis_top - theme.px(steps_height + 2)}};
   const Area steps{.from = {left, graph.to.y + theme.px(2)}, .to = {place.to.x, axis_top}};
   const TimeAxis axis{.from = left, .to = place.to.x, .first = person.presence.first, .last = person.presence.last};
-  show_speed_graph(widgets, graph, axis, report, commands);
+  show_speed_graph(widgets, graph, axis, report, requests);
   draw_speeds(theme, graph, axis, person);
   draw_footfalls(theme, steps, axis, person);
   axis.draw_labels(theme, {.from = graph.from, .to = {place.to.x, axis_top}});

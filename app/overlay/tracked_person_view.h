@@ -4,6 +4,7 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/frame_report.h"
+#include "app/request/request.h"
 
 namespace throng::app {
 
@@ -15,6 +16,6 @@ std::string title_of_tracked(const SelectionReport& selected, double seconds);
 
 /// Shows the selected person of a recorded crowd: where they are, and their speed and steps over the time in which they
 /// are there. A press in the graph goes to the time there.
-void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, OverlayCommands& commands);
+void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests);
 
 }  // namespace throng::app

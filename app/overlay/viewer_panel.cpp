@@ -17,7 +17,7 @@ struct Panel {
   Widgets& widgets;
   const ViewerReport& report;
   ViewerPanelMemory& memory;
-  ViewerCommands& commands;
+  Requests& requests;
   ViewerSettings settings;
 };
 
@@ -25,7 +25,8 @@ void show_way_back(const Panel& panel, const std::string& name) {
   Widgets& widgets = panel.widgets;
   widgets.section(name.c_str());
   ButtonRow buttons(widgets, 1);
-  panel.commands.leave |= buttons.button("Back to the crowd", {.what = "The crowd goes on where it waits. Key Esc."});
+  if (buttons.button("Back to the crowd", {.what = "The crowd goes on where it waits. Key Esc."}))
+    panel.requests.push_back(LeaveViewer{});
 }
 
 void show_preview(const Panel& panel) {
@@ -35,8 +36,9 @@ void show_preview(const Panel& panel) {
   widgets.section("A clip for a role");
   widgets.caption("Choose below what plays for " + role + ". The crowd plays it once you apply it.");
   ButtonRow buttons(widgets, 1);
-  panel.commands.apply_preview |= buttons.button(
-      "Apply to the crowd", {.what = "Agents keep their places, unless the character begins or ceases to walk."});
+  if (buttons.button("Apply to the crowd",
+                     {.what = "Agents keep their places, unless the character begins or ceases to walk."}))
+    panel.requests.push_back(ApplyPreview{});
 }
 
 void draw_clip(const Theme& theme, const Area& row, const ViewedClip& clip, bool is_chosen) {
@@ -88,7 +90,7 @@ void show_clips(Panel& panel) {
 }
 
 void show_time(Panel& panel) {
-  const auto& [widgets, report, memory, commands, now] = panel;
+  const auto& [widgets, report, memory, requests, now] = panel;
   ViewerSettings& settings = panel.settings;
   widgets.section("Time");
   const auto at = static_cast<double>(report.seconds);
@@ -96,7 +98,7 @@ void show_time(Panel& panel) {
   const double length = std::max(static_cast<double>(report.length), 0.001);
   if (widgets.number("At", seconds, at, {.highest = length, .decimals = 3, .suffix = " s"},
                      {.what = "Drag to stop the clip and to move through it.", .unit = "seconds from its start"})) {
-    commands.scrub = static_cast<float>(seconds);
+    requests.push_back(ScrubViewer{static_cast<float>(seconds)});
   }
   ButtonRow buttons(widgets, 1);
   if (buttons.button(settings.plays ? "Pause" : "Play", {.what = "Key Space."},
@@ -135,7 +137,7 @@ void choose_number(Widgets& widgets, const char* label, int& index, std::size_t 
 }
 
 void show_look(Panel& panel) {
-  const auto& [widgets, report, memory, commands, now] = panel;
+  const auto& [widgets, report, memory, requests, now] = panel;
   ViewerSettings& settings = panel.settings;
   widgets.section("Look");
   widgets.toggle("Bind pose", settings.bind_pose, false,
@@ -153,13 +155,13 @@ void show_look(Panel& panel) {
                 {.what = "The triangles that a level of detail keeps; 0 has all."});
   widgets.toggle("Turn", settings.turns, false, {.what = "The turntable goes round. A drag turns it by hand."});
   ButtonRow buttons(widgets, 1);
-  commands.face_front |= buttons.button("Front", {.what = "Back to where the turntable began. Key F."});
+  if (buttons.button("Front", {.what = "Back to where the turntable began. Key F."})) requests.push_back(FaceFront{});
 }
 
 std::string metres(float value) { return fixed(value, value < 0.1F ? 4 : (value < 10 ? 2 : 1)) + " m"; }
 
 void show_facts(const Panel& panel) {
-  const auto& [widgets, report, memory, commands, settings] = panel;
+  const auto& [widgets, report, memory, requests, settings] = panel;
   widgets.section("What is seen");
   widgets.fact("Height", metres(report.height), {.what = "Of its rest pose, above the ground."});
   widgets.fact("Reach", metres(report.reach), {.what = "Radius of the sphere that no pose of any clip leaves."});
@@ -193,8 +195,9 @@ void show_bone_name(const Theme& theme, const Area& picture, const ViewerReport&
 }
 
 void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerReport& report, ViewerPanelMemory& memory,
-                       ViewerCommands& commands) {
-  Panel panel{widgets, report, memory, commands, commands.settings.value_or(report.settings)};
+                       Requests& requests) {
+  const SetViewer* const asked = last_of<SetViewer>(requests);
+  Panel panel{widgets, report, memory, requests, asked != nullptr ? asked->settings : report.settings};
   show_way_back(panel, name);
   show_preview(panel);
   show_clips(panel);
@@ -202,7 +205,7 @@ void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerRe
   show_look(panel);
   show_blend(panel);
   show_facts(panel);
-  if (panel.settings != report.settings) commands.settings = panel.settings;
+  if (panel.settings != report.settings) requests.push_back(SetViewer{panel.settings});
 }
 
 }  // namespace throng::app

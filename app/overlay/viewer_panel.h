@@ -4,6 +4,7 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/viewer_report.h"
+#include "app/request/request.h"
 
 namespace throng::app {
 
@@ -14,7 +15,7 @@ struct ViewerPanelMemory {
 
 /// Shows the viewer of one character in the place of the tabs: its clips, their time, and what is drawn of it.
 void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerReport& report, ViewerPanelMemory& memory,
-                       ViewerCommands& commands);
+                       Requests& requests);
 
 /// Writes the name of the bone whose joint is under the pointer there, while bones are drawn.
 void show_bone_name(const Theme& theme, const Area& picture, const ViewerReport& report);

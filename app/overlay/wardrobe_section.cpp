@@ -14,10 +14,10 @@ constexpr const char* cost_of_dressing = "Everybody dresses, and all agents are 
 
 // Dressing takes time, so a value that is dragged counts once it is let go.
 void dress_when_let_go(const TabContext& context) {
-  std::optional<NewCast>& wanted = context.memory.cast;
+  std::optional<TuneRules>& wanted = context.memory.rules;
   if (!wanted || ImGui::IsAnyItemActive()) return;
   const bool is_new = wanted->character == context.report.character && wanted->tuning != context.report.wardrobe.tuning;
-  if (is_new) context.commands.wardrobe.cast = *wanted;
+  if (is_new) context.requests.push_back(*wanted);
   wanted.reset();
 }
 
@@ -84,7 +84,7 @@ void show_rule_buttons(const TabContext& context, CastTuning& tuning) {
 }
 
 void show_rule_files(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
   std::string& name = memory.rules_name;
   widgets.text("Rules", name, "letters, digits, - and _",
                {.what = "NAME of NAME.cast.json, in the working folder: a file of rules to edit by hand. "
@@ -93,7 +93,7 @@ void show_rule_files(const TabContext& context) {
   ButtonRow buttons(widgets, 2);
   if (buttons.button("Save rules", {.what = "Writes all rules as they are now. A file of that name is replaced."},
                      is_named ? nullptr : "a name has letters, digits, - and _")) {
-    commands.wardrobe.save = name;
+    requests.push_back(SaveRules{name});
   }
   const bool has_file = is_named || (name.empty() && !report.wardrobe.file.empty());
   if (buttons.button("Load rules",
@@ -101,7 +101,7 @@ void show_rule_files(const TabContext& context) {
                               "has edited it.",
                       .cost = cost_of_dressing},
                      has_file ? nullptr : "the rules come from no file; give a name")) {
-    commands.wardrobe.load = name;
+    requests.push_back(LoadRules{name});
   }
 }
 
@@ -126,14 +126,14 @@ void show_wardrobe(const TabContext& context) {
                           .cost = "Changing it places all agents anew."});
   if (report.wardrobe.tuning.bodies.empty()) return;
   context.unless_idle("weather", [&] {
-    const bool is_dragged = memory.cast && memory.cast->character == report.character;
-    const CastTuning before = is_dragged ? memory.cast->tuning : report.wardrobe.tuning;
+    const bool is_dragged = memory.rules && memory.rules->character == report.character;
+    const CastTuning before = is_dragged ? memory.rules->tuning : report.wardrobe.tuning;
     CastTuning cast = before;
     show_weights(context, "", "How many of the crowd have this body.", report.wardrobe.standard.bodies, cast.bodies);
     show_things(context, cast);
     show_styles(context, cast);
     show_rule_buttons(context, cast);
-    if (cast != before) memory.cast = NewCast{report.character, cast};
+    if (cast != before) memory.rules = TuneRules{report.character, cast};
     show_rule_files(context);
   });
   widgets.caption(with_thousands(static_cast<std::uint64_t>(report.wardrobe.holding)) + " of " +

@@ -1,11 +1,11 @@
 #include "app/recording/reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/files/byte_hash.h"
 #include "app/recording/bytes.h"
-#include "app/recording/items.h"
-#include "app/settings/preset.h"
+#include "app/request/request_json.h"
 
 namespace throng::app {
 namespace {
@@ -15,6 +15,41 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t most_header_bytes = 1U << 24U;
 constexpr std::uint32_t most_hashes = 100'100;  // the agents, and what a scene adds to them
 constexpr std::uint64_t item_head_bytes = 5, checksum_bytes = 8;
+
+/// Returns the longest frame that options and the clock of a window allow.
+anim::Ticks longest_frame() { return anim::to_ticks(most_frame_seconds * static_cast<double>(most_time_scale)); }
+
+glm::vec3 next_vector(NumberReader& numbers) {
+  glm::vec3 vector{0.0F};
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = numbers.next<float>();
+  return vector;
+}
+
+bool is_near(float metres) { return std::abs(metres) <= farthest_camera; }
+bool is_near(const glm::vec3& vector) { return is_near(vector.x) && is_near(vector.y) && is_near(vector.z); }
+
+bool is_view(const LodView& view) {
+  constexpr float pi = 3.14159265F;
+  const render::Camera& camera = view.camera;
+  const auto is_size = [](int pixels) { return pixels >= 1 && pixels <= most_picture_pixels; };
+  return is_near(camera.position) && std::isfinite(camera.yaw) && std::abs(camera.pitch) <= pi / 2.0F &&
+         camera.vertical_view > 0.0F && camera.vertical_view < pi && is_size(view.width) && is_size(view.height);
+}
+
+/// Reads the part of a frame that has a fixed size; returns nothing where the bytes are no such frame.
+std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
+  RecordedFrame frame;
+  frame.delta = anim::Ticks{numbers.next<std::int64_t>()};
+  frame.view.camera.position = next_vector(numbers);
+  frame.view.camera.yaw = numbers.next<float>();
+  frame.view.camera.pitch = numbers.next<float>();
+  frame.view.camera.vertical_view = numbers.next<float>();
+  frame.view.width = static_cast<int>(numbers.next<std::uint32_t>());
+  frame.view.height = static_cast<int>(numbers.next<std::uint32_t>());
+  frame.pose_hash = numbers.next<std::uint64_t>();
+  const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame() && is_view(frame.view);
+  return numbers.good() && can_be ? std::optional(frame) : std::nullopt;
+}
 
 }  // namespace
 
@@ -122,17 +157,17 @@ anim::Result<RecordedItem> RecordingReader::next() {
 }
 
 std::optional<RecordedItem> RecordingReader::item(RecordKind kind) {
-  if (kind == RecordKind::tuning) return changed_tuning();
+  if (kind == RecordKind::request) return request();
   if (kind == RecordKind::frame) return frame();
-  if (kind == RecordKind::end) return end();
-  return read_request(kind, payload_);
+  return kind == RecordKind::end ? end() : std::nullopt;
 }
 
-std::optional<RecordedItem> RecordingReader::changed_tuning() {
-  Preset preset{.tuning = tuning_, .camera = {}};
-  if (from_json_text(payload_, preset)) return std::nullopt;
-  tuning_ = preset.tuning;
-  return RecordedRequest(tuning_);
+std::optional<RecordedItem> RecordingReader::request() {
+  const auto json = parse_json(payload_);
+  auto request = json ? read_request(*json, tuning_) : json.error();
+  if (!request) return std::nullopt;
+  if (const auto* const values = std::get_if<Apply>(&*request)) tuning_ = values->tuning;
+  return RecordedItem(std::move(*request));
 }
 
 std::optional<RecordedItem> RecordingReader::end() const {

@@ -46,7 +46,7 @@ class RecordingReader {
   std::optional<RecordedItem> item(RecordKind kind);
   std::optional<RecordedItem> frame();
   std::optional<RecordedItem> end() const;
-  std::optional<RecordedItem> changed_tuning();
+  std::optional<RecordedItem> request();
 
   std::filesystem::path file_;
   InputFile input_;

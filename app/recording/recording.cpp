@@ -4,27 +4,11 @@
 #include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
-namespace {
-
-Json json_of(const Tuning& tuning) { return to_json(Preset{.tuning = tuning, .camera = {}}); }
-
-}  // namespace
-
-std::string changed_values(const Tuning& before, const Tuning& tuning) {
-  const Json old_values = json_of(before);
-  const Json values = json_of(tuning);
-  Json changed = Json::object();
-  for (const auto& [key, value] : values.members()) {
-    if (old_values[key] != value) changed[key] = value;
-  }
-  return changed.dump();
-}
-
 std::string header_text(const RecordingHeader& header) {
   const Json json = {{"width", header.width},
                      {"height", header.height},
                      {"characters", to_json(header.characters)},
-                     {"tuning", json_of(header.tuning)}};
+                     {"tuning", to_json(Preset{.tuning = header.tuning, .camera = {}})}};
   return json.dump();
 }
 
@@ -36,8 +20,7 @@ std::optional<std::string> read_header(std::string_view text, RecordingHeader& h
   reader.need({"width", "height", "characters", "tuning"});
   reader.whole("width", header.width, 1, most_picture_pixels);
   reader.whole("height", header.height, 1, most_picture_pixels);
-  const std::span<const Json> characters = reader.elements("characters");
-  if (!complaint) header.characters = read_characters(characters, complaint);
+  header.characters = read_characters(reader["characters"], complaint);
   Preset preset;
   if (!complaint) complaint = from_json(reader["tuning"], preset);
   header.tuning = preset.tuning;

@@ -1,7 +1,7 @@
 #include "app/recording/writer.h"
 
-#include "app/character/rig_table.h"
 #include "app/recording/bytes.h"
+#include "app/request/request_json.h"
 
 namespace throng::app {
 namespace {
@@ -39,71 +39,10 @@ void RecordingWriter::write_item(RecordKind kind) {
   payload_.clear();
 }
 
-void RecordingWriter::add(const Tuning& tuning) {
-  payload_ = changed_values(tuning_, tuning);
-  tuning_ = tuning;
-  write_item(RecordKind::tuning);
-}
-
-void RecordingWriter::add(const RecordedSelection& selection) {
-  append_number(payload_, selection.agent.value_or(recorded_nobody));
-  write_item(RecordKind::selection);
-}
-
-void RecordingWriter::add(const RecordedPush& push) {
-  append_number(payload_, push.agent);
-  for (int axis = 0; axis < 3; ++axis) append_number(payload_, push.direction[axis]);
-  write_item(RecordKind::push);
-}
-
-void RecordingWriter::add(const RecordedRoles& roles) {
-  append_number(payload_, roles.character);
-  for (const int clip : roles.clips) append_number(payload_, static_cast<std::int32_t>(clip));
-  write_item(RecordKind::roles);
-}
-
-void RecordingWriter::add(const RecordedHold& hold) {
-  append_number(payload_, hold.agent.value_or(recorded_nobody));
-  append_number(payload_, hold.seconds);
-  write_item(RecordKind::hold);
-}
-
-void RecordingWriter::add(const RecordedRewind& /*rewind*/) { write_item(RecordKind::rewind); }
-
-void RecordingWriter::add(const RecordedBoneOrder& order) {
-  const BoneLodChoice& choice = order.choice;
-  append_number(payload_, order.character);
-  append_number(payload_, static_cast<std::uint32_t>(choice.bones.size()));
-  append_number(payload_, static_cast<std::uint32_t>(choice.level_counts.size()));
-  for (const int bone : choice.bones) append_number(payload_, static_cast<std::uint16_t>(bone));
-  for (const int count : choice.level_counts) append_number(payload_, static_cast<std::uint16_t>(count));
-  write_item(RecordKind::bone_order);
-}
-
-void RecordingWriter::add(const RecordedCharacters& characters) {
-  payload_ = to_json(characters.characters).dump();
-  write_item(RecordKind::characters);
-}
-
-void RecordingWriter::add(const RecordedShare& share) {
-  append_number(payload_, share.character);
-  append_number(payload_, share.share);
-  write_item(RecordKind::share);
-}
-
-void RecordingWriter::add(const RecordedRig& rig) {
-  payload_ = Json{{"character", rig.character}, {"rig", rig_json(rig.choices)}}.dump();
-  write_item(RecordKind::rig);
-}
-
-void RecordingWriter::add(const RecordedPlacement& placement) {
-  payload_ = Json{{"character", placement.character}, {"placement", placement_json(placement.choice)}}.dump();
-  write_item(RecordKind::placement);
-}
-
-void RecordingWriter::add(const RecordedRules& rules) {
-  payload_ = Json{{"character", rules.character}, {"rules", recorded_rules_json(rules.rules)}}.dump();
-  write_item(RecordKind::rules);
+void RecordingWriter::add(const CrowdRequest& request) {
+  payload_ = to_json(request, tuning_).dump();
+  if (const auto* const values = std::get_if<Apply>(&request)) tuning_ = values->tuning;
+  write_item(RecordKind::request);
 }
 
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {

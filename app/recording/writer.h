@@ -23,18 +23,8 @@ class RecordingWriter {
   static anim::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
                                                                const RecordingHeader& header);
 
-  void add(const Tuning& tuning);
-  void add(const RecordedSelection& selection);
-  void add(const RecordedPush& push);
-  void add(const RecordedRoles& roles);
-  void add(const RecordedHold& hold);
-  void add(const RecordedRewind& rewind);
-  void add(const RecordedBoneOrder& order);
-  void add(const RecordedCharacters& characters);
-  void add(const RecordedShare& share);
-  void add(const RecordedRig& rig);
-  void add(const RecordedPlacement& placement);
-  void add(const RecordedRules& rules);
+  /// Adds a request that was taken.
+  void add(const CrowdRequest& request);
   /// Adds a frame after its update. `agent_hashes` are those of AnimatedCrowd. Allocates only when the crowd grows.
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 

@@ -64,7 +64,7 @@ struct RecordingReport {
 /// All that the overlay shows. The demo fills it once a frame, and the overlay only reads it.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
-  std::size_t character = 0;            ///< the one of these whose roles and bones are below
+  std::uint32_t character = 0;          ///< the one of these whose roles and bones are below
   std::vector<CastMember> cast;         ///< [character]
   WardrobeReport wardrobe;              ///< of the character shown
   std::string context;                  ///< "window", "egl", "osmesa"
@@ -94,6 +94,7 @@ struct FrameReport {
   std::vector<int> level_bone_counts;     ///< [level]
   ErrorReport error;                      ///< of what is shown
   std::vector<BoneRow> bones;             ///< in level-of-detail order
+  bool can_undo_bones = false;            ///< the last change was made to their order
   anim::LodFigures lod;
   MeshReport meshes;                          ///< of the character shown
   std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
@@ -119,67 +120,6 @@ struct FrameReport {
   std::vector<float> snapshots;             ///< seconds back to each that the crowd can be taken to, newest first
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
   std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
-};
-
-/// A pixel from the top left of the picture.
-struct PicturePoint {
-  float x = 0, y = 0;
-};
-
-/// A character gets another share of the crowd.
-struct NewShare {
-  std::size_t character = 0;
-  double share = 1.0;
-};
-
-/// A character gets other parts of its body.
-struct NewBody {
-  std::vector<RigChoice> choices;         ///< all that the person says now
-  std::optional<anim::BodyRole> changed;  ///< the part that was changed; nothing: several
-};
-
-/// The commands that a person gives the overlay in a frame. The tuning is not among them, because the overlay edits it.
-struct OverlayCommands {
-  std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
-  std::optional<NewShare> share;
-  std::optional<std::size_t> everyone;  ///< this character takes the places of all others
-  WardrobeCommands wardrobe;
-  std::optional<NewPlacement> placement;
-  std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
-  bool save_roles = false;
-  std::optional<NewBody> body;            ///< of the character shown
-  bool save_body = false;                 ///< beside the model
-  std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
-  bool save_bone_lod = false;             ///< beside the model
-  bool export_lod = false;                ///< for another engine
-  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
-  bool step = false;                      ///< one frame onwards, while paused
-  bool frame_crowd = false;               ///< key F
-  bool copy_camera = false;               ///< key C
-  CameraCommands cameras;
-  ReplayCommands replay;
-  std::optional<TrackClock> track_clock;  ///< the recorded crowd goes to this time, and is played so
-  bool screenshot = false;                ///< key F12
-  bool reload_shaders = false;            ///< key F5
-  bool record = false;                    ///< key R: begins or ends a recording
-  bool quit = false;                      ///< key Esc, while nobody is selected
-  std::optional<PicturePoint> select_at;  ///< a click at the crowd
-  bool deselect = false;
-  std::optional<float> hold_at;       ///< the selected agent's clip is held at these seconds
-  bool let_go = false;                ///< the held agent plays on
-  std::optional<std::size_t> rewind;  ///< the crowd goes back to that snapshot, 0 the newest
-  std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
-  std::optional<std::string> save_crowd, open_crowd;                   ///< NAME of NAME.throng in the working folder
-  std::optional<std::string> load_into_other;                          ///< a preset by name, to compare with
-  std::string hint;                                                    ///< to be told to the person
-  bool copy_command_line = false;                                      ///< models, roles and tuning as options
-  bool push_over = false;                                              ///< key P: the selected agent falls
-  std::optional<SweptValue> sweep;                                     ///< a sweep of this value begins anew
-  bool stop_sweep = false;
-  ViewerCommands viewer;
-  std::optional<int> look_at_frame;  ///< the kept frame whose number is nearest is looked at
-  bool look_at_last_frames = false;  ///< no longer
-  bool exact_crowd = false;          ///< key X is held: nothing is skipped or simplified
 };
 
 }  // namespace throng::app

@@ -27,8 +27,10 @@ bool Messages::tell(const anim::Status& outcome) {
   return static_cast<bool>(outcome);
 }
 
-void Messages::tell(const anim::Status& outcome, const std::string& done) {
-  if (tell(outcome)) say(done);
+bool Messages::tell(const anim::Status& outcome, const std::string& done) {
+  if (!tell(outcome)) return false;
+  say(done);
+  return true;
 }
 
 float Messages::presence(const Message& message) const {

@@ -29,8 +29,8 @@ class Messages {
   void say(std::string words, Message::Kind kind = Message::Kind::done);
   /// Says why something failed, if it did. Returns whether it did not.
   bool tell(const anim::Status& outcome);
-  /// Says `done` of what did not fail, else why it did.
-  void tell(const anim::Status& outcome, const std::string& done);
+  /// Says `done` of what did not fail, else why it did. Returns whether it did not.
+  bool tell(const anim::Status& outcome, const std::string& done);
 
   /// Lets the window's clock go on.
   void pass(double seconds) { clock_ += seconds; }

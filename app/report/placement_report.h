@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "engine/anim/survey/placement_guess.h"
@@ -14,12 +13,6 @@ struct PlacementReport {
   double guessed_scale = 1.0;    ///< applied where none is asked for
   double units_tall = 0.0;       ///< its height in units of its file, turned upright; 0 without extent
   std::string reasons;           ///< a sentence: the height and why
-};
-
-/// A character gets another size and place; it is loaded anew.
-struct NewPlacement {
-  std::size_t character = 0;
-  anim::PlacementChoice choice;
 };
 
 }  // namespace throng::app

@@ -23,13 +23,4 @@ struct ReplayReport {
   std::string outcome = {};  ///< says how it ended, once it did
 };
 
-/// The commands about a replay that a person gives in a frame.
-struct ReplayCommands {
-  bool change_pause = false;  ///< key Space
-  bool change_loop = false;
-  int step = 0;                             ///< frames on, or back where below 0; then it pauses. Keys Right and Left
-  std::optional<std::uint64_t> go_to = {};  ///< a frame, from 1
-  std::optional<float> speed = {};
-};
-
 }  // namespace throng::app

@@ -78,15 +78,4 @@ struct ViewRequest {
   std::optional<RolePreview> preview = {};  ///< the clip to play at first, and the role that it is for
 };
 
-/// The requests that a person makes of the viewer in a frame.
-struct ViewerCommands {
-  std::optional<ViewRequest> view = {};         ///< shows a character alone
-  bool view_selected = false;                   ///< shows the selected agent's character alone
-  bool leave = false;                           ///< goes back to the crowd
-  std::optional<ViewerSettings> settings = {};  ///< as they are from now on
-  std::optional<float> scrub = {};              ///< holds the clip at these seconds
-  bool face_front = false;                      ///< the turntable goes back to where it began
-  bool apply_preview = false;                   ///< the crowd plays the clip for the role, and is shown again
-};
-
 }  // namespace throng::app

@@ -10,6 +10,7 @@ namespace throng::app {
 
 // The words for each enumeration of the settings and the report, in its order. The command line has the same words.
 inline constexpr std::array<const char*, 6> scene_words = {"plaza", "parade", "stadium", "grid", "film", "tracks"};
+inline const char* word_of(Scene scene) { return scene_words.at(static_cast<std::size_t>(scene)); }
 inline constexpr std::array<const char*, 2> clothes_words = {"own", "pattern"};
 inline constexpr std::array<const char*, 4> weather_words = {"mild", "warm", "cold", "rain"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};

@@ -120,7 +120,7 @@ ValueReader frame_seconds(std::optional<double>& target) {
 }
 
 ValueReader scale_above_zero(std::optional<double>& target) {
-  return [&target](const std::string& text) { return read_number(text, 1e-6, 1e6, target.emplace()); };
+  return [&target](const std::string& text) { return read_number(text, least_scale, most_scale, target.emplace()); };
 }
 
 ValueReader number_above_zero(float& target, std::string unit) {

@@ -7,7 +7,7 @@
 namespace throng::app {
 namespace {
 
-anim::Result<LoadedCast> load_as_it_is(std::span<const CrowdCharacter> characters, const std::string& data,
+anim::Result<LoadedCast> load_as_it_is(std::span<const ChosenCharacter> characters, const std::string& data,
                                        LoadOptions options) {
   const auto entries = entries_of(characters);
   if (!entries.empty()) return load_cast(entries, options);
@@ -22,7 +22,7 @@ anim::Result<LoadedCast> load_as_it_is(std::span<const CrowdCharacter> character
 
 }  // namespace
 
-anim::Result<LoadedCast> load_crowd(std::span<const CrowdCharacter> characters, const std::string& data,
+anim::Result<LoadedCast> load_crowd(std::span<const ChosenCharacter> characters, const std::string& data,
                                     const LoadOptions& options) {
   auto cast = load_as_it_is(characters, data, options);
   if (!cast) return cast.error();

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "app/character/cast_files.h"
-#include "app/recording/crowd_file.h"
+#include "app/request/chosen_character.h"
 
 namespace throng::app {
 
 /// Loads the characters of a crowd file and gives them all that the person chose. `data` is the folder that --data
 /// names, where the built-in character is. Errors: a file cannot be shown, or lacks what was chosen.
-anim::Result<LoadedCast> load_crowd(std::span<const CrowdCharacter> characters, const std::string& data,
+anim::Result<LoadedCast> load_crowd(std::span<const ChosenCharacter> characters, const std::string& data,
                                     const LoadOptions& options = {});
 
 }  // namespace throng::app

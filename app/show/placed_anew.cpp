@@ -5,13 +5,12 @@
 
 #include "app/character/cast_files.h"
 #include "app/character/files.h"
-#include "app/recording/recorded_character.h"
+#include "app/request/chosen_character.h"
 
 namespace throng::app {
 namespace {
 
-anim::Result<CharacterSource> load_again(const RecordedCharacter& wanted, LoadOptions options,
-                                         const std::string& data) {
+anim::Result<CharacterSource> load_again(const ChosenCharacter& wanted, LoadOptions options, const std::string& data) {
   if (wanted.file.empty()) {
     options.placement = wanted.placement;
     options.clips_from = wanted.clip_files;
@@ -30,13 +29,13 @@ anim::Result<CharacterSource> load_again(const RecordedCharacter& wanted, LoadOp
 
 anim::Result<CharacterSource> placed_anew(const CharacterSource& character, const anim::PlacementChoice& choice,
                                           const LoadOptions& options, const std::string& data) {
-  RecordedCharacter wanted = recorded(character);
+  ChosenCharacter wanted = exactly(character);
   wanted.placement = choice;
   auto placed = load_again(wanted, options, data);
   if (!placed) return placed;
   placed->cast_rules = character.cast_rules;
   placed->rules_are_chosen = character.rules_are_chosen;
-  const anim::Status became = become_recorded(wanted, *placed);
+  const anim::Status became = become(wanted, *placed);
   if (!became) return became.error();
   return placed;
 }

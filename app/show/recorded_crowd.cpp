@@ -29,8 +29,8 @@ void Show::take_live_rows(anim::Ticks step) {
   if (std::exchange(live_news_, live_->news()) != live_news_) update_notice();
 }
 
-bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most) {
-  return show.live_ == nullptr || show.live_->can_go_on(anim::to_seconds(step), most);
+bool Show::has_rows_for(anim::Ticks step, std::chrono::milliseconds most) {
+  return live_ == nullptr || live_->can_go_on(anim::to_seconds(step), most);
 }
 
 bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
@@ -57,31 +57,26 @@ bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
   return true;
 }
 
-void set_track_clock(Show& show, const TrackClock& clock) {
-  const bool can_be_set = followers_of(show.stage_->crowd()) != nullptr && show.live_ == nullptr;
-  if (can_be_set && clock != track_clock_of(show.stage_->crowd())) set_track_clock(*show.stage_, clock);
-}
-
-anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories) {
-  if (show.recorder_.is_recording()) {
+anim::Status Show::replace_trajectories(std::shared_ptr<const Trajectories> trajectories) {
+  if (recorder_.is_recording()) {
     return anim::Error{trajectories->file +
                        ": a recording goes on, and cannot hold the crowd of a file; end it with R, then drop the file"};
   }
-  Tuning tuning = show.stage_->tuning();
+  Tuning tuning = stage_->tuning();
   tuning.scene = Scene::tracks;
   tuning.agents = static_cast<int>(trajectories->persons.size());
-  std::vector<CharacterSource> characters(show.stage_->people().begin(), show.stage_->people().end());
+  std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
   if (anim::Status fits = check_memory(tuning, characters, nullptr); !fits) return fits;
-  if (anim::Status exchanged = show.exchange(std::move(characters), tuning, std::move(trajectories)); !exchanged) {
+  if (anim::Status exchanged = exchange(std::move(characters), tuning, std::move(trajectories)); !exchanged) {
     return exchanged;
   }
-  show.live_.reset();
-  TrackClock clock = track_clock_of(show.stage_->crowd());
+  live_.reset();
+  TrackClock clock = track_clock_of(stage_->crowd());
   clock.repeats = true;
-  set_track_clock(*show.stage_, clock);
-  show.camera = show.guide.begin_scene(*show.stage_);
-  show.films = true;
-  show.update_notice();
+  set_track_clock(*stage_, clock);
+  camera = guide.begin_scene(*stage_);
+  films = true;
+  update_notice();
   return anim::Done{};
 }
 

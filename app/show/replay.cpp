@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/figures/statistics.h"
+#include "app/files/byte_hash.h"
 #include "app/settings/tuning_values.h"
-#include "app/show/replayed_requests.h"
 
 namespace throng::app {
 namespace {
@@ -29,18 +28,17 @@ Difference difference(std::span<const std::uint64_t> hashes, std::span<const std
 }
 
 // Compares all but the files, which may have moved.
-bool are_equal(std::span<const CharacterSource> people, std::span<const RecordedCharacter> recorded_people) {
-  const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
+bool are_equal(std::span<const CharacterSource> people, std::span<const ChosenCharacter> recorded_people) {
+  const auto is_equal = [](const CharacterSource& person, ChosenCharacter as_recorded) {
     as_recorded.file = person.file;
     as_recorded.clip_files = person.clip_files;
-    if (!as_recorded.rules) as_recorded.rules = person.rules;
-    return recorded(person) == as_recorded;
+    return exactly(person) == as_recorded;
   };
   return std::ranges::equal(people, recorded_people, is_equal);
 }
 
 // Files that the command line names stand in for those recorded.
-void take_files(std::span<const RecordedCharacter> characters, DemoOptions& options) {
+void take_files(std::span<const ChosenCharacter> characters, DemoOptions& options) {
   const bool is_built_in = characters.front().file.empty();
   if (is_built_in && options.clips_from.empty()) options.clips_from = characters.front().clip_files;
   if (is_built_in) return;
@@ -50,7 +48,7 @@ void take_files(std::span<const RecordedCharacter> characters, DemoOptions& opti
 }
 
 // Files that stand in for those recorded have their sizes and places, where there are as many.
-void place_as_recorded(std::span<const RecordedCharacter> characters, DemoOptions& options) {
+void place_as_recorded(std::span<const ChosenCharacter> characters, DemoOptions& options) {
   if (options.models.size() != characters.size()) return;
   options.cast = cast_of(std::exchange(options.models, {}));
   for (std::size_t i = 0; i < characters.size(); ++i) options.cast[i].placement = characters[i].placement;
@@ -103,7 +101,7 @@ anim::Status Replay::begin(Show& show) const {
 }
 
 anim::Status Replay::become_recorded_characters(Show& show, std::span<const CharacterSource> people) const {
-  const std::vector<RecordedCharacter>& recorded_people = reader_->header().characters;
+  const std::vector<ChosenCharacter>& recorded_people = reader_->header().characters;
   if (people.size() != recorded_people.size()) {
     return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
                        " characters, and there are " + std::to_string(people.size())};
@@ -112,7 +110,7 @@ anim::Status Replay::become_recorded_characters(Show& show, std::span<const Char
   if (are_on_stage && are_equal(people, recorded_people)) return anim::Done{};
   std::vector<CharacterSource> characters(people.begin(), people.end());
   for (std::size_t i = 0; i < characters.size(); ++i) {
-    const anim::Status became = become_recorded(recorded_people[i], characters[i]);
+    const anim::Status became = become(recorded_people[i], characters[i]);
     if (!became) return anim::Error{file_.string() + ": " + became.error().message};
   }
   const anim::Status replaced = show.replace_characters(std::move(characters));
@@ -142,17 +140,18 @@ anim::Result<bool> Replay::step(Show& show) {
       }
       return true;
     }
-    const auto& request = std::get<RecordedRequest>(*item);
-    if (may_go_back_ && first_people_.empty() && std::holds_alternative<RecordedCharacters>(request)) {
+    const CrowdRequest request = with_own_scheduling(std::get<CrowdRequest>(*item));
+    if (may_go_back_ && first_people_.empty() && std::holds_alternative<ChosenCharacters>(request)) {
       first_people_.assign(show.stage().people().begin(), show.stage().people().end());
     }
-    const anim::Status repeated = repeat(with_own_scheduling(request), show);
-    if (!repeated) return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
+    if (const anim::Status repeated = show.take(request); !repeated) {
+      return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
+    }
   }
 }
 
-RecordedRequest Replay::with_own_scheduling(RecordedRequest request) const {
-  if (auto* const tuning = std::get_if<Tuning>(&request)) *tuning = with_own_scheduling(*tuning);
+CrowdRequest Replay::with_own_scheduling(CrowdRequest request) const {
+  if (auto* const values = std::get_if<Apply>(&request)) values->tuning = with_own_scheduling(values->tuning);
   return request;
 }
 

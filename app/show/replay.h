@@ -51,7 +51,7 @@ class Replay {
       : file_(std::move(file)), reader_(std::move(reader)) {}
 
   Tuning with_own_scheduling(Tuning tuning) const;
-  RecordedRequest with_own_scheduling(RecordedRequest request) const;
+  CrowdRequest with_own_scheduling(CrowdRequest request) const;
   anim::Status become_recorded_characters(Show& show, std::span<const CharacterSource> people) const;
   anim::Status compare(const RecordedFrame& frame, const Stage& stage) const;
 

@@ -11,11 +11,14 @@
 #include "app/files/nearest_names.h"
 #include "app/files/start_line.h"
 #include "app/lod/mesh_lods.h"
+#include "app/settings/option_values.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/opened_trajectories.h"
 #include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/fly_camera.h"
+#include "app/wardrobe/cast_rules_text.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -29,6 +32,18 @@ constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
+}
+
+anim::Status has_character(const Stage& stage, CharacterNumber character) {
+  const std::size_t count = stage.people().size();
+  if (character < count) return anim::Done{};
+  return anim::Error{"there is no character " + std::to_string(character) + ", only 0 to " + std::to_string(count - 1)};
+}
+
+anim::Status has_agent(const Stage& stage, std::uint32_t agent) {
+  const std::size_t count = stage.crowd().size();
+  if (agent < count) return anim::Done{};
+  return anim::Error{"there is no agent " + std::to_string(agent) + ", only 0 to " + std::to_string(count - 1)};
 }
 
 Tuning with_savings(Tuning tuning, const Spared& spared) {
@@ -126,37 +141,123 @@ bool Show::begin_viewing(const std::string& clip, StartError& error) {
   return viewed ? true : fail(error, exit_job_failed, viewed.error().message);
 }
 
-anim::Status Show::apply(const Tuning& tuning) {
+anim::Status Show::take(const CrowdRequest& request) {
+  anim::Status taken = std::visit([this](const auto& asked) { return carry_out(asked); }, request);
+  if (!taken) return taken;
+  if (recorder_.is_recording()) recorder_.add(as_recorded(request));
+  update_notice();
+  return taken;
+}
+
+// A replay has the characters that came of files, whatever lies beside these by then.
+CrowdRequest Show::as_recorded(const CrowdRequest& request) const {
+  const bool is_cast = std::holds_alternative<LoadModels>(request) || std::holds_alternative<SetCast>(request);
+  return is_cast ? SetCast{exactly(stage_->people())} : request;
+}
+
+anim::Status Show::carry_out(const Apply& values) {
+  const Tuning& tuning = values.tuning;
   if (tuning.scene == Scene::tracks && recorder_.is_recording()) return anim::Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != stage_->tuning().scene;
   anim::Status applied = stage_->apply(tuning);
   if (applied && another_scene) applied = painter_->load_meshes(*stage_);
-  if (!applied) return applied;
-  if (another_scene) camera = guide.begin_scene(*stage_), films = true;
-  update_notice();
-  recorder_.add(tuning);
+  if (applied && another_scene) camera = guide.begin_scene(*stage_), films = true;
   return applied;
 }
 
-anim::Status Show::replace_models(std::span<const std::string> files) {
-  auto cast = load_dropped(files, load_options_);
-  if (!cast) return cast.error();
-  for (CharacterSource& character : cast->characters) {
+anim::Status Show::carry_out(const SetShare& share) {
+  if (anim::Status there = has_character(*stage_, share.character); !there) return there;
+  if (!is_share(share.share)) return anim::Error{"a share must be above 0 and at most " + shortest_text(most_share)};
+  stage_->set_roles(share.character, stage_->people()[share.character].roles.clips, share.share);
+  return anim::Done{};
+}
+
+anim::Status Show::carry_out(const SetRoles& roles) {
+  if (anim::Status there = has_character(*stage_, roles.character); !there) return there;
+  const CharacterSource& person = stage_->people()[roles.character];
+  if (!has_clips(person, roles.clips)) return anim::Error{person.name + " has no such clip"};
+  stage_->set_roles(roles.character, roles.clips);
+  return anim::Done{};
+}
+
+anim::Status Show::carry_out(const SetBody& body) {
+  if (anim::Status there = has_character(*stage_, body.character); !there) return there;
+  viewer_.reset();
+  anim::Status set = stage_->set_rig(body.character, body.parts);
+  if (set) rewind_.forget();
+  return set;
+}
+
+anim::Status Show::carry_out(const SetBones& bones) {
+  if (anim::Status there = has_character(*stage_, bones.character); !there) return there;
+  viewer_.reset();
+  anim::Status set = stage_->set_bone_lod(bones.character, bones.choice);
+  return set ? painter_->load_meshes(*stage_) : set;
+}
+
+anim::Status Show::carry_out(const SetPlacement& placement) {
+  if (anim::Status there = has_character(*stage_, placement.character); !there) return there;
+  auto placed = placed_anew(stage_->people()[placement.character], placement.choice, load_options_, data_);
+  if (!placed) return placed.error();
+  std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
+  characters[placement.character] = std::move(*placed);
+  return exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_));
+}
+
+anim::Status Show::carry_out(const SetRules& rules) {
+  if (anim::Status there = has_character(*stage_, rules.character); !there) return there;
+  auto read = rules_of_text(rules.rules);
+  anim::Status set = read ? set_cast_rules(*stage_, rules.character, std::move(*read), rules.file) : read.error();
+  if (set || rules.file.empty()) return set;
+  return anim::Error{anim::plain_text(rules.file) + ": " + set.error().message};
+}
+
+anim::Status Show::carry_out(const LoadModels& models) {
+  auto loaded = load_dropped(models.files, load_options_);
+  if (!loaded) return loaded.error();
+  for (CharacterSource& character : loaded->characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
   }
-  return take(std::move(*cast));
+  return cast(std::move(loaded));
 }
 
-anim::Status Show::replace_crowd(std::span<const CrowdCharacter> characters) {
-  auto cast = load_crowd(characters, data_, load_options_);
-  if (!cast) return cast.error();
-  return take(std::move(*cast));
+anim::Status Show::carry_out(const SetCast& others) {
+  return cast(load_crowd(others.characters, data_, load_options_));
 }
 
-anim::Status Show::take(LoadedCast cast) {
-  if (anim::Status replaced = replace_characters(std::move(cast.characters)); !replaced) return replaced;
-  left_out_ = std::move(cast.left_out);
-  update_notice();
+anim::Status Show::carry_out(const Select& select) {
+  if (select.agent) {
+    if (anim::Status there = has_agent(*stage_, *select.agent); !there) return there;
+  }
+  stage_->select(select.agent);
+  return anim::Done{};
+}
+
+anim::Status Show::carry_out(const Push& push) {
+  if (anim::Status there = has_agent(*stage_, push.agent); !there) return there;
+  return stage_->animated().push_over(push.agent, push.direction);
+}
+
+anim::Status Show::carry_out(const Hold& hold) {
+  if (!hold.agent) return stage_->animated().let_go_of_clip(), anim::Done{};
+  if (anim::Status there = has_agent(*stage_, *hold.agent); !there) return there;
+  stage_->animated().hold_clip(*hold.agent, hold.seconds);
+  return anim::Done{};
+}
+
+anim::Status Show::carry_out(const GoBack& back) { return rewind_.go_back(*stage_, back.moment); }
+
+anim::Status Show::carry_out(const Seek& seek) {
+  const bool has_clock = followers_of(stage_->crowd()) != nullptr && live_ == nullptr;
+  if (!has_clock) return anim::Error{"the crowd follows no file, so it goes to no other time of one"};
+  if (seek.clock != track_clock_of(stage_->crowd())) set_track_clock(*stage_, seek.clock);
+  return anim::Done{};
+}
+
+anim::Status Show::cast(anim::Result<LoadedCast> loaded) {
+  if (!loaded) return loaded.error();
+  if (anim::Status replaced = replace_characters(std::move(loaded->characters)); !replaced) return replaced;
+  left_out_ = std::move(loaded->left_out);
   return anim::Done{};
 }
 
@@ -165,22 +266,8 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   if (anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_)); !exchanged)
     return exchanged;
   left_out_.clear();
-  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
   return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
-}
-
-anim::Result<double> Show::set_placement(std::size_t character, const anim::PlacementChoice& choice) {
-  const auto start = RunFigures::Clock::now();
-  auto placed = placed_anew(stage_->people()[character], choice, load_options_, data_);
-  if (!placed) return placed.error();
-  std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
-  characters[character] = std::move(*placed);
-  const anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_));
-  if (!exchanged) return exchanged.error();
-  recorder_.add(RecordedPlacement{static_cast<std::uint32_t>(character), choice});
-  update_notice();
-  return milliseconds_since(start) / 1000.0;
 }
 
 // Somebody who looks at a recorded crowd goes on at the same moment with other characters.
@@ -197,39 +284,6 @@ anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tunin
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
   rewind_.forget();
-  return anim::Done{};
-}
-
-void Show::set_roles(std::size_t character, const RoleClips& clips) {
-  stage_->set_roles(character, clips);
-  recorder_.add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
-}
-
-void Show::set_share(std::size_t character, double share) {
-  stage_->set_roles(character, stage_->people()[character].roles.clips, share);
-  recorder_.add(RecordedShare{static_cast<std::uint32_t>(character), share});
-}
-
-anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
-  viewer_.reset();
-  if (anim::Status set = stage_->set_bone_lod(character, choice); !set) return set;
-  recorder_.add(RecordedBoneOrder{static_cast<std::uint32_t>(character), choice});
-  return painter_->load_meshes(*stage_);
-}
-
-anim::Status Show::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
-  viewer_.reset();
-  if (anim::Status set = stage_->set_rig(character, choices); !set) return set;
-  rewind_.forget();
-  recorder_.add(RecordedRig{static_cast<std::uint32_t>(character), choices});
-  update_notice();
-  return anim::Done{};
-}
-
-anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file) {
-  if (anim::Status set = set_cast_rules(*show.stage_, character, std::move(rules), file); !set) return set;
-  show.recorder_.add(RecordedRules{static_cast<std::uint32_t>(character), *show.stage_->people()[character].rules});
-  show.update_notice();
   return anim::Done{};
 }
 
@@ -258,22 +312,14 @@ anim::Status Show::draw() {
   return painter_->draw(viewer_->frame(render::view_of(round, view.aspect())), stage_->tuning());
 }
 
-anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels) {
-  const PaintedView view{show.camera, {}, show.width, show.height};
-  return show.painter_->draw_labels(*show.stage_, view, is_drawn, labels);
-}
-
-anim::Status Show::rewind(std::size_t moment) {
-  for (std::size_t step = 0; step <= moment; ++step) {
-    if (anim::Status gone = rewind_.go_back(*stage_); !gone) return gone;
-    recorder_.add(RecordedRewind{});
-  }
-  return anim::Done{};
+anim::Status Show::draw_labels(bool is_drawn, render::LabelPicture& labels) {
+  const PaintedView view{camera, {}, width, height};
+  return painter_->draw_labels(*stage_, view, is_drawn, labels);
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
   if (stage_->tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
-  const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
+  const RecordingHeader header{exactly(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
   if (stage_->frame() > 0) stage_->restart();
   rewind_.forget();
@@ -282,7 +328,7 @@ anim::Status Show::start_recording(const std::filesystem::path& file) {
 }
 
 anim::Status Show::begin_anew(const Tuning& tuning) {
-  if (anim::Status applied = apply(tuning); !applied) return applied;
+  if (anim::Status applied = take(Apply{tuning}); !applied) return applied;
   stage_->restart();
   rewind_.forget();
   frozen_camera_.reset();

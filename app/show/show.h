@@ -11,11 +11,10 @@
 
 #include "app/figures/run_figures.h"
 #include "app/live/live_crowd.h"
-#include "app/recording/crowd_file.h"
 #include "app/recording/recorder.h"
+#include "app/request/request.h"
 #include "app/settings/settings.h"
 #include "app/show/camera_guide.h"
-#include "app/show/hands.h"
 #include "app/show/painter.h"
 #include "app/show/starting_characters.h"
 #include "app/stage/rewind.h"
@@ -35,40 +34,19 @@ class Show {
   static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error,
                                       std::unique_ptr<LiveTracks> live = {});
 
-  /// Takes new values at a frame boundary. Another scene brings its own camera. Errors: they cannot be; then nothing
-  /// has changed.
-  anim::Status apply(const Tuning& tuning);
-
-  /// Gives everyone other characters, those of files and folders that came together (load_dropped), at a frame
-  /// boundary; the crowd starts anew. Errors: a file cannot be used, which the error names; then nothing has changed.
-  anim::Status replace_models(std::span<const std::string> files);
-  /// Does the same with characters that are loaded already, 1 to most_models.
+  /// Takes a request at a frame boundary, and records it; nothing else changes the crowd. Another scene brings its own
+  /// camera, and other characters begin the crowd anew. Errors: it cannot be done; then nothing has changed.
+  anim::Status take(const CrowdRequest& request);
+  /// Gives all agents other characters, 1 to most_models, as SetCast does with characters that are loaded already.
   anim::Status replace_characters(std::vector<CharacterSource> characters);
-
-  /// Does the same with the characters of a crowd file. Its values and its camera are for the caller to take.
-  anim::Status replace_crowd(std::span<const CrowdCharacter> characters);
-
-  /// Gives the roles of a character other clips, at a frame boundary.
-  void set_roles(std::size_t character, const RoleClips& clips);
-  /// Gives a character another share of the crowd, least_share to most_share, at a frame boundary.
-  void set_share(std::size_t character, double share);
-  /// Gives a character another size and place, at a frame boundary: it is loaded anew, and the crowd starts anew.
-  /// Roles, orders and shares stay. Returns the seconds that it took. Errors: those of placed_anew() and
-  /// replace_characters(); then nothing has changed.
-  anim::Result<double> set_placement(std::size_t character, const anim::PlacementChoice& choice);
-  /// Does what Stage::set_bone_lod does, and changes what is drawn as well.
-  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
-  /// Does what Stage::set_rig does; moments that were kept are forgotten.
-  anim::Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
-  /// Returns what a person can do to single agents. Ask for it anew each time.
-  Hands hands() { return {*stage_, recorder_, {camera, width, height}}; }
+  /// Shows a recorded crowd in place of all agents, with the characters that are there, at a frame boundary. It begins
+  /// at its first row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory
+  /// lacks; then nothing has changed.
+  anim::Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories);
 
   /// Keeps moments of the crowd from now on, but for frames in which it pauses; that takes memory. A recording and its
   /// replay keep the same ones.
   void keep_moments() { keeps_moments_ = true; }
-  /// Takes the crowd back to a moment, 0 the newest, each time further, by way of all newer ones. Errors: those of
-  /// Rewind::go_back; then it is at the last moment that it came to.
-  anim::Status rewind(std::size_t moment = 0);
   const Rewind& moments() const { return rewind_; }
 
   /// Moves and poses one frame of `delta`; 0 while paused.
@@ -77,6 +55,9 @@ class Show {
   void animate_as(const RecordedFrame& frame);
   /// Draws the frame that was animated last. Errors: those of Painter::draw.
   anim::Status draw();
+  /// Draws which agent is where in the frame that was animated last, whether it was drawn or not. Errors: those of
+  /// render::Renderer::draw_labels.
+  anim::Status draw_labels(bool is_drawn, render::LabelPicture& labels);
 
   /// Shows one character alone from now on: animate() and draw() are about it, and the crowd waits as it is. Errors:
   /// those of Viewer::create; then nothing has changed.
@@ -99,8 +80,12 @@ class Show {
   /// Returns what says whether a recording goes on, and why it had to end, if that is so.
   const Recorder& recorder() const { return recorder_; }
 
-  /// Returns how files of characters are read.
-  const LoadOptions& load_options() const { return load_options_; }
+  /// Returns the crowd whose rows still come; null where there is none.
+  const LiveCrowd* live() const { return live_.get(); }
+  /// Waits, at most so long, for the rows that a frame of a live crowd shows. Returns whether they are there; those of
+  /// other crowds are.
+  bool has_rows_for(anim::Ticks step, std::chrono::milliseconds most);
+
   const Stage& stage() const { return *stage_; }
   Painter& painter() { return *painter_; }
   const Painter& painter() const { return *painter_; }
@@ -117,12 +102,6 @@ class Show {
   std::string notice;
 
  private:
-  friend void set_track_clock(Show& show, const TrackClock& clock);
-  friend anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file);
-  friend anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
-  friend bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
-  friend const LiveCrowd* live_crowd_of(const Show& show);
-  friend anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
   Show() = default;
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
                   StartError& error);
@@ -131,7 +110,22 @@ class Show {
   void take_live_rows(anim::Ticks step);
   bool place_camera(const DemoOptions& options, StartError& error);
   bool follow_from_start(const std::string& name, const DemoOptions& options, StartError& error);
-  anim::Status take(LoadedCast cast);
+  anim::Status carry_out(const Apply& values);
+  anim::Status carry_out(const SetShare& share);
+  anim::Status carry_out(const SetRoles& roles);
+  anim::Status carry_out(const SetBody& body);
+  anim::Status carry_out(const SetBones& bones);
+  anim::Status carry_out(const SetPlacement& placement);
+  anim::Status carry_out(const SetRules& rules);
+  anim::Status carry_out(const LoadModels& models);
+  anim::Status carry_out(const SetCast& cast);
+  anim::Status carry_out(const Select& select);
+  anim::Status carry_out(const Push& push);
+  anim::Status carry_out(const Hold& hold);
+  anim::Status carry_out(const GoBack& back);
+  anim::Status carry_out(const Seek& seek);
+  CrowdRequest as_recorded(const CrowdRequest& request) const;
+  anim::Status cast(anim::Result<LoadedCast> loaded);
   anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                         std::shared_ptr<const Trajectories> trajectories);
   bool begin_viewing(const std::string& clip, StartError& error);
@@ -153,27 +147,5 @@ class Show {
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
 };
-
-/// Takes a recorded crowd to another time, or plays it otherwise, at a frame boundary. Does nothing to other crowds.
-void set_track_clock(Show& show, const TrackClock& clock);
-
-/// Does what set_cast_rules does to a stage.
-anim::Status set_cast_rules(Show& show, std::size_t character, CastRules rules, const std::string& file = {});
-
-/// Draws who is where in the frame that was animated last, whether it was drawn or not. Errors: those of
-/// render::Renderer::draw_labels.
-anim::Status draw_labels(Show& show, bool is_drawn, render::LabelPicture& labels);
-
-/// Returns the crowd whose rows still come; null where there is none.
-inline const LiveCrowd* live_crowd_of(const Show& show) { return show.live_.get(); }
-
-/// Waits, at most so long, for the rows that a frame of a live crowd shows. Returns whether they are there; those of
-/// other crowds are.
-bool has_rows_for(Show& show, anim::Ticks step, std::chrono::milliseconds most);
-
-/// Shows a recorded crowd in place of everybody, with the same characters, at a frame boundary. It begins at its first
-/// row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory lacks; then
-/// nothing has changed.
-anim::Status replace_trajectories(Show& show, std::shared_ptr<const Trajectories> trajectories);
 
 }  // namespace throng::app

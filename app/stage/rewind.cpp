@@ -16,12 +16,13 @@ void Rewind::watch(const Stage& stage) {
   moments_.push_back(std::move(moment));
 }
 
-anim::Status Rewind::go_back(Stage& stage) {
-  if (moments_.empty() || moments_.back()->crowd_number != stage.animated().number()) {
+anim::Status Rewind::go_back(Stage& stage, std::size_t moment) {
+  if (moment >= moments_.size() || moments_.back()->crowd_number != stage.animated().number()) {
     return anim::Error{"there is no earlier moment of this crowd to go back to"};
   }
-  if (anim::Status gone = stage.go_back_to(*moments_.back()); !gone) return gone;
-  moments_.pop_back();
+  const auto wanted = moments_.end() - 1 - static_cast<std::ptrdiff_t>(moment);
+  if (anim::Status gone = stage.go_back_to(**wanted); !gone) return gone;
+  moments_.erase(wanted, moments_.end());
   return anim::Done{};
 }
 

@@ -20,9 +20,9 @@ class Rewind {
   /// crowd. Call it after each frame.
   void watch(const Stage& stage);
 
-  /// Takes the stage back to the newest moment and forgets that moment, so that the next call goes to the one before.
-  /// Errors: there is no moment of this crowd, or the schedule has changed since; then nothing has changed.
-  anim::Status go_back(Stage& stage);
+  /// Takes the stage back to a moment, 0 the newest, and forgets it and all newer ones. Errors: there is no such moment
+  /// of this crowd, or the schedule has changed since; then nothing has changed.
+  anim::Status go_back(Stage& stage, std::size_t moment = 0);
 
   /// Forgets all moments; call it when the crowd has started anew.
   void forget() { moments_.clear(); }

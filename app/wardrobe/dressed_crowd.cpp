@@ -145,7 +145,7 @@ void wear_pattern(render::AgentLook& look, const Tints& tints) {
 }  // namespace
 
 DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning) {
-  const Occasion occasion{.scene = scene_words.at(static_cast<std::size_t>(tuning.scene)),
+  const Occasion occasion{.scene = word_of(tuning.scene),
                           .weather = weather_words.at(static_cast<std::size_t>(tuning.weather)),
                           .seed = tuning.seed};
   std::vector<std::optional<Dresser>> dressers(clothing.size());

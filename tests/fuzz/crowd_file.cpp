@@ -1,6 +1,6 @@
 // Crowd files: what is read is written again, and reads as the same; a small character becomes what the file says.
 
-#include "app/recording/crowd_file.h"
+#include "app/request/crowd_file.h"
 
 #include <cstdlib>
 #include <utility>
@@ -37,7 +37,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto setup = app::read_crowd_file(file.path());
   if (!setup) return 0;
   static_cast<void>(app::entries_of(setup->characters));
-  for (const app::CrowdCharacter& wanted : setup->characters) {
+  for (const app::ChosenCharacter& wanted : setup->characters) {
     app::CharacterSource character = small;
     static_cast<void>(app::become(wanted, character));
   }

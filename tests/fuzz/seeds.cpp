@@ -12,8 +12,8 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
-#include "app/recording/crowd_file.h"
 #include "app/recording/writer.h"
+#include "app/request/crowd_file.h"
 #include "app/settings/preset.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/pack/pack.h"
@@ -35,13 +35,12 @@ anim::Status write_pack_of(const std::filesystem::path& file, int bones, int cli
   return write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-app::RecordedCharacter person() {
+app::ChosenCharacter person() {
   return {.file = "person.glb",
           .fingerprint = "0123456789abcdef",
-          .roles = app::no_clips(),
           .bones = {"hips", "head"},
           .level_counts = {2, 1},
-          .rig = std::vector<app::RigChoice>{{anim::BodyRole::left_foot, "ankle"}}};
+          .rig = {{anim::BodyRole::left_foot, "ankle"}}};
 }
 
 /// Writes a recording with one of everything.
@@ -55,17 +54,21 @@ anim::Status write_recording(const std::filesystem::path& file) {
   writer.add(frame, std::vector<std::uint64_t>{1, 2, 3});
   app::Tuning tuning;
   tuning.agents = 2;
-  writer.add(tuning);
-  writer.add(app::RecordedSelection{1});
-  writer.add(app::RecordedPush{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}});
-  writer.add(app::RecordedRoles{});
-  writer.add(app::RecordedHold{.agent = 2, .seconds = 0.75F});
-  writer.add(app::RecordedRewind{});
-  writer.add(app::RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
-  writer.add(app::RecordedRig{.character = 0, .choices = *person().rig});
-  writer.add(app::RecordedPlacement{.character = 0, .choice = {.scale = 0.01, .up = anim::UpAxis::z}});
-  writer.add(app::RecordedShare{.character = 0, .share = 0.5});
-  writer.add(app::RecordedCharacters{{person(), person()}});
+  const std::vector<app::CrowdRequest> requests{
+      app::Apply{tuning},
+      app::Select{1},
+      app::Push{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}},
+      app::SetRoles{},
+      app::Hold{.agent = 2, .seconds = 0.75F},
+      app::GoBack{},
+      app::SetBones{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}},
+      app::SetBody{.character = 0, .parts = person().rig},
+      app::SetPlacement{.character = 0, .choice = {.scale = 0.01, .up = anim::UpAxis::z}},
+      app::SetRules{},
+      app::SetShare{.character = 0, .share = 0.5},
+      app::LoadModels{{"person.glb"}},
+      app::SetCast{{person(), person()}}};
+  for (const app::CrowdRequest& request : requests) writer.add(request);
   writer.add(frame, std::vector<std::uint64_t>{1, ~0ULL});
   return writer.finish();
 }
@@ -88,9 +91,9 @@ anim::Status write_kept(const std::filesystem::path& folder) {
 /// Writes a crowd file with one of everything, and one of the built-in character alone.
 anim::Status write_crowd_files(const std::filesystem::path& folder) {
   const anim::Skeleton skeleton = anim::synthetic_model(5, 3).skeleton;
-  app::CrowdCharacter plain;
+  app::ChosenCharacter plain;
   plain.file = (folder / "horse.glb").string();
-  const app::CrowdCharacter person{
+  const app::ChosenCharacter person{
       .file = (folder / "models" / "person.glb#tall").string(),
       .share = 3,
       .clip_files = {(folder / "walk.glb").string()},

@@ -104,7 +104,7 @@ class MeshSwitch : public testing::Test {
                              away * render::forward(show_->camera);
     Tuning tuning = show_->stage().tuning();
     tuning.mesh_lod = lod;
-    EXPECT_TRUE(show_->apply(tuning));
+    EXPECT_TRUE(show_->take(Apply{tuning}));
     show_->animate(anim::Ticks{});
     EXPECT_TRUE(show_->draw());
     return show_->painter().renderer().read_image();

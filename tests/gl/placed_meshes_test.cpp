@@ -35,7 +35,7 @@ std::vector<const void*> meshes_of(Show& show) {
 TEST(PlacedMeshes, OfTheOthersStay) {
   const auto show = show_of_three();
   const std::vector<const void*> before = meshes_of(*show);
-  const auto seconds = show->set_placement(1, {.scale = 0.5});
+  const auto seconds = show->take(SetPlacement{1, {.scale = 0.5}});
   ASSERT_TRUE(seconds) << seconds.error().message;
   const std::vector<const void*> after = meshes_of(*show);
   EXPECT_EQ(after[0], before[0]);

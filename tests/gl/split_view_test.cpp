@@ -53,7 +53,7 @@ class SplitView : public testing::Test {
   Image picture(Split split) {
     Tuning tuning = show_->stage().tuning();
     tuning.inspection.split = split;
-    EXPECT_TRUE(show_->apply(tuning));
+    EXPECT_TRUE(show_->take(Apply{tuning}));
     EXPECT_TRUE(show_->draw());
     return show_->painter().renderer().read_image();
   }

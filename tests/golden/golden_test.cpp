@@ -31,7 +31,7 @@ TEST_P(GoldenPicture, DifferenceToTheExactCrowd) {
   expect_golden_picture("split-difference", split_options(GetParam(), Split::difference));
 }
 
-// Targets round poses differently; nobody sees it.
+// Targets round poses differently, by less than a picture shows.
 TEST(GoldenPictureOnEveryTarget, Plaza) {
   for (const anim::Kernels& kernels : anim::runnable_kernels()) {
     SCOPED_TRACE(kernels.target);

@@ -73,6 +73,7 @@ const std::vector<House>& houses() {
         {"view"},
         {"lod"},
         {"report"},
+        {"request"},
         {"overlay/controls"},
         {"overlay"},
         {"stage"},

@@ -8,7 +8,7 @@
 
 #include "app/command_line/options.h"
 #include "app/command_line/options_commands.h"
-#include "app/recording/crowd_file.h"
+#include "app/request/crowd_file.h"
 #include "app/settings/preset.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
@@ -62,7 +62,7 @@ std::string any_preset(const Maker& maker) {
 std::string any_crowd_file(const Maker& maker) {
   app::CrowdSetup setup;
   for (std::uint32_t left = 1 + maker.random.below(3); left > 0; --left) {
-    app::CrowdCharacter& character = setup.characters.emplace_back();
+    app::ChosenCharacter& character = setup.characters.emplace_back();
     character.file = any_model(maker.models, maker.random);
     character.share = static_cast<double>(1 + maker.random.below(9));
     if (maker.random.chance(0.2F)) character.placement.scale = any_number(maker.random, 1e-3, 100.0);

@@ -109,8 +109,8 @@ Fault ShowRounds::replay(const RoundPlace& place, Random& random) {
 
 Fault ShowRounds::rest() {
   // The values first: others may not fit the model.
-  if (const anim::Status applied = show_->apply(rest_tuning()); !applied) return applied.error().message;
-  const anim::Status replaced = show_->replace_models(std::vector<std::string>{models_->built_in});
+  if (const anim::Status applied = show_->take(app::Apply{rest_tuning()}); !applied) return applied.error().message;
+  const anim::Status replaced = show_->take(app::LoadModels{{models_->built_in}});
   if (!replaced) return replaced.error().message;
   show_->width = rest_width;
   show_->height = rest_height;

@@ -41,7 +41,7 @@ render::CameraView view_in(const Json& map) {
   return render::view_of(camera_at(place), map["size"][0].get<float>() / map["size"][1].get<float>());
 }
 
-/// Expects everybody in the grid of 50 to be seen left of and above some place of the picture, in pixels.
+/// Expects all agents of the grid of 50 to be seen left of and above a place of the picture, in pixels.
 void expect_all_within(const Json& map, float right, float bottom) {
   const auto person = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "person");
   ASSERT_TRUE(person);
@@ -116,7 +116,7 @@ TEST_F(CamerasOfAWindow, TurnAboutTheCrowdByADragOfTheMiddleButton) {
 
 TEST_F(CamerasOfAWindow, FollowWhoIsSelected) {
   press("g");
-  EXPECT_FALSE(next_map()["report"]["cameras"]["follows"]) << "nobody is selected";
+  EXPECT_FALSE(next_map()["report"]["cameras"]["follows"]) << "no agent is selected";
   const Crowd crowd(Scene::grid, 50, 1, load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "person")->roles);
   click_at(crowd.positions()[25] + glm::vec3(0.0F, 1.2F, 0.0F));
   wait_for("a selection", [](const Json& map) { return !map["report"]["selected"].is_null(); });

@@ -13,7 +13,7 @@ namespace throng::app {
 /// The pixels of a display, where nothing asks for others.
 inline constexpr glm::ivec2 usual_screen{1400, 900};
 
-/// A display of its own that nobody sees (Xvfb), and what a person does at it (xdotool). It ends with its owner.
+/// An invisible display of its own (Xvfb), and what a person does at it (xdotool). It ends with its owner.
 class Display {
  public:
   /// Starts Xvfb of that size with a free number. Programs at it keep in `folder` what a person keeps.

@@ -36,15 +36,15 @@ TEST_F(LookAtLod, AFrozenCameraDecidesWhileAnotherOneFlies) {
 TEST_F(LookAtLod, HoldingXShowsTheExactCrowd) {
   const Json tuning = next_map()["tuning"];
   hold("x");
-  wait_for("everyone to be posed", [](const Json& map) { return map["report"]["agents_updated"] == 50; });
+  wait_for("all agents to be posed", [](const Json& map) { return map["report"]["agents_updated"] == 50; });
   EXPECT_EQ(next_map()["tuning"], tuning) << "the values stay as they are";
   let_go("x");
   wait_for("level of detail", [](const Json& map) { return map["report"]["agents_updated"] < 50; });
 }
 
-TEST_F(LookAtLod, AForcedIntervalIsEveryones) {
+TEST_F(LookAtLod, AllAgentsHaveAForcedInterval) {
   type_into("Force interval.field", "16");
-  wait_for("everyone in view at interval 16", [](const Json& map) {
+  wait_for("all agents in view at interval 16", [](const Json& map) {
     const Json& counts = map["report"]["agents_by_interval"];
     return counts.size() == 16 && counts[15] == map["report"]["visible"] && map["report"]["visible"] > 0;
   });

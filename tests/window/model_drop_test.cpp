@@ -28,7 +28,7 @@ TEST_F(DroppedModel, MayBeAFolderWhoseSharesAreDragged) {
   });
   EXPECT_EQ(map["report"]["cast"][1]["agents"], 25);
   drag("b.glb", 0.0);
-  wait_for("nobody of the smallest share", [](const Json& now) {
+  wait_for("no agent of the smallest share", [](const Json& now) {
     return now["report"]["cast"][1]["agents"] == 0 && now["report"]["cast"][0]["agents"] == 50;
   });
 }

@@ -1,4 +1,5 @@
-// The first hour of somebody who has not read a word: what a person wants, and the steps in the panel that lead there.
+// The first hour of a person who has not read a word: what the person wants, and the steps in the panel that lead
+// there.
 #include <filesystem>
 #include <string>
 
@@ -23,7 +24,7 @@ class NewUser : public WindowDriver {
 };
 
 // Drop both files. Crowd: Model, the one that is wanted. Everyone is this.
-TEST_F(NewUser, MakesEveryoneOneModel) {
+TEST_F(NewUser, GivesAllAgentsOneModel) {
   drop(folder_of_models({"a.glb", "b.glb"}));
   wait_for("both", [](const Json& map) { return map["report"]["cast"].size() == 2 && map["report"]["drawn"] > 0; });
   click("Model");
@@ -41,13 +42,13 @@ TEST_F(NewUser, FindsWhatLevelOfDetailSaves) {
     return map["frame"] > 30 && map["report"]["agents_updated"] < 60;
   })["report"]["agents_updated"];
   click_in_tab("Rule:off");
-  wait_for("everyone posed", [](const Json& map) { return map["report"]["agents_updated"] == 60; });
+  wait_for("all agents posed", [](const Json& map) { return map["report"]["agents_updated"] == 60; });
   EXPECT_LT(saved, 60);
   click("Rule:budget");
   wait_for("the budget", [](const Json& map) { return map["tuning"]["lod"] == "budget"; });
 }
 
-// Click at somebody. LOD skipping: Selected only, Force interval. The badge says so; a click at it ends it.
+// Click at an agent. LOD skipping: Selected only, Force interval. The badge says so; a click at it ends it.
 TEST_F(NewUser, ForcesOneAgent) {
   select_one_of_the_crowd();
   open_tab("LOD skipping");

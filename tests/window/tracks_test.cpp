@@ -1,4 +1,4 @@
-// A recorded crowd in the window: a person goes to any of its moments, both ways, and looks at somebody.
+// A recorded crowd in the window: the user goes to any of its moments, both ways, and looks at one person.
 #include <fstream>
 #include <string>
 #include <vector>
@@ -66,7 +66,7 @@ TEST_F(TracksInTheWindow, PlayAPartAgainAndAgain) {
   wait_for_tracks("the whole", [](const Json& tracks) { return tracks["first"] == 0.0 && tracks["last"] == 20.0; });
 }
 
-TEST_F(TracksInTheWindow, ShowSomebodyWhoIsClickedAtOverAllTheTime) {
+TEST_F(TracksInTheWindow, ShowAPersonThatIsClickedAtOverTheWholeTime) {
   press("space");
   drag("Tracks.track", 0.5);
   wait_for_tracks("10 s", [](const Json& tracks) { return std::abs(tracks["seconds"].get<double>() - 10.0) < 0.2; });

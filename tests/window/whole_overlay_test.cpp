@@ -90,7 +90,7 @@ class WholeOverlay : public WindowDriver {
     EXPECT_TRUE(next_map()["tuning"]["inspection"]["freeze_camera"].get<bool>());
     click("Freeze LOD camera");
   }
-  void select_somebody_and_scrub() {
+  void select_an_agent_and_scrub() {
     click("tab:Crowd");
     click_in_tab("Scene:grid");
     type_in_tab("Agents.field", "1");
@@ -146,7 +146,7 @@ TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
   ASSERT_NO_FATAL_FAILURE(stop_a_sweep());
   ASSERT_NO_FATAL_FAILURE(look_at_both_crowds());
   ASSERT_NO_FATAL_FAILURE(freeze_and_fly_on());
-  ASSERT_NO_FATAL_FAILURE(select_somebody_and_scrub());
+  ASSERT_NO_FATAL_FAILURE(select_an_agent_and_scrub());
   ASSERT_NO_FATAL_FAILURE(drop_files());
   ASSERT_NO_FATAL_FAILURE(end_the_recording());
   press("Escape");

@@ -12,6 +12,7 @@
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/sockets.h"
 #include "app/figures/statistics.h"
+#include "app/files/byte_hash.h"
 #include "app/settings/choices.h"
 #include "app/stage/stage.h"
 #include "engine/anim/asset/synthetic_model.h"

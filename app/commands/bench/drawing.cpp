@@ -125,7 +125,7 @@ Json description(const Show& show, const DemoOptions& shown) {
           {"crowd_shade", tuning.crowd_shade},
           {"scenery", tuning.scenery},
           {"model", show.stage().people().front().name},
-          {"scene", scene_words.at(static_cast<std::size_t>(tuning.scene))},
+          {"scene", word_of(tuning.scene)},
           {"camera", shown.camera_name.empty() && !shown.camera ? "front" : shown.camera_name},
           {"error_px", tuning.error_px}};
 }

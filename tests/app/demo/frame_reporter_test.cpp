@@ -38,7 +38,7 @@ TEST_F(ReportedShow, KnowsWhatMakesValuesIdle) {
   EXPECT_TRUE(report_.situation.can_pack);
   EXPECT_EQ(report_.situation.bone_levels, 3);
   EXPECT_EQ(report_.situation.mesh_levels, 1) << "nothing is drawn";
-  show_->hands().select(3);
+  EXPECT_TRUE(show_->take(Select{3}));
   pass(1, 10);
   EXPECT_TRUE(report_.situation.selected);
 }
@@ -48,9 +48,7 @@ TEST_F(ReportedShow, ShowsASlowFrameAfterItHasPassed) {
   pass(1, 200);
   const int slow = report_.frame;
   pass(40, 10);
-  OverlayCommands commands;
-  commands.look_at_frame = slow + 1;
-  reporter_.look_at(commands);
+  reporter_.look_at(slow + 1);
   pass(1, 10);
   ASSERT_TRUE(report_.kept.looked_at);
   const FrameDetails& frame = *report_.kept.looked_at;
@@ -60,9 +58,7 @@ TEST_F(ReportedShow, ShowsASlowFrameAfterItHasPassed) {
   EXPECT_GT(frame.tiles(), 0U);
   EXPECT_EQ(frame.pu.size(), 2U);
   EXPECT_EQ(frame.timeline.lanes.size(), 2U);
-  commands = {};
-  commands.look_at_last_frames = true;
-  reporter_.look_at(commands);
+  reporter_.look_at_last();
   pass(1, 10);
   EXPECT_FALSE(report_.kept.looked_at);
 }

@@ -102,7 +102,7 @@ TEST(Framing, FillsItWithCharactersOfFiveCentimetres) {
   for (const char* const agents : {"1", "20"}) {
     SCOPED_TRACE(agents);
     const auto show = test::show_of(test::demo("--agents " + std::string(agents)));
-    ASSERT_TRUE(show->set_placement(0, {.scale = 0.028}));
+    ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 0.028}}));
     const FramedBox box = boxes_of(show->stage()).front();
     ASSERT_LT(box.high.y - box.low.y, 0.08F) << "arms reach above the head";
     expect_framed(*show);
@@ -111,7 +111,7 @@ TEST(Framing, FillsItWithCharactersOfFiveCentimetres) {
 
 TEST(Framing, FillsItWithAgentsOfSeventyNineMetres) {
   const auto show = test::show_of(test::demo("--agents 20"));
-  ASSERT_TRUE(show->set_placement(0, {.scale = 44}));
+  ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 44}}));
   ASSERT_GT(boxes_of(show->stage()).front().high.y, 60.0F);
   expect_framed(*show);
 }

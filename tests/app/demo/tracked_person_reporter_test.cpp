@@ -23,7 +23,7 @@ class ReportedPerson : public test::TemporaryFolder {
     show_ = test::show_of(test::demo("--trajectories " + walk.string()));
   }
   std::shared_ptr<const TrackedPerson> report_of(std::uint32_t agent) {
-    show_->hands().select(agent);
+    EXPECT_TRUE(show_->take(Select{agent}));
     return reporter_.report(show_->stage());
   }
 

@@ -18,9 +18,9 @@ using test::sixtieth;
 class CameraOfAWindow : public testing::Test {
  protected:
   /// Lets a frame pass in which the person asks for that.
-  void frame(const CameraCommands& commands = {}, const InputFrame& input = {}) {
+  void frame(const std::optional<CameraRequest>& request = {}, const InputFrame& input = {}) {
     camera_.steer(*show_, input, {}, 1.0F / 60);
-    camera_.obey(commands, *show_);
+    if (request) camera_.take(*request, *show_);
     pass();
   }
   void pass() {
@@ -86,32 +86,32 @@ TEST_F(CameraOfAWindow, IsTakenFromTheFilmByFlyingAndGivenBackAtHome) {
   EXPECT_FALSE(report().films);
   EXPECT_TRUE(report().can_film);
   EXPECT_NE(camera_.camera(), show_->stage().animated().cut_scene()->film());
-  frame({.named = 1});
-  frame({.home = true});
+  frame(GoToCamera{1});
+  frame(GoHome{});
   EXPECT_TRUE(report().films);
   EXPECT_EQ(camera_.camera(), show_->stage().animated().cut_scene()->film()) << "its field of view too";
 }
 
 TEST_F(CameraOfAWindow, GoesHomeAndToTheNamedCamerasOfTheScene) {
   for (std::size_t i = scene_camera_names(Scene::plaza).size(); i-- > 0;) {
-    frame({.named = i});
+    frame(GoToCamera{i});
     EXPECT_EQ(camera_.camera(), named(i)) << i;
   }
   frame({}, flying());
   EXPECT_NE(camera_.camera(), named(0));
-  frame({.home = true});
+  frame(GoHome{});
   EXPECT_EQ(camera_.camera(), named(0));
 }
 
 TEST_F(CameraOfAWindow, GoesBackToPlacesThatWereKept) {
-  frame({.named = 2});
-  frame({.keep_bookmark = 4});
+  frame(GoToCamera{2});
+  frame(KeepBookmark{4});
   EXPECT_TRUE(report().kept[4]);
   EXPECT_FALSE(report().kept[3]);
-  frame({.home = true});
-  frame({.go_to_bookmark = 3});
+  frame(GoHome{});
+  frame(GoToBookmark{3});
   EXPECT_EQ(camera_.camera(), named(0)) << "nothing was kept there";
-  frame({.go_to_bookmark = 4});
+  frame(GoToBookmark{4});
   EXPECT_LT(glm::distance(camera_.camera().position, named(2).position), 1e-4F);
   EXPECT_NEAR(camera_.camera().yaw, named(2).yaw, 1e-5F);
 }
@@ -124,7 +124,7 @@ TEST_F(CameraOfAWindow, TurnsAboutTheCrowdOrTheSelectedAgent) {
   EXPECT_NEAR(distance_to(middle), before, 1e-3F);
   EXPECT_LT(camera_.camera().yaw, yaw);
 
-  show_->hands().select(7);
+  EXPECT_TRUE(show_->take(Select{7}));
   const UprightBody body = show_->stage().animated().body_of(7);
   const glm::vec3 chest = body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
   const float from_agent = distance_to(chest);
@@ -138,18 +138,18 @@ TEST_F(CameraOfAWindow, TurnsAboutTheCrowdOrTheSelectedAgent) {
 }
 
 TEST_F(CameraOfAWindow, FollowsTheSelectedAgentUntilAskedAgain) {
-  show_->hands().select(0);
-  frame({.change_follow = true});
+  EXPECT_TRUE(show_->take(Select{0}));
+  frame(ToggleFollow{});
   EXPECT_TRUE(report().follows);
   const glm::vec3 offset = camera_.camera().position - show_->stage().crowd().positions()[0];
   for (int i = 0; i < 60; ++i) frame();
   EXPECT_LT(glm::distance(camera_.camera().position - show_->stage().crowd().positions()[0], offset), 1e-3F);
-  frame({.change_follow = true});
+  frame(ToggleFollow{});
   EXPECT_FALSE(report().follows);
 }
 
-TEST_F(CameraOfAWindow, FliesAsFastAsItIsTold) {
-  frame({.fly_speed = 20.0F});
+TEST_F(CameraOfAWindow, FliesAtItsSpeed) {
+  frame(SetFlySpeed{20.0F});
   EXPECT_EQ(report().fly_speed, 20.0F);
   const glm::vec3 before = camera_.camera().position;
   camera_.steer(*show_, flying(), {}, 0.5F);
@@ -163,12 +163,12 @@ TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {
 }
 
 TEST_F(CameraOfAWindow, TakesThePlacesThatAFileHasKept) {
-  frame({.keep_bookmark = 0});
+  frame(KeepBookmark{0});
   CameraBookmarks kept;
   kept[2] = CameraPlace{.x = 7};
   camera_.take_bookmarks(kept);
   EXPECT_FALSE(report().kept[0]) << "that of the crowd before";
-  frame({.go_to_bookmark = 2});
+  frame(GoToBookmark{2});
   EXPECT_EQ(camera_.place().x, 7);
   EXPECT_EQ(camera_.bookmarks(), kept);
 }

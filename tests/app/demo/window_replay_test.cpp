@@ -25,14 +25,14 @@ void reorder_bones(Show& show) {
   std::vector<int> parents;
   for (const anim::Bone& bone : skeleton.bones) parents.push_back(bone.parent);
   const BoneLodChoice present = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
-  expect_done(show.set_bone_lod(0, with_bone_moved(parents, present, parents.size() - 1, 3)));
+  expect_done(show.take(SetBones{0, with_bone_moved(parents, present, parents.size() - 1, 3)}));
 }
 
 /// What somebody does before each of 60 frames: everything that a replay has to take back to begin anew.
 void act(Show& show, int frame) {
   show.camera.position.x += 0.02F;
-  if (frame == 10) show.hands().select(3);
-  if (frame == 12) expect_done(show.hands().push_selected());
+  if (frame == 10) test::ask(show, Select{3});
+  if (frame == 12) expect_done(show.take(test::push_of_selected(show)));
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.agents = 25; });
   if (frame == 25) change(show, [](Tuning& tuning) { tuning.paused = true; });
   if (frame == 28) change(show, [](Tuning& tuning) { tuning.paused = false; });
@@ -40,7 +40,7 @@ void act(Show& show, int frame) {
   if (frame == 40) {
     RoleClips clips = show.stage().people()[0].roles.clips;
     clips[index_of(Role::walk)] = clips[index_of(Role::run)];
-    show.set_roles(0, clips);
+    EXPECT_TRUE(show.take(SetRoles{0, clips}));
   }
   if (frame == 50) reorder_bones(show);
 }
@@ -64,7 +64,7 @@ class ReplayInAWindow : public test::RecordedRun {
     for (int i = 0; i < frames; ++i) window_->advance(*show_, a_frame);
   }
   void go_to(std::uint64_t frame) {
-    window_->obey({.go_to = frame});
+    window_->take(SeekReplay{frame});
     for (int i = 0; i < 1000 && now().sought; ++i) pass();
   }
   void pass_until_the_end() {
@@ -113,7 +113,7 @@ TEST_F(ReplayInAWindow, GoesToAnyFrameForthAndBack) {
 TEST_F(ReplayInAWindow, GoesBackToTheCharactersThatWereThereBeforeOthersCame) {
   open(30, [](Show& show, int frame) {
     const std::string other = THRONG_SOURCE_DIR "/tests/data/features/linear-trs.glb";
-    if (frame == 10) expect_done(show.replace_models({&other, 1}));
+    if (frame == 10) expect_done(show.take(LoadModels{{other}}));
   });
   for (const std::uint64_t frame : {30U, 5U, 20U, 1U, 30U}) {
     go_to(frame);
@@ -125,16 +125,16 @@ TEST_F(ReplayInAWindow, GoesBackToTheCharactersThatWereThereBeforeOthersCame) {
 TEST_F(ReplayInAWindow, PausesAndGoesFrameByFrame) {
   open();
   go_to(20);
-  window_->obey({.change_pause = true});
+  window_->take(ToggleReplayPause{});
   pass(30);
   EXPECT_EQ(now().frame, 20U);
   for (const int step : {1, 1, -1}) {
-    window_->obey({.step = step});
+    window_->take(StepReplay{step});
     for (int i = 0; i < 1000 && now().sought; ++i) pass();
   }
   EXPECT_EQ(now().frame, 21U);
   EXPECT_TRUE(now().paused);
-  window_->obey({.change_pause = true});
+  window_->take(ToggleReplayPause{});
   pass(10);
   EXPECT_GT(now().frame, 25U);
 }
@@ -142,7 +142,7 @@ TEST_F(ReplayInAWindow, PausesAndGoesFrameByFrame) {
 TEST_F(ReplayInAWindow, StopsAtAStep) {
   open();
   pass(5);
-  window_->obey({.step = 1});
+  window_->take(StepReplay{1});
   pass(20);
   EXPECT_TRUE(now().paused);
   EXPECT_LT(now().frame, 10U);
@@ -153,7 +153,7 @@ TEST_F(ReplayInAWindow, PlaysAtTheSpeedOfTheRecordingOrAnother) {
   pass();
   const auto frames_in = [&](float speed, int window_frames) {
     go_to(1);
-    window_->obey({.speed = speed});
+    window_->take(SetReplaySpeed{speed});
     pass(window_frames);
     return static_cast<double>(now().frame) - 1;
   };
@@ -164,7 +164,7 @@ TEST_F(ReplayInAWindow, PlaysAtTheSpeedOfTheRecordingOrAnother) {
 
 TEST_F(ReplayInAWindow, BeginsAnewAtItsEndIfItLoops) {
   open();
-  window_->obey({.change_loop = true});
+  window_->take(ToggleReplayLoop{});
   pass_until_the_end();
   pass(5);
   EXPECT_LT(now().frame, 20U);
@@ -175,7 +175,7 @@ TEST_F(ReplayInAWindow, BeginsAnewAtItsEndIfItLoops) {
 TEST_F(ReplayInAWindow, BeginsAnewWhenToldToPlayAtItsEnd) {
   open();
   pass_until_the_end();
-  window_->obey({.change_pause = true});
+  window_->take(ToggleReplayPause{});
   pass(5);
   EXPECT_LT(now().frame, 20U);
   EXPECT_FALSE(now().paused);

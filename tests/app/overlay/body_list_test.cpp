@@ -31,7 +31,7 @@ struct BodyList : testing::Test {
     driver.click("Show parts");
     scroll_down();
   }
-  OverlayCommands choose(const std::string& part, const std::string& bone) {
+  Requests choose(const std::string& part, const std::string& bone) {
     driver.click(part);
     return driver.click(part + ":" + bone);
   }
@@ -59,10 +59,10 @@ TEST_F(BodyList, ClosesTheBonesByEscapeAndChoosesNone) {
   open();
   driver.click("Right foot");
   ASSERT_TRUE(driver.sees("Right foot:ankle"));
-  const OverlayCommands commands = driver.press(Key::escape);
-  EXPECT_FALSE(commands.quit || commands.body);
+  const Requests requests = driver.press(Key::escape);
+  EXPECT_FALSE(asks<Quit>(requests) || asks<SetBody>(requests));
   EXPECT_FALSE(driver.sees("Right foot:ankle"));
-  EXPECT_TRUE(driver.press(Key::escape).quit) << "with nothing open";
+  EXPECT_TRUE(asks<Quit>(driver.press(Key::escape))) << "with nothing open";
 }
 
 TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
@@ -77,29 +77,29 @@ TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
 
 TEST_F(BodyList, AsksForTheChosenBoneBesideWhatWasSaidBefore) {
   driver.report.body.said = {{Part::right_toes, "#12"}};
+  driver.report.characters = {"a.glb", "b.glb"};
+  driver.report.character = 1;
+  scroll_down();
   open();
-  const OverlayCommands chosen = choose("Right foot", "ankle");
-  ASSERT_TRUE(chosen.body);
-  EXPECT_EQ(chosen.body->choices, (std::vector<RigChoice>{{Part::right_foot, "ankle"}, {Part::right_toes, "#12"}}));
-  EXPECT_EQ(chosen.body->changed, Part::right_foot);
+  const auto chosen = asked<SetBody>(choose("Right foot", "ankle"));
+  EXPECT_EQ(chosen.character, 1U);
+  EXPECT_EQ(chosen.parts, (std::vector<RigChoice>{{Part::right_foot, "ankle"}, {Part::right_toes, "#12"}}));
 }
 
 TEST_F(BodyList, GoesBackToTheGuessOfOnePartOrOfAll) {
   driver.report.body.said = {{Part::right_foot, "ankle"}, {Part::right_toes, "#12"}};
   open();
-  const OverlayCommands guessed = choose("Right toes", "guessed: none");
-  ASSERT_TRUE(guessed.body);
-  EXPECT_EQ(guessed.body->choices, (std::vector<RigChoice>{{Part::right_foot, "ankle"}}));
-  const OverlayCommands all = driver.click("Reset body");
-  ASSERT_TRUE(all.body);
-  EXPECT_TRUE(all.body->choices.empty());
-  EXPECT_FALSE(all.save_body);
-  EXPECT_TRUE(driver.click("Save body").save_body);
+  const auto guessed = asked<SetBody>(choose("Right toes", "guessed: none"));
+  EXPECT_EQ(guessed.parts, (std::vector<RigChoice>{{Part::right_foot, "ankle"}}));
+  const Requests all = driver.click("Reset body");
+  EXPECT_TRUE(asked<SetBody>(all).parts.empty());
+  EXPECT_FALSE(asks<SaveBody>(all));
+  EXPECT_TRUE(asks<SaveBody>(driver.click("Save body")));
 }
 
 TEST_F(BodyList, HasNothingToTakeBackBeforeAPersonSaysSomething) {
   open();
-  EXPECT_FALSE(driver.click("Reset body").body);
+  EXPECT_FALSE(asks<SetBody>(driver.click("Reset body")));
 }
 
 TEST_F(BodyList, ShowsARefusalBesideThePartThatItIsAbout) {

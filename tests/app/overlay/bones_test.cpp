@@ -1,4 +1,4 @@
-// The list of bones: searched, dragged, taken back; and the lines at which levels end.
+// The list of bones, which is searched and dragged, and the lines at which levels end.
 #include <string>
 #include <vector>
 
@@ -45,45 +45,47 @@ TEST_F(BoneListTest, HasEveryBoneAndTheLineWhereEachLevelEnds) {
 }
 
 TEST_F(BoneListTest, ABoneIsDraggedToAnotherPlace) {
-  const OverlayCommands moved = driver.drag_to("Bone 2", "Bone 1");
-  ASSERT_TRUE(moved.bone_lod);
-  EXPECT_EQ(moved.bone_lod->bones, (std::vector<int>{0, 2, 1, 3, 4}));
-  EXPECT_EQ(moved.bone_lod->level_counts, (std::vector<int>{5, 3, 1}));
+  const auto moved = asked<SetBones>(driver.drag_to("Bone 2", "Bone 1"));
+  EXPECT_EQ(moved.character, 0U);
+  EXPECT_EQ(moved.choice.bones, (std::vector<int>{0, 2, 1, 3, 4}));
+  EXPECT_EQ(moved.choice.level_counts, (std::vector<int>{5, 3, 1}));
 }
 
 TEST_F(BoneListTest, TheBorderOfALevelIsDraggedToABone) {
-  const OverlayCommands moved = driver.drag_to("Border 1", "Bone 3");
-  ASSERT_TRUE(moved.bone_lod);
-  EXPECT_EQ(moved.bone_lod->level_counts, (std::vector<int>{5, 4, 1}));
-  EXPECT_EQ(moved.bone_lod->bones, (std::vector<int>{0, 1, 2, 3, 4}));
+  const auto moved = asked<SetBones>(driver.drag_to("Border 1", "Bone 3"));
+  EXPECT_EQ(moved.choice.level_counts, (std::vector<int>{5, 4, 1}));
+  EXPECT_EQ(moved.choice.bones, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST_F(BoneListTest, WhatIsLetGoWhereItWasChangesNothing) {
-  EXPECT_FALSE(driver.drag_to("Bone 2", "Bone 2").bone_lod);
-  EXPECT_FALSE(driver.click("Undo").bone_lod) << "there is nothing to take back";
+TEST_F(BoneListTest, ABoneThatIsLetGoInItsOwnPlaceChangesNothing) {
+  EXPECT_FALSE(asks<SetBones>(driver.drag_to("Bone 2", "Bone 2")));
 }
 
-TEST_F(BoneListTest, AChangeIsTakenBackOnce) {
-  driver.drag_to("Bone 2", "Bone 1");
-  const OverlayCommands undone = driver.click("Undo");
-  ASSERT_TRUE(undone.bone_lod);
-  EXPECT_EQ(undone.bone_lod->bones, (std::vector<int>{0, 2, 1, 3, 4})) << "the two change places again";
-  EXPECT_FALSE(driver.click("Undo").bone_lod);
+TEST_F(BoneListTest, UndoIsAskedForOnlyWhereTheLastChangeWasOneOfBones) {
+  EXPECT_FALSE(asks<Undo>(driver.click("Undo")));
+  ASSERT_NE(driver.overlay.ui_map().why_idle("Undo"), nullptr);
+  EXPECT_EQ(*driver.overlay.ui_map().why_idle("Undo"), "the last change was none of bones");
+  driver.report.can_undo_bones = true;
+  driver.frames();
+  EXPECT_EQ(driver.overlay.ui_map().why_idle("Undo"), nullptr);
+  const Requests undone = driver.click("Undo");
+  EXPECT_TRUE(asks<Undo>(undone));
+  EXPECT_FALSE(asks<SetBones>(undone)) << "the order of before is kept elsewhere";
 }
 
-TEST_F(BoneListTest, ASearchShowsWhatHasItInItsName) {
+TEST_F(BoneListTest, ASearchShowsTheBonesWhoseNamesHaveIt) {
   driver.click("Search.field");
   driver.type("SHIN");
   driver.frames();
   EXPECT_FALSE(driver.sees("Bone 1"));
   EXPECT_TRUE(driver.sees("Bone 3"));
   EXPECT_TRUE(driver.sees("Bone 4"));
-  EXPECT_FALSE(driver.drag_to("Bone 4", "Bone 3").bone_lod) << "rows in between are not seen";
+  EXPECT_FALSE(asks<SetBones>(driver.drag_to("Bone 4", "Bone 3"))) << "rows in between are not seen";
 }
 
 TEST_F(BoneListTest, IsSavedAndExported) {
-  EXPECT_TRUE(driver.click("Save order").save_bone_lod);
-  EXPECT_TRUE(driver.click("Export LOD").export_lod);
+  EXPECT_TRUE(asks<SaveBones>(driver.click("Save order")));
+  EXPECT_TRUE(asks<ExportLod>(driver.click("Export LOD")));
 }
 
 TEST_F(BoneListTest, ALevelIsPreviewed) {
@@ -93,15 +95,6 @@ TEST_F(BoneListTest, ALevelIsPreviewed) {
   driver.frames();
   driver.click("Preview level:2");
   EXPECT_EQ(driver.tuning.inspection.forced_bone_level, 2);
-}
-
-TEST(BoneOrderEdit, TakenBackIsTheInverse) {
-  const BoneLodChoice choice{.bones = {2, 0, 3, 1}, .level_counts = {4, 2}};
-  const BoneLodChoice back = taken_back(choice, {4, 3});
-  for (std::size_t place = 0; place < 4; ++place) {
-    EXPECT_EQ(choice.bones[static_cast<std::size_t>(back.bones[place])], static_cast<int>(place));
-  }
-  EXPECT_EQ(back.level_counts, (std::vector<int>{4, 3}));
 }
 
 TEST(BoneOrderEdit, BordersStayInOrderAndNoLevelIsEmpty) {

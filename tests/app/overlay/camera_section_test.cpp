@@ -17,8 +17,8 @@ class CameraSection : public testing::Test {
     person_.input.push({.kind = InputEvent::Kind::wheel, .wheel = -5});
     person_.frames();
   }
-  CameraCommands click(const std::string& widget) { return person_.click(widget).cameras; }
-  CameraCommands press(Key key) { return person_.press(key).cameras; }
+  Requests click(const std::string& widget) { return person_.click(widget); }
+  Requests press(Key key) { return person_.press(key); }
 
   OverlayDriver person_;
 };
@@ -26,47 +26,49 @@ class CameraSection : public testing::Test {
 TEST_F(CameraSection, GoesHomeAndToEachCameraOfTheScene) {
   const auto names = scene_camera_names(person_.tuning.scene);
   ASSERT_GT(names.size(), 4U);
-  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(click(names[i]).named, i) << names[i];
-  EXPECT_TRUE(click("Home").home);
-  EXPECT_TRUE(press(Key::home).home);
-  EXPECT_TRUE(person_.click("Frame crowd").frame_crowd);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(asked<GoToCamera>(click(names[i])).camera, i) << names[i];
+  }
+  EXPECT_TRUE(asks<GoHome>(click("Home")));
+  EXPECT_TRUE(asks<GoHome>(press(Key::home)));
+  EXPECT_TRUE(asks<FrameCrowd>(click("Frame crowd")));
 }
 
-TEST_F(CameraSection, FollowsWhoIsSelectedAndNobodyElse) {
-  EXPECT_FALSE(click("Follow").change_follow);
-  EXPECT_FALSE(press(Key::g).change_follow);
+TEST_F(CameraSection, FollowsASelectedAgentOnly) {
+  EXPECT_FALSE(asks<ToggleFollow>(click("Follow")));
+  EXPECT_FALSE(asks<ToggleFollow>(press(Key::g)));
   person_.report.selected.emplace();
   person_.frames();
-  EXPECT_TRUE(click("Follow").change_follow);
-  EXPECT_TRUE(press(Key::g).change_follow);
+  EXPECT_TRUE(asks<ToggleFollow>(click("Follow")));
+  EXPECT_TRUE(asks<ToggleFollow>(press(Key::g)));
   person_.report.cameras.follows = true;
   person_.frames();
-  EXPECT_TRUE(click("Stop following").change_follow);
+  EXPECT_TRUE(asks<ToggleFollow>(click("Stop following")));
 }
 
 TEST_F(CameraSection, KeepsAPlaceAtTheFirstClickAndGoesThereAtTheNext) {
-  EXPECT_EQ(click("Bookmark 3").keep_bookmark, 2U);
+  EXPECT_EQ(asked<KeepBookmark>(click("Bookmark 3")).place, 2U);
   person_.report.cameras.kept[2] = true;
-  const CameraCommands again = click("Bookmark 3");
-  EXPECT_EQ(again.go_to_bookmark, 2U);
-  EXPECT_FALSE(again.keep_bookmark);
+  const Requests again = click("Bookmark 3");
+  EXPECT_EQ(asked<GoToBookmark>(again).place, 2U);
+  EXPECT_FALSE(asks<KeepBookmark>(again));
   person_.hold(Key::control);
-  EXPECT_EQ(click("Bookmark 3").keep_bookmark, 2U);
+  EXPECT_EQ(asked<KeepBookmark>(click("Bookmark 3")).place, 2U);
 }
 
 TEST_F(CameraSection, HasKeysForBookmarks) {
-  EXPECT_EQ(press(Key::digit_1).go_to_bookmark, 0U);
-  EXPECT_EQ(press(Key::digit_9).go_to_bookmark, 8U);
+  EXPECT_EQ(asked<GoToBookmark>(press(Key::digit_1)).place, 0U);
+  EXPECT_EQ(asked<GoToBookmark>(press(Key::digit_9)).place, 8U);
   person_.hold(Key::control);
-  const CameraCommands kept = press(Key::digit_4);
-  EXPECT_EQ(kept.keep_bookmark, 3U);
-  EXPECT_FALSE(kept.go_to_bookmark);
+  const Requests kept = press(Key::digit_4);
+  EXPECT_EQ(asked<KeepBookmark>(kept).place, 3U);
+  EXPECT_FALSE(asks<GoToBookmark>(kept));
 }
 
 TEST_F(CameraSection, SetsTheFlyingSpeed) {
   person_.click("Flying speed.field");
   person_.type("25");
-  EXPECT_EQ(press(Key::enter).fly_speed, 25.0F);
+  EXPECT_EQ(asked<SetFlySpeed>(press(Key::enter)).speed, 25.0F);
 }
 
 TEST_F(CameraSection, LeavesADragWithAltToTheCamera) {
@@ -75,7 +77,7 @@ TEST_F(CameraSection, LeavesADragWithAltToTheCamera) {
   person_.frames();
   person_.input.push({.kind = InputEvent::Kind::button, .down = true});
   person_.input.push({.kind = InputEvent::Kind::button, .down = false});
-  EXPECT_FALSE(person_.frames().select_at) << "it turns the camera and selects nobody";
+  EXPECT_FALSE(asks<SelectAt>(person_.frames())) << "it turns the camera and selects no agent";
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // The cast in the Crowd tab.
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/character/cast_entry.h"
 #include "tests/app/overlay/overlay_driver.h"
 
 namespace throng::app::cast_rows_test {
@@ -16,19 +18,25 @@ TEST(CastRows, ShowAndChangeTheShareOfEachCharacter) {
   EXPECT_TRUE(driver.sees("person.glb.label"));
   EXPECT_TRUE(driver.sees("2 knight.glb.label")) << "names that two have are told apart";
   EXPECT_TRUE(driver.sees("3 knight.glb.label"));
-  const OverlayCommands dragged = driver.click("2 knight.glb");  // the middle of 0.01 to 100 is 1
-  ASSERT_TRUE(dragged.share);
-  EXPECT_EQ(dragged.share->character, 1U);
-  EXPECT_NEAR(dragged.share->share, 1.0, 0.1);
+  const auto dragged = asked<SetShare>(driver.click("2 knight.glb"));  // the middle of 0.01 to 100 is 1
+  EXPECT_EQ(dragged.character, 1U);
+  EXPECT_NEAR(dragged.share, 1.0, 0.1);
 }
 
 TEST(CastRows, GiveAllPlacesToTheModelThatIsShown) {
   OverlayDriver driver;
-  driver.report.characters = {"person.glb", "knight.glb"};
-  driver.report.cast.resize(2);
+  driver.report.characters = {"person.glb", "knight.glb", "dog.glb"};
+  driver.report.cast.resize(3);
   driver.report.character = 1;
   driver.frames();
-  EXPECT_EQ(driver.click("Everyone is this").everyone, 1U);
+  std::vector<SetShare> shares;
+  for (const Request& request : driver.click("Everyone is this")) {
+    if (const auto* const share = as<SetShare>(request)) shares.push_back(*share);
+  }
+  ASSERT_EQ(shares.size(), 3U) << "one for each character";
+  for (const SetShare& share : shares) {
+    EXPECT_EQ(share.share, share.character == 1 ? most_share : least_share) << share.character;
+  }
 }
 
 TEST(CastRows, GoBackToTheShareThatTheCastWasLoadedWith) {
@@ -37,9 +45,9 @@ TEST(CastRows, GoBackToTheShareThatTheCastWasLoadedWith) {
   driver.report.cast = {{.share = 3, .starting_share = 3}, {.share = 5, .starting_share = 2}};
   driver.frames();
   EXPECT_FALSE(driver.sees("person.glb.reset"));
-  const OverlayCommands reset = driver.click("knight.glb.reset");
-  ASSERT_TRUE(reset.share);
-  EXPECT_EQ(reset.share->share, 2.0);
+  const auto reset = asked<SetShare>(driver.click("knight.glb.reset"));
+  EXPECT_EQ(reset.character, 1U);
+  EXPECT_EQ(reset.share, 2.0);
 }
 
 }  // namespace

@@ -25,10 +25,9 @@ TEST(GaitRoles, AreShownWhenAskedForAndHiddenAgain) {
     EXPECT_TRUE(driver.sees(role)) << role;
   }
   driver.click("Step left");
-  const OverlayCommands picked = driver.click("Step left:Running_A");
-  ASSERT_TRUE(picked.viewer.view);
-  ASSERT_TRUE(picked.viewer.view->preview);
-  EXPECT_EQ(picked.viewer.view->preview->role, Role::step_left);
+  const ViewRequest picked = asked<View>(driver.click("Step left:Running_A")).what;
+  ASSERT_TRUE(picked.preview);
+  EXPECT_EQ(picked.preview->role, Role::step_left);
   ASSERT_TRUE(driver.sees("Hide gaits"));
   driver.click("Hide gaits");
   EXPECT_FALSE(driver.sees("Step left"));

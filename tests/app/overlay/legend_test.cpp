@@ -134,7 +134,7 @@ TEST_F(Legends, OfAMeasureHaveTheColoursThatPeopleHave) {
   EXPECT_EQ(debug_color(tuning, {.measure = 9.0F}), ramp.colors.back());
 }
 
-TEST_F(Legends, SayThatNobodyAppearsWhereNoFileIsPlayed) {
+TEST_F(Legends, OfPresenceSayThatItHasNoEffectWhereNoFileIsPlayed) {
   EXPECT_THAT(legend_of_view(DebugView::presence).notes, ElementsAre(testing::StartsWith("No effect")));
   tuning.scene = Scene::tracks;
   EXPECT_THAT(legend_of_view(DebugView::presence).notes, IsEmpty());

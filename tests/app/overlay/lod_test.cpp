@@ -73,7 +73,7 @@ TEST_F(LodSkippingTab, OffersNoLevelThatTheCharacterDoesNotHave) {
   driver.frames();
   EXPECT_TRUE(driver.sees("Force level:1"));
   EXPECT_FALSE(driver.sees("Force level:2"));
-  EXPECT_EQ(look.forced_bone_level, 3) << "nobody touched it";
+  EXPECT_EQ(look.forced_bone_level, 3) << "the person did not touch it";
 }
 
 TEST_F(LodSkippingTab, AnIntervalCannotBeForcedWhereNothingIsSkipped) {
@@ -205,10 +205,10 @@ TEST(ExactCrowd, IsAskedForWhileXIsHeldButNotWhileTyping) {
   OverlayDriver driver;
   const auto hold_x = [&](bool down) {
     driver.input.push({.kind = InputEvent::Kind::key, .key = Key::x, .down = down});
-    return driver.frames(2).exact_crowd;
+    return asks<ShowExactCrowd>(driver.frames(2));
   };
   EXPECT_TRUE(hold_x(true));
-  EXPECT_TRUE(driver.frames(2).exact_crowd) << "still held";
+  EXPECT_TRUE(asks<ShowExactCrowd>(driver.frames(2))) << "still held";
   EXPECT_FALSE(hold_x(false));
   driver.click("Agents.field");
   EXPECT_FALSE(hold_x(true)) << "a letter";

@@ -27,32 +27,27 @@ TEST_F(ModelSection, AsksForASizeOnceItIsLetGo) {
   driver.point_at("Height", 0.5F);
   driver.button(true);
   driver.point_at("Height", 0.9F);
-  EXPECT_FALSE(driver.frames().placement) << "it is loaded anew, which takes time";
+  EXPECT_FALSE(asks<SetPlacement>(driver.frames())) << "it is loaded anew, which takes time";
   driver.button(false);
-  const auto asked = driver.frames().placement;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->character, 0U);
-  ASSERT_TRUE(asked->choice.scale);
-  EXPECT_GT(*asked->choice.scale, 0.01);
+  const auto placed = asked<SetPlacement>(driver.frames());
+  EXPECT_EQ(placed.character, 0U);
+  ASSERT_TRUE(placed.choice.scale);
+  EXPECT_GT(*placed.choice.scale, 0.01);
 }
 
 TEST_F(ModelSection, AsksForAnAxisAndAGround) {
-  auto asked = driver.click("Up axis:z").placement;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->choice, (anim::PlacementChoice{.up = anim::UpAxis::z}));
-  driver.report.placement.choice = asked->choice;
-  asked = driver.click("Ground:feet").placement;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->choice, (anim::PlacementChoice{.up = anim::UpAxis::z, .ground = anim::GroundRule::feet}));
-  EXPECT_FALSE(driver.frames(5).placement) << "once";
+  auto placed = asked<SetPlacement>(driver.click("Up axis:z"));
+  EXPECT_EQ(placed.choice, (anim::PlacementChoice{.up = anim::UpAxis::z}));
+  driver.report.placement.choice = placed.choice;
+  placed = asked<SetPlacement>(driver.click("Ground:feet"));
+  EXPECT_EQ(placed.choice, (anim::PlacementChoice{.up = anim::UpAxis::z, .ground = anim::GroundRule::feet}));
+  EXPECT_FALSE(asks<SetPlacement>(driver.frames(5))) << "once";
 }
 
 TEST_F(ModelSection, GoesBackToTheGuess) {
   driver.report.placement.choice.scale = driver.report.placement.scale = 0.5;
   driver.frames();
-  const auto asked = driver.click("Scale.reset").placement;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->choice, anim::PlacementChoice{});
+  EXPECT_EQ(asked<SetPlacement>(driver.click("Scale.reset")).choice, anim::PlacementChoice{});
 }
 
 TEST_F(ModelSection, HasNoHeightWithoutExtent) {
@@ -70,7 +65,7 @@ TEST(VarietyRows, SayHowMuchAgentsDiffer) {
   EXPECT_EQ(driver.tuning.size_variety, 0.3F);
   driver.click("Variety");
   driver.drag("Tint", 1.0F);
-  EXPECT_EQ(driver.tuning.tint, 0.0F) << "without variety nobody differs";
+  EXPECT_EQ(driver.tuning.tint, 0.0F) << "without variety no agent differs";
 }
 
 }  // namespace

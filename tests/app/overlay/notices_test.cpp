@@ -18,7 +18,7 @@ TEST(Notices, ARecordingIsSeenWhateverIsSaid) {
   driver.frames();
   EXPECT_TRUE(driver.sees("badge:recording"));
   EXPECT_FALSE(driver.sees("message:0"));
-  EXPECT_TRUE(driver.click("badge:recording").record);
+  EXPECT_TRUE(asks<ToggleRecording>(driver.click("badge:recording")));
 }
 
 struct State {
@@ -115,9 +115,9 @@ TEST(Notices, ALongOneTakesMoreLinesAndStaysInTheCrowd) {
 TEST(Notices, EscClosesTheLogAndThenAsksToLeave) {
   OverlayDriver driver;
   driver.press(Key::l);
-  EXPECT_FALSE(driver.press(Key::escape).quit);
+  EXPECT_FALSE(asks<Quit>(driver.press(Key::escape)));
   EXPECT_FALSE(driver.sees("Messages"));
-  EXPECT_TRUE(driver.press(Key::escape).quit);
+  EXPECT_TRUE(asks<Quit>(driver.press(Key::escape)));
 }
 
 }  // namespace

@@ -1,43 +1,8 @@
 #include "tests/app/overlay/overlay_driver.h"
 
-#include <gtest/gtest.h>
+#include <utility>
 
 namespace throng::app {
-namespace {
-
-void add(CameraCommands& all, const CameraCommands& commands) {
-  all.home |= commands.home;
-  all.change_follow |= commands.change_follow;
-  if (commands.named) all.named = commands.named;
-  if (commands.fly_speed) all.fly_speed = commands.fly_speed;
-  if (commands.keep_bookmark) all.keep_bookmark = commands.keep_bookmark;
-  if (commands.go_to_bookmark) all.go_to_bookmark = commands.go_to_bookmark;
-}
-
-void add(ReplayCommands& all, const ReplayCommands& commands) {
-  all.change_pause |= commands.change_pause;
-  all.change_loop |= commands.change_loop;
-  if (commands.step != 0) all.step = commands.step;
-  if (commands.go_to) all.go_to = commands.go_to;
-  if (commands.speed) all.speed = commands.speed;
-}
-
-}  // namespace
-
-namespace {
-
-void add(ViewerCommands& all, const ViewerCommands& more) {
-  all.view_selected |= more.view_selected;
-  all.leave |= more.leave;
-  all.face_front |= more.face_front;
-  all.apply_preview |= more.apply_preview;
-  if (more.view) all.view = more.view;
-  if (more.settings) all.settings = more.settings;
-  if (more.scrub) all.scrub = more.scrub;
-}
-
-}  // namespace
-
 OverlayDriver::OverlayDriver(const std::string& fonts)
     : overlay(fonts, 1, Tuning(),
               {.get = [this] { return clipboard; }, .set = [this](const std::string& text) { clipboard = text; }}),
@@ -45,59 +10,21 @@ OverlayDriver::OverlayDriver(const std::string& fonts)
   frames(2);
 }
 
-OverlayCommands OverlayDriver::frames(int count) {
-  OverlayCommands all;
+Requests OverlayDriver::frames(int count) {
+  Requests all;
   for (int i = 0; i < count; ++i) {
     overlay.begin_frame(width, shown_height, 1.0 / 60, input.next_frame());
-    const OverlayCommands commands = overlay.build(report, tuning);
-    all.step |= commands.step;
-    all.frame_crowd |= commands.frame_crowd;
-    all.copy_camera |= commands.copy_camera;
-    all.screenshot |= commands.screenshot;
-    all.reload_shaders |= commands.reload_shaders;
-    all.quit |= commands.quit;
-    all.record |= commands.record;
-    all.save_roles |= commands.save_roles;
-    all.save_body |= commands.save_body;
-    all.deselect |= commands.deselect;
-    all.push_over |= commands.push_over;
-    all.exact_crowd |= commands.exact_crowd;
-    all.let_go |= commands.let_go;
-    all.copy_command_line |= commands.copy_command_line;
-    all.save_bone_lod |= commands.save_bone_lod;
-    all.export_lod |= commands.export_lod;
-    all.stop_sweep |= commands.stop_sweep;
-    all.look_at_last_frames |= commands.look_at_last_frames;
-    if (commands.look_at_frame) all.look_at_frame = commands.look_at_frame;
-    if (commands.rewind) all.rewind = commands.rewind;
-    if (commands.sweep) all.sweep = commands.sweep;
-    add(all.cameras, commands.cameras);
-    add(all.replay, commands.replay);
-    if (commands.track_clock) report.tracks->clock = *(all.track_clock = commands.track_clock);
-    if (commands.bone_lod) all.bone_lod = commands.bone_lod;
-    if (commands.hold_at) all.hold_at = commands.hold_at;
-    if (commands.save_preset) all.save_preset = commands.save_preset;
-    if (commands.load_preset) all.load_preset = commands.load_preset;
-    if (commands.load_into_other) all.load_into_other = commands.load_into_other;
-    if (!commands.hint.empty()) all.hint = commands.hint;
-    if (commands.delete_preset) all.delete_preset = commands.delete_preset;
-    if (!commands.models.empty()) all.models = commands.models;
-    if (commands.select_at) all.select_at = commands.select_at;
-    if (commands.body) all.body = commands.body;
-    if (commands.share) all.share = commands.share;
-    if (commands.wardrobe.cast) all.wardrobe.cast = commands.wardrobe.cast;
-    if (commands.wardrobe.save) all.wardrobe.save = commands.wardrobe.save;
-    if (commands.wardrobe.load) all.wardrobe.load = commands.wardrobe.load;
-    if (commands.everyone) all.everyone = commands.everyone;
-    if (commands.placement) all.placement = commands.placement;
-    if (commands.character) all.character = commands.character;
-    add(all.viewer, commands.viewer);
-    if (commands.roles) report.role_clips = *(all.roles = commands.roles);
+    for (Request& request : overlay.build(report, tuning)) {
+      if (const auto* const values = as<Apply>(request)) tuning = values->tuning;
+      if (const auto* const seek = as<Seek>(request)) report.tracks->clock = seek->clock;
+      if (const auto* const roles = as<SetRoles>(request)) report.role_clips = roles->clips;
+      all.push_back(std::move(request));
+    }
   }
   return all;
 }
 
-OverlayCommands OverlayDriver::click(const std::string& widget) {
+Requests OverlayDriver::click(const std::string& widget) {
   point_at(widget, 0.5F);
   button(true);
   button(false);
@@ -119,7 +46,7 @@ void OverlayDriver::drag(const std::string& widget, float share) {
   frames(20);  // long enough that the next drag is no double click
 }
 
-OverlayCommands OverlayDriver::drag_to(const std::string& widget, const std::string& other) {
+Requests OverlayDriver::drag_to(const std::string& widget, const std::string& other) {
   point_at(widget, 0.5F);
   button(true);
   frames();
@@ -129,7 +56,7 @@ OverlayCommands OverlayDriver::drag_to(const std::string& widget, const std::str
   return frames(20);
 }
 
-OverlayCommands OverlayDriver::press(Key key) {
+Requests OverlayDriver::press(Key key) {
   hold(key);
   let_go(key);
   return frames();

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <gtest/gtest.h>
+
 #include "app/overlay/overlay.h"
 
 namespace throng::app {
@@ -15,16 +17,17 @@ class OverlayDriver {
 
   explicit OverlayDriver(const std::string& fonts = std::string(THRONG_SOURCE_DIR) + "/assets/fonts");
 
-  /// Lets frames pass, by default enough to see every event. Returns the commands of all of them added up.
-  OverlayCommands frames(int count = 6);
+  /// Lets frames pass, by default enough to see every event. Returns what the person asked for in all of them. Other
+  /// values, clips and times of a recorded crowd are taken; everything else is only asked for.
+  Requests frames(int count = 6);
 
-  OverlayCommands click(const std::string& widget);
+  Requests click(const std::string& widget);
   void double_click(const std::string& widget);
   /// Presses in the middle and lets go at a share of the width, 0 to 1.
   void drag(const std::string& widget, float share);
   /// Presses in the middle of one and lets go in the middle of another.
-  OverlayCommands drag_to(const std::string& widget, const std::string& other);
-  OverlayCommands press(Key key);
+  Requests drag_to(const std::string& widget, const std::string& other);
+  Requests press(Key key);
   void hold(Key key);
   void let_go(Key key);
   void type(const std::string& text);
@@ -42,6 +45,20 @@ class OverlayDriver {
   std::string clipboard;
   InputQueue input;
 };
+
+/// Returns whether a request of that kind is in a list.
+template <typename Asked>
+bool asks(const Requests& requests) {
+  return last_of<Asked>(requests) != nullptr;
+}
+
+/// Returns the last request of that kind in a list, in which one must be.
+template <typename Asked>
+Asked asked(const Requests& requests) {
+  const Asked* const last = last_of<Asked>(requests);
+  EXPECT_NE(last, nullptr) << "it is not asked for";
+  return last == nullptr ? Asked{} : *last;
+}
 
 /// Returns a report that has everything that the overlay can show.
 FrameReport full_report();

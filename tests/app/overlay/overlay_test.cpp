@@ -38,7 +38,7 @@ TEST(Overlay, LeavesTheCrowdItsPlace) {
   }
 }
 
-TEST(Overlay, LeavesEveryValueAloneThatNobodyTouches) {
+TEST(Overlay, LeavesValuesThatThePersonDoesNotTouchAlone) {
   OverlayDriver driver;
   driver.tuning.seed = 4'000'000'000U;
   driver.tuning.agents = 123'456;
@@ -121,21 +121,18 @@ TEST(Overlay, AnotherClipForARoleIsLookedAtFirstKeptAndTakenBack) {
   EXPECT_FALSE(driver.sees("Walk:Running_A")) << "the list is closed";
   driver.click("Walk");
   ASSERT_TRUE(driver.sees("Walk:Running_A"));
-  const OverlayCommands picked = driver.click("Walk:Running_A");
-  EXPECT_FALSE(picked.roles) << "the crowd does not play it yet";
-  ASSERT_TRUE(picked.viewer.view);
-  ASSERT_TRUE(picked.viewer.view->preview);
-  EXPECT_EQ(picked.viewer.view->preview->role, Role::walk);
-  EXPECT_EQ(picked.viewer.view->preview->clip, 2);
+  const Requests picked = driver.click("Walk:Running_A");
+  EXPECT_FALSE(asks<SetRoles>(picked)) << "the crowd does not play it yet";
+  const ViewRequest looked_at = asked<View>(picked).what;
+  ASSERT_TRUE(looked_at.preview);
+  EXPECT_EQ(looked_at.preview->role, Role::walk);
+  EXPECT_EQ(looked_at.preview->clip, 2);
   driver.click("Walk");
-  const OverlayCommands none = driver.click("Walk:none");
-  ASSERT_TRUE(none.roles) << "there is nothing to look at";
-  EXPECT_EQ((*none.roles)[index_of(Role::walk)], no_clip);
-  EXPECT_EQ((*none.roles)[index_of(Role::stand)], 0);
-  EXPECT_TRUE(driver.click("Save roles").save_roles);
-  const OverlayCommands reset = driver.click("Reset roles");
-  ASSERT_TRUE(reset.roles);
-  EXPECT_EQ((*reset.roles)[index_of(Role::walk)], 1);
+  const auto none = asked<SetRoles>(driver.click("Walk:none"));  // there is nothing to look at
+  EXPECT_EQ(none.clips[index_of(Role::walk)], no_clip);
+  EXPECT_EQ(none.clips[index_of(Role::stand)], 0);
+  EXPECT_TRUE(asks<SaveRoles>(driver.click("Save roles")));
+  EXPECT_EQ(asked<SetRoles>(driver.click("Reset roles")).clips[index_of(Role::walk)], 1);
 }
 
 TEST(Overlay, OfSeveralCharactersOneIsChosenToShowItsRoles) {
@@ -145,9 +142,7 @@ TEST(Overlay, OfSeveralCharactersOneIsChosenToShowItsRoles) {
   driver.frames();
   driver.click("Model");
   ASSERT_TRUE(driver.sees("Model:knight.glb"));
-  const OverlayCommands picked = driver.click("Model:knight.glb");
-  ASSERT_TRUE(picked.character);
-  EXPECT_EQ(*picked.character, 1U);
+  EXPECT_EQ(asked<ShowCharacter>(driver.click("Model:knight.glb")).character, 1U);
 }
 
 TEST(Overlay, EveryChoiceCanBeMade) {
@@ -230,43 +225,43 @@ TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
   EXPECT_EQ(driver.tuning.lod.largest_interval, Tuning().lod.largest_interval);
 }
 
-TEST(Overlay, ButtonsAreCommands) {
+TEST(Overlay, ButtonsAskForWhatTheySay) {
   OverlayDriver driver;
   driver.point_at("Agents", 0.5F);
   driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -2});
   driver.frames();
-  EXPECT_TRUE(driver.click("Copy camera").copy_camera);
-  EXPECT_TRUE(driver.click("Screenshot").screenshot);
-  EXPECT_FALSE(driver.click("Step").step) << "the crowd is not paused";
+  EXPECT_TRUE(asks<CopyCamera>(driver.click("Copy camera")));
+  EXPECT_TRUE(asks<TakeScreenshot>(driver.click("Screenshot")));
+  EXPECT_FALSE(asks<StepFrame>(driver.click("Step"))) << "the crowd is not paused";
   driver.click("Pause");
   EXPECT_TRUE(driver.tuning.paused);
-  EXPECT_TRUE(driver.click("Step").step);
+  EXPECT_TRUE(asks<StepFrame>(driver.click("Step")));
 }
 
-TEST(Overlay, KeysAreCommands) {
+TEST(Overlay, KeysAskForWhatTheHelpSays) {
   OverlayDriver driver;
   driver.press(Key::space);
   EXPECT_TRUE(driver.tuning.paused);
   driver.press(Key::space);
   EXPECT_FALSE(driver.tuning.paused);
-  EXPECT_TRUE(driver.press(Key::f).frame_crowd);
-  EXPECT_TRUE(driver.press(Key::c).copy_camera);
-  EXPECT_TRUE(driver.press(Key::f12).screenshot);
-  EXPECT_TRUE(driver.press(Key::f5).reload_shaders);
-  EXPECT_TRUE(driver.press(Key::escape).quit);
+  EXPECT_TRUE(asks<FrameCrowd>(driver.press(Key::f)));
+  EXPECT_TRUE(asks<CopyCamera>(driver.press(Key::c)));
+  EXPECT_TRUE(asks<TakeScreenshot>(driver.press(Key::f12)));
+  EXPECT_TRUE(asks<ReloadShaders>(driver.press(Key::f5)));
+  EXPECT_TRUE(asks<Quit>(driver.press(Key::escape)));
 }
 
 TEST(Overlay, KeysAreLettersWhileTyping) {
   OverlayDriver driver;
   driver.click("Agents.field");
   for (const Key key : {Key::space, Key::tab, Key::f, Key::f12}) {
-    const OverlayCommands commands = driver.press(key);
-    EXPECT_FALSE(commands.frame_crowd || commands.screenshot);
+    const Requests requests = driver.press(key);
+    EXPECT_FALSE(asks<FrameCrowd>(requests) || asks<TakeScreenshot>(requests));
   }
   EXPECT_FALSE(driver.tuning.paused);
   EXPECT_FALSE(driver.overlay.ui_map().hidden);
-  EXPECT_FALSE(driver.press(Key::escape).quit) << "the first Esc leaves the field";
-  EXPECT_TRUE(driver.press(Key::escape).quit);
+  EXPECT_FALSE(asks<Quit>(driver.press(Key::escape))) << "the first Esc leaves the field";
+  EXPECT_TRUE(asks<Quit>(driver.press(Key::escape)));
 }
 
 TEST(Overlay, TabHidesAllOfItAndBringsItBack) {

@@ -17,7 +17,7 @@ struct PairTest : testing::Test {
 };
 
 TEST_F(PairTest, NothingIsCopiedUntilItIsAskedFor) {
-  EXPECT_THAT(driver.press(Key::b).hint, testing::HasSubstr("Copy A to B"));
+  EXPECT_THAT(asked<Tell>(driver.press(Key::b)).words, testing::HasSubstr("Copy A to B"));
   EXPECT_FALSE(pair().has_two());
   EXPECT_FALSE(driver.overlay.ui_map().shows_b);
   EXPECT_FALSE(driver.sees("badge:pair"));
@@ -25,7 +25,7 @@ TEST_F(PairTest, NothingIsCopiedUntilItIsAskedFor) {
   EXPECT_NE(driver.overlay.ui_map().why_idle("Forget B"), nullptr);
   driver.click("Copy A to B");
   EXPECT_TRUE(pair().has_two());
-  EXPECT_EQ(driver.press(Key::b).hint, "");
+  EXPECT_FALSE(asks<Tell>(driver.press(Key::b)));
   EXPECT_TRUE(driver.overlay.ui_map().shows_b);
 }
 
@@ -91,7 +91,7 @@ TEST_F(PairTest, ForgettingOneEndsTheComparison) {
 TEST_F(PairTest, APresetBecomesTheOtherOne) {
   driver.report.preset_names = {"far"};
   driver.frames();
-  EXPECT_EQ(driver.click("To B far").load_into_other, "far");
+  EXPECT_EQ(asked<LoadIntoOther>(driver.click("To B far")).preset, "far");
 }
 
 TEST_F(PairTest, ReplaysChangeNoPlaces) {

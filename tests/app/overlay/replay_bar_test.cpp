@@ -13,8 +13,8 @@ class ReplayBar : public testing::Test {
     person_.report.replay = ReplayReport{.frame = 40, .frames = 101};
     person_.frames();
   }
-  ReplayCommands click(const std::string& widget) { return person_.click(widget).replay; }
-  ReplayCommands press(Key key) { return person_.press(key).replay; }
+  Requests click(const std::string& widget) { return person_.click(widget); }
+  Requests press(Key key) { return person_.press(key); }
 
   OverlayDriver person_;
 };
@@ -24,28 +24,27 @@ TEST_F(ReplayBar, IsThereOnlyInAReplay) {
   person_.report.replay.reset();
   person_.frames();
   EXPECT_FALSE(person_.sees("Replay"));
-  EXPECT_FALSE(press(Key::space).change_pause);
+  EXPECT_FALSE(asks<ToggleReplayPause>(press(Key::space)));
 }
 
 TEST_F(ReplayBar, PausesAndStepsByButtonAndKey) {
-  EXPECT_TRUE(click("Replay.play").change_pause);
-  EXPECT_TRUE(press(Key::space).change_pause);
-  EXPECT_EQ(click("Replay.back").step, -1);
-  EXPECT_EQ(press(Key::left).step, -1);
-  EXPECT_EQ(click("Replay.on").step, 1);
-  EXPECT_EQ(press(Key::right).step, 1);
+  EXPECT_TRUE(asks<ToggleReplayPause>(click("Replay.play")));
+  EXPECT_TRUE(asks<ToggleReplayPause>(press(Key::space)));
+  EXPECT_EQ(asked<StepReplay>(click("Replay.back")).frames, -1);
+  EXPECT_EQ(asked<StepReplay>(press(Key::left)).frames, -1);
+  EXPECT_EQ(asked<StepReplay>(click("Replay.on")).frames, 1);
+  EXPECT_EQ(asked<StepReplay>(press(Key::right)).frames, 1);
 }
 
 TEST_F(ReplayBar, GoesToTheFrameThatTheTrackIsPressedAt) {
-  const auto wanted = click("Replay.track").go_to;
-  ASSERT_TRUE(wanted);
-  EXPECT_NEAR(static_cast<double>(*wanted), 51, 1) << "the middle of 101 frames";
+  const auto wanted = asked<SeekReplay>(click("Replay.track"));
+  EXPECT_NEAR(static_cast<double>(wanted.frame), 51, 1) << "the middle of 101 frames";
 }
 
 TEST_F(ReplayBar, LoopsAndHasSpeeds) {
-  EXPECT_TRUE(click("Replay.loop").change_loop);
-  EXPECT_EQ(click("Replay.speed:0.25x").speed, 0.25F);
-  EXPECT_EQ(click("Replay.speed:4x").speed, 4.0F);
+  EXPECT_TRUE(asks<ToggleReplayLoop>(click("Replay.loop")));
+  EXPECT_EQ(asked<SetReplaySpeed>(click("Replay.speed:0.25x")).speed, 0.25F);
+  EXPECT_EQ(asked<SetReplaySpeed>(click("Replay.speed:4x")).speed, 4.0F);
 }
 
 TEST_F(ReplayBar, HasItsButtonsInASmallWindowToo) {

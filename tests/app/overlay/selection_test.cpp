@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/view/fly_camera.h"
 #include "tests/app/overlay/overlay_driver.h"
 
 namespace throng::app::selection_test {
 namespace {
 
-SelectionReport somebody() {
+SelectionReport an_agent() {
   SelectionReport selected{.agent = 1234,
                            .role = Role::walk,
                            .habit = Habit::stroll,
@@ -24,10 +25,15 @@ SelectionReport somebody() {
   return selected;
 }
 
+bool deselects(const Requests& requests) {
+  const Select* const last = last_of<Select>(requests);
+  return last != nullptr && !last->agent;
+}
+
 struct SelectionCard : testing::Test {
   OverlayDriver driver;
 
-  OverlayCommands click_at(float x, float y, float moved = 0) {
+  Requests click_at(float x, float y, float moved = 0) {
     driver.point_at(x, y);
     driver.input.push({.kind = InputEvent::Kind::button, .down = true});
     driver.point_at(x + moved, y);
@@ -35,12 +41,12 @@ struct SelectionCard : testing::Test {
     return driver.frames();
   }
   void select() {
-    driver.report.selected = somebody();
+    driver.report.selected = an_agent();
     driver.frames();
   }
 };
 
-TEST_F(SelectionCard, ShowsWhoWasSelectedWithEachEntity) {
+TEST_F(SelectionCard, ShowsTheSelectedAgentWithEachEntity) {
   EXPECT_FALSE(driver.sees("Selected"));
   select();
   EXPECT_TRUE(driver.sees("Selected"));
@@ -75,57 +81,59 @@ TEST_F(SelectionCard, OfALongGraphShowsTheEndAndStaysInThePicture) {
   EXPECT_LE(card.width * card.height, crowd.width * crowd.height / 5);
 }
 
-TEST_F(SelectionCard, AClickAtTheCrowdAsksWhoIsThere) {
-  const auto asked = click_at(300, 200).select_at;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->x, 300);
-  EXPECT_EQ(asked->y, 200);
+TEST_F(SelectionCard, AClickAtTheCrowdAsksForTheAgentThere) {
+  const PicturePoint point = asked<SelectAt>(click_at(300, 200)).point;
+  EXPECT_EQ(point.x, 300);
+  EXPECT_EQ(point.y, 200);
 }
 
 TEST_F(SelectionCard, ADragAndAClickAtTheOverlayAreNoClicksAtTheCrowd) {
-  EXPECT_FALSE(click_at(300, 200, 40).select_at) << "a drag";
-  EXPECT_TRUE(click_at(300, 200, 2).select_at) << "a hand is not quite still";
-  EXPECT_FALSE(click_at(1100, 300).select_at) << "the column";
-  EXPECT_FALSE(click_at(300, OverlayDriver::height - 70).select_at) << "the strip";
+  EXPECT_FALSE(asks<SelectAt>(click_at(300, 200, 40))) << "a drag";
+  EXPECT_TRUE(asks<SelectAt>(click_at(300, 200, 2))) << "a hand is not quite still";
+  EXPECT_FALSE(asks<SelectAt>(click_at(1100, 300))) << "the column";
+  EXPECT_FALSE(asks<SelectAt>(click_at(300, OverlayDriver::height - 70))) << "the strip";
   select();
   const UiRectangle card = *driver.overlay.ui_map().find("Selected");
-  EXPECT_FALSE(click_at(card.x + 20, card.y + 20).select_at) << "the card";
+  EXPECT_FALSE(asks<SelectAt>(click_at(card.x + 20, card.y + 20))) << "the card";
   driver.point_at(1100, 300);
   driver.input.push({.kind = InputEvent::Kind::button, .down = true});
   driver.point_at(300, 200);
   driver.input.push({.kind = InputEvent::Kind::button, .down = false});
-  EXPECT_FALSE(driver.frames().select_at) << "pressed at the overlay";
+  EXPECT_FALSE(asks<SelectAt>(driver.frames())) << "pressed at the overlay";
 }
 
 TEST_F(SelectionCard, EscapeDeselectsFirstAndQuitsThen) {
   select();
-  const OverlayCommands first = driver.press(Key::escape);
-  EXPECT_TRUE(first.deselect);
-  EXPECT_FALSE(first.quit);
+  const Requests first = driver.press(Key::escape);
+  EXPECT_TRUE(deselects(first));
+  EXPECT_FALSE(asks<Quit>(first));
   driver.report.selected.reset();
-  EXPECT_TRUE(driver.press(Key::escape).quit);
+  EXPECT_TRUE(asks<Quit>(driver.press(Key::escape)));
 }
 
 TEST_F(SelectionCard, StaysWhileEscapeClosesTheHelpAboveIt) {
   select();
   driver.press(Key::f1);
   ASSERT_TRUE(driver.overlay.ui_map().help);
-  const OverlayCommands first = driver.press(Key::escape);
-  EXPECT_FALSE(first.deselect || first.quit);
+  const Requests first = driver.press(Key::escape);
+  EXPECT_FALSE(asks<Select>(first) || asks<Quit>(first));
   EXPECT_FALSE(driver.overlay.ui_map().help);
-  EXPECT_TRUE(driver.press(Key::escape).deselect);
+  EXPECT_TRUE(deselects(driver.press(Key::escape)));
 }
 
 TEST_F(SelectionCard, PushesOverByItsButtonAndByP) {
-  EXPECT_FALSE(driver.press(Key::p).push_over) << "nobody is selected";
+  EXPECT_FALSE(asks<Push>(driver.press(Key::p))) << "no agent is selected";
   select();
-  EXPECT_TRUE(driver.click("Push over").push_over);
-  EXPECT_TRUE(driver.press(Key::p).push_over);
-  EXPECT_TRUE(driver.click("Deselect").deselect);
-  EXPECT_TRUE(driver.click("Selected.close").deselect);
+  driver.report.camera.yaw = 90;
+  for (const Push& push : {asked<Push>(driver.click("Push over")), asked<Push>(driver.press(Key::p))}) {
+    EXPECT_EQ(push.agent, 1234U);
+    EXPECT_EQ(push.direction, render::forward(camera_at(driver.report.camera))) << "it falls away from the camera";
+  }
+  EXPECT_TRUE(deselects(driver.click("Deselect")));
+  EXPECT_TRUE(deselects(driver.click("Selected.close")));
   driver.report.selected->can_fall = false;
   driver.frames();
-  EXPECT_FALSE(driver.click("Push over").push_over) << "nothing in it could fall";
+  EXPECT_FALSE(asks<Push>(driver.click("Push over"))) << "nothing in it could fall";
 }
 
 TEST_F(SelectionCard, IsInTheMapAsTheReportHasIt) {

@@ -39,16 +39,14 @@ struct SweepTest : testing::Test {
 TEST_F(SweepTest, IsAskedForByItsButtonForTheValueThatWasPicked) {
   EXPECT_FALSE(driver.sees("Sweep curve"));
   driver.click("Vary:store");
-  const auto asked = driver.click("Sweep").sweep;
-  ASSERT_TRUE(asked);
-  EXPECT_EQ(*asked, SweptValue::local_store);
+  EXPECT_EQ(asked<StartSweep>(driver.click("Sweep")).value, SweptValue::local_store);
   EXPECT_EQ(driver.tuning, Tuning()) << "the overlay itself changes nothing";
 }
 
 TEST_F(SweepTest, CannotBeginWhileTimeStandsStill) {
   driver.tuning.paused = true;
   driver.frames();
-  EXPECT_FALSE(driver.click("Sweep").sweep);
+  EXPECT_FALSE(asks<StartSweep>(driver.click("Sweep")));
 }
 
 TEST_F(SweepTest, ThatRunsCanOnlyBeStopped) {
@@ -57,7 +55,7 @@ TEST_F(SweepTest, ThatRunsCanOnlyBeStopped) {
   curve.visits = 10;
   show(curve);
   EXPECT_FALSE(driver.sees("Sweep"));
-  EXPECT_TRUE(driver.click("Stop").stop_sweep);
+  EXPECT_TRUE(asks<StopSweep>(driver.click("Stop")));
   click_at(0.99F);
   EXPECT_EQ(driver.tuning.system.tile, 0) << "a stop is taken from a curve that is finished";
 }

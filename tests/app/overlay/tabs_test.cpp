@@ -1,4 +1,4 @@
-// The tabs with a memory of their own: scheduling, agent, presets; and what a person does to time.
+// The tabs with a memory of their own: scheduling, agent, presets; and the time of the crowd.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace throng::app::tabs_test {
 namespace {
 
-SelectionReport somebody() {
+SelectionReport an_agent() {
   SelectionReport selected{
       .agent = 7, .visible = true, .interval = 2, .can_fall = true, .channels = 1, .entities = {}, .clip_seconds = 2};
   selected.entities = {{.kind = "sampled player",
@@ -34,13 +34,13 @@ void scroll_down(OverlayDriver& driver) {
 struct AgentTabTest : testing::Test {
   AgentTabTest() {
     driver.click("tab:Agent");
-    driver.report.selected = somebody();
+    driver.report.selected = an_agent();
     driver.frames();
   }
   OverlayDriver driver;
 };
 
-TEST_F(AgentTabTest, SaysSoWhenNobodyIsSelected) {
+TEST_F(AgentTabTest, HasNothingToHoldWithoutASelection) {
   driver.report.selected.reset();
   driver.frames();
   EXPECT_FALSE(driver.sees("Hold clip at"));
@@ -59,8 +59,8 @@ TEST_F(AgentTabTest, ShowsEachChannelWithItsEntitiesAndWhatChangesThePose) {
 }
 
 TEST_F(AgentTabTest, ShowsItsCharacterAlone) {
-  EXPECT_TRUE(driver.click("View alone").viewer.view_selected);
-  EXPECT_FALSE(driver.click("Layer 0").viewer.view_selected);
+  EXPECT_TRUE(asks<ViewSelected>(driver.click("View alone")));
+  EXPECT_FALSE(asks<ViewSelected>(driver.click("Layer 0")));
 }
 
 TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
@@ -72,24 +72,24 @@ TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
 }
 
 TEST_F(AgentTabTest, HoldsTheClipWhereItIsDraggedAndLetsGo) {
-  EXPECT_FALSE(driver.click("Let go").let_go) << "nothing is held";
+  EXPECT_FALSE(asks<Hold>(driver.click("Let go"))) << "nothing is held";
   driver.report.selected->held_at = 0.5F;
   driver.frames();
-  EXPECT_TRUE(driver.click("Let go").let_go);
-  EXPECT_TRUE(driver.click("Push").push_over);
-  const OverlayCommands held = driver.click("Hold clip at");
-  ASSERT_TRUE(held.hold_at);
-  EXPECT_NEAR(*held.hold_at, 1, 0.02) << "the middle of two seconds";
+  EXPECT_FALSE(asked<Hold>(driver.click("Let go")).agent);
+  EXPECT_EQ(asked<Push>(driver.click("Push")).agent, 7U);
+  const auto held = asked<Hold>(driver.click("Hold clip at"));
+  EXPECT_EQ(held.agent, 7U);
+  EXPECT_NEAR(held.seconds, 1, 0.02) << "the middle of two seconds";
 }
 
-TEST_F(AgentTabTest, CannotHoldTheClipOfOneWhoPlaysNoneOrFalls) {
+TEST_F(AgentTabTest, CannotHoldTheClipOfAnAgentThatPlaysNoneOrFalls) {
   driver.report.selected->posture = Posture::falling;
   driver.frames();
-  EXPECT_FALSE(driver.click("Hold clip at").hold_at);
+  EXPECT_FALSE(asks<Hold>(driver.click("Hold clip at")));
   driver.report.selected->posture = Posture::upright;
   driver.report.selected->clip_seconds = 0;
   driver.frames();
-  EXPECT_FALSE(driver.click("Hold clip at").hold_at);
+  EXPECT_FALSE(asks<Hold>(driver.click("Hold clip at")));
 }
 
 TEST_F(AgentTabTest, ShowsTheBlockOfThePoseFirstAndOfAnyEntityPicked) {
@@ -144,13 +144,13 @@ TEST_F(TimelineTest, ThePointerTellsWhatASpanWas) {
   driver.frames();
   const int without = driver.overlay.vertex_count();
   point_into_timeline(0.3F);
-  const int nobody = driver.overlay.vertex_count();
-  EXPECT_GT(nobody, without);
+  const int without_agents = driver.overlay.vertex_count();
+  EXPECT_GT(without_agents, without);
   for (TimelineFrame& frame : driver.report.timeline) {
     for (auto& lane : frame.lanes) lane[1].content = {.first_agent = 12, .last_agent = 40, .agents = 16};
   }
   driver.frames();
-  EXPECT_GT(driver.overlay.vertex_count(), nobody) << "and for whom";
+  EXPECT_GT(driver.overlay.vertex_count(), without_agents) << "and for which agents";
 }
 
 struct PresetsTabTest : testing::Test {
@@ -159,11 +159,11 @@ struct PresetsTabTest : testing::Test {
 };
 
 TEST_F(PresetsTabTest, KeepsThemUnderNamesThatAFileCanHave) {
-  EXPECT_FALSE(driver.click("Save preset").save_preset) << "no name yet";
+  EXPECT_FALSE(asks<SavePreset>(driver.click("Save preset"))) << "no name yet";
   driver.click("Name.field");
   driver.type("far crowd_2");
   driver.press(Key::enter);
-  EXPECT_EQ(driver.click("Save preset").save_preset, "far crowd_2");
+  EXPECT_EQ(asked<SavePreset>(driver.click("Save preset")).preset, "far crowd_2");
   driver.report.preset_names = {"far crowd_2"};
   driver.frames();
   EXPECT_TRUE(driver.sees("Replace preset"));
@@ -173,13 +173,15 @@ TEST_F(PresetsTabTest, KeepsThemUnderNamesThatAFileCanHave) {
 TEST_F(PresetsTabTest, LoadsAndAfterAskingDeletes) {
   driver.report.preset_names = {"far", "near"};
   driver.frames();
-  EXPECT_EQ(driver.click("Load near").load_preset, "near");
-  EXPECT_FALSE(driver.click("Delete far").delete_preset) << "asks first";
-  EXPECT_FALSE(driver.click("Delete near").delete_preset) << "that was the other one";
-  EXPECT_EQ(driver.click("Delete near").delete_preset, "near");
+  EXPECT_EQ(asked<LoadPreset>(driver.click("Load near")).preset, "near");
+  EXPECT_FALSE(asks<DeletePreset>(driver.click("Delete far"))) << "asks first";
+  EXPECT_FALSE(asks<DeletePreset>(driver.click("Delete near"))) << "that was the other one";
+  EXPECT_EQ(asked<DeletePreset>(driver.click("Delete near")).preset, "near");
 }
 
-TEST_F(PresetsTabTest, CopiesTheCommandLine) { EXPECT_TRUE(driver.click("Copy as command line").copy_command_line); }
+TEST_F(PresetsTabTest, CopiesTheCommandLine) {
+  EXPECT_TRUE(asks<CopyCommandLine>(driver.click("Copy as command line")));
+}
 
 TEST(OverlayPanels, HaveNoGroundWhereTheCallerFillsIt) {
   OverlayDriver driver;
@@ -206,10 +208,10 @@ TEST(Tabs, FitIntoAWindowOfAnySize) {
 
 TEST(CrowdTabTime, RewindsOnlyWhereThereIsAnEarlierMoment) {
   OverlayDriver driver;
-  EXPECT_FALSE(driver.click("Rewind").rewind);
+  EXPECT_FALSE(asks<GoBack>(driver.click("Rewind")));
   driver.report.snapshots = {0.2F, 0.7F, 1.2F};
   driver.frames();
-  EXPECT_EQ(driver.click("Rewind").rewind, 0U);
+  EXPECT_EQ(asked<GoBack>(driver.click("Rewind")).moment, 0U);
 }
 
 TEST(CrowdTabTime, GoesBackToTheSnapshotNearestToWhereTheSliderIsLetGo) {
@@ -221,10 +223,10 @@ TEST(CrowdTabTime, GoesBackToTheSnapshotNearestToWhereTheSliderIsLetGo) {
   const auto press = [&](bool down) { driver.input.push({.kind = InputEvent::Kind::button, .down = down}); };
   press(true);
   driver.point_at(track.x + 0.72F * track.width, track.y + track.height / 2);
-  EXPECT_FALSE(driver.frames().rewind) << "still dragged";
+  EXPECT_FALSE(asks<GoBack>(driver.frames())) << "still dragged";
   press(false);
-  EXPECT_EQ(driver.frames().rewind, 2U);
-  EXPECT_FALSE(driver.frames().rewind) << "once";
+  EXPECT_EQ(asked<GoBack>(driver.frames()).moment, 2U);
+  EXPECT_FALSE(asks<GoBack>(driver.frames())) << "once";
 }
 
 TEST(FrameGraph, LooksAtTheFrameThatIsClickedAt) {
@@ -232,9 +234,7 @@ TEST(FrameGraph, LooksAtTheFrameThatIsClickedAt) {
   driver.report.frame = 500;
   driver.report.kept.numbers = {390, 420};
   driver.frames();
-  const OverlayCommands commands = driver.click("Frame graph");
-  ASSERT_TRUE(commands.look_at_frame);
-  EXPECT_NEAR(*commands.look_at_frame, 380, 2) << "the middle of 240 frames";
+  EXPECT_NEAR(asked<LookAtFrame>(driver.click("Frame graph")).frame, 380, 2) << "the middle of 240 frames";
   EXPECT_EQ(driver.overlay.ui_map().tab, "Scheduling");
 }
 
@@ -250,35 +250,51 @@ TEST(FrameGraph, TheFrameThatIsLookedAtHasItsTableAndTimelineUntilOneGoesBack) {
   for (const char* const part : {"Agents updated", "Tiles", "Copied in, out", "PU table", "Timeline"}) {
     EXPECT_TRUE(driver.sees(part)) << part;
   }
-  EXPECT_TRUE(driver.click("Back to the last frames").look_at_last_frames);
+  EXPECT_TRUE(asks<LookAtLastFrames>(driver.click("Back to the last frames")));
 }
 
-TEST(DroppedFiles, AreACommandWithoutBeingHidden) {
+TEST(DroppedFiles, AreOpenedTogetherAndOnce) {
   OverlayDriver driver;
   driver.input.push({.kind = InputEvent::Kind::file, .path = "a.glb"});
   driver.input.push({.kind = InputEvent::Kind::file, .path = "b.glb"});
-  EXPECT_EQ(driver.frames(1).models, (std::vector<std::string>{"a.glb", "b.glb"}));
-  EXPECT_TRUE(driver.frames(1).models.empty());
+  EXPECT_EQ(asked<OpenFiles>(driver.frames(1)).files, (std::vector<std::string>{"a.glb", "b.glb"}));
+  EXPECT_FALSE(asks<OpenFiles>(driver.frames(1)));
 }
 
-TEST(Values, AreTakenBackAndMadeAgainByKeys) {
+TEST(UndoAndRedo, AreAskedForByKeysWithControl) {
   OverlayDriver driver;
-  driver.frames();
-  const Tuning before = driver.tuning;
-  driver.drag("Agents", 1);
-  driver.frames();
-  const Tuning after = driver.tuning;
-  ASSERT_NE(after, before);
-  const auto press_with_control = [&](Key key) {
-    driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = true});
-    driver.press(key);
-    driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = false});
-    driver.frames();
+  const auto expect_asked = [&driver](Key key, bool undo, bool redo) {
+    const Requests requests = driver.press(key);
+    EXPECT_EQ(asks<Undo>(requests), undo);
+    EXPECT_EQ(asks<Redo>(requests), redo);
   };
-  press_with_control(Key::z);
-  EXPECT_EQ(driver.tuning, before);
-  press_with_control(Key::y);
-  EXPECT_EQ(driver.tuning, after);
+  expect_asked(Key::z, false, false);
+  expect_asked(Key::y, false, false);
+  driver.hold(Key::control);
+  expect_asked(Key::z, true, false);
+  expect_asked(Key::y, false, true);
+  driver.hold(Key::shift);
+  expect_asked(Key::z, false, true);
+}
+
+TEST(UndoAndRedo, AreNotAskedForWhileTheUserTypesIntoAField) {
+  OverlayDriver driver;
+  driver.click("Agents.field");
+  driver.hold(Key::control);
+  EXPECT_FALSE(asks<Undo>(driver.press(Key::z)));
+}
+
+TEST(Changes, LastAsLongAsATrackIsDragged) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.overlay.is_in_a_change());
+  driver.point_at("Agents", 0.5F);
+  driver.button(true);
+  driver.point_at("Agents", 1);
+  EXPECT_EQ(asked<Apply>(driver.frames()).tuning.agents, 100'000);
+  EXPECT_TRUE(driver.overlay.is_in_a_change());
+  driver.button(false);
+  driver.frames();
+  EXPECT_FALSE(driver.overlay.is_in_a_change());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(TrackBar, IsThereOnlyWithARecordedCrowd) {
   person_.report.tracks.reset();
   person_.frames();
   EXPECT_FALSE(person_.sees("Tracks"));
-  EXPECT_FALSE(person_.press(Key::left).track_clock);
+  EXPECT_FALSE(asks<Seek>(person_.press(Key::left)));
 }
 
 TEST_F(TrackBar, GoesToTheTimeThatIsPressedAndAlongWithADrag) {

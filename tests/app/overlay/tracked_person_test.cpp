@@ -10,7 +10,7 @@
 namespace throng::app::tracked_person_test {
 namespace {
 
-std::shared_ptr<TrackedPerson> somebody() {
+std::shared_ptr<TrackedPerson> a_person() {
   auto person = std::make_shared<TrackedPerson>();
   person->id = "17";
   person->presence = {10.0, 30.0};
@@ -32,7 +32,7 @@ class TrackedPersonCard : public testing::Test {
     all.rows_a_second = 10.0;
     person_.report.tracks = TracksReport{.clock = {.seconds = 15.0, .first = 0.0, .last = 40.0},
                                          .people = std::make_shared<const PeopleOverTime>(all)};
-    person_.report.selected = SelectionReport{.agent = 3, .role = Role::walk, .entities = {}, .tracked = somebody()};
+    person_.report.selected = SelectionReport{.agent = 3, .role = Role::walk, .entities = {}, .tracked = a_person()};
     person_.frames();
   }
   double seconds() const { return person_.report.tracks->clock.seconds; }
@@ -41,7 +41,7 @@ class TrackedPersonCard : public testing::Test {
 };
 
 TEST(TrackedPersonOverTime, HasValuesBetweenThoseThatAreKept) {
-  const auto person = somebody();
+  const auto person = a_person();
   EXPECT_FLOAT_EQ(person->speed_at(10.0), 0.0F);
   EXPECT_FLOAT_EQ(person->speed_at(15.0), 1.0F);
   EXPECT_FLOAT_EQ(person->speed_at(30.0), 1.0F);
@@ -72,15 +72,15 @@ TEST_F(TrackedPersonCard, StaysWhileThePersonIsNotThere) {
     person_.report.tracks->clock.seconds = time;
     person_.frames();
     EXPECT_TRUE(person_.sees("Selected.speed"));
-    EXPECT_TRUE(person_.click("Deselect").deselect);
+    EXPECT_FALSE(asked<Select>(person_.click("Deselect")).agent);
   }
 }
 
-TEST_F(TrackedPersonCard, ShowsSomebodyOfOneRowOrOfALongTime) {
-  auto moment = somebody();
+TEST_F(TrackedPersonCard, ShowsAPersonOfOneRowOrOfALongTime) {
+  auto moment = a_person();
   moment->presence = {10.0, 10.0};
   moment->footfalls.clear();
-  auto day = somebody();
+  auto day = a_person();
   day->presence = {0.0, 60'000.0};
   day->footfalls.resize(120'000);
   for (const auto& person : {moment, day}) {

@@ -27,7 +27,7 @@ struct ViewerPanel : testing::Test {
 TEST_F(ViewerPanel, TakesThePlaceOfTheTabs) {
   EXPECT_TRUE(driver.sees("Clip:Walking_A"));
   EXPECT_FALSE(driver.sees("tab:Crowd"));
-  EXPECT_TRUE(driver.click("Back to the crowd").viewer.leave);
+  EXPECT_TRUE(asks<LeaveViewer>(driver.click("Back to the crowd")));
   driver.report.viewer.reset();
   driver.frames();
   EXPECT_TRUE(driver.sees("tab:Crowd"));
@@ -42,9 +42,7 @@ TEST_F(ViewerPanel, HasNoStripThatCoversTheCharacter) {
 }
 
 TEST_F(ViewerPanel, AClickAtAClipChoosesIt) {
-  const auto chosen = driver.click("Clip:Walking_A").viewer.settings;
-  ASSERT_TRUE(chosen);
-  EXPECT_EQ(chosen->clip, 1);
+  EXPECT_EQ(asked<SetViewer>(driver.click("Clip:Walking_A")).settings.clip, 1);
 }
 
 TEST_F(ViewerPanel, FindsClipsByAPartOfTheirNames) {
@@ -55,43 +53,41 @@ TEST_F(ViewerPanel, FindsClipsByAPartOfTheirNames) {
 }
 
 TEST_F(ViewerPanel, ADragAlongTheTimeHoldsTheClipThere) {
-  driver.drag("At", 0.5F);
+  driver.point_at("At", 0.5F);
+  driver.button(true);
+  EXPECT_NEAR(asked<ScrubViewer>(driver.frames()).seconds, 1, 0.05) << "the middle of two seconds";
+  driver.button(false);
   driver.point_at(600, 600);
-  EXPECT_FALSE(driver.frames().viewer.scrub) << "nobody drags any more";
+  driver.frames();
+  EXPECT_FALSE(asks<ScrubViewer>(driver.frames())) << "the drag has ended";
 }
 
 TEST_F(ViewerPanel, SpaceStopsTheClipAndNotTheCrowd) {
-  const auto paused = driver.press(Key::space).viewer.settings;
-  ASSERT_TRUE(paused);
-  EXPECT_FALSE(paused->plays);
+  EXPECT_FALSE(asked<SetViewer>(driver.press(Key::space)).settings.plays);
   EXPECT_FALSE(driver.tuning.paused);
 }
 
 TEST_F(ViewerPanel, EscGoesBackToTheCrowdBeforeItQuits) {
-  const OverlayCommands commands = driver.press(Key::escape);
-  EXPECT_TRUE(commands.viewer.leave);
-  EXPECT_FALSE(commands.quit);
+  const Requests requests = driver.press(Key::escape);
+  EXPECT_TRUE(asks<LeaveViewer>(requests));
+  EXPECT_FALSE(asks<Quit>(requests));
 }
 
 TEST_F(ViewerPanel, AsksTheCrowdForNothing) {
   driver.report.selected = SelectionReport{.entities = {}};
-  const OverlayCommands keys = [&] {
-    OverlayCommands all = driver.press(Key::r);
-    all.push_over |= driver.press(Key::p).push_over;
-    return all;
-  }();
-  EXPECT_FALSE(keys.record);
-  EXPECT_FALSE(keys.push_over);
+  EXPECT_FALSE(asks<ToggleRecording>(driver.press(Key::r)));
+  EXPECT_FALSE(asks<Push>(driver.press(Key::p)));
+  driver.hold(Key::control);
+  EXPECT_FALSE(asks<Undo>(driver.press(Key::z)));
+  driver.let_go(Key::control);
   driver.point_at(300, 300);
   driver.input.push({.kind = InputEvent::Kind::button, .down = true});
   driver.input.push({.kind = InputEvent::Kind::button, .down = false});
-  EXPECT_FALSE(driver.frames().select_at);
+  EXPECT_FALSE(asks<SelectAt>(driver.frames()));
 }
 
 TEST_F(ViewerPanel, OffersTheLevelsThatThereAre) {
-  const auto level = driver.click("Bone level:3").viewer.settings;
-  ASSERT_TRUE(level);
-  EXPECT_EQ(level->bone_level, 3);
+  EXPECT_EQ(asked<SetViewer>(driver.click("Bone level:3")).settings.bone_level, 3);
   EXPECT_TRUE(driver.sees("Mesh LOD:1"));
   EXPECT_FALSE(driver.sees("Mesh LOD:2")) << "there is no such mesh";
 }
@@ -100,7 +96,7 @@ TEST_F(ViewerPanel, OfAClipForARoleAsksBeforeTheCrowdPlaysIt) {
   EXPECT_FALSE(driver.sees("Apply to the crowd"));
   driver.report.viewer->preview = RolePreview{Role::walk, 1};
   driver.frames();
-  EXPECT_TRUE(driver.click("Apply to the crowd").viewer.apply_preview);
+  EXPECT_TRUE(asks<ApplyPreview>(driver.click("Apply to the crowd")));
 }
 
 TEST(CharacterOfTheCrowd, IsViewedWithoutASelection) {
@@ -108,16 +104,14 @@ TEST(CharacterOfTheCrowd, IsViewedWithoutASelection) {
   driver.report.character = 1;
   driver.report.characters = {"a.glb", "b.glb"};
   driver.frames();
-  const auto view = driver.click("View model").viewer.view;
-  ASSERT_TRUE(view);
-  EXPECT_EQ(view->character, 1U);
+  EXPECT_EQ(asked<View>(driver.click("View model")).what.character, 1U);
 }
 
 TEST(SelectedAgent, IsViewedByAButtonOfItsCard) {
   OverlayDriver driver;
   driver.report.selected = SelectionReport{.entities = {}};
   driver.frames();
-  EXPECT_TRUE(driver.click("View").viewer.view_selected);
+  EXPECT_TRUE(asks<ViewSelected>(driver.click("View")));
 }
 
 }  // namespace

@@ -18,74 +18,70 @@ struct WardrobeSection : testing::Test {
 TEST_F(WardrobeSection, ChangesTheShareOfABodyWhereTheTrackIsLetGo) {
   driver.point_at("Man", 0.75F);
   driver.button(true);
-  EXPECT_FALSE(driver.frames().wardrobe.cast) << "dressing takes time, so it waits";
+  EXPECT_FALSE(asks<TuneRules>(driver.frames())) << "dressing takes time, so it waits";
   driver.button(false);
-  const OverlayCommands commands = driver.frames();
-  ASSERT_TRUE(commands.wardrobe.cast);
-  EXPECT_NEAR(commands.wardrobe.cast->tuning.bodies[0].weight, 75.0F, 4.0F);
-  EXPECT_EQ(commands.wardrobe.cast->tuning.bodies[1].weight, 46.0F);
-  EXPECT_EQ(commands.wardrobe.cast->tuning.seed, 0U);
+  const auto rules = asked<TuneRules>(driver.frames());
+  EXPECT_EQ(rules.character, 0U);
+  ASSERT_EQ(rules.tuning.bodies.size(), 3U);
+  EXPECT_NEAR(rules.tuning.bodies[0].weight, 75.0F, 4.0F);
+  EXPECT_EQ(rules.tuning.bodies[1].weight, 46.0F);
+  EXPECT_EQ(rules.tuning.seed, 0U);
 }
 
 TEST_F(WardrobeSection, ChangesHowManyHoldThings) {
-  const OverlayCommands commands = driver.click("Things in hands");
-  ASSERT_TRUE(commands.wardrobe.cast);
-  EXPECT_NEAR(commands.wardrobe.cast->tuning.things, 5.0F, 0.5F);
+  EXPECT_NEAR(asked<TuneRules>(driver.click("Things in hands")).tuning.things, 5.0F, 0.5F);
 }
 
 TEST_F(WardrobeSection, ShowsStylesWhenTheyAreAskedFor) {
   EXPECT_FALSE(driver.sees("Style casual"));
   driver.click("Show styles");
   EXPECT_TRUE(driver.sees("Style office"));
-  const OverlayCommands commands = driver.click("Style casual");
-  ASSERT_TRUE(commands.wardrobe.cast);
-  EXPECT_NEAR(commands.wardrobe.cast->tuning.styles[0].weight, 50.0F, 2.0F);
-  EXPECT_EQ(commands.wardrobe.cast->tuning.styles[1].weight, 3.0F);
+  const auto rules = asked<TuneRules>(driver.click("Style casual"));
+  ASSERT_EQ(rules.tuning.styles.size(), 2U);
+  EXPECT_NEAR(rules.tuning.styles[0].weight, 50.0F, 2.0F);
+  EXPECT_EQ(rules.tuning.styles[1].weight, 3.0F);
   driver.click("Hide styles");
   EXPECT_FALSE(driver.sees("Style casual"));
 }
 
-TEST_F(WardrobeSection, DressesEverybodyAnewFromAnotherSeed) {
-  const OverlayCommands commands = driver.click("Dress anew");
-  ASSERT_TRUE(commands.wardrobe.cast);
-  EXPECT_EQ(commands.wardrobe.cast->tuning.seed, 1U);
-  EXPECT_EQ(commands.wardrobe.cast->tuning.bodies, driver.report.wardrobe.tuning.bodies);
+TEST_F(WardrobeSection, DressesAllAgentsAnewFromAnotherSeed) {
+  const auto rules = asked<TuneRules>(driver.click("Dress anew"));
+  EXPECT_EQ(rules.tuning.seed, 1U);
+  EXPECT_EQ(rules.tuning.bodies, driver.report.wardrobe.tuning.bodies);
 }
 
 TEST_F(WardrobeSection, GoesBackToWhatTheFileSays) {
-  EXPECT_FALSE(driver.click("Reset rules").wardrobe.cast);
+  EXPECT_FALSE(asks<TuneRules>(driver.click("Reset rules")));
   driver.report.wardrobe.tuning.bodies[2].weight = 80.0F;
   driver.report.wardrobe.tuning.seed = 4;
   driver.frames();
-  const OverlayCommands one = driver.click("Child.reset");
-  ASSERT_TRUE(one.wardrobe.cast);
-  EXPECT_EQ(one.wardrobe.cast->tuning.bodies[2].weight, 10.0F);
-  EXPECT_EQ(one.wardrobe.cast->tuning.seed, 4U);
-  const OverlayCommands all = driver.click("Reset rules");
-  ASSERT_TRUE(all.wardrobe.cast);
-  EXPECT_EQ(all.wardrobe.cast->tuning, driver.report.wardrobe.standard);
+  const auto one = asked<TuneRules>(driver.click("Child.reset"));
+  ASSERT_EQ(one.tuning.bodies.size(), 3U);
+  EXPECT_EQ(one.tuning.bodies[2].weight, 10.0F);
+  EXPECT_EQ(one.tuning.seed, 4U);
+  EXPECT_EQ(asked<TuneRules>(driver.click("Reset rules")).tuning, driver.report.wardrobe.standard);
 }
 
 TEST_F(WardrobeSection, SavesRulesUnderANameAndReadsThemOrTheFileInForceAgain) {
-  EXPECT_FALSE(driver.click("Save rules").wardrobe.save) << "it has no name";
-  EXPECT_EQ(driver.click("Load rules").wardrobe.load, "");
+  EXPECT_FALSE(asks<SaveRules>(driver.click("Save rules"))) << "it has no name";
+  EXPECT_EQ(asked<LoadRules>(driver.click("Load rules")).rules, "");
   driver.click("Rules.field");
   driver.type("mine");
-  EXPECT_EQ(driver.click("Save rules").wardrobe.save, "mine");
-  EXPECT_EQ(driver.click("Load rules").wardrobe.load, "mine");
+  EXPECT_EQ(asked<SaveRules>(driver.click("Save rules")).rules, "mine");
+  EXPECT_EQ(asked<LoadRules>(driver.click("Load rules")).rules, "mine");
 }
 
 TEST_F(WardrobeSection, SaysWhyNothingCanBeReadWhereRulesAreOfNoFile) {
   driver.report.wardrobe.file.clear();
   driver.frames();
-  EXPECT_FALSE(driver.click("Load rules").wardrobe.load);
+  EXPECT_FALSE(asks<LoadRules>(driver.click("Load rules")));
 }
 
 TEST_F(WardrobeSection, DoesNothingWhileTheWardrobeIsOff) {
   driver.tuning.wardrobe = false;
   driver.frames();
-  EXPECT_FALSE(driver.click("Man").wardrobe.cast);
-  EXPECT_FALSE(driver.click("Dress anew").wardrobe.cast);
+  EXPECT_FALSE(asks<TuneRules>(driver.click("Man")));
+  EXPECT_FALSE(asks<TuneRules>(driver.click("Dress anew")));
 }
 
 TEST_F(WardrobeSection, OfACharacterWithoutRulesHasTheTwoValuesAlone) {

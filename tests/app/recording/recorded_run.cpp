@@ -28,9 +28,15 @@ std::unique_ptr<Show> show_of(const DemoOptions& options) {
 void change(Show& show, const std::function<void(Tuning&)>& values) {
   Tuning tuning = show.stage().tuning();
   values(tuning);
-  const anim::Status applied = show.apply(tuning);
-  EXPECT_TRUE(applied) << applied.error().message;
+  ask(show, Apply{tuning});
 }
+
+void ask(Show& show, const CrowdRequest& request) {
+  const anim::Status taken = show.take(request);
+  EXPECT_TRUE(taken) << taken.error().message;
+}
+
+Push push_of_selected(const Show& show) { return {*show.stage().selected(), render::forward(show.camera)}; }
 
 std::string with_true_checksum(std::string recording) {
   recording.resize(recording.size() - sizeof(std::uint64_t));

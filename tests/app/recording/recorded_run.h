@@ -16,6 +16,10 @@ inline constexpr anim::Ticks sixtieth = anim::ticks_per_second / 60;
 DemoOptions demo(const std::string& line);
 std::unique_ptr<Show> show_of(const DemoOptions& options);
 void change(Show& show, const std::function<void(Tuning&)>& values);
+/// Makes a request, which the show must take.
+void ask(Show& show, const CrowdRequest& request);
+/// Returns the request to push the selected agent away from the camera.
+Push push_of_selected(const Show& show);
 
 /// Returns the same bytes of a recording that was ended, with the checksum that they should have. A careful liar would
 /// write this.

@@ -16,7 +16,7 @@ class Recorders : public test::RecordedRun {
 };
 
 TEST_F(Recorders, IgnoreWhatTheyAreToldWhileNoFileIsOpen) {
-  recorder_.add(RecordedRewind{});
+  recorder_.add(CrowdRequest(GoBack{}));
   EXPECT_FALSE(recorder_.is_recording());
   EXPECT_TRUE(recorder_.stop());
   EXPECT_FALSE(std::filesystem::exists(file_));
@@ -25,7 +25,7 @@ TEST_F(Recorders, IgnoreWhatTheyAreToldWhileNoFileIsOpen) {
 TEST_F(Recorders, PutTheFileInItsPlaceWhenTheyStop) {
   ASSERT_TRUE(recorder_.start(file_, {.characters = {}, .tuning = {}, .width = 8, .height = 8}));
   EXPECT_TRUE(recorder_.is_recording());
-  recorder_.add(RecordedRewind{});
+  recorder_.add(CrowdRequest(GoBack{}));
   EXPECT_FALSE(std::filesystem::exists(file_));
   EXPECT_TRUE(recorder_.stop());
   EXPECT_TRUE(std::filesystem::exists(file_));
@@ -47,7 +47,7 @@ TEST_F(Recorders, SayAFullDiskWhenItHappensAndKeepTheFramesBefore) {
   ASSERT_TRUE(recorder_.start(file_, {.characters = {}, .tuning = {}, .width = 8, .height = 8}));
   setrlimit(RLIMIT_FSIZE, &small);
   int requests = 0;
-  for (; recorder_.is_recording() && requests < 100'000; ++requests) recorder_.add(RecordedSelection{});
+  for (; recorder_.is_recording() && requests < 100'000; ++requests) recorder_.add(CrowdRequest(Select{}));
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_LT(requests, 100'000) << "it goes on";
   ASSERT_FALSE(recorder_.outcome());

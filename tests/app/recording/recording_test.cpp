@@ -23,19 +23,27 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t high_bits(std::uint64_t hash) { return hash << 48U; }
 
-RecordedCharacter person() {
+ChosenCharacter person() {
   return {.file = "person.glb",
           .fingerprint = "0123456789abcdef",
-          .roles = no_clips(),
+          .share = 0.75,
+          .clip_files = {"walks.glb"},
+          .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet},
+          .clips = {{Role::walk, "Walking_A"}, {Role::wave, no_clip_name}},
           .bones = {"hips", "head"},
           .level_counts = {2, 1},
-          .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet},
-          .rig = std::vector<RigChoice>{{anim::BodyRole::left_foot, "ankle \"l\""}}};
+          .rig = {{anim::BodyRole::left_foot, "ankle \"l\""}},
+          .rules = "{\"version\":1}"};
+}
+
+RoleClips clips() {
+  RoleClips clips = no_clips();
+  clips[2] = 7;
+  return clips;
 }
 
 RecordingHeader header() {
   RecordingHeader header{.characters = {person()}, .tuning = {}, .width = 640, .height = 360};
-  header.characters.front().roles[2] = 7;
   header.tuning.agents = 3;
   header.tuning.system.cost.tile = 99.5;
   return header;
@@ -49,7 +57,7 @@ RecordedFrame frame(anim::Ticks delta) {
 
 template <typename Asked>
 Asked asked(RecordingReader& reader) {
-  return std::get<Asked>(std::get<RecordedRequest>(*reader.next()));
+  return std::get<Asked>(std::get<CrowdRequest>(*reader.next()));
 }
 
 class Recordings : public test::TemporaryFolder {
@@ -62,18 +70,22 @@ class Recordings : public test::TemporaryFolder {
     Tuning tuning = header().tuning;
     tuning.agents = 2;
     tuning.time_scale = 0.3F;
-    (*writer)->add(tuning);
-    (*writer)->add(RecordedSelection{1});
-    (*writer)->add(RecordedSelection{});
-    (*writer)->add(RecordedPush{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}});
-    (*writer)->add(RecordedRoles{.character = 0, .clips = header().characters.front().roles});
-    (*writer)->add(RecordedHold{.agent = 2, .seconds = 0.75F});
-    (*writer)->add(RecordedHold{});
-    (*writer)->add(RecordedRewind{});
-    (*writer)->add(RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
-    (*writer)->add(RecordedRig{.character = 0, .choices = *person().rig});
-    (*writer)->add(RecordedPlacement{.character = 0, .choice = person().placement});
-    (*writer)->add(RecordedCharacters{{person(), person()}});
+    const std::vector<CrowdRequest> requests{
+        Apply{tuning},
+        Select{1},
+        Select{},
+        Push{.agent = 1, .direction = {0.25F, 0.1F, -1.0F}},
+        SetRoles{.character = 0, .clips = clips()},
+        Hold{.agent = 2, .seconds = 0.7F},
+        Hold{},
+        GoBack{3},
+        SetShare{.character = 1, .share = 1.0 / 3.0},
+        SetBones{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}},
+        SetBody{.character = 0, .parts = person().rig},
+        SetPlacement{.character = 0, .choice = person().placement},
+        SetRules{.character = 0, .rules = "", .file = "none.cast.json"},
+        SetCast{{person(), person()}}};
+    for (const CrowdRequest& request : requests) (*writer)->add(request);
     (*writer)->add(frame(anim::Ticks{}), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
   }
@@ -116,22 +128,26 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   Tuning tuning = header().tuning;
   tuning.agents = 2;
   tuning.time_scale = 0.3F;
-  EXPECT_EQ(asked<Tuning>(reader), tuning);
-  EXPECT_EQ(asked<RecordedSelection>(reader).agent, 1U);
-  EXPECT_EQ(asked<RecordedSelection>(reader).agent, std::nullopt);
-  EXPECT_EQ(asked<RecordedPush>(reader).direction, glm::vec3(0.25F, 0.0F, -1.0F));
-  EXPECT_EQ(asked<RecordedRoles>(reader).clips, header().characters.front().roles);
-  const auto held = asked<RecordedHold>(reader);
+  EXPECT_EQ(asked<Apply>(reader).tuning, tuning);
+  EXPECT_EQ(asked<Select>(reader).agent, 1U);
+  EXPECT_EQ(asked<Select>(reader).agent, std::nullopt);
+  EXPECT_EQ(asked<Push>(reader).direction, glm::vec3(0.25F, 0.1F, -1.0F));
+  EXPECT_EQ(asked<SetRoles>(reader).clips, clips());
+  const auto held = asked<Hold>(reader);
   EXPECT_EQ(held.agent, 2U);
-  EXPECT_EQ(held.seconds, 0.75F);
-  EXPECT_EQ(asked<RecordedHold>(reader).agent, std::nullopt);
-  asked<RecordedRewind>(reader);
-  const auto order = asked<RecordedBoneOrder>(reader);
+  EXPECT_EQ(held.seconds, 0.7F);
+  EXPECT_EQ(asked<Hold>(reader).agent, std::nullopt);
+  EXPECT_EQ(asked<GoBack>(reader).moment, 3U);
+  EXPECT_EQ(asked<SetShare>(reader).share, 1.0 / 3.0);
+  const auto order = asked<SetBones>(reader);
   EXPECT_THAT(order.choice.bones, ElementsAre(1, 0));
   EXPECT_THAT(order.choice.level_counts, ElementsAre(2, 1));
-  EXPECT_EQ(asked<RecordedRig>(reader).choices, person().rig);
-  EXPECT_EQ(asked<RecordedPlacement>(reader).choice, person().placement);
-  EXPECT_THAT(asked<RecordedCharacters>(reader).characters, ElementsAre(person(), person()));
+  EXPECT_EQ(asked<SetBody>(reader).parts, person().rig);
+  EXPECT_EQ(asked<SetPlacement>(reader).choice, person().placement);
+  const auto rules = asked<SetRules>(reader);
+  EXPECT_EQ(rules.rules, "");
+  EXPECT_EQ(rules.file, "none.cast.json");
+  EXPECT_THAT(asked<SetCast>(reader).characters, ElementsAre(person(), person()));
   EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, anim::Ticks{});
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));
   EXPECT_EQ(std::get<RecordedEnd>(*reader.next()).frames, 2U);
@@ -174,7 +190,7 @@ TEST_F(Recordings, OfAnotherKindAreRefusedInWords) {
   std::string other = bytes();
   other[recording_magic.size()] = 9;
   put(other);
-  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 3"));
+  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 4"));
 }
 
 TEST_F(Recordings, CutShortAnywhereSaySo) {

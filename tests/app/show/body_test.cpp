@@ -48,32 +48,32 @@ TEST_F(Bodies, StandOnTheFootThatAPersonChoseWhileTheCrowdRuns) {
   const auto show = this->show();
   EXPECT_EQ(ankle(*show), "foot.L");
   show->animate(test::sixtieth);
-  ASSERT_TRUE(show->set_rig(0, long_foot));
+  ASSERT_TRUE(show->take(SetBody{0, long_foot}));
   EXPECT_EQ(ankle(*show), "toe.L");
   for (int frame = 0; frame < 5; ++frame) show->animate(test::sixtieth);
   EXPECT_EQ(show->stage().crowd().size(), 20U);
-  ASSERT_TRUE(show->set_rig(0, {}));
+  ASSERT_TRUE(show->take(SetBody{0, {}}));
   EXPECT_EQ(ankle(*show), "foot.L");
 }
 
 TEST_F(Bodies, SayWhatIsGuessedAndWhatFollows) {
   const auto show = this->show();
   EXPECT_EQ(parts_of(*show).follows, "Feet are placed; it can look at things; it falls as a person.");
-  ASSERT_TRUE(show->set_rig(0, long_foot));
+  ASSERT_TRUE(show->take(SetBody{0, long_foot}));
   const BodyParts longer = parts_of(*show);
   EXPECT_EQ(longer.said, long_foot);
   EXPECT_EQ(longer.guessed[anim::index_of(Part::left_foot)], "foot.L");
   EXPECT_EQ(longer.bones.size(), 62U);
-  ASSERT_TRUE(show->set_rig(0, {{Part::left_upper_leg, "hand.R"}}));
+  ASSERT_TRUE(show->take(SetBody{0, {{Part::left_upper_leg, "hand.R"}}}));
   EXPECT_THAT(parts_of(*show).follows, HasSubstr("it falls, but not as a person"));
   EXPECT_THAT(parts_of(*show).follows, Not(HasSubstr("skeleton '")));
 }
 
 TEST_F(Bodies, ChangeNothingWhereAPersonContradictsTheSkeleton) {
   const auto show = this->show();
-  ASSERT_TRUE(show->set_rig(0, long_foot));
+  ASSERT_TRUE(show->take(SetBody{0, long_foot}));
   const auto refusal = [&](const std::vector<RigChoice>& choices) {
-    const anim::Status set = show->set_rig(0, choices);
+    const anim::Status set = show->take(SetBody{0, choices});
     return set ? "(taken)" : set.error().message;
   };
   EXPECT_EQ(refusal({{Part::left_foot, "toe.L"}, {Part::right_foot, "toe.L"}}),
@@ -98,7 +98,7 @@ TEST_F(Bodies, AreKeptBesideTheModelAndLeaveItsClipsAsTheyAre) {
   std::ofstream(kept) << R"({"version": 1, "clips": {"walk": "run"}})";
   {
     const auto show = this->show();
-    ASSERT_TRUE(show->set_rig(0, long_foot));
+    ASSERT_TRUE(show->take(SetBody{0, long_foot}));
     const auto written = save_rig(show->stage().characters()[0]);
     ASSERT_TRUE(written) << written.error().message;
     EXPECT_EQ(*written, kept);
@@ -107,7 +107,7 @@ TEST_F(Bodies, AreKeptBesideTheModelAndLeaveItsClipsAsTheyAre) {
   const auto again = show();
   EXPECT_EQ(again->stage().characters()[0].rig, long_foot);
   EXPECT_EQ(ankle(*again), "toe.L");
-  ASSERT_TRUE(again->set_rig(0, {}));
+  ASSERT_TRUE(again->take(SetBody{0, {}}));
   ASSERT_TRUE(save_rig(again->stage().characters()[0]));
   EXPECT_EQ(ankle(*show()), "foot.L") << "a person took the word back";
 }
@@ -117,7 +117,7 @@ TEST_F(Bodies, OfTheBuiltInCharacterAreThePersonsOwn) {
   const auto built_in = [] { return show_of(demo("--agents 2")); };
   {
     const auto show = built_in();
-    ASSERT_TRUE(show->set_rig(0, long_foot));
+    ASSERT_TRUE(show->take(SetBody{0, long_foot}));
     EXPECT_EQ(*save_rig(show->stage().characters()[0]), folder_ / "throng" / "mannequin.throng.json");
   }
   EXPECT_EQ(ankle(*built_in()), "toe.L");
@@ -126,11 +126,11 @@ TEST_F(Bodies, OfTheBuiltInCharacterAreThePersonsOwn) {
 
 TEST_F(Bodies, AreRepeatedAsTheyWereRecorded) {
   const auto show = show_of(demo("--agents 20 --lod off"));
-  ASSERT_TRUE(show->set_rig(0, long_foot)) << "before the recording begins";
+  ASSERT_TRUE(show->take(SetBody{0, long_foot})) << "before the recording begins";
   record(*show, 40, [](Show& recorded, int frame) {
     recorded.camera.position.x += 0.05F;
     if (frame == 15) {
-      ASSERT_TRUE(recorded.set_rig(0, {{Part::right_foot, "toe.R"}, {Part::head, "neck"}}));
+      ASSERT_TRUE(recorded.take(SetBody{0, {{Part::right_foot, "toe.R"}, {Part::head, "neck"}}}));
     }
   });
   EXPECT_EQ(repeated(""), file_.string() + ": all 40 frames are equal, the last of 20 agents");

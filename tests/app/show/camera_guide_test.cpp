@@ -51,7 +51,7 @@ class CameraThatFollows : public testing::Test {
   void SetUp() override {
     show_->animate(sixtieth);
     show_->films = false;
-    show_->hands().select(0);  // the first agents walk
+    EXPECT_TRUE(show_->take(Select{0}));  // the first agents walk
     show_->guide.follow(true);
     show_->animate(sixtieth);
   }
@@ -74,14 +74,14 @@ TEST_F(CameraThatFollows, KeepsItsOffsetToTheSelectedAgent) {
 
 TEST_F(CameraThatFollows, GoesOnWithAnotherAgentFromWhereItIs) {
   const glm::vec3 before = show_->camera.position;
-  show_->hands().select(1);
+  EXPECT_TRUE(show_->take(Select{1}));
   show_->animate(sixtieth);
   EXPECT_LT(glm::distance(show_->camera.position, before), 0.2F);
   EXPECT_TRUE(show_->guide.follows());
 }
 
 TEST_F(CameraThatFollows, StaysOnceNobodyIsSelected) {
-  show_->hands().select({});
+  EXPECT_TRUE(show_->take(Select{}));
   show_->animate(sixtieth);
   const glm::vec3 before = show_->camera.position;
   pass();

@@ -1,4 +1,4 @@
-#include "app/recording/crowd_file.h"
+#include "app/request/crowd_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/recording/cast_options.h"
+#include "app/request/cast_options.h"
 #include "app/settings/tuning_values.h"
 #include "tests/app/program_run.h"
 #include "tests/app/recording/recorded_run.h"
@@ -34,16 +34,16 @@ void change_everything(Show& show) {
   const CharacterSource& person = show.stage().characters()[0];
   RoleClips clips = person.roles.clips;
   clips[index_of(Role::walk)] = clips[index_of(Role::run)];
-  show.set_roles(0, clips);
-  show.set_share(0, 3.0);
+  EXPECT_TRUE(show.take(SetRoles{0, clips}));
+  EXPECT_TRUE(show.take(SetShare{0, 3.0}));
   const anim::Skeleton& skeleton = person.character->skeleton;
   BoneLodChoice choice = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
   choice.level_counts.back() -= 1;
-  ASSERT_TRUE(show.set_bone_lod(0, choice));
+  ASSERT_TRUE(show.take(SetBones{0, choice}));
   Tuning tuning = show.stage().tuning();
   tuning.seed = 77;
   tuning.error_px = 0.25F;
-  ASSERT_TRUE(show.apply(tuning));
+  ASSERT_TRUE(show.take(Apply{tuning}));
 }
 
 TEST_F(CrowdFile, BringsBackTheCrowdThatWasSaved) {
@@ -189,7 +189,7 @@ TEST_F(CrowdFile, CopiedAsOptionsHasItsModelsAndRoles) {
   const auto show = test::show_of(options);
   RoleClips clips = show->stage().people()[0].roles.clips;
   clips[index_of(Role::wave)] = no_clip;
-  show->set_roles(0, clips);
+  EXPECT_TRUE(show->take(SetRoles{0, clips}));
   EXPECT_EQ(cast_options(show->stage().people()), "'" + folder_.string() + "/a person'\\''s.glb' --clips wave=none");
 }
 

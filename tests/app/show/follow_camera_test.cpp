@@ -107,11 +107,11 @@ TEST_F(FollowsInShow, FollowsAnAgentOfAnyCrowdByItsNumber) {
 
 TEST_F(FollowsInShow, EndsWithTheSelectionInAWindow) {
   const auto show = show_of(demo("--agents 12"));
-  show->hands().select(0);
+  EXPECT_TRUE(show->take(Select{0}));
   show->guide.follow_behind(FollowCamera(0), true);
   pass(*show, 1.0);
   EXPECT_TRUE(show->guide.follows_behind());
-  show->hands().select({});
+  EXPECT_TRUE(show->take(Select{}));
   const render::Camera before = show->camera;
   pass(*show, 1.0);
   EXPECT_FALSE(show->guide.follows_behind());

@@ -27,7 +27,7 @@ TEST_F(KeptChoices, LieBesideTheModelAndAreTakenByTheNextRun) {
     const auto show = test::show_of(options);
     clips = show->stage().characters()[0].roles.clips;
     clips[index_of(Role::walk)] = clips[index_of(Role::run)];
-    show->set_roles(0, clips);
+    EXPECT_TRUE(show->take(SetRoles{0, clips}));
     for (const auto& kept : {save_roles(show->stage().characters()[0]), save_bone_lod(show->stage().characters()[0]),
                              export_lod(*show, 0)}) {
       ASSERT_TRUE(kept);
@@ -44,7 +44,7 @@ class LodExportOfAShow : public KeptChoices {
   std::string with(const std::function<void(Tuning&)>& change) {
     Tuning tuning = show_->stage().tuning();
     change(tuning);
-    EXPECT_TRUE(show_->apply(tuning));
+    EXPECT_TRUE(show_->take(Apply{tuning}));
     show_->animate(test::sixtieth);
     const auto written = export_lod(*show_, 0);
     EXPECT_TRUE(written);

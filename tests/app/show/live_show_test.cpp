@@ -44,9 +44,9 @@ class LiveShow : public testing::Test {
     EXPECT_NE(show, nullptr) << error.message;
     return show;
   }
-  static bool is_over(const Show& show) { return live_crowd_of(show)->has_ended(); }
+  static bool is_over(const Show& show) { return show.live()->has_ended(); }
   static void animate(Show& show) {
-    while (!has_rows_for(show, sixtieth, std::chrono::milliseconds(100))) {
+    while (!show.has_rows_for(sixtieth, std::chrono::milliseconds(100))) {
     }
     show.animate(sixtieth);
   }
@@ -90,7 +90,7 @@ TEST_F(LiveShow, EndsWithWhatItHasWhereTheTextIsWrong) {
   const auto show = live("--agents 3", "id,time,x,y\n1,0,0,0\n1,1,1,0\n1,2,two,0\n");
   while (!is_over(*show)) animate(*show);
   EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
-  EXPECT_FALSE(live_crowd_of(*show)->status());
+  EXPECT_FALSE(show->live()->status());
   EXPECT_THAT(show->notice, HasSubstr("-: line 4: \"two\" is not a number"));
 }
 

@@ -31,10 +31,9 @@ class Placements : public test::RecordedRun {
   static const CharacterSource& person(const Show& show) { return show.stage().people()[0]; }
 };
 
-void place(Show& show, std::size_t character, const PlacementChoice& choice) {
-  const auto seconds = show.set_placement(character, choice);
-  ASSERT_TRUE(seconds) << seconds.error().message;
-  EXPECT_GT(*seconds, 0.0);
+void place(Show& show, CharacterNumber character, const PlacementChoice& choice) {
+  const anim::Status placed = show.take(SetPlacement{character, choice});
+  ASSERT_TRUE(placed) << placed.error().message;
 }
 
 TEST_F(Placements, MakeACharacterLarger) {
@@ -52,11 +51,11 @@ TEST_F(Placements, KeepRolesSharesAndOrdersOfAll) {
   const auto show = show_of(demo(cast()));
   RoleClips clips = person(*show).roles.clips;
   clips[index_of(Role::walk)] = clips[index_of(Role::run)];
-  show->set_roles(0, clips);
-  show->set_share(1, 5.0);
+  EXPECT_TRUE(show->take(SetRoles{0, clips}));
+  EXPECT_TRUE(show->take(SetShare{1, 5.0}));
   std::vector<int> order(person(*show).character->skeleton.bones.size());
   for (std::size_t bone = 0; bone < order.size(); ++bone) order[bone] = static_cast<int>(bone);
-  ASSERT_TRUE(show->set_bone_lod(0, {.bones = order, .level_counts = {static_cast<int>(order.size()), 5}}));
+  ASSERT_TRUE(show->take(SetBones{0, {.bones = order, .level_counts = {static_cast<int>(order.size()), 5}}}));
   place(*show, 0, twice);
   EXPECT_EQ(person(*show).roles.clips, clips);
   EXPECT_EQ(person(*show).roles.share, 3.0);
@@ -75,11 +74,11 @@ TEST_F(Placements, OfTheBuiltInCharacterAreTakenToo) {
 TEST_F(Placements, ThatCannotBeChangeNothing) {
   const auto show = show_of(demo(cast()));
   const double height = person(*show).character->bounds.height;
-  const auto refused = show->set_placement(0, {.scale = 1e12});
+  const auto refused = show->take(SetPlacement{0, {.scale = 1e12}});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("no height, or one beyond all measure"));
   std::filesystem::remove(folder_ / "person.glb");
-  const auto gone = show->set_placement(0, twice);
+  const auto gone = show->take(SetPlacement{0, twice});
   ASSERT_FALSE(gone);
   EXPECT_THAT(gone.error().message, HasSubstr("person.glb"));
   EXPECT_EQ(person(*show).character->bounds.height, height);

@@ -35,7 +35,7 @@ TEST(ReplacedTrajectories, TakeThePlaceOfEverybodyAndOfEachOther) {
   const auto show = show_of(demo("--agents 12"));
   show->animate(sixtieth);
   for (const int count : {7, 3}) {
-    ASSERT_TRUE(replace_trajectories(*show, people(count)));
+    ASSERT_TRUE(show->replace_trajectories(people(count)));
     show->animate(sixtieth);
     EXPECT_EQ(show->stage().tuning().scene, Scene::tracks);
     EXPECT_EQ(show->stage().crowd().size(), static_cast<std::size_t>(count));
@@ -48,11 +48,11 @@ TEST(ReplacedTrajectories, TakeThePlaceOfEverybodyAndOfEachOther) {
 
 TEST(ReplacedTrajectories, GoOnAtTheirMomentWithOtherCharacters) {
   const auto show = show_of(demo("--agents 12"));
-  ASSERT_TRUE(replace_trajectories(*show, people(7)));
+  ASSERT_TRUE(show->replace_trajectories(people(7)));
   for (int frame = 0; frame < 60; ++frame) show->animate(sixtieth);
   const TrackClock before = track_clock_of(show->stage().crowd());
   const std::string model = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
-  ASSERT_TRUE(show->replace_models({&model, 1}));
+  ASSERT_TRUE(show->take(LoadModels{{model}}));
   EXPECT_EQ(track_clock_of(show->stage().crowd()), before);
 }
 
@@ -61,12 +61,12 @@ using ReplacedWhileRecording = test::TemporaryFolder;
 TEST_F(ReplacedWhileRecording, AreRefusedAndARecordedCrowdIsNotRecorded) {
   const auto show = show_of(demo("--agents 12"));
   ASSERT_TRUE(show->start_recording(folder_ / "run.rec"));
-  const anim::Status replaced = replace_trajectories(*show, people(7));
+  const anim::Status replaced = show->replace_trajectories(people(7));
   ASSERT_FALSE(replaced);
   EXPECT_THAT(replaced.error().message, HasSubstr("a recording goes on, and cannot hold the crowd of a file"));
   EXPECT_EQ(show->stage().crowd().size(), 12U);
   ASSERT_TRUE(show->stop_recording());
-  ASSERT_TRUE(replace_trajectories(*show, people(7)));
+  ASSERT_TRUE(show->replace_trajectories(people(7)));
   EXPECT_THAT(show->start_recording(folder_ / "run.rec").error().message,
               HasSubstr("the scene tracks is not recorded"));
 }

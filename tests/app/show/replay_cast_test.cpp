@@ -56,13 +56,13 @@ TEST_F(CastShow, HasAsManyAgentsOfEachAsItsShareAsksFor) {
   const auto show = show_of(demo(cast()));
   EXPECT_THAT(members(*show), ElementsAre(6, 6, 18));
   EXPECT_THAT(show->notice, HasSubstr("broken.glb"));
-  show->set_share(2, 1.0);
+  EXPECT_TRUE(show->take(SetShare{2, 1.0}));
   EXPECT_THAT(members(*show), ElementsAre(10, 10, 10));
 }
 
 TEST_F(CastShow, IsRepeatedWithItsSharesAndTheClipsBesideIt) {
   record(*show_of(demo(cast())), 30, [](Show& show, int frame) {
-    if (frame == 10) show.set_share(1, 4.0);
+    if (frame == 10) test::ask(show, SetShare{1, 4.0});
     if (frame == 20) test::change(show, [](Tuning& tuning) { tuning.variety = false; });
   });
   EXPECT_EQ(repeated(""), file_.string() + ": all 30 frames are equal, the last of 30 agents");
@@ -72,7 +72,7 @@ TEST_F(CastShow, IsRepeatedWhereItWasDropped) {
   record(*show_of(demo("--agents 12 --scene grid")), 20, [this](Show& show, int frame) {
     if (frame != 5) return;
     const std::vector<std::string> dropped{people(), plain()};
-    const anim::Status replaced = show.replace_models(dropped);
+    const anim::Status replaced = show.take(LoadModels{dropped});
     EXPECT_TRUE(replaced) << replaced.error().message;
     EXPECT_THAT(members(show), ElementsAre(4, 4, 4));
     EXPECT_THAT(show.notice, HasSubstr("broken.glb"));
@@ -82,7 +82,7 @@ TEST_F(CastShow, IsRepeatedWhereItWasDropped) {
 
 TEST_F(CastShow, OfAnotherFolderNamesNobodyThatWasLeftOutBefore) {
   const auto show = show_of(demo(cast()));
-  ASSERT_TRUE(show->replace_models(std::vector{plain()}));
+  ASSERT_TRUE(show->take(LoadModels{std::vector{plain()}}));
   EXPECT_THAT(show->notice, testing::Not(HasSubstr("broken.glb")));
 }
 

@@ -38,7 +38,7 @@ void reorder_bones(Show& show) {
   const BoneLodChoice present = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
   BoneLodChoice choice = with_bone_moved(parents, present, parents.size() - 1, 3);
   choice.level_counts = {present.level_counts[0], present.level_counts[1] / 2};
-  expect_done(show.set_bone_lod(0, choice));
+  expect_done(show.take(SetBones{0, choice}));
 }
 
 class ReplaysOfHands : public test::RecordedRun {
@@ -52,19 +52,21 @@ TEST_F(ReplaysOfHands, GiveRolesOtherClipsWhileTheCrowdGoesOn) {
     RoleClips clips = show.stage().people()[0].roles.clips;
     std::swap(clips[index_of(Role::walk)], clips[index_of(Role::run)]);
     std::swap(clips[index_of(Role::stand)], clips[index_of(Role::wave)]);
-    show.set_roles(0, clips);
+    EXPECT_TRUE(show.take(SetRoles{0, clips}));
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
 
 TEST_F(ReplaysOfHands, HoldAClipAndLetItGo) {
   record(*plaza(), 60, [](Show& show, int frame) {
-    if (frame == 5) show.hands().select(7);
-    if (frame >= 10 && frame < 20) show.hands().hold_selected_clip(0.05F * static_cast<float>(frame));
-    if (frame == 30) show.hands().let_go_of_clip();
-    if (frame == 35) show.hands().hold_selected_clip(0.5F);
-    if (frame == 45) show.hands().select(8);  // lets go
-    if (frame == 50) show.hands().hold_selected_clip(0.25F);
+    if (frame == 5) test::ask(show, Select{7});
+    if (frame >= 10 && frame < 20) {
+      test::ask(show, Hold{show.stage().selected(), 0.05F * static_cast<float>(frame)});
+    }
+    if (frame == 30) test::ask(show, Hold{});
+    if (frame == 35) test::ask(show, Hold{show.stage().selected(), 0.5F});
+    if (frame == 45) test::ask(show, Select{8});  // lets go
+    if (frame == 50) test::ask(show, Hold{show.stage().selected(), 0.25F});
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
@@ -73,9 +75,9 @@ TEST_F(ReplaysOfHands, GoBackInTimeToTheSameMoments) {
   record(*plaza(), 200, [](Show& show, int frame) {
     if (frame == 20) change(show, [](Tuning& tuning) { tuning.paused = true; });
     if (frame == 25) change(show, [](Tuning& tuning) { tuning.paused = false; });
-    if (frame == 40) show.hands().select(7);
-    if (frame == 41) expect_done(show.hands().push_selected());
-    if (frame == 80 || frame == 81 || frame == 120 || frame == 199) expect_done(show.rewind());
+    if (frame == 40) test::ask(show, Select{7});
+    if (frame == 41) expect_done(show.take(test::push_of_selected(show)));
+    if (frame == 80 || frame == 81 || frame == 120 || frame == 199) expect_done(show.take(GoBack{}));
     if (frame == 110) change(show, [](Tuning& tuning) { tuning.system.schedule = anim::Schedule::levels; });
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
@@ -88,12 +90,12 @@ TEST_F(ReplaysOfHands, GoBackNoFurtherThanToTheBeginOfTheRecording) {
   ASSERT_EQ(show->moments().count(), 4U);
   record(*show, 50, [](Show& recorded, int frame) {
     if (frame == 1) {
-      EXPECT_FALSE(recorded.rewind()) << "what was before is not in the recording";
+      EXPECT_FALSE(recorded.take(GoBack{})) << "what was before is not in the recording";
     }
     if (frame == 45) {
-      expect_done(recorded.rewind());
-      expect_done(recorded.rewind());
-      EXPECT_FALSE(recorded.rewind());
+      expect_done(recorded.take(GoBack{}));
+      expect_done(recorded.take(GoBack{}));
+      EXPECT_FALSE(recorded.take(GoBack{}));
     }
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
@@ -104,7 +106,7 @@ TEST_F(ReplaysOfHands, GoBackToTheMomentThatWasAskedFor) {
     if (frame != 150) return;
     ASSERT_EQ(show.moments().count(), 5U);
     const anim::Ticks kept = show.stage().system().clock() - show.moments().age(show.stage(), 2);
-    expect_done(show.rewind(2));
+    expect_done(show.take(GoBack{2}));
     EXPECT_EQ(show.stage().system().clock(), kept);
     EXPECT_EQ(show.moments().count(), 2U) << "it and all newer ones are behind";
   });
@@ -115,7 +117,7 @@ TEST_F(ReplaysOfHands, OrderBonesAnew) {
   record(*plaza(), 40, [](Show& show, int frame) {
     if (frame == 10 || frame == 20) reorder_bones(show);
     if (frame == 30) {
-      EXPECT_FALSE(show.set_bone_lod(0, {})) << "and what cannot be is not recorded";
+      EXPECT_FALSE(show.take(SetBones{0, {}})) << "and what cannot be is not recorded";
     }
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
@@ -136,15 +138,15 @@ TEST_F(ReplaysOfHands, BeginWithTheOrderOfBonesThatTheRecordingBeganWith) {
 TEST_F(ReplaysOfHands, LoadOtherCharacters) {
   record(*plaza(), 60, [](Show& show, int frame) {
     const std::string models[] = {other_model, THRONG_SOURCE_DIR "/assets/mannequin.glb"};
-    if (frame == 10) expect_done(show.replace_models(std::span(models).first(1)));
+    if (frame == 10) expect_done(show.take(LoadModels{{models[0]}}));
     if (frame == 20) {
-      EXPECT_FALSE(show.replace_models(std::vector<std::string>{"none.glb"})) << "is not recorded";
+      EXPECT_FALSE(show.take(LoadModels{std::vector<std::string>{"none.glb"}})) << "is not recorded";
     }
-    if (frame == 30) expect_done(show.replace_models(models));
+    if (frame == 30) expect_done(show.take(LoadModels{{models[0], models[1]}}));
     if (frame == 40)
       expect_done(
-          show.set_bone_lod(1, present_bone_lod(show.stage().people()[1].character->skeleton.bones.size(),
-                                                show.stage().people()[1].character->skeleton.level_bone_counts)));
+          show.take(SetBones{1, present_bone_lod(show.stage().people()[1].character->skeleton.bones.size(),
+                                                 show.stage().people()[1].character->skeleton.level_bone_counts)}));
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
@@ -155,7 +157,7 @@ TEST_F(ReplaysOfHands, ChangeNothingWhenAnotherOrderOfBonesIsKeptLater) {
   const auto show = show_of(demo("--agents 12 " + model));
   record(*show, 30, [&](Show& recorded, int frame) {
     if (frame == 1) show_level_1(recorded);
-    if (frame == 15) expect_done(recorded.replace_models(std::vector{model}));
+    if (frame == 15) expect_done(recorded.take(LoadModels{{model}}));
   });
   reorder_bones(*show);
   const auto kept = save_bone_lod(show->stage().characters()[0]);
@@ -169,7 +171,7 @@ class ReplaysOfADroppedModel : public ReplaysOfHands {
   void SetUp() override {
     fs::copy_file(other_model, model_);
     record(*show_of(demo("--agents 3")), 5, [&](Show& show, int frame) {
-      if (frame == 3) expect_done(show.replace_models(std::vector{model_.string()}));
+      if (frame == 3) expect_done(show.take(LoadModels{{model_.string()}}));
     });
   }
 
@@ -210,7 +212,7 @@ void move_feet_last(Show& show) {
   const auto place = static_cast<std::size_t>(foot - skeleton.bones.begin());
   BoneLodChoice choice = with_bone_moved(parents, present, place, parents.size() - 1);
   choice.level_counts = {present.level_counts[0]};
-  expect_done(show.set_bone_lod(0, choice));
+  expect_done(show.take(SetBones{0, choice}));
 }
 
 TEST_F(ReplaysOfHands, ThatMovedFeetToTheEndOfTheOrderAreEqual) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/request/crowd_file.h"
 #include "app/wardrobe/cast_rules_text.h"
 #include "tests/app/program_run.h"
 #include "tests/app/recording/recorded_run.h"
@@ -52,7 +53,7 @@ TEST_F(RulesShow, IsRepeatedWithTheRulesThatWereTunedWhileItWasRecorded) {
     CastRules rules = cast_rules_of(show.stage(), 0);
     rules.bodies.front().share = frame == 10 ? 0.0F : 300.0F;
     rules.seed += 1;
-    EXPECT_TRUE(set_cast_rules(show, 0, rules));
+    EXPECT_TRUE(show.take(SetRules{0, rules_text(rules)}));
   });
   EXPECT_EQ(repeated(""), all_equal());
 }
@@ -77,7 +78,7 @@ TEST_F(RulesShow, TakesNoOtherRulesForAReplay) {
 TEST_F(RulesShow, KeepsItsRulesWhenACharacterGetsAnotherSize) {
   const auto show = show_of(demo(line()));
   const CastRules before = cast_rules_of(show->stage(), 0);
-  ASSERT_TRUE(show->set_placement(0, {.scale = 1.1}));
+  ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 1.1}}));
   EXPECT_EQ(cast_rules_of(show->stage(), 0), before);
   EXPECT_EQ(show->stage().people().front().cast_rules, rules_.string());
 }
@@ -94,7 +95,7 @@ TEST_F(RulesShow, IsKeptInACrowdFileWhereSomebodyChoseIt) {
   EXPECT_FALSE(crowd_setup(usual->stage().people(), {}).characters.front().rules) << "it is what the program brings";
   CastRules tuned = cast_rules_of(usual->stage(), 0);
   tuned.things = 3.0F;
-  ASSERT_TRUE(set_cast_rules(*usual, 0, tuned));
+  ASSERT_TRUE(usual->take(SetRules{0, rules_text(tuned)}));
   EXPECT_TRUE(crowd_setup(usual->stage().people(), {}).characters.front().rules);
 }
 
@@ -103,7 +104,7 @@ TEST_F(RulesShow, RefusesRulesThatNameNoPartAndGoesOnWithItsOwn) {
   const CastRules before = cast_rules_of(show->stage(), 0);
   CastRules wrong = before;
   wrong.styles.front().wears.front().parts.front().name = "toga";
-  const anim::Status set = set_cast_rules(*show, 0, wrong);
+  const anim::Status set = show->take(SetRules{0, rules_text(wrong)});
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("wears \"toga\", which no part is called"));
   EXPECT_EQ(cast_rules_of(show->stage(), 0), before);
@@ -114,7 +115,7 @@ TEST_F(RulesShow, GivesEverybodyOtherClothesForAnotherSeedAndNothingToHoldWithou
   const auto outfits = show->stage().crowd().looks().outfits;
   CastRules rules = cast_rules_of(show->stage(), 0);
   rules.seed += 1;
-  ASSERT_TRUE(set_cast_rules(*show, 0, rules));
+  ASSERT_TRUE(show->take(SetRules{0, rules_text(rules)}));
   int same = 0;
   for (std::size_t agent = 0; agent < outfits.size(); ++agent) {
     same += outfits[agent] == show->stage().crowd().looks().outfits[agent] ? 1 : 0;
@@ -126,7 +127,7 @@ TEST_F(RulesShow, GivesEverybodyOtherClothesForAnotherSeedAndNothingToHoldWithou
   };
   EXPECT_GT(held(), 20U);
   rules.things = 0.0F;
-  ASSERT_TRUE(set_cast_rules(*show, 0, rules));
+  ASSERT_TRUE(show->take(SetRules{0, rules_text(rules)}));
   EXPECT_LT(held(), 4U) << "who takes pictures brings a camera";
 }
 

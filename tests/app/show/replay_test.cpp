@@ -24,7 +24,7 @@ using test::sixtieth;
 using testing::HasSubstr;
 
 void push_selected(Show& show) {
-  const anim::Status pushed = show.hands().push_selected();
+  const anim::Status pushed = show.take(test::push_of_selected(show));
   EXPECT_TRUE(pushed) << pushed.error().message;
 }
 
@@ -35,7 +35,7 @@ void act(Show& show, int frame) {
   if (frame == 10) change(show, [](Tuning& tuning) { tuning.lod.full_rate_distance = 3.0F; });
   if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = anim::LodRule::distance; });
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.lod.largest_interval = 3; });
-  if (frame == 30) show.hands().select(4);
+  if (frame == 30) test::ask(show, Select{4});
   if (frame == 31) push_selected(show);
   if (frame == 40) change(show, [](Tuning& tuning) { tuning.lod.level_distances[0] = 5.0F; });
   if (frame == 50) change(show, [](Tuning& tuning) { tuning.paused = true; });
@@ -47,7 +47,7 @@ void act(Show& show, int frame) {
   if (frame == 100) {
     RoleClips clips = show.stage().people()[0].roles.clips;
     clips[index_of(Role::walk)] = clips[index_of(Role::run)];
-    show.set_roles(0, clips);
+    EXPECT_TRUE(show.take(SetRoles{0, clips}));
   }
   if (frame == 110) show.width = 800;
 }
@@ -61,14 +61,12 @@ StreamKind other(StreamKind stream) {
 /// Goes back to before another stream was chosen, then asks for values that are refused.
 void ask_for_what_is_refused(Show& show, int frame) {
   if (frame == 32) change(show, [](Tuning& tuning) { tuning.system.stream = other(tuning.system.stream); });
-  if (frame == 34) {
-    EXPECT_TRUE(show.rewind());
-  }
+  if (frame == 34) test::ask(show, GoBack{});
   if (frame != 40) return;
   Tuning tuning = show.stage().tuning();
   tuning.system.stream = other(tuning.system.stream);
   tuning.system.local_store_bytes = 2048;
-  EXPECT_FALSE(show.apply(tuning));
+  EXPECT_FALSE(show.take(Apply{tuning}));
 }
 
 TEST_F(Replays, OfARunInWhichSomethingWasRefusedAreEqual) {

@@ -62,9 +62,9 @@ TEST_F(ShowOfTracks, IsNotRecordedAndSaysWhy) {
   ASSERT_TRUE(show->start_recording(folder_ / "run.rec"));
   Tuning back = show->stage().tuning();
   back.scene = Scene::tracks;
-  EXPECT_FALSE(show->apply(back)) << "nor does a recording come to it";
+  EXPECT_FALSE(show->take(Apply{back})) << "nor does a recording come to it";
   EXPECT_TRUE(show->stop_recording());
-  EXPECT_TRUE(show->apply(back));
+  EXPECT_TRUE(show->take(Apply{back}));
 }
 
 TEST_F(ShowOfTracks, KeepsNoMomentsAsAnyIsThere) {
@@ -78,8 +78,8 @@ TEST_F(ShowOfTracks, KeepsItsClockWithOtherCharacters) {
   const auto show = test::show_of(options());
   TrackClock asked = with_part(clock(*show), 2.0, 6.0);
   asked.rate = 0.5;
-  set_track_clock(*show, asked);
-  ASSERT_TRUE(show->replace_models(std::vector<std::string>{THRONG_SOURCE_DIR "/assets/mannequin.glb"}));
+  EXPECT_TRUE(show->take(Seek{asked}));
+  ASSERT_TRUE(show->take(LoadModels{std::vector<std::string>{THRONG_SOURCE_DIR "/assets/mannequin.glb"}}));
   EXPECT_EQ(clock(*show), asked);
 }
 
@@ -89,8 +89,8 @@ TEST_F(ShowOfTracks, HasThePathOfWhoIsSelectedPalerWhereItIsToCome) {
   SceneLines lines;
   path.add(lines, show->stage());
   EXPECT_TRUE(lines.empty()) << "nobody is selected";
-  show->hands().select(1);
-  set_track_clock(*show, gone_to(clock(*show), 5.0));
+  EXPECT_TRUE(show->take(Select{1}));
+  EXPECT_TRUE(show->take(Seek{gone_to(clock(*show), 5.0)}));
   path.add(lines, show->stage());
   ASSERT_GT(lines.size(), 50U);
   const glm::vec3 now = show->stage().crowd().positions()[1];

@@ -19,7 +19,7 @@ TEST(ThresholdsOfAClip, AreOfACharacterThatIsThereWhereModelsWereReplacedAndNobo
   ASSERT_NE(thresholds.clip(), "standing still");
 
   ASSERT_TRUE(
-      show->replace_models(std::vector<std::string>{THRONG_SOURCE_DIR "/tests/data/features/no-animation.glb"}));
+      show->take(LoadModels{std::vector<std::string>{THRONG_SOURCE_DIR "/tests/data/features/no-animation.glb"}}));
   show->films = false;
   show->camera = {.position = {0, 500, 0}, .pitch = 1.5F};
   show->animate(test::sixtieth);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo/viewer_commands.h"
+#include "app/demo/viewer_requests.h"
 #include "tests/app/recording/recorded_run.h"
 
 namespace throng::app::viewing_test {
@@ -24,13 +24,13 @@ TEST(ViewedCharacterOfACrowd, LeavesTheCrowdAsItWas) {
   const auto seen = show_of(demo("--agents 40")), never = show_of(demo("--agents 40"));
   animate(*seen, 20);
   animate(*never, 20);
-  seen->hands().select(7);
-  never->hands().select(7);
-  ASSERT_TRUE(obey_viewer(*seen, {.view_selected = true}));
+  EXPECT_TRUE(seen->take(Select{7}));
+  EXPECT_TRUE(never->take(Select{7}));
+  ASSERT_TRUE(take(ViewSelected{}, *seen));
   ASSERT_NE(seen->viewer(), nullptr);
   animate(*seen, 100);
   EXPECT_EQ(hash_of(*seen), hash_of(*never)) << "the crowd waits";
-  ASSERT_TRUE(obey_viewer(*seen, {.leave = true}));
+  ASSERT_TRUE(take(LeaveViewer{}, *seen));
   EXPECT_EQ(seen->viewer(), nullptr);
   EXPECT_EQ(seen->stage().selected(), 7U);
   animate(*seen, 20);
@@ -41,14 +41,14 @@ TEST(ViewedCharacterOfACrowd, LeavesTheCrowdAsItWas) {
 TEST(ViewedCharacterOfACrowd, IsShownInTheClipOfTheSelectedAgent) {
   const auto show = show_of(demo("--agents 40"));
   animate(*show, 5);
-  show->hands().select(3);
-  ASSERT_TRUE(obey_viewer(*show, {.view_selected = true}));
+  EXPECT_TRUE(show->take(Select{3}));
+  ASSERT_TRUE(take(ViewSelected{}, *show));
   EXPECT_EQ(show->viewer()->settings().clip, show->stage().crowd().clips()[3]);
 }
 
-TEST(ViewedCharacterOfACrowd, WhoIsSelectedIsNobody) {
+TEST(ViewedCharacterOfACrowd, IsNoneWhereNoAgentIsSelected) {
   const auto show = show_of(demo("--agents 4"));
-  EXPECT_TRUE(obey_viewer(*show, {.view_selected = true}));
+  EXPECT_TRUE(take(ViewSelected{}, *show));
   EXPECT_EQ(show->viewer(), nullptr);
 }
 
@@ -56,7 +56,7 @@ TEST(ViewedCharacterOfACrowd, GivesWayToTheFirstOfOthersThatCome) {
   const auto show = show_of(demo("--agents 4"));
   ASSERT_TRUE(show->view({}));
   const std::vector<std::string> files = {THRONG_SOURCE_DIR "/tests/data/features/plain.glb"};
-  ASSERT_TRUE(show->replace_models(files));
+  ASSERT_TRUE(show->take(LoadModels{files}));
   ASSERT_NE(show->viewer(), nullptr);
   EXPECT_EQ(&show->viewer()->viewed().source(), &show->stage().people().front());
   animate(*show, 2);
@@ -82,14 +82,16 @@ TEST(PreviewOfARole, IsAppliedToTheCrowdOrNot) {
   animate(*show, 5);
   const RoleClips before = show->stage().people().front().roles.clips;
   const int run = before[index_of(Role::run)];
-  const ViewerCommands look{.view = ViewRequest{.preview = RolePreview{Role::walk, run}}};
-  ASSERT_TRUE(obey_viewer(*show, look));
+  const View look{{.preview = RolePreview{Role::walk, run}}};
+  ASSERT_TRUE(take(look, *show));
   EXPECT_EQ(show->viewer()->settings().clip, run) << "it plays what was chosen";
   EXPECT_EQ(show->stage().people().front().roles.clips, before) << "the crowd does not yet";
-  ASSERT_TRUE(obey_viewer(*show, {.leave = true}));
+  ASSERT_TRUE(take(LeaveViewer{}, *show));
   EXPECT_EQ(show->stage().people().front().roles.clips, before);
-  ASSERT_TRUE(obey_viewer(*show, look));
-  ASSERT_TRUE(obey_viewer(*show, {.apply_preview = true}));
+  ASSERT_TRUE(take(look, *show));
+  const auto roles = previewed_roles(*show);
+  ASSERT_TRUE(take(ApplyPreview{}, *show));
+  test::ask(*show, *roles);
   EXPECT_EQ(show->viewer(), nullptr);
   EXPECT_EQ(show->stage().people().front().roles.clips[index_of(Role::walk)], run);
 }

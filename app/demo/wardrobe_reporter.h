@@ -2,15 +2,10 @@
 
 #include <cstddef>
 
-#include "app/report/messages.h"
 #include "app/report/wardrobe_report.h"
-#include "app/show/show.h"
+#include "app/stage/stage.h"
 
 namespace throng::app {
-
-/// Does what a person asks of the rules of a character, and says what came of it. Returns whether the rules come from
-/// another file now, or from the same one as it was edited.
-bool obey_wardrobe(Show& show, std::size_t character, const WardrobeCommands& commands, Messages& messages);
 
 /// Reports the rules of a character. `standard` stays as it is.
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);

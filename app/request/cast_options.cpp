@@ -1,4 +1,4 @@
-#include "app/recording/cast_options.h"
+#include "app/request/cast_options.h"
 
 #include <algorithm>
 #include <cctype>

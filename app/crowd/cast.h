@@ -13,17 +13,17 @@ namespace throng::app {
 
 /// The speeds of a character's gaits at scale 1, by Role, in metres a second.
 struct GaitSpeeds {
-  std::array<float, role_count + 1> own{};     ///< of the clip of that very gait; 0: there is none, or it is no gait
+  std::array<float, role_count + 1> own{};     ///< of the gait's own clip; 0: there is none, or it is no gait
   std::array<float, role_count + 1> played{};  ///< of the clip that is played for that gait; 0: it is no gait
 };
 
 /// The characters of a crowd. It says which of them each agent is.
 class CrowdCast {
  public:
-  /// Gives every place of `layout` a character; the same seed gives the same. Walkers are characters that can walk,
-  /// standers are people, and a place for a prop gets a prop. Each has its share of both, as exactly as whole numbers
-  /// can be, in an order that the seed shuffles. Marchers keep step, so all are one character, the first that can walk;
-  /// an actor is that one too. `characters`: 1 to 256, the first is no prop.
+  /// Gives every place of `layout` a character; the seed decides. Walkers are characters that can walk, standers are
+  /// people, and a place for a prop gets a prop. Each character has its share of walkers and standers, as exactly as
+  /// whole numbers can be, in a shuffled order. Marchers keep step, so all are one character, the first that can walk;
+  /// an actor is that character too. `characters`: 1 to 256, the first is no prop.
   CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed);
 
   /// Takes other roles of the same characters, which stay as large as they are. Agents stay the characters that they

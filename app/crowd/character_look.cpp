@@ -37,7 +37,7 @@ std::span<const std::uint32_t> hairs_for(std::size_t skin) {
 
 }  // namespace
 
-// Not much lighter, or pale ones would burn out in the sun.
+// Not much lighter, or pale colours would burn out in the sun.
 std::uint32_t faded(std::uint32_t color, Random& random) {
   const float lightness = random.between(least_lightness, most_lightness);
   std::uint32_t result = 0xFF;
@@ -89,7 +89,7 @@ Variant random_variant(Random& random) {
 std::uint32_t random_shade(Random& random) {
   constexpr float lightest = 0.10F, warmest = 0.04F;
   const float lightness = 1.0F + random.between(-lightest, lightest), warmth = random.between(-warmest, warmest);
-  // Linear light goes nearly as the square of what the screen is told.
+  // Linear light goes nearly as the square of the value that the screen gets.
   const auto word = [](float on_screen) { return snorm8((on_screen * on_screen - 1.0F) / render::shade_reach); };
   return word(lightness * (1.0F + warmth)) | word(lightness) << 8U | word(lightness * (1.0F - warmth)) << 16U;
 }
@@ -110,7 +110,7 @@ float random_size(Random& random) {
   return 1.0F + std::clamp(sum * (deviation / deviation_of_sum), -most, most);
 }
 
-// All of it, or the usual, is as it was drawn, to the bit.
+// A share of 1, or the usual variety, keeps what was drawn, to the bit.
 Tints between(const Tints& first, const Tints& own, float share) {
   if (share == 1.0F) return own;
   Tints tints{};

@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint64_t company_stream = 26;
-constexpr float share_with_company = 0.35F, share_of_threes = 0.3F;  // of those who lead
+constexpr float share_with_company = 0.35F, share_of_threes = 0.3F;  // of leaders
 constexpr float to_the_side = 0.68F;                                 // metres
 
 constexpr std::uint64_t gatherings_stream = 28;
@@ -22,8 +22,8 @@ constexpr std::size_t least_of_picture = 3, least_of_sight = 2, most_of_either =
 // Metres, for a person 1.8 m tall.
 constexpr double same_gathering = 2.2;  // from one to the next of the list
 constexpr double widest_ring = 1.05;    // from the middle of a group to its feet
-constexpr double camera_away = 1.15;    // from the middle to who takes a picture
-constexpr double others_away = 0.70;    // to those who are in it
+constexpr double camera_away = 1.15;    // from the middle to the photographer
+constexpr double others_away = 0.70;    // to the people in the picture
 constexpr double abreast = 0.54;        // from one to the next of a row
 constexpr double farthest_sight = 22.0;
 
@@ -35,7 +35,7 @@ glm::dvec2 middle_of_feet(Gathering group) {
   return sum / static_cast<double>(group.size());
 }
 
-/// Returns the groups of those who stand about, one after the other as they were placed.
+/// Returns the groups of people who stand about, in the order in which they were placed.
 std::vector<Gathering> gatherings_in(std::span<StanderPlace> standers, double spacing) {
   std::vector<Gathering> groups;
   std::size_t begin = 0;
@@ -50,14 +50,14 @@ std::vector<Gathering> gatherings_in(std::span<StanderPlace> standers, double sp
   return groups;
 }
 
-/// Says whether it is one ring, and not two that happen to be neighbours.
+/// Says whether a group is one ring, and not two that happen to be neighbours.
 bool is_ring(Gathering group, double spacing) {
   const glm::dvec2 middle = middle_of_feet(group);
   return std::ranges::all_of(
       group, [&](const StanderPlace& place) { return glm::distance(place.position, middle) < widest_ring * spacing; });
 }
 
-/// Stands people in a row across `way`, all of whom look along it.
+/// Stands people in a row across `way`; all look along it.
 void stand_in_a_row(Gathering group, glm::dvec2 middle, glm::dvec2 way, double spacing) {
   const glm::dvec2 across(way.y, -way.x);
   const double first = -0.5 * static_cast<double>(group.size() - 1);

@@ -11,14 +11,14 @@ namespace throng::app {
 
 struct CrowdLayout;
 
-/// Says who walks with whom. Those who keep company come right behind their leader in the list of walkers.
+/// Says which agents walk together. Companions come right behind their leader in the list of walkers.
 struct Company {
-  std::vector<std::uint32_t> leaders;  ///< [walker] beside whom it keeps; itself if it leads; empty: all are alone
-  std::vector<float> sides;            ///< [walker] metres of a person to the left of the leader; of leaders 0
+  std::vector<std::uint32_t> leaders;  ///< [walker] its leader; of a leader itself; empty: all are alone
+  std::vector<float> sides;            ///< [walker] metres of a person to the left of the leader; 0 for leaders
 
   std::size_t leader(std::size_t walker) const { return leaders.empty() ? walker : leaders[walker]; }
   bool follows(std::size_t walker) const { return leader(walker) != walker; }
-  /// Returns the walker after the last of those who keep beside a leader.
+  /// Returns the walker after a leader's last companion.
   std::size_t end_of(std::size_t leader) const {
     std::size_t next = leader + 1;
     while (next < leaders.size() && leaders[next] == leader) ++next;
@@ -30,7 +30,7 @@ struct Company {
 void draw_company(CrowdLayout& layout, std::uint32_t seed);
 
 /// Gives some of the loose groups of a plaza something to do together: one takes a picture of the others, or all look
-/// at the nearest of `sights` and one takes a picture of it. Who stands alone waits. Groups stay on their ground.
+/// at the nearest of `sights` and one takes a picture of it. A person alone waits. Groups stay on their ground.
 void draw_gatherings(CrowdLayout& layout, std::span<const glm::dvec2> sights, double spacing, std::uint32_t seed);
 
 }  // namespace throng::app

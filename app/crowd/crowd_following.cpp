@@ -25,7 +25,7 @@ Role gait_at(const CharacterRoles& character, float speed) {
 
 }  // namespace
 
-// The file says how tall some people are. The others have the sizes that the seed gave them.
+// The file says how tall some people are. The other people have the sizes that the seed gave them.
 void Crowd::follow(const TrackSource& tracks, std::uint32_t seed) {
   const Trajectories& all = *tracks.trajectories;
   for (std::size_t agent = 0; agent < size(); ++agent) {

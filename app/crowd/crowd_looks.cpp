@@ -17,7 +17,7 @@ namespace throng::app {
 namespace {
 
 constexpr float shortest = 0.90F, tallest = 1.08F;           // scale
-constexpr float slowest = 0.90F, fastest = 1.10F;            // playback of those who stay
+constexpr float slowest = 0.90F, fastest = 1.10F;            // playback of agents in place
 constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over the clip's own speed
 constexpr float out_of_step = 0.04F;                         // of a walk cycle
 constexpr double widest_in_spacings = 0.4;
@@ -27,9 +27,9 @@ constexpr std::uint64_t variants_stream = 9;
 constexpr std::uint64_t painted_stream = 11;
 constexpr std::uint64_t clothes_stream = 14;
 constexpr std::uint64_t bodies_stream = 20;
-constexpr double beside_grown_ups = 2.2;  // metres, of a person, from a child to whom it belongs
+constexpr double beside_grown_ups = 2.2;  // metres, of a person, from a child to its grown-ups
 
-/// The size and the colours of a body, and the shape of one that was made for it.
+/// The size and the colours of a body, and its shape where the body was made to have one.
 struct BodyLook {
   float scale = 1.0F;
   Tints tints{};
@@ -37,7 +37,7 @@ struct BodyLook {
   std::uint32_t shade = 0;
 };
 
-/// Makes bodies differ. Streams of their own draw what not every character has, so that nobody else's draws change.
+/// Makes bodies differ. Streams of their own draw what not every character has, so that no other agent's draws change.
 class BodyLooks {
  public:
   BodyLooks(std::uint32_t seed, const Variety& variety)
@@ -87,7 +87,7 @@ class Bodies {
   }
 
  private:
-  // Where they may be at all, there are more of them, so that their share of the crowd is about what was asked for.
+  // Where children may be at all, there are more of them, so that their share of the crowd is about what was asked for.
   static double share_of(const BodyKind& kind, bool may_be_child) {
     constexpr double in_groups = 2.5;
     if (!kind.is_child()) return kind.share;
@@ -153,7 +153,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, 
     const auto size = character.bodies.empty() || !variety.bodies
                           ? 1.0F
                           : static_cast<float>(character.bodies[looks.bodies.back()].size);
-    // Marchers have steps of one length, and a script counts on the length of an actor's.
+    // Marchers have steps of one length, and a script counts on an actor's length of step.
     looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale * size);
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(pace);

@@ -16,22 +16,22 @@ struct CrowdLooks {
   std::vector<float> scales;         ///< 0.9 to 1.1, times the size of the body
   std::vector<std::uint8_t> bodies;  ///< index among CharacterRoles::bodies; 0 without any
   std::vector<float> radii;          ///< metres
-  std::vector<float> paces;          ///< playback speed of what is done in place; of walkers, speed over the clip's
+  std::vector<float> paces;          ///< playback speed of a clip in place; of walkers, speed over the clip's
   std::vector<float> start_phases;   ///< 0 to below 1
   std::vector<Tints> tints;
   std::vector<Variant> variants;
   std::vector<std::uint32_t> shades;     ///< AgentLook::shade
   std::vector<render::AgentLook> drawn;  ///< all that drawing reads of them
-  std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: nobody wears any
+  std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: no agent wears any
   std::vector<std::uint16_t> in_hand;    ///< piece of an outfit, or no_piece; drawn while it is in the hand
   std::uint64_t number = 0;              ///< of `drawn`: no other crowd has it
 };
 
-/// Returns [agent] what everybody of a layout is there for.
+/// Returns [agent] the habit of each agent of a layout.
 std::vector<Habit> habits_of(const CrowdLayout& layout);
 
-/// Gives everybody a size, colours, a pace and a phase. `laid_out_for` is what the layout was made for. Streams of
-/// random numbers of their own draw what not every character has, so that nobody else's draws change.
+/// Gives each agent a size, colours, a pace and a phase. `laid_out_for` is what the layout was made for. Streams of
+/// random numbers of their own draw what not every character has, so that no other agent's draws change.
 CrowdLooks looks_of(const CrowdLayout& layout, Scene scene, std::uint32_t seed, const CrowdCast& cast,
                     const CharacterRoles& laid_out_for, const Variety& variety);
 

@@ -5,7 +5,7 @@ namespace {
 
 // Metres, for a person 1.8 m tall.
 constexpr double bench_end = 0.6;           // from its middle to the middle of its outer discs
-constexpr double bench_seat_beside = 0.42;  // from its middle to that of a seat
+constexpr double bench_seat_beside = 0.42;  // from its middle to the middle of a seat
 constexpr double bench_back = 0.08;         // its discs lie behind its middle, so that feet before it are free
 
 }  // namespace

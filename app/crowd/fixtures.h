@@ -20,13 +20,13 @@ struct Fixture {
   Heading heading{};         ///< the way that its front faces
 };
 
-/// Returns the ground that fixtures take. Whatever is long takes several discs. Sizes grow with `spacing`.
+/// Returns the ground that fixtures take. A long fixture takes several discs. Sizes grow with `spacing`.
 std::vector<Obstacle> obstacles_of(std::span<const Fixture> fixtures, double spacing);
 
 /// Returns the radius of the largest disc that a fixture takes, in metres for a person 1.8 m tall.
 double radius_of(FixtureKind kind);
 
-/// Returns the direction on the ground that a heading looks in, and the one to its left, which is local +X.
+/// Returns the direction on the ground that a heading looks in, and the direction to its left, which is local +X.
 inline glm::dvec2 forward_of(const Heading& heading) {
   return {static_cast<double>(heading.sine), static_cast<double>(heading.cosine)};
 }
@@ -44,7 +44,7 @@ std::vector<glm::dvec2> sights_of(std::span<const Fixture> fixtures);
 /// Metres from the feet back to the seat, as the clip `sit` has it, for a person 1.8 m tall.
 inline constexpr double seat_behind_feet = 0.39;
 
-/// Where somebody sits on a bench: their feet.
+/// A place to sit on a bench: where the feet are.
 struct BenchSeat {
   glm::dvec2 position{0.0};
   Heading heading{};

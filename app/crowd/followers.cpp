@@ -45,7 +45,7 @@ float Followers::renew(std::size_t agent, float height, double settled) {
   const float scale = person.stature > 0.0F ? person.stature / height : scales_[agent];
   Presence& known = presences_[agent];
   Presence now = presence_of(person, row_seconds(*source_.trajectories));
-  if (now.first <= known.last) now.first = std::min(now.first, known.first);  // older rows may have been forgotten
+  if (now.first <= known.last) now.first = std::min(now.first, known.first);  // older rows may be gone
   known = now;
   tracks_[agent] = SmoothTrack(person.rows);
   steps_[agent].extend(tracks_[agent], plane(agent), scale, first_headings_[agent], settled);

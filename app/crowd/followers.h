@@ -23,18 +23,18 @@ struct TrackSource {
   std::vector<StridePlane> planes;  ///< [character]
 };
 
-/// The people of a recorded crowd. Agent i is person i of the file. Everything about them is a function of time, so a
-/// clock may go to any moment. Nothing changes once they are made, but for people whose rows still come.
+/// The people of a recorded crowd. Agent i is person i of the file. Everything about a person is a function of time, so
+/// a clock may go to any moment. Only people whose rows still come change once they are made.
 class Followers {
  public:
-  /// `characters` and `scales` have one element an agent. Who has no rows is not there.
+  /// `characters` and `scales` have one element an agent. A person without rows is not there.
   Followers(TrackSource source, std::span<const std::uint8_t> characters, std::span<const float> scales,
             std::uint32_t seed);
 
   std::size_t count() const { return steps_.size(); }
   const Trajectories& trajectories() const { return *source_.trajectories; }
   const std::shared_ptr<const Trajectories>& file() const { return source_.trajectories; }
-  /// Returns what holds everybody at every time.
+  /// Returns the bounds that hold all people at every time.
   const GroundBounds& bounds() const { return bounds_; }
   const StridePlane& plane(std::size_t agent) const { return plane_of_character(characters_[agent]); }
   const StridePlane& plane_of_character(std::size_t character) const { return source_.planes[character]; }
@@ -44,20 +44,19 @@ class Followers {
   glm::vec3 position(std::size_t agent, double seconds) const { return tracks_[agent].position(seconds); }
   const SmoothTrack& way(std::size_t agent) const { return tracks_[agent]; }
   TrackStep step(std::size_t agent, double seconds) const { return steps_[agent].at(seconds); }
-  /// Returns whom somebody talks to. While rows still come, nobody knows who will stay, and nobody talks.
+  /// Returns the talk of a person. While rows still come, no person talks, for nothing tells yet who will stay.
   TalkMoment talk(std::size_t agent, double seconds) const { return talks_.at(agent, seconds); }
 
-  /// Takes what is common to people whose rows come. Call it before renew() for each of them.
+  /// Takes what all people have in common whose rows come. Call it before renew() for each of them.
   void begin_renewing(std::span<const std::uint32_t> agents);
-  /// Takes the rows of a person as they are now: more than before, or those of somebody else. What was told of times up
-  /// to `settled` stays. `height` is that of the character. Returns the person's scale. Several
-  /// threads may do it for different people.
+  /// Takes the rows of a person as they are now: more than before, or another person's. Moments up to `settled` stay.
+  /// `height` is the character's. Returns the person's scale. Several threads may do it for different people.
   float renew(std::size_t agent, float height, double settled);
 
  private:
   TrackSource source_;
   std::vector<std::uint8_t> characters_;
-  std::vector<float> scales_, first_headings_;  // [agent] as they are without what the file says
+  std::vector<float> scales_, first_headings_;  // [agent] before the file's own
   std::vector<Presence> presences_;             // [agent]
   std::vector<SmoothTrack> tracks_;             // [agent]
   std::vector<TrackSteps> steps_;               // [agent]

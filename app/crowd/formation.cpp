@@ -18,7 +18,7 @@ constexpr double clear_of_obstacle = 0.6, clear_of_viewpoint = 4.6;
 
 constexpr double unevenness_of_gaze = 0.12;  // quarter turns
 
-// Each takes the ground that its neighbours keep clear.
+// Each obstacle takes the ground that its neighbours keep clear.
 std::vector<Obstacle> obstacles_within(double half, const FormationGround& ground) {
   std::vector<Obstacle> within;
   for (const Obstacle& obstacle : ground.obstacles) {
@@ -36,7 +36,7 @@ glm::dvec2 bent(glm::dvec2 place, double spacing) {
 }
 
 /// Returns the places of a square of `rows` times `rows` that are free. Every other row is shifted, so that people look
-/// between the shoulders of those before them.
+/// between the shoulders of the row before them.
 std::vector<glm::dvec2> free_places(int rows, const FormationGround& ground, Random& random) {
   const double step = row_pitch * ground.spacing;
   const auto off = [&] { return out_of_line * ground.spacing * static_cast<double>(random.between(-1.0F, 1.0F)); };

@@ -16,7 +16,7 @@ namespace throng::app {
 struct FormationGround {
   double side;           ///< metres; the side of the square about the origin
   double spacing;        ///< CharacterRoles::spacing
-  glm::dvec2 viewpoint;  ///< everybody looks there and keeps clear of it
+  glm::dvec2 viewpoint;  ///< all people look there and keep clear of it
   std::span<const Obstacle> obstacles;
 };
 

@@ -19,7 +19,7 @@ constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F,
 // Metres, for a person 1.8 m tall. With the jitter, neighbours in a ring stay 0.7 m apart and more.
 constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
 constexpr double ring_jitter = 0.12;
-constexpr double between_groups = 0.72, between_few_groups = 1.2;  // where the crowd swells, and where it thins
+constexpr double between_groups = 0.72, between_few_groups = 1.2;  // where the crowd is dense, and where it is thin
 constexpr double from_obstacle = 0.6;                              // to the feet of a group; a person passes sideways
 constexpr double clear_view = 4.6;
 constexpr double bucket = 3.6;  // more than two of the largest groups' radii and the gap between them
@@ -31,7 +31,7 @@ constexpr int tries_before_any_place = 40, tries_before_spreading = 100;
 
 struct Group {
   glm::dvec2 centre;
-  double radius;  // of the disc that holds everyone's feet
+  double radius;  // of the disc that holds all feet
 };
 
 /// A square grid about the origin, clamped at its edge.
@@ -247,7 +247,7 @@ class GroupPlacer {
   Group place(std::size_t size, bool in_foreground) {
     const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
     for (int tries = 1;; ++tries) {
-      // A group that finds no place where the crowd likes to be takes any that is left, before the crowd spreads.
+      // A group that finds no place where the crowd is dense takes any place that is left, before the crowd spreads.
       const bool choosy = tries <= tries_before_any_place;
       const Group group{place_to_try(in_foreground && choosy, choosy), radius};
       if (fits(group, choosy)) {
@@ -282,7 +282,7 @@ class GroupPlacer {
   LaneMap lanes_;
   GroundObstacles obstacles_;
   Swell swell_;
-  double half_;  // metres, of the square in which places are looked for
+  double half_;  // metres, of the square that is searched for places
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 using enum anim::ClipRole;
 
 constexpr Transition all_transitions[] = {
-    // Strollers walk, stop to look, greet somebody, and hurry when they are late. From walk to walk is another way.
+    // Strollers walk, stop to look, greet a person, and hurry when they are late. From walk to walk is another way.
     {Habit::stroll, walk, walk, 3.0F},
     {Habit::stroll, walk, look_around, 1.0F},
     {Habit::stroll, walk, stand, 1.0F},
@@ -31,7 +31,7 @@ constexpr Transition all_transitions[] = {
     {Habit::stroll, drink, walk, 1.0F},
     {Habit::stroll, take_picture, walk, 2.0F},
     {Habit::stroll, take_picture, look_around, 1.0F},
-    // Those who stand about talk with their hands, and rest in between.
+    // People who stand about talk with their hands, and rest in between.
     {Habit::stand_about, stand, look_around, 1.0F},
     {Habit::stand_about, stand, wave, 1.0F},
     {Habit::stand_about, stand, cheer, 1.0F},
@@ -73,7 +73,7 @@ constexpr Transition all_transitions[] = {
     // People who rest on a bench get up now and then.
     {Habit::rest, sit, look_around, 1.0F},
     {Habit::rest, look_around, sit, 1.0F},
-    // People who lean come away from the wall for a phone, a cup or a camera, or to look for somebody.
+    // People who lean come away from the wall for a phone, a cup or a camera, or to look for a friend.
     {Habit::lean, lean, lean, 2.0F},
     {Habit::lean, lean, look_around, 0.5F},
     {Habit::lean, lean, phone, 2.0F},
@@ -85,7 +85,7 @@ constexpr Transition all_transitions[] = {
     {Habit::lean, call, lean, 1.0F},
     {Habit::lean, drink, lean, 1.0F},
     {Habit::lean, take_picture, lean, 1.0F},
-    // People who wait look around for somebody, and at their phones.
+    // People who wait look around for a friend, and at their phones.
     {Habit::wait, stand, look_around, 2.0F},
     {Habit::wait, stand, phone, 3.0F},
     {Habit::wait, stand, call, 1.0F},

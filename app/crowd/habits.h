@@ -21,13 +21,13 @@ enum class Habit : std::uint8_t {
   rest,         ///< has a seat on a bench or on the rim of a fountain
   lean,         ///< leans against a trunk or a wall
   sit_low,      ///< sits on a step
-  wait,         ///< stands alone, or beside somebody who takes a picture
+  wait,         ///< stands alone, or beside a person who takes a picture
   photograph,   ///< takes pictures, with the camera that it holds
   pose,         ///< stands before a camera
   train,        ///< runs round the stadium's field
   act,          ///< does what a script says (CutScene)
   follow,       ///< is where a recorded crowd has it (Followers)
-  accompany,    ///< walks beside somebody who strolls, and stops with them (Company)
+  accompany,    ///< walks and stops beside an agent that strolls (Company)
 };
 
 /// Words that say what each habit is, in its order.
@@ -37,8 +37,8 @@ inline constexpr std::array<const char*, 15> habit_words = {
     "acts",    "is where its file says", "keeps company"};
 static_assert(static_cast<std::size_t>(Habit::accompany) + 1 == habit_words.size());
 
-/// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and
-/// does so in proportion to `weight`, if what it holds lets it.
+/// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, in
+/// proportion to `weight`, if the thing in its hand allows it.
 struct Transition {
   Habit habit;
   Role from, to;
@@ -57,8 +57,8 @@ Stay stay_in(Role role);
 /// Returns the role that an agent of `habit` begins with, as far as the character has a clip for it.
 Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
 
-/// Returns the role that follows `from`, by a transition whose role the character can play, and somebody can do who
-/// holds the thing; `from` if there is none.
+/// Returns the role that follows `from`, by a transition whose role the character can play with the thing that it
+/// holds; `from` if there is none.
 Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
 
 constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }

@@ -15,7 +15,7 @@ struct LanePlace {
   Heading heading;
 };
 
-/// A closed lane: a rectangle with round corners. All walk it at one speed, so that nobody catches up.
+/// A closed lane: a rectangle with round corners. All agents on it walk at one speed, so that none catches up.
 /// Lanes of equal core whose corner radii differ by d run d apart all the way round.
 struct Lane {
   glm::dvec2 centre{0.0};      ///< x, z in metres

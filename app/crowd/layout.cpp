@@ -18,12 +18,12 @@ namespace {
 constexpr double area_per_agent = 3.6, area_in_formation = 1.45;
 constexpr double least_gap_in_lane = 1.1;
 
-constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is nobody
+constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is no agent
 constexpr double seats_beyond_edge = 2.5;
 constexpr double room_of_seat = 0.35;
-constexpr double most_seated = 0.2;  // of those who do not walk
+constexpr double most_seated = 0.2;  // of agents that do not walk
 
-// Walkers at even distances, give or take what keeps them `least_gap` apart.
+// Puts walkers at about even distances, at least `least_gap` apart.
 void fill_lane(std::uint32_t index, double length, std::size_t count, double least_gap, Random& random,
                std::vector<WalkerStart>& walkers) {
   const double step = length / static_cast<double>(count);
@@ -34,7 +34,7 @@ void fill_lane(std::uint32_t index, double length, std::size_t count, double lea
   }
 }
 
-// Shares walkers out by length; what the lanes cannot hold is left over.
+// Shares walkers out by length; walkers that the lanes cannot hold are left over.
 std::vector<WalkerStart> fill_lanes(std::span<const Lane> lanes, std::size_t wanted, double least_gap, Random random) {
   double total = 0.0;
   for (const Lane& lane : lanes) total += lane.length();

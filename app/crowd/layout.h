@@ -49,12 +49,12 @@ struct CrowdLayout {
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
   std::vector<Fixture> fixtures;    ///< the things that stand about in a plaza
-  std::vector<Obstacle> obstacles;  ///< ground that nobody walks on
+  std::vector<Obstacle> obstacles;  ///< ground that no agent walks on
   double wave_seconds = 0.0;        ///< time that a wave of cheering takes to come round; 0: there is none
   double wave_begins = 2.0;         ///< seconds
 };
 
-/// Returns the side, in metres, of the square about the origin that the plaza of so many agents fills. Where clothes
+/// Returns the side, in metres, of the square about the origin that the plaza of this many agents fills. Where clothes
 /// form a pattern, people stand closer.
 double plaza_side(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
@@ -62,7 +62,7 @@ double plaza_side(std::size_t agents, double spacing, Clothes clothes = Clothes:
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
 /// Fills a plaza of any size evenly with promenades, small loops, things that stand about, and loose groups. Where
-/// clothes form a pattern, everybody stands in a formation instead, and looks to the viewpoint.
+/// clothes form a pattern, all agents stand in a formation instead, and look to the viewpoint.
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
                          Clothes clothes = Clothes::own);
 

@@ -50,7 +50,7 @@ void CrowdMinds::begin(std::size_t agent) {
   } else if (!others.empty()) {
     clips_[agent] = others[agent % others.size()];
   }
-  // Uniform from now on, so that the first changes come as evenly as all later ones.
+  // Uniform from now on, so that the first changes come as evenly as all later changes.
   const Habit habit = habits_[agent];
   const bool follows =
       habit == Habit::march || habit == Habit::act || habit == Habit::follow || habit == Habit::accompany;
@@ -64,7 +64,7 @@ void CrowdMinds::take_new_clips(anim::Ticks now) {
   for (std::size_t agent = 0; agent < habits_.size(); ++agent) take_new_clip(agent);
 }
 
-/// Returns whether a clip leads the agent to its role that its character still has for that.
+/// Returns whether the agent plays a passage to its role that its character still has.
 bool CrowdMinds::is_on_its_way(std::size_t agent) const {
   const CharacterRoles& character = cast_->of(agent);
   const Arrival& arrival = arrivals_[agent];
@@ -147,7 +147,7 @@ std::optional<ClipRequest> CrowdMinds::release(std::size_t agent) {
   return show_apart(agent, intentions_[agent]);
 }
 
-// Without a clip to stand with: from each of the others to the one after it.
+// Without a clip to stand with, the agent plays its other clips in turn.
 void CrowdMinds::play_next_other(std::size_t agent) {
   const std::vector<int>& others = cast_->of(agent).others;
   const auto current = std::ranges::find(others, clips_[agent]);
@@ -176,7 +176,7 @@ void CrowdMinds::fade_to(std::size_t agent, Role role, int clip, float seconds) 
   requests_.push_back({static_cast<std::uint32_t>(agent), role, clip, seconds});
 }
 
-// Into a seat and out of it by the clips for that, where there are any. On the way there, only what comes after
+// Sits down and gets up by the clips for these, where there are any. During such a clip, only the role after it
 // changes.
 bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
   Arrival& arrival = arrivals_[agent];
@@ -197,7 +197,7 @@ bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
 void CrowdMinds::arrive(std::size_t agent) {
   const Arrival arrival = std::exchange(arrivals_[agent], {never, Role::other, no_clip, false});
   roles_[agent] = arrival.seated ? Role::sit : Role::stand;
-  if (pass(agent, arrival.role, arrival.clip)) return;  // thought better of it on the way
+  if (pass(agent, arrival.role, arrival.clip)) return;  // changed its mind on the way
   fade_to(agent, arrival.role, arrival.clip, passage_fade);
 }
 

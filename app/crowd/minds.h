@@ -35,26 +35,26 @@ class CrowdMinds {
   bool is_due(std::size_t agent, anim::Ticks now) const {
     return !holds(agent) && (now >= arrivals_[agent].at || now >= next_changes_[agent]);
   }
-  /// Begins a frame: forgets requests and changes, then lets those of `agents`, which ascend, who are due go over to
-  /// another role.
+  /// Begins a frame: clears requests and changes, then lets each of `agents`, which ascend, go over to another role if
+  /// it is due.
   void decide(anim::Ticks now, std::span<const std::uint32_t> agents);
   /// Lets the agent do `role` at once, if its character can, until the clock says `until`. Then next_role() decides.
   void interrupt(std::size_t agent, Role role, anim::Ticks until);
-  /// Shows `role` if the character can play it; the agent has the same in mind as before.
+  /// Shows `role` if the character can play it; the role that the agent has in mind stays.
   void show(std::size_t agent, Role role);
 
-  /// Notes what an agent does that is told by others, without a request.
+  /// Notes the role of an agent that another class moves, without a request.
   void tell(std::size_t agent, Role role) {
     const auto played = cast_->of(agent).playable(role);
     if (played) roles_[agent] = *played, clips_[agent] = cast_->of(agent).clip(*played);
   }
 
-  /// Lets everybody go on with what they have in mind, by the clips that their characters have for it now. Who plays
-  /// another clip from then on is among the requests; there are no others.
+  /// Lets each agent keep its role, by the clip that its character has for the role now. The requests then have only
+  /// the agents that play another clip from now on.
   void take_new_clips(anim::Ticks now);
 
-  /// Keeps the agent at what it does, except that it stops walking. Returns that change, if there is one; it is not
-  /// among the requests.
+  /// Keeps the agent in its role, except that it stops walking. Returns that change, if there is one; it is not among
+  /// the requests.
   std::optional<ClipRequest> hold(std::size_t agent);
   /// Lets the agent go on as before.
   std::optional<ClipRequest> release(std::size_t agent);
@@ -64,15 +64,15 @@ class CrowdMinds {
   std::span<const Role> intentions() const { return intentions_; }
   std::span<const Role> roles() const { return roles_; }  ///< shown
   std::span<const int> clips() const { return clips_; }   ///< index, or no_clip for a character that has none
-  /// Tells what everybody holds, from now on; empty: nothing. It decides which roles they go over to.
+  /// Takes the things that agents hold from now on; empty: none. They decide which roles agents go over to.
   void give(std::vector<Held> things) { things_ = std::move(things); }
-  /// Returns [agent] what everybody holds; empty: nothing.
+  /// Returns [agent] the things that agents hold; empty: none.
   std::span<const Held> things() const { return things_; }
   Random& whim(std::size_t agent) { return whims_[agent]; }
 
   /// Returns the requests of this frame, at most one an agent.
   std::span<const ClipRequest> requests() const { return requests_; }
-  /// Returns the agents that went over to another role in this frame, or chose the one that they have once more.
+  /// Returns the agents that went over to another role in this frame, or chose their own role once more.
   std::span<const std::uint32_t> changed() const { return changed_; }
 
  private:
@@ -105,7 +105,7 @@ class CrowdMinds {
   std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> held_;
   std::vector<Held> things_;
-  std::vector<Random> whims_;  // each agent's own chance
+  std::vector<Random> whims_;  // [agent] its own random numbers
   std::vector<ClipRequest> requests_;
   std::vector<std::uint32_t> changed_;
 };

@@ -21,7 +21,7 @@ constexpr double spectator_row = 0.95;
 
 constexpr double share_of_marchers = 0.6;
 constexpr std::size_t ranks_in_company = 8;
-constexpr double road_a_marching_metre = 1.6;  // of route, so that there is some between the companies
+constexpr double road_a_marching_metre = 1.6;  // of route, so that companies have road between them
 constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 struct Formation {
@@ -83,7 +83,7 @@ Stand stand_beside(const Lane& route, double half_width, std::size_t row, double
   return {lane, outside ? 1.0 : -1.0};
 }
 
-// Some stand close together, some leave a gap; behind each other only where the row before is full.
+// Some spectators stand close together, some leave a gap; a row begins only where the row before it is full.
 void add_row(const Stand& stand, std::size_t count, double spacing, Random& random, CrowdLayout& layout) {
   const double step = stand.row.length() / static_cast<double>(count);
   const double loose = std::min(step - 0.7 * spacing, 3.0 * spacing);
@@ -139,7 +139,7 @@ LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double s
 }
 
 double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles) {
-  // Two straights and four quarter turns; on those, the file has fallen behind or gone ahead by its offset times the
+  // Two straights and four quarter turns; on a turn the file has fallen behind or gone ahead by its offset times the
   // angle.
   const double corner = quarter_turn * route.corner_radius, half = 2.0 * (corner + route.core.x);
   const double on_half = std::fmod(marcher.distance, half);

@@ -6,7 +6,7 @@ namespace throng::app {
 
 /// Lays out companies in rank and file on a closed route of two straights and two ends, and spectators along it. The
 /// distance between files is such that on every quarter turn a file walks one whole cycle of the walk clip (or two,
-/// ...) more than the one inside it: on the straights everyone is in step, and nobody's feet slide.
+/// ...) more than the file inside it: on the straights all marchers are in step, and no feet slide.
 CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 /// Returns the place of a marcher after `seconds`.
@@ -22,7 +22,7 @@ struct ParadeSize {
   double radius;       ///< radius of the route's ends
   double half_width;   ///< from the route to the outermost file
   double outside;      ///< from the route to the last row of spectators away from the loop's middle
-  double inside;       ///< the same towards the middle
+  double inside;       ///< from the route to the last row of spectators towards the middle
 };
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles);
 

@@ -20,7 +20,7 @@ PeopleOverTime::PeopleOverTime(const Trajectories& all)
   }
   std::ranges::sort(firsts_);
   std::ranges::sort(lasts_);
-  // There are more people only where somebody comes.
+  // The number of people grows only where a person comes.
   auto next = firsts_.begin();
   for (std::size_t column = 0; column < columns; ++column) {
     const auto time_at = [&](std::size_t begin) {

@@ -15,7 +15,7 @@ constexpr double fountain_behind = 5.5;     // behind a small crowd
 constexpr double beyond_edge = 1.9;         // of the rows, from the crowd's square
 constexpr double slot = 3.75;               // from one thing in a row to the next
 constexpr double clear_corner = 11.0;       // along the sides, from the corner where the camera stands
-constexpr double clear_junction = 7.5;      // along an avenue, from where it meets another
+constexpr double clear_junction = 7.5;      // along an avenue, from its crossing with another
 constexpr double bench_from_middle = 1.35;  // of an island, to the benches around it
 
 constexpr FixtureKind row_of_things[] = {FixtureKind::tree, FixtureKind::bench, FixtureKind::tree, FixtureKind::lamp};

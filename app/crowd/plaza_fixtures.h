@@ -8,9 +8,9 @@
 
 namespace throng::app {
 
-/// Adds what stands in the middle of the plaza, or of each of its blocks: `side` is that of the crowd's square, and
-/// `blocks` their number in a row. Where
-/// there is no room among the crowd, the fountain stands behind it, as the first camera sees it.
+/// Adds the fixtures in the middle of the plaza, or of each of its blocks: `side` is the side of the crowd's square,
+/// and `blocks` the number of blocks in a row. Where there is no room among the crowd, the fountain stands behind it,
+/// as the first camera sees it.
 void add_middle_fixtures(double side, int blocks, double spacing, std::vector<Fixture>& fixtures);
 
 /// Adds a few things to a place that no lane crosses.

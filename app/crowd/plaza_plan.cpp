@@ -31,7 +31,7 @@ constexpr std::size_t least_agents_with_walkers = 3;
 
 constexpr float share_of_cells_with_loop = 0.65F;
 
-// Speed of a lane relative to the walk clip: with heights of 0.9 to 1.08, everyone's playback stays within 0.9 to 1.1.
+// Speed of a lane relative to the walk clip: with heights of 0.9 to 1.08, each playback stays within 0.9 to 1.1.
 constexpr float slowest_lane = 0.94F, fastest_lane = 1.03F;
 
 std::vector<Fixture> fixtures_in(const Square& square, std::span<const Fixture> fixtures) {
@@ -43,7 +43,7 @@ std::vector<Fixture> fixtures_in(const Square& square, std::span<const Fixture> 
   return found;
 }
 
-/// Lays lanes, and remembers the ground that they take from those who stand.
+/// Lays lanes, and keeps the ground that they take from agents that stand.
 class LanePlanner {
  public:
   LanePlanner(std::uint32_t seed, const CharacterRoles& roles)
@@ -85,7 +85,7 @@ Lane LanePlanner::outermost(const Band& band) const {
   return {band.centre, glm::max(band.half_extents - glm::dvec2(innermost + width), glm::dvec2(0.0)), innermost + width};
 }
 
-// The outermost lane first, walked in turns one way and the other.
+// The outermost lane comes first; agents walk each lane in the opposite way of the lane before.
 void LanePlanner::lay_band(const Band& band) {
   const Lane outer = outermost(band);
   double direction = random_.chance(0.5F) ? 1.0 : -1.0;

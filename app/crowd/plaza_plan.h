@@ -23,9 +23,9 @@ struct Square {
   }
 };
 
-/// The ways and things of a plaza before anybody is there.
+/// The ways and things of a plaza before agents have places.
 struct PlazaPlan {
-  std::vector<Lane> lanes;         ///< each with its speed; none where nobody can walk
+  std::vector<Lane> lanes;         ///< each with its speed; none where no character can walk
   std::vector<LaneGround> ground;  ///< that the lanes take
   std::vector<Fixture> fixtures;
 };
@@ -37,7 +37,7 @@ PlazaPlan plan_plaza(std::size_t agents, std::uint32_t seed, const CharacterRole
 /// is one block where clothes form a pattern.
 int plaza_blocks(double side, double spacing, Clothes clothes = Clothes::own);
 
-/// Returns where the fountain stands that is nearest to the middle, x and z in metres.
+/// Returns the place of the fountain that is nearest to the middle, x and z in metres.
 glm::dvec2 plaza_fountain(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
 /// Returns half the side of the square that houses surround, in metres: a few more than the crowd takes.

@@ -17,12 +17,12 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint64_t resting_stream = 27;
-constexpr double most_resting = 0.09;  // of those who do not walk
+constexpr double most_resting = 0.09;  // of people who do not walk
 constexpr float chance_to_lean = 0.6F, chance_to_sit = 0.75F;
 
 // Metres, for a person 1.8 m tall.
 constexpr double back_behind_root = 0.24;  // as the clip `lean` has it
-constexpr double trunk_radius = 0.13;      // the radius of the thinnest below a shoulder
+constexpr double trunk_radius = 0.13;      // of the thinnest trunk below a shoulder
 constexpr double kiosk_wall = 1.39;        // from its middle, with the posts
 constexpr double rim_seat = 2.80;          // from the middle of a fountain
 constexpr double plinth_height = 0.18;     // around a fountain, below the feet
@@ -85,7 +85,7 @@ bool can_rest(const RestPlace& place, const CharacterRoles& roles) {
 
 float chance_to_rest(const RestPlace& place) { return place.habit == Habit::lean ? chance_to_lean : chance_to_sit; }
 
-/// Returns the places at which somebody rests: some of those that the roles can take, in any order.
+/// Returns the places at which people rest: some of the places that the roles can take, in any order.
 std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const CharacterRoles& roles, Random random) {
   std::erase_if(places, [&](const RestPlace& place) {
     const bool is_taken = random.chance(chance_to_rest(place));
@@ -97,7 +97,7 @@ std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const Charac
   return places;
 }
 
-/// Finds whether somebody stands near a place while standers move to places.
+/// Finds whether a person stands near a place while standers move to places.
 class StandersNear {
  public:
   StandersNear(std::span<const StanderPlace> standers, std::span<const RestPlace> places, double room)
@@ -182,7 +182,7 @@ void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, 
   places = chosen_places(std::move(places), roles, Random(seed, resting_stream));
 
   StandersNear near(layout.standers, places, room_of_person * spacing);
-  // The last groups found a place where the crowd is thin already.
+  // The last groups stand where the crowd is thin already.
   const auto stands = [](const StanderPlace& place) { return place.habit == Habit::stand_about; };
   auto last = std::find_if_not(layout.standers.begin(), layout.standers.end(), stands);
   auto left = static_cast<std::size_t>(most_resting * static_cast<double>(layout.standers.size()));

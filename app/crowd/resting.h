@@ -13,7 +13,7 @@
 
 namespace throng::app {
 
-/// A place where somebody leans or sits: that of the feet, and the habit.
+/// A place where a person leans or sits: the place of the feet, and the habit.
 struct RestPlace {
   glm::dvec2 position{0.0};
   Heading heading{};
@@ -21,8 +21,8 @@ struct RestPlace {
   Habit habit = Habit::lean;
 };
 
-/// Returns the places at the trunks of trees, the closed sides of kiosks and the rims of fountains. Benches before a
-/// trunk take its side.
+/// Returns the places at the trunks of trees, the closed sides of kiosks and the rims of fountains. A bench before a
+/// trunk takes that side of the trunk.
 std::vector<RestPlace> rest_places(std::span<const Fixture> fixtures, double spacing);
 
 /// Returns the flights of steps of a plaza: the middle of the lowest front, and the way that it looks.
@@ -30,8 +30,8 @@ std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes c
 /// Returns the places on these steps.
 std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spacing);
 
-/// Moves some of those who stand about in a plaza to its trunks, kiosks, rims and steps, as far as `roles` can lean and
-/// sit there. Nobody goes where others stand.
+/// Moves some people who stand about in a plaza to its trunks, kiosks, rims and steps, as far as `roles` can lean and
+/// sit there. No person goes where others stand.
 void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 }  // namespace throng::app

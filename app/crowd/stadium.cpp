@@ -103,7 +103,7 @@ std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles&
 LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat) {
   const Lane& lane = tier.lane;
   const double corner = std::numbers::pi / 2.0 * lane.corner_radius;
-  const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the middle of that at -Z
+  const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the side at -Z: its middle
   const LanePlace place =
       lane.at(far_side + static_cast<double>(seat) / static_cast<double>(tier.seats) * lane.length());
   // The way round, turned a quarter towards the field.

@@ -10,7 +10,7 @@ CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const Charact
 
 /// A row of seats.
 struct StadiumTier {
-  Lane lane;  ///< on which the feet of those who sit are
+  Lane lane;  ///< of the feet of people who sit
   std::size_t seats;
   double height;  ///< metres above the field
 };

@@ -11,9 +11,9 @@
 namespace throng::app {
 namespace {
 
-constexpr double most_cycles_per_second = 2.2;  // of a sprinter: who is faster is carried
+constexpr double most_cycles_per_second = 2.2;  // of a sprinter: a faster agent slides
 constexpr float standing = 1e-3F;               // metres a second
-constexpr float steps_from = 0.12F;             // metres a second; who is slower stands in part
+constexpr float steps_from = 0.12F;             // metres a second; a slower agent stands in part
 constexpr float least_stride = 1e-3F;           // metres
 
 anim::BlendPlane plane_of(std::span<const StridePoint> points) {
@@ -40,7 +40,7 @@ StridePlane::StridePlane(std::vector<StridePoint> points) : points_(std::move(po
   }
 }
 
-// The slowest gait of any direction lies on an ellipse through those ahead and aside.
+// The slowest gait of any direction lies on an ellipse through the slowest gaits ahead and aside.
 float StridePlane::slowest(const glm::vec2& direction) const {
   const float along = direction.y >= 0.0F ? slowest_ahead_ : slowest_back_;
   if (along <= 0.0F || slowest_aside_ <= 0.0F) return std::max(along, slowest_aside_);

@@ -16,27 +16,27 @@ struct StridePoint {
   double seconds = 1.0;  ///< of the clip, which is one stride: a left and a right step
 };
 
-/// All gaits of a character, in the plane of its velocity. It tells by which of them somebody moves, and how fast the
-/// legs go.
+/// All gaits of a character, in the plane of its velocity. It tells which of them an agent plays, and how fast the legs
+/// go.
 ///
 /// People who slow down shorten their steps and take fewer of them, both by the root of the speed (the walk ratio; N.
 /// Sekiya and H. Nagasaki, "Reproducibility of the walking patterns of normal young adults", Gait & Posture 7, 1998).
-/// So somebody slower than the slowest gait moves by more of it than the share of the speed would be.
+/// So an agent at half the speed of its slowest gait plays more than half of that gait.
 class StridePlane {
  public:
-  /// `points` has at least one, the middle first, whose velocity is 0 (gait_points). None has the velocity of another.
+  /// `points` has at least one, the middle first, whose velocity is 0 (gait_points). No two have equal velocities.
   explicit StridePlane(std::vector<StridePoint> points);
 
   struct Stride {
     anim::BlendPlane::Shares shares;
     double cycles_per_second = 0.0;
-    float stands = 1.0F;  ///< the share of standing still over what the other shares are: 1 at rest, 0 from a slow walk
+    float stands = 1.0F;  ///< weight of standing still over the other shares: 1 at rest, 0 from a slow walk
   };
   /// `velocity`: metres a second at scale 1, aside and ahead.
   Stride stride(const glm::vec2& velocity) const;
 
   std::span<const StridePoint> points() const { return points_; }
-  /// Returns the gait by whose stride cycles are counted: the first that moves; 0 where nobody does.
+  /// Returns the gait by whose stride cycles are counted: the first that moves; 0 where none does.
   std::size_t reference() const { return points_.size() > 1 ? 1 : 0; }
 
  private:

@@ -12,14 +12,14 @@
 namespace throng::app {
 namespace {
 
-constexpr double sample_seconds = 0.5;                      // from one look at everybody to the next
-constexpr double window_seconds = 3.0;                      // in which somebody who stands gets nowhere
+constexpr double sample_seconds = 0.5;                      // from one look at all people to the next
+constexpr double window_seconds = 3.0;                      // in which a person who stands gets nowhere
 constexpr float stander_below = 0.05F;                      // metres a second over that window
 constexpr float nearest_talk = 0.6F, farthest_talk = 1.5F;  // metres between people who talk
 constexpr float reach = 1.6F;  // radians from straight ahead that spine and neck turn the eyes by
 constexpr double shortest_talk = 2.5, longest_turn = 8.0, between_turns = 2.0;  // seconds
 constexpr double turns_head = 0.8;                                              // seconds
-constexpr double longest_between_rows = 10.0;  // seconds in the mean; farther apart they do not say who stands
+constexpr double longest_between_rows = 10.0;  // seconds in the mean; rows farther apart do not say who stands
 // Samples of a huge jam beyond these numbers are left out.
 constexpr std::size_t most_standers = 8'000'000;  // samples of people
 constexpr std::size_t most_meetings = 4'000'000;  // samples of pairs
@@ -101,7 +101,7 @@ std::vector<Meeting> meetings_of(std::vector<Stander> standers) {
   return meetings;
 }
 
-/// Returns who could talk for long enough, the longest first.
+/// Returns the encounters that are long enough for a talk, the longest first.
 std::vector<Encounter> encounters_of(std::vector<Meeting> meetings) {
   std::ranges::sort(meetings);
   std::vector<Encounter> all;
@@ -119,7 +119,7 @@ std::vector<Encounter> encounters_of(std::vector<Meeting> meetings) {
   return all;
 }
 
-/// Shares the time of everybody out among those whom they could talk to.
+/// Shares each person's time out among the people who are near enough for a talk.
 class TalkPlanner {
  public:
   explicit TalkPlanner(std::size_t people) : glances_(people), taken_(people) {}
@@ -147,7 +147,7 @@ class TalkPlanner {
         taken_[person], [&](const Encounter& other) { return other.first <= met.last && met.first <= other.last; });
   }
 
-  // The two have the same turns, and who speaks in one listens in the next.
+  // The two have equal turns; a person who speaks in one listens in the next.
   void take(std::uint32_t person, const Encounter& met, bool may_speak) {
     taken_[person].push_back(met);
     Random random(met.one, met.other);

@@ -12,22 +12,22 @@ namespace {
 
 constexpr double knot_seconds = 0.1, far_knot_seconds = 0.2;
 constexpr double most_knots_a_row = 300.0;                   // in the mean, so that rows years apart take no memory
-constexpr double stand_window = 3.0;                         // seconds in which somebody who stands gets nowhere
+constexpr double stand_window = 3.0;                         // seconds in which a person who stands gets nowhere
 constexpr float stands_below = 0.015F, moves_above = 0.06F;  // metres a second over that window
 constexpr float turns_above = 0.08F;                         // metres a second
 constexpr float turns_at_once = 0.9F;                        // metres a second
-constexpr float turned_a_second = 10.0F;                     // of what is left of a turn, at that speed
-constexpr float turns_with_file = 25.0F;                     // of what is left, towards a heading of the file
+constexpr float turned_a_second = 10.0F;                     // of the rest of a turn, at that speed
+constexpr float turns_with_file = 25.0F;                     // of the rest of a turn, towards a heading of the file
 
 float direction_of(const glm::vec2& way) { return std::atan2(way.x, way.y); }
 
-/// Returns the share of what is left of a turn that somebody of this speed makes in some seconds.
+/// Returns the share of the rest of a turn that a person of this speed makes in some seconds.
 float share_of_turn(float speed, double seconds) {
   const float eager = glm::clamp((speed - turns_above) / (turns_at_once - turns_above), 0.0F, 1.0F);
   return 1.0F - std::exp(-turned_a_second * eager * std::sqrt(eager) * static_cast<float>(seconds));
 }
 
-// Somebody who stands sways too, and makes no steps by that.
+// A person who stands sways too, but makes no steps by swaying.
 glm::vec2 velocity_of_steps(const SmoothTrack& track, double seconds) {
   const glm::vec2 velocity = track.velocity(seconds, TrackSteps::stride_window);
   const float got_on = glm::length(track.velocity(seconds, stand_window));

@@ -9,33 +9,33 @@
 
 namespace throng::app {
 
-/// A moment of somebody's steps.
+/// A moment of a person's steps.
 struct TrackStep {
   float heading = 0.0F;      ///< radians from +Z towards +X
   glm::vec2 velocity{0.0F};  ///< metres a second at scale 1, aside (to the left) and ahead, without sway
   double cycles = 0.0;       ///< strides so far, but for whole multiples of TrackSteps::cycles_in_all
 };
 
-/// Tells where somebody looks and how many steps they have made, all along a track. It is a function of time alone, so
-/// that one can look at any moment without those before it. It keeps the values of every tenth of a second, or fifth
-/// where rows are as far apart, so that a frame reads one place in memory; fewer where rows are minutes apart.
+/// Tells where a person looks and how many steps the person has made, all along a track. It is a function of time
+/// alone, so any moment can be read without earlier ones. It keeps the values of every tenth of a second, or fifth
+/// where rows are that far apart, so that a frame reads one place in memory; fewer where rows are minutes apart.
 ///
-/// Without headings in the file, people turn to where they walk, the sooner the faster they are. Who hardly moves turns
-/// hardly, and so steps back or aside where the file goes there. Who stands keeps the heading.
+/// Without headings in the file, people turn to where they walk, the sooner the faster they are. A person who hardly
+/// moves hardly turns, and steps back or aside where the file goes there. A person who stands keeps the heading.
 class TrackSteps {
  public:
   static constexpr float cycles_in_all = 256.0F;
   static constexpr double stride_window = 0.8;  ///< seconds, about a stride: their mean velocity has no sway
 
   TrackSteps() = default;
-  /// `scale`: of the body. `first_heading`: of somebody who never moves.
+  /// `scale`: of the body. `first_heading`: of a person who never moves.
   TrackSteps(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading);
 
   /// Returns a moment; nothing but zeros where there is no track yet.
   TrackStep at(double seconds) const;
 
-  /// Takes rows that were added to the end of the track, or another track that begins later than this one ends. What
-  /// was told of times up to `settled` stays, but for what lies before the track's first row.
+  /// Takes rows that were added to the end of the track, or another track that begins later than this one ends. Moments
+  /// up to `settled` stay, except before the track's first row.
   void extend(const SmoothTrack& track, const StridePlane& plane, float scale, float first_heading, double settled);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 constexpr anim::Ticks longest_step = anim::ticks_per_second / 30;
 constexpr int most_steps = 64;
 constexpr anim::Ticks least_time_in_gait = anim::ticks_per_second * 3 / 5;
-constexpr anim::Ticks patience = anim::ticks_per_second * 3;  // until somebody who is stuck goes another way
+constexpr anim::Ticks patience = anim::ticks_per_second * 3;  // until a walker that is stuck goes another way
 
 constexpr float lead_in_spacings = 1.2F, lead_seconds = 0.6F;
 constexpr float aside_in_spacings = 3.0F;
@@ -141,7 +141,7 @@ void CrowdWalkers::look_ahead(std::size_t walker) {
   }
 }
 
-// The place beside the leader, a little behind, so that one sees where the other goes.
+// The place beside the leader, a little behind, so that the companion sees where the leader goes.
 glm::vec2 CrowdWalkers::place_beside(std::size_t walker) const {
   const std::size_t leader = company_.leader(walker);
   const Heading heading = headings_[leader];
@@ -161,7 +161,7 @@ glm::vec2 CrowdWalkers::way_beside(std::size_t walker) const {
   return spacing_ * (0.4F * side * left - round_behind * ahead) - from_leader;
 }
 
-// Comes up faster than the leader goes, and stands once it is there and the leader stands.
+// The companion comes up faster than the leader goes, and stands once it is there and the leader stands.
 void CrowdWalkers::keep_company(std::size_t walker) {
   Body& body = bodies_[walker];
   const Body& leader = bodies_[company_.leader(walker)];
@@ -177,7 +177,7 @@ void CrowdWalkers::keep_company(std::size_t walker) {
   wishes_[walker] = {velocity, body.moves ? std::max(most, glm::length(body.velocity)) : 0.0F};
 }
 
-// A leader goes no faster than the slowest of its company can, and waits for who is behind.
+// A leader goes no faster than the slowest of its company can, and waits for companions behind.
 float CrowdWalkers::patient_speed(std::size_t leader, float speed) const {
   for (std::size_t walker = leader + 1; walker < company_.end_of(leader); ++walker) {
     const float behind = glm::distance(place_beside(walker), bodies_[walker].position) / spacing_;
@@ -210,7 +210,7 @@ void CrowdWalkers::stop(std::size_t walker) {
   wishes_[walker] = {};
 }
 
-// `most` is the cosine and sine of the angle that anybody turns by in a step.
+// `most` is the cosine and sine of the largest angle that a walker turns by in a step.
 void CrowdWalkers::turn(std::size_t walker, glm::vec2 most) {
   const glm::vec2 velocity = bodies_[walker].velocity;
   const float speed = glm::length(velocity);
@@ -231,7 +231,7 @@ Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
   return fitting;
 }
 
-/// Returns the gait that a walker goes over to, or Role::other. Whoever has been stuck for long goes another way.
+/// Returns the gait that a walker goes over to, or Role::other. A walker that is stuck for long goes another way.
 Role CrowdWalkers::next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds) {
   const Role shown = minds.roles()[walker];
   const bool steps = glm::length(bodies_[walker].velocity) > share_of_walk_to_step * speed_of(walker, Role::walk);
@@ -250,7 +250,7 @@ Role CrowdWalkers::next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
   return fitting;
 }
 
-// Few change, and their requests come in the order of the agents.
+// Few walkers change, and their requests come in the order of the agents.
 void CrowdWalkers::show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
   visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
     const bool goes = is_gait(minds.intentions()[walker]) && !minds.holds(walker);
@@ -261,7 +261,7 @@ void CrowdWalkers::show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor
   }
 }
 
-/// Decides for a leader and then for those beside it, in one job, because they read what the leader has just decided.
+/// Decides for a leader and then for its company, in one job, because companions read what the leader has decided.
 void CrowdWalkers::wish_together(std::size_t leader, const CrowdMinds& minds) {
   for (std::size_t walker = leader; walker < company_.end_of(leader); ++walker) {
     if (minds.holds(walker)) {

@@ -17,10 +17,10 @@ namespace throng::app {
 
 /// Moves the agents that walk where they like, the first of a crowd. Each follows a point a few steps ahead on its
 /// lane, at the speed of the gait that it has in mind, and makes way for others. It cuts across to a lane that it
-/// changes to. Who keeps company goes beside its leader instead, who waits, and stops where the leader does.
+/// changes to. A companion goes beside its leader instead, which waits for it, and stops where the leader does.
 class CrowdWalkers {
  public:
-  /// `bodies` has all agents, walkers first; `paces` has the walkers' speeds over those of the gait's clip. `cast`
+  /// `bodies` has all agents, walkers first; `paces` has the walkers' speeds over the speed of the gait's clip. `cast`
   /// outlives this object, `obstacles` does not.
   CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
                std::vector<Body> bodies, std::vector<float> paces, Company company = {},
@@ -34,7 +34,7 @@ class CrowdWalkers {
   std::span<const Lane> lanes() const { return lanes_; }
   std::span<const Body> bodies() const { return bodies_; }         ///< [agent]
   std::span<const Heading> headings() const { return headings_; }  ///< [walker]
-  /// Returns the metres a second of the walker in `gait` when nobody is in its way.
+  /// Returns the metres a second of the walker in `gait` when no agent is in its way.
   float speed_of(std::size_t walker, Role gait) const;
 
  private:

@@ -20,8 +20,8 @@ ShareDealer::ShareDealer(std::span<const CharacterRoles> characters) : owed_(cha
   for (const CharacterRoles& character : characters) shares_.push_back(character.share);
 }
 
-// A place at a time goes to the character that it is owed to most; among equals to the first. Sums of fractions differ
-// in their last bits, so what is owed is compared in millionths.
+// One place at a time goes to the character that is owed most; among equals to the first. Sums of fractions differ in
+// their last bits, so what is owed is compared in millionths.
 std::vector<std::uint8_t> ShareDealer::deal(std::span<const std::uint8_t> numbers, std::size_t places, Random& random) {
   assert(places == 0 || !numbers.empty());
   double sum = 0.0;

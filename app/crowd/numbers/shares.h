@@ -15,9 +15,9 @@ class ShareDealer {
  public:
   explicit ShareDealer(std::span<const CharacterRoles> characters);
 
-  /// Returns who has each of so many places, in a random order: each of `numbers` as often as its share among them
-  /// asks for, to the nearest whole number. What one kind of place rounds off, the next makes good, so that the sums
-  /// over all kinds are as exact. `numbers` may be empty only where there are no places.
+  /// Returns the character of each of `places` places, in a random order: each of `numbers` as often as its share among
+  /// them asks for, to the nearest whole number. The next kind of place makes good what one rounds off, so that the
+  /// sums over all kinds are exact too. `numbers` may be empty only where there are no places.
   std::vector<std::uint8_t> deal(std::span<const std::uint8_t> numbers, std::size_t places, Random& random);
 
  private:

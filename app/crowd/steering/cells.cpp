@@ -5,7 +5,7 @@
 namespace throng::app {
 
 void CrowdCells::set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highest, float reach) {
-  // A few bodies strewn far apart get larger cells, not more of them than four a body.
+  // A few bodies strewn far apart get larger cells: four cells a body at most.
   const float most_cells = 4.0F * static_cast<float>(bodies) + 64.0F;
   grid_ = GroundGrid(lowest, highest, 0.5F * reach, most_cells);
   reach_ = reach;

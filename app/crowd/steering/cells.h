@@ -21,11 +21,11 @@ struct Body {
   glm::vec2 velocity{0.0F};  ///< metres a second
   float radius = 0.0F;       ///< metres
   std::uint32_t agent = 0;
-  std::uint32_t company = 0;  ///< the agent whom it keeps beside; its own, if it is alone
+  std::uint32_t company = 0;  ///< the agent that it keeps beside; its own number, if it is alone
   bool moves = false;         ///< false: it stands still during the step
 };
 
-/// Writes what the columns have of a body.
+/// Writes a body into the columns.
 inline void write_body(const Body& body, std::size_t place, BodyColumns& columns) {
   columns.x[place] = body.position.x;
   columns.z[place] = body.position.y;
@@ -57,8 +57,8 @@ class CrowdCells {
 
   /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
-  /// Does the same in `jobs` jobs. Calls `look_at(first, end)` for tiles of `bodies`, and `visit(const Body&,
-  /// std::size_t place)` for each with its place in bodies().
+  /// Sorts in `jobs` jobs. Calls `look_at(first, end)` for tiles of `bodies`, and `visit(const Body&, std::size_t
+  /// place)` for each with its place in bodies().
   template <typename LookAt, typename Visit>
   void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const LookAt& look_at,
             const Visit& visit) {
@@ -79,7 +79,7 @@ class CrowdCells {
   /// Returns all bodies, in the order of cells.
   std::span<const Body> bodies() const { return sorted_; }
 
-  /// Returns the runs of bodies() that hold everybody within reach of `position`, and some beyond it.
+  /// Returns the runs of bodies() that hold every body within reach of `position`, and some beyond it.
   CellRuns runs_near(glm::vec2 position) const {
     const std::size_t left = grid_.column(position.x - reach_), right = grid_.column(position.x + reach_);
     const std::size_t top = grid_.row(position.y - reach_), bottom = grid_.row(position.y + reach_);

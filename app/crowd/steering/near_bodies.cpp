@@ -59,7 +59,7 @@ HWY_INLINE hn::Mask<Floats> matter(const BodyColumns& columns, std::size_t first
   const Vector speed_squared = squared(relative_x, relative_z);
   const Vector closing = hn::Neg(hn::Add(hn::Mul(x, relative_x), hn::Mul(z, relative_z)));
   const auto comes_near = hn::And(hn::Gt(closing, hn::Zero(d)), hn::Lt(closing, hn::Mul(self.horizon, speed_squared)));
-  // It passes at |cross| / |relative|; compared like this nothing is divided.
+  // The body passes at |cross| / |relative|; this comparison needs no division.
   const Vector cross = hn::Sub(hn::Mul(x, relative_z), hn::Mul(z, relative_x));
   const Vector passing = hn::Mul(self.passing_scale, hn::Add(self.passing_offset, radius));
   const Vector passing_squared = hn::Mul(hn::Mul(passing, passing), hn::Set(d, margin));

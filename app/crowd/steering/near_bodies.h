@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// Holds what steering reads of many bodies. Each number has an array of its own, so that vectors are loaded from it:
+/// Holds columns of bodies for steering. Each number has an array of its own, so that vectors are loaded from it:
 ///
 ///     x        [body 0][body 1] ... [body count-1][padding: most_lanes]
 ///     z        the same; then the others
@@ -20,8 +20,8 @@ struct BodyColumns {
   static constexpr std::size_t most_lanes = 64;  ///< floats in a vector of any target
 
   std::vector<float> x, z, velocity_x, velocity_z, radius;  ///< read by the search
-  std::vector<float> share_of_gap;     ///< that others may take of what lies between: half, or all of it if it stands
-  std::vector<std::uint32_t> company;  ///< whom it keeps beside
+  std::vector<float> share_of_gap;     ///< that others may take of the gap to it: half, or all of it if it stands
+  std::vector<std::uint32_t> company;  ///< the agent that it keeps beside
 
   void set_aside(std::size_t bodies);
 };
@@ -31,8 +31,8 @@ struct BodyRun {
   std::uint32_t first = 0, end = 0;
 };
 
-/// Finds the bodies that matter to one that walks: those in sight that are close, or that it would pass too close to.
-/// The radius of another body is r; lengths are metres and speeds metres a second.
+/// Finds the bodies that matter to a walker: bodies in sight that are close, or that it would pass too close to. The
+/// radius of another body is r; lengths are metres and speeds metres a second.
 struct NearBodiesJob {
   const BodyColumns* columns = nullptr;
   std::span<const BodyRun> runs = {};  ///< searched in this order
@@ -64,7 +64,7 @@ struct NearBodies {
 bool is_valid(const NearBodiesJob& job);
 
 /// Searches from the cursor on until all runs are done, or `found` has no room for another vector. Returns whether all
-/// is done. A body that passes by as near as roundings can tell may be found too; who reads the places decides.
+/// is done. A body just out of reach may be found too, within rounding; the caller that reads the places decides.
 bool find_near_bodies(const NearBodiesJob& job, NearBodiesCursor& cursor, NearBodies& found);
 
 }  // namespace throng::app

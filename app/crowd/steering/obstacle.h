@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// A disc of ground on which nobody walks or stands.
+/// A disc of ground on which no agent walks or stands.
 struct Obstacle {
   glm::dvec2 position{0.0};  ///< x, z in metres
   double radius = 0.0;       ///< metres

@@ -4,7 +4,7 @@ namespace throng::app {
 namespace {
 
 constexpr float side_in_sights = 2.0F;
-constexpr float most_cells = 65536.0F;  // of a ground that is large beside what is seen of it
+constexpr float most_cells = 65536.0F;  // of a ground that is large beside the sight of an agent
 
 }  // namespace
 

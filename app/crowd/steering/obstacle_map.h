@@ -14,13 +14,13 @@
 
 namespace throng::app {
 
-/// Tells which obstacles are in sight from each place. It never changes, so it keeps a list for each cell of a
-/// grid, and one run of bodies is all that somebody looks through. An obstacle lies in the lists of all cells from
-/// which it can be seen.
+/// Tells which obstacles are in sight from each place. It never changes, so it keeps a list for each cell of a grid,
+/// and an agent looks through one run of bodies alone. An obstacle lies in the lists of all cells from which it can be
+/// seen.
 class ObstacleMap {
  public:
   /// An agent sees as far as `sight` metres beyond the edge of an obstacle. Agents are between `lowest` and `highest`
-  /// as a rule; elsewhere they see all the same.
+  /// as a rule; elsewhere they see too.
   ObstacleMap(std::span<const Obstacle> obstacles, glm::vec2 lowest, glm::vec2 highest, float sight);
 
   /// Returns the obstacles as bodies that stand, each once a cell.

@@ -25,7 +25,7 @@ struct StepWork {
   StepRules rules;
 };
 
-/// Walkers side by side, and which they are.
+/// Walkers side by side, and their numbers.
 struct WalkersInStrip {
   StepStrip strip;
   StepStrip::Numbers agents{};
@@ -143,7 +143,7 @@ void move_tile(const StepWork& work, std::size_t first, std::size_t end) {
 
 Steering::Steering(std::size_t agents, const Ground& ground)
     : ground_(ground), reach_(std::max(reach_in_spacings * ground.spacing, 8.0F * ground.largest_radius)) {
-  // Two agents see everybody that both can meet in one step.
+  // Two agents see every agent that both can meet in one step.
   longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
   agents_.set_aside(agents, ground.lowest, ground.highest, reach_);
   if (!ground.obstacles.empty()) {

@@ -16,7 +16,7 @@
 
 namespace throng::app {
 
-/// The velocity that an agent would have if nobody was in its way.
+/// The velocity that an agent would have if no other was in its way.
 struct Wish {
   glm::vec2 velocity{0.0F};  ///< metres a second
   float most_speed = 0.0F;   ///< metres a second, also while it makes way; above 0 for bodies that move
@@ -25,11 +25,11 @@ struct Wish {
 /// Lets agents walk around each other. Each looks at where all were when the step began, so the agents can be computed
 /// in any order and on any number of PUs with the same result to the last bit.
 ///
-/// An agent turns away from those it would come too close to (time and place of closest approach; on its right from
-/// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Its velocity
-/// is then cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free. Each of
-/// two agents may take half of the gap between them, or all of it where the other stands. So nobody meets anybody, even
-/// in a dense crowd. Obstacles are bodies that always stand; nobody's feet come closer to one than their own share.
+/// An agent turns away from agents it would come too close to (time and place of closest approach; to its right from
+/// agents that come head-on), follows no faster than the agents ahead, and accelerates within limits. Its velocity is
+/// then cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free. Each of
+/// two agents may take half of the gap between them, or all of it where the other stands. So agents never collide, even
+/// in a dense crowd. Obstacles are bodies that always stand; no feet come closer to one than their own share.
 class Steering {
  public:
   struct Ground {
@@ -48,7 +48,7 @@ class Steering {
       columns_.set_aside(agents);
     }
     const BodyColumns& columns() const { return columns_; }
-    /// Returns the most speed that somebody who moves wishes for.
+    /// Returns the highest speed that a moving agent wishes for.
     float sort(std::span<const Body> agents, std::span<const Wish> wishes, anim::Executor& executor, int jobs) {
       std::atomic<float> fastest{0.0F};
       const auto look_at = [&](std::size_t first, std::size_t end) {
@@ -82,7 +82,7 @@ class Steering {
  private:
   Ground ground_;
   float reach_ = 1.0F;
-  float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
+  float longest_step_ = 0.0F;  // metres that no agent exceeds in one step
   Searched agents_;
   std::shared_ptr<const ObstacleMap> obstacles_;  // never changes, so that copies share it; null: there are none
 };

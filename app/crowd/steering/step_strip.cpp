@@ -95,8 +95,7 @@ struct Others {
         is_company(hn::RebindMask(d, hn::Eq(hn::GatherIndex(numbers, columns.company.data(), places), company))) {}
 };
 
-/// Returns the way to turn from where the other will be seen at the closest approach, the sooner and the closer the
-/// more.
+/// Returns the turn away from the other's place at the closest approach; it is larger the sooner and closer that is.
 HWY_INLINE Vector2 avoid(const Walkers& self, const Others& other, Vector2 apart, Vector radii, Vector passing,
                          Mask seen) {
   const Vector2 relative = other.velocity - self.wish;
@@ -134,7 +133,7 @@ HWY_INLINE Limits limits_of(const Others& other, Vector2 apart, Vector distance,
           .hard = at_least_zero(hn::Div(to_least, seconds))};
 }
 
-/// Keeps the limits of the lanes in `mask`, below those that the lanes have.
+/// Keeps the limits of the lanes in `mask`, below the former limits of each lane.
 HWY_INLINE void keep(const Limits& limits, Mask mask, std::size_t first_lane, StepStrip& strip) {
   alignas(64) StepStrip::Floats x, z, soft, hard;
   hn::Store(limits.towards.x, d, x.data());
@@ -211,7 +210,7 @@ class Rows {
   std::size_t lane_;
 };
 
-/// Takes off what is over each limit, one after the other. A lane that is over none stays as it is in further passes.
+/// Takes off what is over each limit, one after the other. A lane over no limit stays as it is in further passes.
 template <typename Most>
 HWY_INLINE Vector2 cut(const Rows& rows, Vector2 velocity, const Most& most, int passes) {
   bool is_over = true;

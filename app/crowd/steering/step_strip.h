@@ -16,7 +16,7 @@ inline constexpr float steering_horizon = 2.5F;  ///< seconds that an agent look
 struct StepRules {
   float seconds = 0.0F;
   float spacing = 1.0F;     ///< CharacterRoles::spacing
-  float most_speed = 0.0F;  ///< metres a second that nobody exceeds
+  float most_speed = 0.0F;  ///< metres a second that no agent exceeds
   float sight = 0.0F;       ///< as far as an agent looks, from middle to middle
   float closing = 0.0F;     ///< the most by which two come nearer in a step
 };
@@ -30,7 +30,7 @@ struct KeptDistances {
   float sight_per_radius;
   float passing_scale, passing_per_radius;
   float least_share_of_radii;
-  bool are_agents;  ///< a walker is one of them, and is not polite to its company
+  bool are_agents;  ///< these bodies are agents; a walker is not polite to its company
 };
 inline constexpr KeptDistances kept_from_agents{.sight_per_radius = 0.0F,
                                                 .passing_scale = 1.5F,
@@ -60,11 +60,11 @@ struct StepStrip {
 
   std::size_t count = 0;  ///< of walkers; the other lanes hold zeros
   alignas(64) Floats x{}, z{}, velocity_x{}, velocity_z{}, radius{}, wish_x{}, wish_z{}, most_speed{};
-  alignas(64) Numbers company{};  ///< whom the walker keeps beside, as in BodyColumns
+  alignas(64) Numbers company{};  ///< the agent that the walker keeps beside, as in BodyColumns
   alignas(64) Numbers place{};    ///< of the walker among the agents
 
   alignas(64) Floats turn_x{}, turn_z{};  ///< metres a second, away from others
-  alignas(64) Numbers limit_count{};      ///< most_limits + 1: more are close than can be told apart
+  alignas(64) Numbers limit_count{};      ///< most_limits + 1: more bodies are close than limits fit
   std::uint32_t limit_rows = 0;           ///< of the four below: the largest count
   alignas(64) std::array<Floats, most_limits> towards_x, towards_z, soft, hard;
 };
@@ -85,10 +85,10 @@ struct SeeJob {
 
 bool is_valid(const SeeJob& job, const StepStrip& strip);
 
-/// Adds to what the walkers see: the way they turn, and limits. Each lane has the bits of the same sums in a loop.
+/// Adds to the walkers' turns and limits. Each lane has the bits of the same sums in a loop.
 void see(const SeeJob& job, StepStrip& strip);
 
-/// Replaces velocity and place of each walker by those after the step, from all that was seen.
+/// Moves each walker by a step, which follows from all bodies that it saw: replaces velocity and place.
 void take_step(const StepRules& rules, StepStrip& strip);
 
 }  // namespace throng::app

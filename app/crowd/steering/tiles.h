@@ -10,7 +10,7 @@
 namespace throng::app {
 
 /// Tiles of numbers, shared out over jobs. Each job has a part of its own, the same in each frame, so that its data
-/// stay near its core; who is done takes tiles of the others.
+/// stay near its core; a job that is done takes tiles of the others.
 class SharedTiles {
  public:
   static constexpr std::size_t tile = 128, most_jobs = 64;
@@ -53,7 +53,7 @@ void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& 
   anim::run_jobs(executor, used, [&](std::size_t job) { shared.run(job, visit); });
 }
 
-/// Calls visit(i) for each i below `count`, in such tiles.
+/// Calls visit(i) for each i below `count`, in the tiles of visit_tiles().
 template <typename Visit>
 void visit_in_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
   visit_tiles(count, executor, jobs, [&](std::size_t first, std::size_t end) {

@@ -16,7 +16,7 @@
 namespace throng::app {
 namespace {
 
-/// Returns the address by which SQLite opens a file as it lies there.
+/// Returns the address by which SQLite opens a file as an unchanging one.
 std::string address_of(const std::string& file) {
   static constexpr char hex[] = "0123456789ABCDEF";
   std::string address = "file:";
@@ -75,8 +75,8 @@ bool begins_with(const std::string& file, std::string_view bytes) {
   return read && *read == bytes.size() && begin == bytes;
 }
 
-/// Returns the journal beside a database whose writer has not finished; empty if it has. The first bytes of a journal
-/// that was finished are others.
+/// Returns the journal beside a database whose writer has not finished; empty if it has. A finished journal begins with
+/// other bytes.
 std::string journal_of(const std::string& file) {
   std::error_code error;
   std::filesystem::path real = std::filesystem::canonical(file, error);  // SQLite follows links, too
@@ -103,7 +103,7 @@ std::uint64_t size_by_header(InputFile& file) {
   return is_valid ? page_bytes * number(28, 4) : 0;
 }
 
-/// Returns whether the columns of a table lie in its records one after the other, going by the words that made it.
+/// Returns whether the columns of a table lie in its records one after the other, by the statement that created it.
 bool is_plain_table(std::string_view made) {
   std::string lower(made);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

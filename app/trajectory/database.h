@@ -25,7 +25,7 @@ class DatabaseRow {
   std::int64_t whole(int column) const;
   double real(int column) const;
   std::string_view text(int column) const;  ///< until the next row
-  /// Returns the number in a column, or why there is none.
+  /// Writes the number in a column to `value`; returns false if there is none.
   bool number(int column, double& value) const;
 
  private:
@@ -35,7 +35,7 @@ class DatabaseRow {
 /// A database file that is only read. Neither views, triggers, computed columns nor functions of the file run.
 class Database {
  public:
-  /// Errors: it is no whole database, or a journal beside it holds rows that are not in it yet.
+  /// Errors: the file is no whole database, or a journal beside it holds rows that are not in it yet.
   static Result<Database> open(const std::string& file);
 
   /// Calls visit(row) for each row of an answer until it returns false.
@@ -48,7 +48,7 @@ class Database {
     std::uint32_t root_page = 0;
     bool is_plain = false;  ///< records have all columns in this order
   };
-  /// Returns the tables of the file, without views and those that another program makes up.
+  /// Returns the tables of the file, without views and virtual tables.
   Result<std::vector<Table>> tables();
 
  private:

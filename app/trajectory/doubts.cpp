@@ -26,7 +26,7 @@ float gap_between(const GroundBounds& one, const GroundBounds& other) {
 }
 
 struct Speeds {
-  std::vector<float> moving;  ///< metres a second of each step that goes anywhere
+  std::vector<float> moving;  ///< metres a second of each step that moves
   float longest_way = 0.0F;   ///< metres that a person goes in all
 };
 
@@ -45,7 +45,7 @@ Speeds moving_speeds(const std::vector<PersonTrack>& persons) {
   return speeds;
 }
 
-/// Returns the value that a share of them lie below.
+/// Returns the value that a share of the values lie below.
 float quantile(std::vector<float>& values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, at);
@@ -58,7 +58,7 @@ std::string in_metres(float value) {
 }
 
 std::string doubt_of_extent(const Trajectories& tracks, const GroundBounds& people) {
-  constexpr float narrowest = 0.5F;  // three people have no room in it
+  constexpr float narrowest = 0.5F;  // a crowd of three has no room in less
   const float width = width_of(people);
   if (tracks.persons.size() < 3 || width >= narrowest) return {};
   return "All " + counted_people(tracks.persons.size()) + " stay within " + in_metres(width) +
@@ -67,7 +67,7 @@ std::string doubt_of_extent(const Trajectories& tracks, const GroundBounds& peop
 
 std::string doubt_of_speeds(const RowFacts& facts, const Trajectories& tracks) {
   constexpr float too_fast = 7.0F, too_slow = 0.1F;  // metres a second
-  constexpr float least_way = 2.0F;                  // metres: who stands may be slow
+  constexpr float least_way = 2.0F;                  // metres: a person who stands may be slow
   constexpr std::size_t least_steps = 10;
   Speeds speeds = moving_speeds(tracks.persons);
   if (speeds.moving.size() < least_steps) return {};
@@ -105,7 +105,7 @@ std::string doubt_of_heights(const RowFacts& facts, const Trajectories& tracks) 
   constexpr float highest_step = 2.0F;  // metres: a stage
   float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
   for (const PersonTrack& person : tracks.persons) {
-    if (person.stature > 0.0F) return {};  // z is that of heads
+    if (person.stature > 0.0F) return {};  // z is the height of heads
     for (const TrackRow& row : person.rows) {
       lowest = std::min(lowest, row.y);
       highest = std::max(highest, row.y);

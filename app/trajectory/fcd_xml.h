@@ -20,14 +20,14 @@ class FcdParser {
   FcdParser(const FcdParser&) = delete;
   FcdParser& operator=(const FcdParser&) = delete;
 
-  /// Forgets the rows of vehicles, and calls this, when the first person comes. Without it, they stay.
+  /// Forgets the rows of vehicles, and calls `forget_vehicles`, when the first person comes. Without a call, they stay.
   void when_people_come(std::function<void()> forget_vehicles);
-  /// Reads on. Returns false after the first error. `is_last` ends the document.
+  /// Reads the next piece. Returns false after the first error. `is_last` ends the document.
   bool read(std::string_view text, bool is_last);
   /// The end of a sentence, "line 7: ...".
   const std::string& fault() const;
   bool ends_early() const;
-  bool is_row_at_fault() const;  ///< --lenient would skip it
+  bool is_row_at_fault() const;  ///< --lenient would skip the row
   std::size_t bad_rows() const;
   const std::string& first_bad_row() const;
   bool has_people() const;

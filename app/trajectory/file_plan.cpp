@@ -30,7 +30,7 @@ GroundArea placed_area(const FileArea& area, double unit, const glm::dvec2& orig
   return placed;
 }
 
-/// Reads walls of any kind that is text. The error is the end of a sentence.
+/// Reads walls in any text format. The error is the end of a sentence.
 Result<FilePlan> plan_of_text(std::string_view text) {
   if (std::string why = why_no_text(text, "name walls: WKT, .scenario or .floor"); !why.empty()) return Error{why};
   text.remove_prefix(byte_order_mark(text));

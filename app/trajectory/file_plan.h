@@ -18,15 +18,15 @@ using FileRing = FilePlan::Ring;
 using FileArea = FilePlan::Area;
 using FileLine = FilePlan::Line;
 
-/// Reads Well-Known Text: points are left out, lines become walls, and polygons floors, those within another one
+/// Reads Well-Known Text: points are left out, lines become walls, polygons floors, and polygons within another one
 /// obstacles. Several geometries may follow each other. The error is the end of a sentence, "line 3: ...; ...".
 Result<FilePlan> parse_wkt(std::string_view text);
 
-/// Reads walls and floors: WKT, a scenario of Vadere, a .floor of crowd:it, or what JuPedSim wrote. Errors begin with
-/// the file's name.
+/// Reads walls and floors: WKT, a scenario of Vadere, a .floor of crowd:it, or a database of JuPedSim. Errors begin
+/// with the file's name.
 Result<FilePlan> read_file_plan(const std::string& file);
 
-/// Returns the file of walls that lies beside one of trajectories and has its name: a .wkt, or a .floor of crowd:it.
+/// Returns the file of walls beside a file of trajectories and with its name: a .wkt, or a .floor of crowd:it.
 std::optional<std::string> plan_beside(const std::string& file);
 
 /// Returns the plan about the file's place `origin`, which is in metres.

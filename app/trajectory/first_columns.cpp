@@ -32,12 +32,12 @@ std::vector<FirstNumbers> numbers_of(std::string_view rows, char separator) {
   return result;
 }
 
-/// Says how somebody's rows follow each other, in the middle of all.
+/// Says how the rows of a person follow each other, in the median of all.
 struct Succession {
   std::size_t count = 0;
   double metres = 0.0;  ///< from a row to the next, in the file's unit
   double usual = 0.0;   ///< the time from a row to the next that is most common
-  double even = 0.0;    ///< the share of rows that are that far apart
+  double even = 0.0;    ///< the share of rows at the usual distance in time
 };
 
 Succession succession_of(std::vector<FirstNumbers> rows, std::size_t id, std::size_t frame) {

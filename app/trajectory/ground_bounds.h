@@ -16,7 +16,7 @@ struct GroundBounds {
   friend bool operator==(const GroundBounds&, const GroundBounds&) = default;
 };
 
-/// Makes bounds hold a place.
+/// Widens bounds to hold a place.
 inline void add_to(GroundBounds& bounds, const glm::vec2& place) {
   bounds.low = glm::min(bounds.low, place);
   bounds.high = glm::max(bounds.high, place);
@@ -27,10 +27,10 @@ inline float width_of(const GroundBounds& bounds) {
   return glm::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
 }
 
-/// Returns what holds the place; nothing where there is none.
+/// Returns the bounds of a plan; nothing where it is empty.
 std::optional<GroundBounds> bounds_of(const GroundPlan& plan);
 
-/// Returns what holds all people at every time. While rows still come, it holds the place too, or else a few metres
+/// Returns the bounds of all people at every time. While rows still come, they hold the plan too, or else a few metres
 /// around the first row.
 GroundBounds bounds_of(const Trajectories& trajectories);
 

@@ -38,7 +38,7 @@ struct Plan {
   }
 };
 
-/// Calls visit(point) for each point of what stands or can be walked on.
+/// Calls visit(point) for each point of floors, obstacles and walls.
 template <typename Point, typename Visit>
 void for_points(const Plan<Point>& plan, Visit visit) {
   for (const auto* const areas : {&plan.floors, &plan.exits}) {

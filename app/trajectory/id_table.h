@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// Gives each id of a file a number, in the order in which they come.
+/// Gives each id of a file a number, in the order in which ids come.
 class IdTable {
  public:
   /// Returns the number of an id, which is a new one if the id was not seen before.

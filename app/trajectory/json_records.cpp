@@ -19,7 +19,7 @@
 namespace throng::app {
 namespace {
 
-/// The values of a record and of the objects around it, by field; null where none has it.
+/// The values of a record and of the objects around it, by field; null where no object has it.
 using FieldValues = std::array<const Json*, track_field_count>;
 
 const Json* field_value(const FieldValues& values, TrackField field) { return values[static_cast<std::size_t>(field)]; }

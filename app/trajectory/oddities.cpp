@@ -20,7 +20,7 @@ constexpr float nearest_people = 0.1F;  // metres
 constexpr std::size_t most_rows_looked_at = 150'000;
 constexpr std::size_t most_pairs_looked_at = 5'000'000;
 
-/// A place of somebody in a frame, with the cell of a grid that it lies in.
+/// A person's place in a frame, with the cell of a grid that it lies in.
 struct StandingRow {
   std::uint64_t key;  ///< frame, cell along z, cell along x
   std::uint32_t person, row;
@@ -63,7 +63,7 @@ void look_at_moves(const PersonTrack& person, double rows_a_second, MoveTally& t
   }
 }
 
-/// Takes the rows of some frames: of all, or of every so many that the work stays small.
+/// Takes the rows of all frames, or of every nth where the work would be large.
 std::vector<StandingRow> standers_of(const std::vector<PersonTrack>& persons, double rows_a_second, std::size_t rows) {
   const auto every = static_cast<std::int64_t>(rows / most_rows_looked_at + 1);
   const double rate = rows_a_second > 0.0 ? rows_a_second : 1.0;
@@ -89,7 +89,7 @@ bool overlap(const TrackRow& one, const TrackRow& other) {
          std::abs(y) < 1.0F;
 }
 
-/// Finds pairs of people in cells that touch. Counts each pair once, however long they stand so.
+/// Finds pairs of people in cells that touch. Counts each pair once, however long they overlap.
 class OverlapSearch {
  public:
   OverlapSearch(const std::vector<PersonTrack>& persons, std::vector<StandingRow> standers)
@@ -111,7 +111,7 @@ class OverlapSearch {
  private:
   const TrackRow& row_of(const StandingRow& stander) const { return persons_[stander.person].rows[stander.row]; }
 
-  /// Compares one with those from `first` on whose keys are not above `last_key`.
+  /// Compares one row with the rows from `first` on whose keys are not above `last_key`.
   void look_at(std::size_t one, std::size_t first, std::uint64_t last_key) {
     const StandingRow& stander = standers_[one];
     for (std::size_t i = first; i < standers_.size() && standers_[i].key <= last_key; ++i) {

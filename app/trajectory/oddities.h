@@ -13,7 +13,7 @@ struct OddityTally {
   double first_seconds = 0.0;
   std::string first = {};
 
-  /// `text()` is called for the first one alone.
+  /// `text()` is called for the first oddity alone.
   template <typename Text>
   void add(double seconds, Text text) {
     if (count++ > 0 && seconds >= first_seconds) return;
@@ -23,8 +23,8 @@ struct OddityTally {
   void add(const OddityTally& other);
 };
 
-/// Finds gaps, teleports and people who stand on each other. A crowd of many rows is looked at in some of its frames.
-/// `rows_a_second` is that of most people.
+/// Finds gaps, teleports and people who stand on each other. In a crowd of many rows the search covers some of its
+/// frames. `rows_a_second` is the rate of most people.
 void find_oddities(const std::vector<PersonTrack>& persons, double rows_a_second, TrackReport& report);
 
 /// Adds a kind to the report if there are any.

@@ -73,7 +73,7 @@ class WholeIds {
   std::vector<std::uint32_t> known_;  // by id: a number and 1, or 0
 };
 
-/// Holds what one thread read.
+/// Holds the rows that one thread read.
 struct PagePart {
   RowSink sink;
   std::vector<std::pair<std::size_t, RowBlock>> blocks;  ///< with the first leaf of each

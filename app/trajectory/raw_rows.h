@@ -55,7 +55,7 @@ inline float heading_of_direction(double x, double y) {
 /// Rows that follow each other in a file.
 struct RowBlock {
   RawRows rows;
-  std::size_t table = 0;  ///< the table of RawTracks that their numbers are of
+  std::size_t table = 0;  ///< the table of RawTracks that their numbers come from
 };
 
 enum class AngleMeaning : std::uint8_t {
@@ -67,25 +67,25 @@ enum class AngleMeaning : std::uint8_t {
   heading,  ///< TrackRow::heading itself
 };
 
-/// A second has so many frames where the file does not say it.
+/// Frames a second where the file does not say it.
 enum class RateRule : std::uint8_t {
-  by_speed,   ///< 25, or 16 where people were too fast then
+  by_speed,   ///< 25, or 16 where people were too fast with 25
   annotated,  ///< as many as let people have 2.5 rows a second
 };
 
-/// Holds what a format, or the head of a file, says of all rows.
+/// Holds the facts about all rows that a format, or the head of a file, gives.
 struct RowFacts {
   std::string format;
   bool has_frames = false;          ///< RawRow::time counts frames
   std::optional<double> rate = {};  ///< frames a second
   RateRule rate_rule = RateRule::by_speed;
   std::optional<double> unit = {};  ///< metres
-  bool tells_unit = false;  ///< metres or centimetres are told apart where the file does not say it; else it is metres
-  double times_a_second = 1.0;  ///< of rows that have a time
+  bool tells_unit = false;          ///< metres or centimetres are found where the file does not say; else metres
+  double times_a_second = 1.0;      ///< of rows that have a time
   AngleMeaning angle = AngleMeaning::none;
   bool has_z = false;
   bool z_is_head = false;
-  bool repeats_ends = false;  ///< a row at the same time and place as the one before is no duplicate
+  bool repeats_ends = false;  ///< a row at the time and place of the row before is no duplicate
   std::vector<std::string> said = {};
 };
 
@@ -98,10 +98,10 @@ struct RowSink {
   double scene_rate = 0.0;    ///< rows a second of a person, where the file says it between rows
 };
 
-/// Adds a row whose numbers are finite. Returns false if it is wrong all the same, after filling sink.fault.
+/// Adds a row whose numbers are finite. Returns false if the row is still wrong, after filling sink.fault.
 bool add_row(const RawRow& row, RowSink& sink);
 
-/// Takes the rows out of a sink, and makes room for about as many again.
+/// Takes the rows out of a sink, and makes room in it for about as many.
 RawRows take_rows_of(RowSink& sink);
 
 /// Reads the lines of a text. Each thread has one of its own.

@@ -84,7 +84,7 @@ Status read_raw(const std::string& file, const TrackReading& options, const Read
   return read_text_rows(file, *head, options, progress, tracks);
 }
 
-/// The width of a plan in its units; 0 of none.
+/// The width of a plan in its units; 0 of an empty one.
 double width_of(const FilePlan& plan) {
   glm::dvec2 least(1e300), most(-1e300);
   for_points(plan, [&](const glm::dvec2& point) {
@@ -94,7 +94,7 @@ double width_of(const FilePlan& plan) {
   return std::max({most.x - least.x, most.y - least.y, 0.0});
 }
 
-/// Walls of a file of its own may be in other units than the rows: in those in which they are about as wide.
+/// Walls of a separate file may have another unit than the rows: the unit in which they are about as wide.
 double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
   const double people = std::max(static_cast<double>(width_of(bounds_of(tracks))), 1.0), walls = width_of(plan);
   double best = 1.0;
@@ -144,7 +144,7 @@ bool looks_like_trajectories(const std::string& file) {
     return head->starts_with('[') || read_json_records(file, {}, tracks).has_value();
   }
   if (text_format_of(*head, {})) return true;
-  // A table that is refused is no model all the same.
+  // A table that is refused is still no model.
   std::filesystem::path name = file;
   if (name.extension() == ".gz") name.replace_extension();
   static constexpr std::array extensions{".csv",   ".tsv", ".txt",    ".traj", ".ndjson",

@@ -9,10 +9,10 @@ namespace throng::app {
 
 /// Says what the height z of a file's rows is.
 enum class TrackHeight : std::uint8_t {
-  by_format,  ///< of the head in the text of the Jülich archive, of the ground elsewhere
+  by_format,  ///< the head's in the text of the Jülich archive, the ground's elsewhere
   head,
   ground,
-  none,  ///< it is left out: people are on the ground at 0
+  none,  ///< z is left out: people are on the ground at 0
 };
 
 /// Says what a file's angles are.
@@ -21,13 +21,13 @@ enum class TrackAngle : std::uint8_t {
   degrees,  ///< counterclockwise from +x, as radians are
   radians,
   north,  ///< degrees clockwise from north
-  none,   ///< they are left out: people look where they go
+  none,   ///< angles are left out: people look where they go
 };
 
-/// The axis of a file that points up. The ground is the file's (x, y) where that is z; it is (x, -z) where it is y.
+/// The axis of a file that points up. The ground is the file's (x, y) where z points up, and (x, -z) where y does.
 enum class TrackUp : std::uint8_t { z, y };
 
-/// Says how trajectories are read. Whatever is not set is told apart, and said in Trajectories::said.
+/// Says how trajectories are read. The reader finds each value that is not set, and lists it in Trajectories::said.
 struct TrackReading {
   std::optional<double> fps = {};             ///< frames a second of rows that have frames
   std::optional<double> times_a_second = {};  ///< units of time in a second, of rows that have times
@@ -36,8 +36,8 @@ struct TrackReading {
   TrackHeight height = TrackHeight::by_format;
   TrackAngle angle = TrackAngle::told_apart;
   std::optional<double> start_seconds = {};  ///< rows before this time of the file's clock are left out
-  std::string walls = {};  ///< a file of read_ground_plan(); without it, what lies in or beside the file
-  bool lenient = false;    ///< skip rows that are wrong, and count them
+  std::string walls = {};                    ///< a file of read_ground_plan(); empty: the plan in or beside the file
+  bool lenient = false;                      ///< skip rows that are wrong, and count them
 
   friend bool operator==(const TrackReading&, const TrackReading&) = default;
 };

@@ -20,7 +20,7 @@ bool is_jump(const TrackRow& a, const TrackRow& b) {
   return glm::distance(place_of(a), place_of(b)) > fastest_person * seconds_between(a, b);
 }
 
-/// Keeps a velocity from being much faster than the slower of two.
+/// Keeps a velocity from being much faster than the slower of `in` and `out`.
 glm::vec2 at_most(const glm::vec2& velocity, const glm::vec2& in, const glm::vec2& out) {
   const float most = most_over_slower * std::min(glm::length(in), glm::length(out)), length = glm::length(velocity);
   return length > most ? velocity * (most / length) : velocity;

@@ -11,16 +11,16 @@
 
 namespace throng::app {
 
-/// Somebody's way as a curve: it goes through every row, and nowhere between two rows farther aside than half of their
+/// A person's way as a curve: it goes through every row, and nowhere between two rows farther aside than half of their
 /// distance. The rows, at least one, outlive it. Before the first row and after the last one it stands still.
 ///
-/// Between two rows it is a cubic in Hermite's form. The velocity at a row is that of the parabola through it and its
-/// neighbours (E. Catmull and R. Rom, "A class of local interpolating splines", 1974, for rows at any distance), at an
-/// end that of the parabola which ends there; but no more than a few times that of the slower side, so that somebody
+/// Between two rows it is a cubic in Hermite's form. The velocity at a row is the velocity of the parabola through it
+/// and its neighbours (E. Catmull and R. Rom, "A class of local interpolating splines", 1974, for rows at any
+/// distance), at an end of the parabola which ends there. It is at most a few times the slower side's, so that a person
 /// who stops does not go beyond and come back.
 class SmoothTrack {
  public:
-  /// Makes a track of nobody, who is nowhere at any time; nothing else may be asked of it.
+  /// Makes an empty track, which ends before it begins. It has no place, velocity or heading.
   SmoothTrack() = default;
   explicit SmoothTrack(std::span<const TrackRow> rows)
       : rows_(rows), first_(rows.front().seconds), last_(rows.back().seconds) {}

@@ -43,7 +43,7 @@ Error wrong_tables(const Tables& tables) {
           "trajectory_data(frame, id, pos_x, pos_y), which JuPedSim writes; export rows as CSV"};
 }
 
-/// Reads what the metadata say.
+/// Reads the metadata.
 Status read_metadata(Database& database, const Tables& tables, RowFacts& facts) {
   facts.format = "JuPedSim SQLite";
   if (!has_columns(table_named(tables, "metadata"), {"key", "value"})) return Done{};
@@ -57,7 +57,7 @@ Status read_metadata(Database& database, const Tables& tables, RowFacts& facts) 
   });
 }
 
-/// Reads the place. Where it changes, the first one counts.
+/// Reads the place. Where it changes, the first place counts.
 Status read_place(Database& database, const Tables& tables, FilePlan& plan, std::vector<std::string>& said) {
   const Database::Table* const geometry = table_named(tables, "geometry");
   if (!has_columns(geometry, {"wkt"})) return Done{};
@@ -101,7 +101,7 @@ std::string where_of(const RowRange& range) {
          " ORDER BY rowid";
 }
 
-/// Cuts the rows into as many ranges as threads read them.
+/// Cuts the rows into one range a thread.
 std::vector<RowRange> ranges_of(Database& database) {
   std::int64_t first = 0, last = -1;
   const Status counted =
@@ -123,7 +123,7 @@ std::vector<RowRange> ranges_of(Database& database) {
   return ranges;
 }
 
-/// Holds what came of a range.
+/// Holds the result of reading a range.
 struct ReadRange {
   RowSink sink;
   std::vector<RowBlock> blocks;

@@ -8,11 +8,11 @@
 
 namespace throng::app {
 
-/// Returns whether a file that begins so is a database.
+/// Returns whether a file with this beginning is a database.
 bool is_sqlite(std::string_view head);
 
-/// Reads the rows and the place of a database of JuPedSim. Opens it read-only, takes no part in transactions of others
-/// (a journal with rows beside it is refused), and runs nothing that the file brings along.
+/// Reads the rows and the place of a database of JuPedSim. Opens it read-only, takes no part in other programs'
+/// transactions (a journal with rows beside it is refused), and runs nothing that the file brings along.
 /// Errors begin with the file's name.
 Status read_sqlite(const std::string& file, const TrackReading& options, const ReadProgress& progress,
                    RawTracks& tracks);

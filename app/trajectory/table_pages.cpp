@@ -18,7 +18,7 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t cou
   return value;
 }
 
-/// Returns the eight bytes there as a number whose first byte is the highest.
+/// Returns the eight bytes at `at` as a number whose first byte is the highest.
 std::uint64_t eight_bytes(std::string_view page, std::size_t at) {
   std::uint64_t word = 0;
   std::memcpy(&word, page.data() + at, sizeof(word));
@@ -48,7 +48,7 @@ bool take_varint(std::string_view page, std::size_t& at, std::uint64_t& value) {
   return false;
 }
 
-/// The bytes that a number of such a kind takes in a record; more than 8: it is no number.
+/// The bytes that a number of a kind takes in a record; more than 8: it is no number.
 std::size_t bytes_of_kind(std::uint64_t kind) {
   static constexpr std::array<std::size_t, 10> sizes{99, 1, 2, 3, 4, 6, 8, 8, 0, 0};
   return kind < sizes.size() ? sizes[kind] : 99;
@@ -95,7 +95,7 @@ bool TablePages::add_leaves(InputFile& input, std::uint32_t page, int depth) {
   const std::size_t cells = big_endian(text, 3, 2);
   if (12 + cells * 2 > usable_bytes_) return false;
   std::string child;
-  // Children are leaves or not, all alike: one of them tells.
+  // Either all children are leaves or none is, so one of them decides.
   for (std::size_t i = 0; i <= cells; ++i) {
     const std::size_t at = i == cells ? 8 : big_endian(text, 12 + 2 * i, 2);
     if (at + 4 > usable_bytes_) return false;
@@ -137,7 +137,7 @@ bool TablePages::read_cell(std::string_view page, std::size_t cell, std::span<do
   std::size_t at = big_endian(page, 8 + 2 * cell, 2);
   std::uint64_t bytes = 0, rowid = 0, header = 0;
   if (!take_varint(page, at, bytes) || !take_varint(page, at, rowid)) return false;
-  // A record that goes on on another page is longer than the numbers that are looked for.
+  // A record that goes on on another page is longer than rows of numbers are.
   if (bytes > page.size() || at + bytes > page.size()) return false;
   const std::size_t record = at, end = at + static_cast<std::size_t>(bytes);
   if (!take_varint(page, at, header) || header > bytes) return false;

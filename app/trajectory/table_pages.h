@@ -12,7 +12,7 @@
 namespace throng::app {
 
 /// The pages of a table in a database file, read without SQLite, which takes five times as long for each row.
-/// It knows tables of plain numbers alone. Wherever anything else is found, it says so, and SQLite reads the table.
+/// It knows tables of plain numbers alone. Where it finds anything else, it says so, and SQLite reads the table.
 class TablePages {
  public:
   /// Finds the leaves of the table whose root is page `root`. Returns nothing where the file is unusual.
@@ -47,7 +47,7 @@ class TablePages {
   std::size_t run_of_pages(std::size_t first, std::size_t last) const;
   bool read_pages(InputFile& input, std::uint32_t page, std::size_t count, std::string& pages) const;
   bool add_leaves(InputFile& input, std::uint32_t page, int depth);
-  /// The number of rows on a leaf; 0 where it is none.
+  /// The number of rows on a leaf; 0 where the page is no leaf.
   static std::size_t cell_count(std::string_view page);
   static bool read_cell(std::string_view page, std::size_t cell, std::span<double> values);
 

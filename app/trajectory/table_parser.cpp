@@ -55,7 +55,7 @@ const char* after_blanks(const char* at, const char* end, char separator) {
   return at;
 }
 
-/// Returns where the cell ends that begins at `at`: at a separator or the line's end.
+/// Returns the end of the cell that begins at `at`: a separator or the line's end.
 const char* end_of_cell(const char* at, const char* end, char separator) {
   bool is_quoted = false;
   for (; at < end; ++at) {
@@ -81,7 +81,7 @@ std::string with_single_quotes(std::string_view text) {
   return result;
 }
 
-/// Returns what an error shows of a cell: its first letters.
+/// Returns the first letters of a cell, for an error.
 std::string shown(std::string_view text) {
   return "\"" + anim::plain_text(text.substr(0, 40)) + (text.size() > 40 ? "...\"" : "\"");
 }
@@ -96,7 +96,7 @@ bool is_value(TrackField field, std::string_view text, bool may_have_comma, doub
 
 struct TableParser::Cells {
   std::string_view id;
-  bool has_quotes = false;  ///< two stand for one in the id
+  bool has_quotes = false;  ///< two quotes stand for one in the id
   std::array<double, track_field_count> numbers;
 
   double operator[](TrackField field) const { return numbers[index_of(field)]; }
@@ -163,7 +163,7 @@ bool TableParser::read_cells(const char* at, const char* end, Cells& cells, RowS
   return !layout_.is_whole || has_all_columns(at, end, sink);
 }
 
-/// Cells beyond the last column are those of a decimal comma, of names of rows, or of another table.
+/// Cells beyond the last column come of a decimal comma, of names of rows, or of another table.
 bool TableParser::has_all_columns(const char* at, const char* end, RowSink& sink) const {
   const char separator = layout_.separator;
   std::size_t count = known_count_;

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// Reads the lines of a table, each a row, or two where a line is a step. Empty lines and comments say nothing.
+/// Reads the lines of a table, each a row, or two where a line is a step. Empty lines and comments have no rows.
 class TableParser final : public LineParser {
  public:
   explicit TableParser(TableLayout layout);
@@ -27,7 +27,7 @@ class TableParser final : public LineParser {
   TableLayout layout_;
   TrackField time_ = TrackField::time;
   bool has_direction_ = false;
-  std::size_t known_count_ = 0;  // of columns up to the last one that is known
+  std::size_t known_count_ = 0;  // of columns up to the last that is known
 };
 
 }  // namespace throng::app

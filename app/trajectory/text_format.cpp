@@ -28,7 +28,7 @@ bool is_row_of_numbers(std::string_view line) {
   });
 }
 
-/// Rows of numbers and a label, as those of the Stanford drones.
+/// Rows of numbers and a label, such as the rows of the Stanford drones.
 bool is_mostly_numbers(std::string_view line) {
   double number = 0.0;
   const std::vector<std::string> fields = fields_of(line, separator_of(line));
@@ -87,7 +87,7 @@ std::string unlike_units(const TableLayout& layout) {
   return {};
 }
 
-/// Returns whether these are the columns that SUMO gives its people without a prefix.
+/// Returns whether the columns are the ones that SUMO gives its people without a prefix.
 bool is_plain_sumo(const TableLayout& layout) {
   return std::ranges::all_of(std::array{"type", "speed", "pos", "slope"}, [&](std::string_view name) {
     return std::ranges::count(layout.columns, name, &TableColumn::name) > 0;
@@ -104,7 +104,7 @@ TableLayout layout_without_header(std::initializer_list<TrackField> fields) {
   return layout;
 }
 
-/// Takes what comments say: frame rate and unit.
+/// Takes frame rate and unit from comments.
 void take_comments(const HeadLines& lines, RowFacts& facts) {
   for (const std::string_view line : lines.comments) {
     const std::string comment = lower_case(line);
@@ -134,7 +134,7 @@ TextFormat archive_text(const HeadLines& lines, TableLayout layout) {
   RowFacts& facts = format.facts;
   using enum TrackField;
   layout.separator = separator_of(lines.first);
-  const bool is_jupedsim = layout.has(angle);  // its text has the ground's height where the archive has the head's
+  const bool is_jupedsim = layout.has(angle);  // JuPedSim has the ground's height where the archive has the head's
   take_comments(lines, facts);
   take_columns(layout, facts);
   if (is_jupedsim && facts.angle == AngleMeaning::unknown) facts.angle = AngleMeaning::degrees;
@@ -156,7 +156,7 @@ TextFormat street_matrix() {
   return format;
 }
 
-/// Reads rows of four or five numbers that nothing names, in the order that the first of them tell.
+/// Reads rows of four or five numbers without names, in the order that the first rows show.
 TextFormat four_numbers(const HeadLines& lines, std::string_view rows, bool has_height) {
   using enum TrackField;
   const FirstColumns first = first_columns_of(rows, separator_of(lines.first));

@@ -20,18 +20,18 @@ struct TextFormat {
   std::size_t body_line = 1;              ///< its line
 };
 
-/// Takes what the names of columns say of units, and which columns there are.
+/// Takes the units in the names of columns, and which columns there are.
 void take_columns(const TableLayout& layout, RowFacts& facts);
 
-/// Tells a text apart by its first lines, which `head` holds up to its last newline or the file's end.
+/// Finds the format of a text by its first lines, which `head` holds up to its last newline or the file's end.
 /// The error is the end of a sentence that begins with the file's name.
 Result<TextFormat> text_format_of(std::string_view head, const TrackReading& options);
 
-/// Returns whether whole lines hold the first row, so that text_format_of() can tell them apart.
+/// Returns whether whole lines hold the first row, so that text_format_of() can find the format.
 bool has_first_row(std::string_view head);
 
-/// Returns why bytes are no text that can be read, and what to do; empty if they may be. `remedy` is for what is no
-/// text at all.
+/// Returns why bytes are no text that can be read, and what to do; empty if they may be. `remedy` is for bytes that are
+/// no text at all.
 std::string why_no_text(std::string_view head, std::string_view remedy =
                                                    "name a file of trajectories: CSV, text, XML, "
                                                    "ndjson or SQLite");

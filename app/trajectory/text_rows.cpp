@@ -24,7 +24,7 @@ struct TextBlock {
   double share = 0.0;  ///< of the file that is read with it
 };
 
-/// Gives the text of a file away in blocks, to any thread.
+/// Hands the text of a file out in blocks, to any thread.
 class BlockSource {
  public:
   BlockSource(InputFile file, std::size_t done, std::size_t line) : file_(std::move(file)), done_(done), line_(line) {}
@@ -72,13 +72,13 @@ class BlockSource {
 
   std::mutex mutex_;
   InputFile file_;
-  std::string rest_;  // of the last block: the begin of a line
+  std::string rest_;  // of the last block: the beginning of a line
   std::size_t done_, line_, count_ = 0;
   bool is_over_ = false;
   Status status_ = Done{};
 };
 
-/// Holds what came of a block.
+/// Holds the result of reading a block.
 struct ReadBlock {
   std::size_t number = 0;
   RowBlock rows;
@@ -87,7 +87,7 @@ struct ReadBlock {
   bool is_refused = false;  ///< for `first_bad`
 };
 
-/// Reads the lines of a block. Stops at a bad one, unless such lines are skipped.
+/// Reads the lines of a block. Stops at a bad line, unless bad lines are skipped.
 void read_lines(const TextBlock& block, bool is_lenient, LineParser& parser, RowSink& sink, ReadBlock& read) {
   const char* at = block.text.data();
   const char* const end = at + block.text.size();

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// A format is told apart by so many bytes.
+/// The format of a text is found by this many bytes.
 inline constexpr std::size_t head_bytes = std::size_t{64} << 10U;
 
 /// Returns the beginning of a file, up to a newline: enough to tell its format.

@@ -15,7 +15,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t most_compared_steps = 50'000;
 
-/// A step of somebody from a row to the next.
+/// A step of a person from a row to the next.
 struct SampledStep {
   double time, x, y;
   float angle;
@@ -37,7 +37,7 @@ std::vector<SampledStep> sample_steps(const RawTracks& tracks) {
   return steps;
 }
 
-/// The value that such a share of them lie below; 0 of none.
+/// The value that a share of the values lie below; 0 of none.
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -52,7 +52,7 @@ double step_time(const std::vector<SampledStep>& steps) {
   return percentile(std::move(times), 0.5);
 }
 
-/// Units that people go in a unit of time, of all that move, at a percentile.
+/// Units that people go in a unit of time, at a percentile of all steps that move.
 double pace(const std::vector<SampledStep>& steps, double share) {
   std::vector<double> paces;
   paces.reserve(steps.size());
@@ -60,7 +60,7 @@ double pace(const std::vector<SampledStep>& steps, double share) {
   return percentile(std::move(paces), share);
 }
 
-/// A high percentile of z over the first rows: of heads, it is how tall people are.
+/// A high percentile of z over the first rows: where z is of heads, it is how tall people are.
 double high_z(const RawTracks& tracks, double share) {
   std::vector<double> heights;
   for (const RowBlock& block : tracks.blocks) {
@@ -106,7 +106,7 @@ double rate_told(RawTracks& tracks, const std::vector<SampledStep>& steps, doubl
   if (facts.rate_rule == RateRule::annotated) {
     const double rows = tracks.scene_rate > 0.0 ? tracks.scene_rate : 2.5;
     facts.said.push_back(std::string(tracks.scene_rate > 0.0 ? "The file says" : "Such files have") + " a row of " +
-                         "somebody every " + fixed(1.0 / rows, 2) + " s, which is " + fixed(step, 0) + " frames, so " +
+                         "a person every " + fixed(1.0 / rows, 2) + " s, which is " + fixed(step, 0) + " frames, so " +
                          fixed(rows * step, 1) + " frames are a second; --fps overrules it.");
     return rows * step;
   }
@@ -160,7 +160,7 @@ double agreement(const std::vector<SampledStep>& steps, AngleMeaning meaning, do
   return count < 10 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
 }
 
-/// Angles that agree by less are those of people who walk like crabs.
+/// With angles that agree by less, people would walk like crabs.
 constexpr double least_agreement = 0.3, good_agreement = 0.7;
 
 /// The largest angle of the file, without its sign.
@@ -257,7 +257,7 @@ AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked) {
   if (of_file == AngleMeaning::none || asked == TrackAngle::none) return AngleMeaning::none;
   if (of_file == AngleMeaning::heading || asked == TrackAngle::told_apart) return of_file;
   if (asked == TrackAngle::radians) return AngleMeaning::radians;
-  const bool is_compass = asked == TrackAngle::north || of_file == AngleMeaning::compass;  // which is in degrees
+  const bool is_compass = asked == TrackAngle::north || of_file == AngleMeaning::compass;  // a compass has degrees
   return is_compass ? AngleMeaning::compass : AngleMeaning::degrees;
 }
 

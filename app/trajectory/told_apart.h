@@ -16,14 +16,14 @@ struct RowScale {
   bool has_heights = true;  ///< false: z is left out
 };
 
-/// Returns what the file's angles mean where the options may overrule what it says.
+/// Returns what the file's angles mean; the options overrule the file.
 AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked);
 
 /// Returns how many units of time are a second, where rows have times.
 double times_a_second(const RowFacts& facts, const TrackReading& options);
 
-/// Tells apart what neither the file nor the options say, by how people move and by their heights, and adds what was
-/// told to facts.said. Rows have numbers of tables.front(). The error is the end of a sentence.
+/// Finds values that neither the file nor the options say, by how people move and by their heights, and adds the
+/// findings to facts.said. Rows have numbers of tables.front(). The error is the end of a sentence.
 Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options);
 
 }  // namespace throng::app

@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// The time of a recorded crowd, which one can move, turn round and repeat. Seconds are those of the file's clock.
+/// The time of a recorded crowd, which can be moved, turned round and repeated. Seconds are of the file's clock.
 struct TrackClock {
   double seconds = 0.0;
   double first = 0.0, last = 0.0;  ///< the part that is played; last is not before first
@@ -52,8 +52,8 @@ inline TrackClock playing(TrackClock clock, bool backwards) {
   return clock;
 }
 
-/// Returns the time of a row so many rows further, or back below 0, where one comes each `row` seconds from `first` on.
-/// Between two rows, the next row is one further.
+/// Returns the time of the row `steps` rows further, or back below 0, where a row comes each `row` seconds from `first`
+/// on. Between two rows, the next row is one further.
 inline double row_from(double seconds, double first, double row, int steps) {
   constexpr double nearly = 1e-6;  // of a row
   const double place = (seconds - first) / row;

@@ -10,21 +10,21 @@ namespace throng::app {
 /// The things that a reader of trajectories finds odd, without refusing the file.
 enum class TrackOddity : std::uint8_t {
   bad_row,    ///< skipped, with --lenient
-  duplicate,  ///< somebody has two rows at one time; the last one counts
-  gap,        ///< somebody has no row for longer than three rows of others
-  teleport,   ///< somebody goes faster than 12 metres a second
-  overlap,    ///< two people stand on each other: closer than 0.1 metres; each pair counts once, and a crowd of more
-              ///< than 150,000 rows is looked at in some of its frames
+  duplicate,  ///< a person has two rows at one time; the last one counts
+  gap,        ///< a person has no row for longer than three rows of others
+  teleport,   ///< a person goes faster than 12 metres a second
+  overlap,    ///< two people stand on each other: closer than 0.1 metres; each pair counts once; a crowd of more
+              ///< than 150,000 rows is searched in some of its frames
 };
 
-/// Counts how often one of them was found, and says where first.
+/// Counts how often an oddity was found, and says where first.
 struct OddityCount {
   TrackOddity oddity{};
   std::size_t count = 0;
   std::string first;  ///< "person 7 at 3.20 s: 4.1 m in 0.04 s"
 };
 
-/// All that was found odd, each kind at most once, in the order of TrackOddity.
+/// All oddities that were found, each kind at most once, in the order of TrackOddity.
 struct TrackReport {
   std::vector<OddityCount> found;
 };

@@ -85,7 +85,7 @@ std::vector<PersonTrack> take_rows(RawTracks& tracks, const std::vector<std::uin
   return persons;
 }
 
-/// Takes the stature of somebody from the heights of its head, which stand where the ground's will.
+/// Takes the stature of a person from the heights of the head, which stand where the ground's will.
 void take_stature(PersonTrack& person, std::vector<float>& heights) {
   heights.clear();
   for (TrackRow& row : person.rows) heights.push_back(std::exchange(row.y, 0.0F));
@@ -95,7 +95,7 @@ void take_stature(PersonTrack& person, std::vector<float>& heights) {
   if (*at > 0.3F && *at < 2.6F) person.stature = *at;
 }
 
-/// Leaves the last of rows at one time. Those that only repeat another are not counted where `repeats` is true.
+/// Leaves the last of rows at one time. Rows that only repeat another are not counted where `repeats` is true.
 void drop_duplicates(PersonTrack& person, bool repeats, OddityTally& tally) {
   std::size_t kept = 0;
   for (std::size_t i = 1; i < person.rows.size(); ++i) {
@@ -119,7 +119,7 @@ void sort_rows(PersonTrack& person) {
   if (!std::ranges::is_sorted(person.rows, earlier)) std::ranges::stable_sort(person.rows, earlier);
 }
 
-/// Does all that belongs to each person alone, on both cores.
+/// Does all work that belongs to each person alone, on both cores.
 OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& scale, const RowFacts& facts,
                           std::size_t parts) {
   std::vector<OddityTally> tallies(parts);

@@ -13,10 +13,10 @@
 
 namespace throng::app {
 
-/// Metres a second. A person who is faster was lost and found again.
+/// Metres a second. A faster person was lost and found again.
 inline constexpr float fastest_person = 12.0F;
 
-/// Says where somebody was at a time. Places are in the program's axes, metres from Trajectories::origin: x to the
+/// Says where a person was at a time. Places are in the program's axes, metres from Trajectories::origin: x to the
 /// right, y up, z towards the reader of a map, so that a file's (x, y) on the ground is (x, -y) here.
 ///
 ///      0         8     12    16    20        24
@@ -32,7 +32,7 @@ struct TrackRow {
 static_assert(sizeof(TrackRow) == 24);
 static_assert(offsetof(TrackRow, x) == 8 && offsetof(TrackRow, y) == 16 && offsetof(TrackRow, heading) == 20);
 
-/// Somebody's rows, in ascending time, at least one but for a live crowd.
+/// A person's rows, in ascending time, at least one but for a live crowd.
 struct PersonTrack {
   std::string id;        ///< as the file has it
   float stature = 0.0F;  ///< metres, where the file has heights of heads; 0: it says nothing
@@ -44,14 +44,14 @@ struct Trajectories {
   std::vector<PersonTrack> persons;                ///< by the time of their first rows, then in the order of the file
   GroundPlan plan;                                 ///< walls and floors, in the same axes and about the same origin
   glm::dvec2 origin{0.0};                          ///< metres: the file's (x, y) of the place (0, 0) here
-  double rows_a_second = 0.0;                      ///< of most people; 0 where nobody has two rows
+  double rows_a_second = 0.0;                      ///< of most people; 0 where no person has two rows
   double first_seconds = 0.0, last_seconds = 0.0;  ///< of all rows
   std::size_t row_count = 0;
   std::string file;               ///< as it was named; "-" for standard input
   std::string format;             ///< "JuPedSim SQLite", for people
-  std::vector<std::string> said;  ///< what was told apart, in sentences: unit, frame rate, heights
+  std::vector<std::string> said;  ///< sentences on findings of the reader: unit, frame rate, heights, doubts
   TrackReport report;
-  /// Rows still come. `persons` are places then, each of which somebody has, somebody had, or nobody: LiveCrowd.
+  /// Rows still come. `persons` are places then, each taken by a person who is there or was there, or free: LiveCrowd.
   bool is_live = false;
 };
 

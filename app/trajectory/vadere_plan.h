@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// Holds what a scenario of Vadere says.
+/// Holds the plan and the step of a scenario of Vadere.
 struct VadereScenario {
   FilePlan plan;
   double seconds_a_step = 0.4;  ///< of simulation
@@ -18,7 +18,7 @@ struct VadereScenario {
 /// lines. The error is the end of a sentence.
 Result<VadereScenario> vadere_scenario(const Json& json);
 
-/// Returns the scenario that belongs to a file of Vadere: the one of its name, or else the only one in its folder.
+/// Returns the scenario of a file of Vadere: the scenario with its name, or else the only one in its folder.
 std::optional<std::string> scenario_beside(const std::string& file);
 
 }  // namespace throng::app

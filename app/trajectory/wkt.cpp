@@ -173,7 +173,7 @@ class WktReader {
   std::string fault_;
 };
 
-/// Finds the polygons that lie within another one. Each may be compared with each, so the work has an end.
+/// Finds the polygons that lie within another one. It may compare each with each, so the work is limited.
 class ObstacleSearch {
  public:
   explicit ObstacleSearch(const std::vector<FileArea>& areas) : areas_(areas) {
@@ -229,7 +229,7 @@ class ObstacleSearch {
   std::size_t steps_ = 0;
 };
 
-/// A polygon within another one is something that stands there.
+/// A polygon within another one is an obstacle.
 Status move_obstacles(FilePlan& plan) {
   ObstacleSearch search(plan.floors);
   std::vector<FileArea> floors;

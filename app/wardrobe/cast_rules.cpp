@@ -16,7 +16,7 @@ namespace {
 
 constexpr int rules_version = 1;
 constexpr double least_size = 0.3, most_size = 2.0;
-constexpr std::size_t most_colors = 1000;  // of all palettes; each is held against those before it
+constexpr std::size_t most_colors = 1000;  // of all palettes; each is held against all before it
 constexpr std::size_t most_bodies = 256;   // an agent keeps the number of its body in a byte
 
 using RuleComplaint = std::optional<std::string>;

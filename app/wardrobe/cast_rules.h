@@ -51,12 +51,12 @@ struct SlotRule {
   friend bool operator==(const SlotRule&, const SlotRule&) = default;
 };
 
-/// A way to dress. Slots are filled in this order; what is worn may cover others or keep them empty.
+/// A way to dress. Slots are filled in this order; a worn part may cover others or keep them empty.
 struct Style {
   std::string name;
-  std::vector<std::string> bodies;  ///< who dresses so; empty: everybody
+  std::vector<std::string> bodies;  ///< that dress like this; empty: all
   std::vector<SlotRule> wears;
-  std::vector<std::pair<std::string, std::string>> colors;  ///< slot, palette: stronger than those of the clothes
+  std::vector<std::pair<std::string, std::string>> colors;  ///< slot, palette: stronger than the clothes' own
   bool alike = false;                                       ///< all have the same clothes and colours, as a uniform
   bool old = false;                                         ///< grey hair, and a stoop
 
@@ -83,23 +83,23 @@ struct WeatherRule {
 struct BodyRule {
   std::string name;
   float share = 1.0F;
-  float size = 1.0F;                 ///< over that of the file
-  std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, as hair
+  float size = 1.0F;                 ///< over the file's
+  std::vector<SlotRule> wears = {};  ///< with any style that says nothing of the slot, such as hair
 
   friend bool operator==(const BodyRule&, const BodyRule&) = default;
 };
 
-/// Colours of a team, and its second ones.
+/// First and second colours of a team.
 struct Team {
   std::uint32_t color = 0, second = 0;
 
   friend bool operator==(const Team&, const Team&) = default;
 };
 
-/// Says who wears what, as `assets/cast.json` and files of users do. app/wardrobe/README.md has an example.
+/// Says what people wear, as `assets/cast.json` and files of users do. app/wardrobe/README.md has an example.
 struct CastRules {
   std::vector<BodyRule> bodies;
-  std::vector<std::string> skin;  ///< slots that everybody fills with the first part there is, unless it is covered
+  std::vector<std::string> skin;  ///< slots that each agent fills with the first part there is, unless it is covered
   std::vector<Palette> palettes;
   std::vector<ClothRule> clothes;
   std::vector<Style> styles;
@@ -107,24 +107,24 @@ struct CastRules {
   std::vector<WeatherRule> weather;
   std::vector<Team> teams;
   float things = 1.0F;     ///< how much more often hands hold a thing than the weights of styles say
-  std::uint32_t seed = 0;  ///< another one dresses everybody anew
+  std::uint32_t seed = 0;  ///< another seed dresses all agents anew
 
   friend bool operator==(const CastRules&, const CastRules&) = default;
 
   const Palette* palette(std::string_view name) const;
   const ClothRule* cloth(std::string_view part) const;
   const Style* style(std::string_view name) const;
-  /// Returns the styles of a scene, or those of all that have none.
+  /// Returns the styles of a scene, or the styles of all scenes without any.
   const SceneRule* scene(std::string_view name) const;
 };
 
 inline constexpr double most_things = 100.0;  ///< of CastRules::things
 inline constexpr double most_weight = 1e6;    ///< of a name
 
-/// The scene whose styles companies that march wear; where rules have none of this name, they dress as everybody.
+/// The scene whose styles marching companies wear; where rules have no scene of this name, they dress like the others.
 inline constexpr std::string_view marching_scene = "marchers";
 
-/// The palette of a style that stands for the colours of one's team.
+/// The name that stands in a style for the colours of the agent's team.
 inline constexpr std::string_view team_colors = "team";
 
 /// Reads rules. The error names the file, the object and what to do.
@@ -133,10 +133,10 @@ anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file);
 /// Returns rules out of JSON. The error is the end of a sentence that begins with the file's name.
 anim::Result<CastRules> cast_rules(const Json& json);
 
-/// Says what is wrong where rules name a part or body that a wardrobe lacks; an empty text if nothing is.
+/// Returns a complaint about a part or body in the rules that a wardrobe lacks; an empty text if it lacks none.
 std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe);
 
-/// Returns rules for a wardrobe that has none: everybody fills each slot with any part that fits, as often with each.
+/// Returns rules for a wardrobe that has none: each agent fills each slot with any part that fits, all equally often.
 CastRules even_rules(const Wardrobe& wardrobe);
 
 }  // namespace throng::app

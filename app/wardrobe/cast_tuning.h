@@ -19,8 +19,8 @@ struct CastTuning {
 
 CastTuning cast_tuning(const CastRules& rules, std::string_view scene);
 
-/// Gives rules these values. Names that the rules lack are left out. A scene without rules of its own shares those of
-/// the first one, which are changed then.
+/// Gives rules these values. Names that the rules lack are left out. A scene without rules of its own shares the first
+/// scene's, which change then.
 void tune(CastRules& rules, std::string_view scene, const CastTuning& tuning);
 
 }  // namespace throng::app

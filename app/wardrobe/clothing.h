@@ -19,15 +19,15 @@ struct Clothing {
   std::vector<std::string> doubts = {};  ///< doubts_of() the rules
 };
 
-/// Returns the clothing of a character: its parts, and CharacterSource::rules, or else those of the file
-/// CharacterSource::cast_rules, or of MODEL.cast.json beside its file, or even ones for a file with parts and without
-/// rules. Errors: those of read_cast_rules, a name that no part has, and more than 1000 parts.
+/// Returns the clothing of a character: its parts, and CharacterSource::rules, or else the rules in the file
+/// CharacterSource::cast_rules, or in MODEL.cast.json beside its file, or even rules for a file with parts and without
+/// rules. Errors: as read_cast_rules(), a name that no part has, and more than 1000 parts.
 anim::Result<Clothing> clothing_of(const CharacterSource& source);
 
 /// Returns the file that the rules of a character come from; empty where there is none.
 std::filesystem::path rules_file_of(const CharacterSource& source);
 
-/// Says what is wrong with rules for these parts; an empty text if nothing is, or if there are no parts.
+/// Returns a complaint about rules for these parts; an empty text if they suit, or if there are no parts.
 std::string wrong_for(const CastRules& rules, const Wardrobe& wardrobe);
 
 /// Returns the kinds of bodies as the crowd needs them.

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uint32_t most_attempts = 12, attempts_to_be_unique = 6;
 constexpr std::size_t most_unique = 20'000;  // people; there are not many more looks that are told apart
-constexpr float same_group = 2.2F;           // metres from one who stands to the next of the list
+constexpr float same_group = 2.2F;           // metres from a stander to the next of the list
 constexpr std::uint32_t gray_hair[]{0xC9C5C0, 0xA8A4A0, 0xDCD9D6, 0x8E8A86};
 
-/// Finds who looks like whom.
+/// Finds people who look alike.
 class Lookalikes {
  public:
   explicit Lookalikes(std::span<const glm::vec3> positions) : positions_(positions) {}
@@ -31,7 +31,7 @@ class Lookalikes {
   bool has_near(const Dressed& worn, std::uint32_t agent) const {
     return has_within(alike_reach, agents_.equal_range(worn.looks_like), agent);
   }
-  /// Says whether somebody beside an agent wears the same above the waist.
+  /// Says whether a person beside an agent wears the same clothes above the waist.
   bool has_beside(const Dressed& worn, std::uint32_t agent) const {
     const auto [x, z] = cell_of(agent);
     for (int beside_x = x - 1; beside_x <= x + 1; ++beside_x) {
@@ -65,11 +65,11 @@ class Lookalikes {
   }
 
   std::span<const glm::vec3> positions_;
-  Agents agents_, uppers_;  // by Dressed::looks_like, and by what is worn above the waist and the cell of the ground
+  Agents agents_, uppers_;  // by Dressed::looks_like, and by Dressed::upper_looks_like and the cell of the ground
 };
 
-/// Draws until nobody at all looks like the person, since people walk about, and nobody beside wears the same above the
-/// waist. Where that takes too long, it is enough that nobody near by looks like the person.
+/// Draws until the person looks like no other, since people walk about, and no neighbour wears the same clothes above
+/// the waist. Where that takes too long, it is enough that the person looks like no other near by.
 Dressed dress_unlike_others(const Dresser& dresser, const Person& person, const Lookalikes& others,
                             render::AgentLook& look) {
   Dressed worn;
@@ -83,7 +83,7 @@ Dressed dress_unlike_others(const Dresser& dresser, const Person& person, const 
   return worn;
 }
 
-/// Numbers groups: who stands beside the one before is of its group.
+/// Numbers groups: an agent that stands beside the agent before it is of that agent's group.
 std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
   std::vector<std::uint32_t> groups;
   const std::span<const glm::vec3> places = crowd.positions();
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
   return groups;
 }
 
-/// Grown-ups who walk with a child at their left lead it by the hand.
+/// A grown-up with a child at the left leads it by the hand.
 std::vector<Held> hands_of(const Crowd& crowd) {
   std::vector<Held> hands(crowd.size());
   for (std::size_t walker = 1; walker < crowd.walkers(); ++walker) {
@@ -120,7 +120,7 @@ bool has_pushchair(const Dressed& worn) {
 /// Teams have their sides of a scene.
 std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
-/// Somebody who marches is dressed with their company.
+/// A marcher dresses with its company.
 void fall_in(const Crowd& crowd, Person& person) {
   person.marches = person.agent >= crowd.walkers() && person.agent < crowd.walkers() + crowd.marchers();
   if (person.marches) person.group = person.team = company_of(crowd, person.agent - crowd.walkers());
@@ -133,7 +133,7 @@ void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed)
   look.tints.at(index_of(render::Region::hair)) = render::tint_of(faded(gray, random));
 }
 
-/// Gives clothes the colours of a shape that is seen from above, whatever their cut.
+/// Gives clothes of any cut the colours of a shape that is seen from above.
 void wear_pattern(render::AgentLook& look, const Tints& tints) {
   using enum render::Region;
   for (const render::Region upper : {top, outer, headgear}) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t style_stream = 21, clothes_stream = 22, uniform_stream = 23, color_stream = 24;
 constexpr float share_of_alike_styles = 0.7F;  // of a group
 constexpr std::uint32_t white = 0xFFFFFF;
-constexpr std::uint32_t other_seeds = 0x9E3779B1U;  // attempts are the seeds that follow
+constexpr std::uint32_t other_seeds = 0x9E3779B1U;  // from an attempt's seed to the next
 
 /// The regions that the parts of a slot are coloured as.
 constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"top", render::Region::top},
@@ -25,7 +25,7 @@ constexpr std::array<std::pair<std::string_view, render::Region>, 8> regions{{{"
                                                                               {"hand_left", render::Region::thing},
                                                                               {"hand_right", render::Region::thing}}};
 
-// The words in names of silhouettes. What hides more of the legs, or of the hair, comes later and wins.
+// The words in names of silhouettes. A cut that hides more of the legs, or of the hair, comes later and wins.
 constexpr std::array<const char*, 5> cuts{"trousers", "shorts", "skirt", "long", "coat"};
 constexpr std::array<const char*, 3> heads{"short", "long", "hat"};
 
@@ -51,7 +51,7 @@ const Weighed* weighed_one(const std::vector<Weighed>& all, Weight weight, Rando
   return last;
 }
 
-/// Draws for one agent or group, so that nobody else's draws change anything.
+/// Draws for one agent or group, so that no other's draws change anything.
 Random draws_of(std::uint32_t seed, std::uint64_t number, std::uint64_t stream) {
   constexpr std::uint64_t spread = 0x9E3779B97F4A7C15ULL;
   return Random(seed + (number + 1) * spread, stream);
@@ -67,7 +67,7 @@ std::uint64_t mixed(std::uint64_t hash, std::string_view text) {
   return hash;
 }
 
-/// Says whether people are told apart by what fills a slot. Shoes, hair and bags are too small for that.
+/// Says whether the part in a slot tells people apart. Shoes, hair and bags are too small for that.
 bool is_seen_first(std::string_view slot) {
   return slot == "top" || slot == "bottom" || slot == "outer" || slot == "headgear";
 }
@@ -97,7 +97,7 @@ struct Dresser::Worn {
     return std::ranges::any_of(parts,
                                [&](const WardrobePart* part) { return part->slot == slot && part->has_tag(tag); });
   }
-  /// Says of what hangs around the legs whether it has this cut.
+  /// Says whether the part around the legs has this cut.
   bool is_cut(std::string_view tag) const {
     return has_tag("bottom", tag) || has_tag("top", tag) || has_tag("outer", tag);
   }
@@ -237,7 +237,7 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   const auto region = region_of(part.slot);
   if (!region) return;
   const std::size_t at = index_of(*region);
-  // A draw for each region, so that a uniform has the same colours whatever else somebody wears.
+  // A draw for each region, so that a uniform has the same colours whatever else its wearer has on.
   Random uniform = draws_of(seed_ + static_cast<std::uint32_t>(at), person.team, color_stream + 16);
   Random& random = style.alike ? uniform : own;
   const ClothRule* const rule = rules_.cloth(part.name);
@@ -265,7 +265,7 @@ void Dresser::color_part(const WardrobePart& part, const Style& style, const Per
   looks_like = mixed(mixed(looks_like, seen_color(first, color)), static_cast<std::uint64_t>(pattern));
 }
 
-/// Silhouettes have an outermost layer above the waist, whatever it is, and legs below.
+/// Silhouettes have an outermost layer of any kind above the waist, and legs below.
 void Dresser::color_silhouette(const Worn& worn, render::AgentLook& look) {
   const auto copy = [&](render::Region from, render::Region to) {
     look.tints.at(index_of(to)) = look.tints.at(index_of(from));
@@ -275,7 +275,7 @@ void Dresser::color_silhouette(const Worn& worn, render::AgentLook& look) {
   if (worn.fills("top") && !worn.fills("bottom")) copy(render::Region::top, render::Region::bottom);
 }
 
-/// Returns the first colour that nobody tells from this one.
+/// Returns the first colour of the palette that people do not tell from this one.
 std::uint32_t Dresser::seen_color(std::string_view palette, std::uint32_t color) const {
   const Palette* const found = rules_.palette(palette);
   if (found == nullptr) return color;

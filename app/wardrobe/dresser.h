@@ -14,14 +14,14 @@
 
 namespace throng::app {
 
-/// Says what is known of somebody before they dress.
+/// Says what is known of a person before it dresses.
 struct Person {
   std::uint32_t agent = 0;
   std::uint8_t body = 0;    ///< index among CastRules::bodies
   std::uint32_t group = 0;  ///< people of one group like the same styles
   std::uint32_t team = 0;
-  bool marches = false;          ///< in a company, whose number is `group` and `team`; all of it have one style
-  bool hand_is_taken = false;    ///< by somebody else's, or for want of room: it holds no thing
+  bool marches = false;          ///< in a company of one style, whose number is `group` and `team`
+  bool hand_is_taken = false;    ///< by another hand, or for want of room: it holds no thing
   std::string_view brings = {};  ///< the part in the right hand, whatever the style; empty: as the style says
 };
 
@@ -29,25 +29,25 @@ struct Person {
 struct Dressed {
   render::Outfit outfit;
   const Style* style = nullptr;
-  const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left one; null: nothing
-  /// Equal for two of the same body whose top, bottom, coat and hat are the same, in the same patterns and colours.
+  const WardrobePart* in_hand = nullptr;  ///< the thing in the right hand, or else in the left hand; null: nothing
+  /// Equal for two people of one body whose top, bottom, coat and hat are the same, in patterns and colours too.
   std::uint64_t looks_like = 0;
-  std::uint64_t upper_looks_like = 0;  ///< the same of what is worn above the waist, coats and jackets included
+  std::uint64_t upper_looks_like = 0;  ///< equal for the same clothes above the waist, coats and jackets included
 };
 
-/// Says for what a crowd dresses.
+/// Says what a crowd dresses for.
 struct Occasion {
   std::string_view scene, weather;
   std::uint32_t seed = 0;
 };
 
-/// Draws what people wear, by rules. The same person, rules and occasion give the same clothes, whoever else is there.
+/// Draws what people wear, by rules. The same person, rules and occasion give the same clothes in any crowd.
 class Dresser {
  public:
   /// `rules` and `wardrobe` outlive the dresser, and unknown_in() finds nothing in them.
   Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasion& occasion);
 
-  /// Dresses somebody, and sets the colours of what they wear. Each attempt is another choice.
+  /// Dresses a person, and sets the colours of the clothes. Each attempt is another choice.
   Dressed dress(const Person& person, std::uint32_t attempt, render::AgentLook& look) const;
 
  private:
@@ -87,7 +87,7 @@ class Dresser {
   const CastRules& rules_;
   const Wardrobe& wardrobe_;
   std::uint32_t seed_;
-  Choices styles_, marching_;                            // of the scene, and of those who march
+  Choices styles_, marching_;                            // of the scene, and of marchers
   std::vector<Silhouettes> silhouettes_;                 // [body]
   std::vector<std::vector<const WardrobePart*>> skin_;   // [body]
   std::vector<std::vector<std::uint32_t>> seen_colors_;  // [palette][color] colors_told_apart

@@ -6,10 +6,10 @@
 
 namespace throng::app {
 
-/// Gives somebody a jaw, a nose, a brow and eyes of their own. Children's faces differ less.
+/// Gives an agent a jaw, a nose, a brow and eyes of its own. Children's faces differ less.
 void give_face(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed, bool is_child);
 
-/// Makes somebody stoop as old people do, one more than another.
+/// Makes an agent stoop as old people do, one more than another.
 void stoop(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed);
 
 }  // namespace throng::app

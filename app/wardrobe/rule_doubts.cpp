@@ -88,7 +88,7 @@ class RuleDoubts {
     }
   }
 
-  // Who begins with a copy of other rules may leave much in them, which is one line.
+  // An author who begins with a copy of other rules may leave much unused in them, so all of it is one line.
   void doubt_unused() {
     std::set<std::string_view> worn, seen;
     for (const SceneRule& scene : rules_.scenes) {
@@ -156,7 +156,7 @@ class RuleDoubts {
     }
   }
 
-  // What one lacks, all that dress alike lack, and one line in "skin" is the remedy for all.
+  // Only the first style and body is named: one line in "skin" is the remedy for all that lack the same slots.
   void doubt_skin() {
     for (const Style& style : rules_.styles) {
       for (const BodyRule& body : rules_.bodies) {
@@ -170,7 +170,7 @@ class RuleDoubts {
     }
   }
 
-  /// Returns the slots that only one part of a body fills and clothes cover, as those of legs, where nothing of a style
+  /// Returns the slots, such as legs, that only one part of a body fills and clothes cover, where no part of the style
   /// fills or covers them.
   std::vector<std::string> lacking_slots(const Style& style, const BodyRule& body) const {
     std::set<std::string> seen(rules_.skin.begin(), rules_.skin.end());

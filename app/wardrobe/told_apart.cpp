@@ -19,7 +19,7 @@ bool is_near(std::uint32_t one, float one_lightness, std::uint32_t other, float 
   });
 }
 
-/// Says whether two colours can fade so that nobody tells them apart.
+/// Says whether two colours can fade until people do not tell them apart.
 bool are_alike(std::uint32_t one, std::uint32_t other) {
   constexpr int steps = 16;
   const auto lightness = [](int step) {

@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// Returns, for each colour of a palette, the first one that nobody tells from it on two people, since cloth fades.
-/// Two colours count as one if a third is told from neither.
+/// Returns, for each colour of a palette, the first colour that looks like it on two people, since cloth fades.
+/// Two colours count as one if a third looks like both.
 std::vector<std::uint32_t> colors_told_apart(const Palette& palette);
 
 }  // namespace throng::app

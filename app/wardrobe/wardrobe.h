@@ -12,7 +12,7 @@
 
 namespace throng::app {
 
-/// Names the piece that is drawn for a part below another one with a tag.
+/// Names the piece that is drawn for a part below another part with a tag.
 struct PieceBelow {
   std::string tag;
   std::uint16_t piece = 0;
@@ -21,20 +21,20 @@ struct PieceBelow {
 /// Describes a part (anim::ModelPart) as far as rules need it.
 struct WardrobePart {
   std::string name, slot;
-  std::string body;  ///< empty: it fits everybody
+  std::string body;  ///< empty: it fits every body
   std::vector<std::string> covers, keeps_out, tags;
   std::uint16_t piece = 0;        ///< of the character's mesh
-  std::vector<PieceBelow> below;  ///< what is seen of it below other parts
+  std::vector<PieceBelow> below;  ///< its pieces below other parts
 
   bool has_tag(std::string_view tag) const;
   bool fits(std::string_view whose) const { return body.empty() || body == whose; }
 };
 
-/// Returns the piece that is drawn of one of the parts that somebody wears.
+/// Returns the piece that is drawn of `part`, one of the parts that a person wears.
 std::uint16_t drawn_piece(const WardrobePart& part, std::span<const WardrobePart* const> worn);
 
 /// Knows all parts of a character. A part is at most once in a list, in the order of the file. A part "NAME/below_TAG"
-/// is none of its own: it is what is seen of the part NAME of the same body below one with the tag.
+/// does not count: it is the piece of the part NAME of the same body below a part with the tag.
 class Wardrobe {
  public:
   Wardrobe() = default;
@@ -42,15 +42,15 @@ class Wardrobe {
 
   bool empty() const { return parts_.empty(); }
   std::span<const WardrobePart> parts() const { return parts_; }
-  /// Returns the part of that name that fits a body; null without one.
+  /// Returns the part of that name that fits a body; null if there is none.
   const WardrobePart* find(std::string_view body, std::string_view name) const;
-  /// Returns the part that a piece shows, also below another part; null without one.
+  /// Returns the part that a piece shows, also below another part; null if there is none.
   const WardrobePart* of_piece(std::uint16_t piece) const;
   /// Returns whether any body has a part of that name.
   bool knows(std::string_view name) const;
   /// Returns the names of all parts, each once.
   std::vector<std::string> names() const;
-  /// Returns the bodies, in the order of the file; one without a name where no part has any.
+  /// Returns the bodies, in the order of the file; one body without a name where no part names any.
   std::vector<std::string> bodies() const;
 
  private:

@@ -10,7 +10,7 @@
 namespace throng::app {
 namespace {
 
-/// Takes whole numbers with such a mark between them off the front of a text.
+/// Takes whole numbers with a mark between them off the front of a text.
 template <std::size_t count>
 bool take_numbers(std::string_view& text, char mark, std::array<int, count>& numbers) {
   for (std::size_t i = 0; i < count; ++i) {

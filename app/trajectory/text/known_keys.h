@@ -13,13 +13,13 @@
 
 namespace throng::app {
 
-/// Says what the keys of JSON mean, by the names that columns of tables may have. What a key means is kept, for the
-/// same few come in every object.
+/// Says what the keys of JSON mean, by the names that columns of tables may have. It keeps what a key means, for the
+/// same few keys come in every object.
 class KnownKeys {
  public:
   struct Key {
     TableColumn column;
-    std::size_t rank = 0;  ///< rank_of() the column: of an object's keys for one field, the least counts
+    std::size_t rank = 0;  ///< rank_of() the column: of an object's keys for one field, the least rank counts
   };
   static constexpr std::size_t no_rank = std::numeric_limits<std::size_t>::max();
 
@@ -47,7 +47,7 @@ class FieldRanks {
  public:
   FieldRanks() { ranks_.fill(KnownKeys::no_rank); }
 
-  /// Returns whether a key counts for its field beside those before it. Of a key that comes twice the last one does.
+  /// Returns whether a key counts for its field beside the keys before it. Of a key that comes twice the last counts.
   bool takes(const KnownKeys::Key& key) {
     std::size_t& rank = ranks_[static_cast<std::size_t>(key.column.field)];
     if (key.column.field == TrackField::none || key.rank > rank) return false;

@@ -11,8 +11,8 @@
 
 namespace throng::app {
 
-/// Reads the number at the front of [at, end), with a sign or without. Returns its end; null if there is none, or if it
-/// is too large for a double. The number is the nearest double to the text, as std::from_chars gives it.
+/// Reads the number at the front of [at, end), with a sign or without. Returns the number's end; null if there is none,
+/// or if it is too large for a double. The number is the nearest double to the text, as std::from_chars gives it.
 inline const char* read_number(const char* at, const char* end, double& value) {
   static constexpr std::array<double, 19> tens{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                                1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
@@ -58,8 +58,8 @@ inline bool is_decimal_comma_text(std::string_view text, double& value) {
   return is_number_text({pointed.data(), end}, value);
 }
 
-/// Returns an id without a fraction of zeros, of which programs that write numbers alone put one: 1.0e+00 is 1. The
-/// view is into `id` or `digits`.
+/// Returns an id without a fraction of zeros, which programs that write only numbers add: 1.0e+00 is 1. The view is
+/// into `id` or `digits`.
 inline std::string_view plain_id(std::string_view id, std::array<char, 32>& digits) {
   double number = 0.0;
   const bool is_whole = id.find('.') != std::string_view::npos && is_number_text(id, number) &&

@@ -59,7 +59,7 @@ std::string letters_and_digits(std::string_view text) {
   return result;
 }
 
-/// Vadere ends names by the number of the processor that wrote them: "startxpid5" is "startxpid1".
+/// Vadere ends a name with the number of the processor that wrote it: "startxpid5" is "startxpid1".
 std::string of_first_processor(std::string word) {
   const std::size_t end = word.find_last_not_of("0123456789");
   const bool has_number = end != std::string::npos && end + 1 < word.size();

@@ -30,7 +30,7 @@ inline constexpr std::size_t track_field_count = 13;
 struct TableColumn {
   TrackField field = TrackField::none;
   std::string name;  ///< as the file has it
-  std::string unit;  ///< "cm", "deg"; empty where the name says none
+  std::string unit;  ///< "cm", "deg"; empty where the name has none
 };
 
 /// Says how the lines of a table become rows.
@@ -44,7 +44,7 @@ struct TableLayout {
   const TableColumn* column_of(TrackField field) const;
 };
 
-/// Returns the separator of a line: the one of ; tab , that it has most often, or ' '.
+/// Returns the separator of a line: the most frequent of ; tab , in it, or ' '.
 char separator_of(std::string_view line);
 
 /// Returns the fields of a line, without quotes and the blanks around them.
@@ -56,15 +56,15 @@ bool is_unit(std::string_view word);
 /// Returns what the name of a column means, and its unit: "X [cm]" is x in cm. Case does not matter.
 TableColumn column_named(std::string_view name);
 
-/// Returns how uncommon a name is among those of its field: a table of Pathfinder has an id and a name, and the id is
-/// meant.
+/// Returns how uncommon a name is among its field's names: of the id and the name in a table of Pathfinder, the id
+/// counts.
 std::size_t rank_of(const TableColumn& column);
 
-/// Names the columns of a header. `prefix` is left out of names: "person" for person_x. Of fields that two columns
-/// could be, the first is taken.
+/// Names the columns of a header. `prefix` is left out of names: "person" for person_x. Of two columns for one field,
+/// the first is taken.
 TableLayout layout_of_header(std::string_view line, std::string_view prefix = {});
 
-/// Returns what a table lacks, and what it could be called, "id (person, agent, ...)"; empty if it lacks nothing.
+/// Returns the fields that a table lacks, with names for them, "id (person, agent, ...)"; empty if it lacks none.
 std::string missing_fields(const TableLayout& layout);
 
 /// Returns whether columns are called person_... or vehicle_..., beside the time of a step, as SUMO does.

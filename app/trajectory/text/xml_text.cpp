@@ -68,7 +68,7 @@ void XmlReader::stop(const std::string& what) {
 }
 
 std::string XmlReader::here() const {
-#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // which deprecates the function of before
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // it deprecates the older function
   const auto line = XML_GetCurrentLineNumber64(parser_);
 #else
   const auto line = XML_GetCurrentLineNumber(parser_);

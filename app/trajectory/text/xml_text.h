@@ -8,7 +8,7 @@ struct XML_ParserStruct;
 
 namespace throng::app {
 
-/// Returns whether a text that begins so is XML.
+/// Returns whether a text with this beginning is XML.
 bool is_xml(std::string_view head);
 
 /// The attributes of an element.
@@ -16,7 +16,7 @@ class XmlAttributes {
  public:
   /// `pairs` are names and values in turn, up to a null.
   explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
-  /// Returns the value of a name; null if there is none.
+  /// Returns the value of an attribute; null if there is none.
   const char* of(std::string_view name) const;
 
  private:
@@ -30,7 +30,7 @@ class XmlReader {
   XmlReader(const XmlReader&) = delete;
   XmlReader& operator=(const XmlReader&) = delete;
 
-  /// Reads on. Returns false after the first error. `is_last` ends the document.
+  /// Reads the next piece. Returns false after the first error. `is_last` ends the document.
   bool read(std::string_view text, bool is_last);
   /// The end of a sentence, "line 7: ...; ...". Empty while there is no error.
   const std::string& fault() const { return fault_; }

@@ -84,7 +84,7 @@ std::vector<RigChoice> said_as_before(std::span<const RigChoice> choices, std::s
   return same;
 }
 
-/// Puts what a person chose over guesses. A guess whose bone is chosen for another part gives way.
+/// Puts a person's choices over guesses. A guess whose bone is chosen for another part gives way.
 void put_over(std::span<const RigChoice> choices, std::span<const std::string> keys, PartBones& bones) {
   for (const auto& [role, key] : choices) {
     const auto bone = static_cast<int>(std::ranges::find(keys, key) - keys.begin());

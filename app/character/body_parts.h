@@ -14,21 +14,21 @@ namespace throng::app {
 /// The parts of a character's body, as a person sees and chooses them.
 struct BodyParts {
   std::vector<std::string> bones;  ///< keys of all bones, sorted
-  std::vector<RigChoice> said;     ///< what a person says
-  /// The bone of each part without a person's word for it: the one that the file says, or that names and shape suggest.
+  std::vector<RigChoice> said;     ///< chosen by a person
+  /// The bone of each part without a person's choice: the bone that the file names, or that names and shape suggest.
   /// Empty where none is certain.
   std::array<std::string, anim::body_role_count> guessed;
-  std::string follows;                    ///< says whether feet are placed, and so on, and why not
+  std::string follows;                    ///< says what works, such as placed feet, and why the rest does not
   std::optional<anim::BodyRole> refused;  ///< the part that a person asked for last, in vain
   std::string refusal;                    ///< why
 };
 
-/// `rigs` are those that were made of the character as it is.
+/// `rigs` are the rigs of the character as it is.
 BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& rigs);
 
-/// Gives a character the parts that a person says in place of all that a person said before. Its clips and its size
-/// stay as they were baked. Errors: those of choose_bones, and a part on the wrong side of one that is guessed without
-/// it; then nothing has changed.
+/// Gives a character the parts that a person chooses, in place of all former choices. Its clips and its size stay as
+/// they were baked. Errors: as choose_bones(), and a part on the wrong side of a guessed part; then nothing has
+/// changed.
 anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices);
 
 }  // namespace throng::app

@@ -13,11 +13,11 @@
 namespace throng::app {
 
 /// Another order of a character's bones, and the ends of its levels. `bones` are indices as the character has them now;
-/// `level_counts` are those of Skeleton::level_bone_counts.
+/// `level_counts` are as in Skeleton::level_bone_counts.
 using BoneLodChoice = anim::BoneOrder;
 
-/// Returns the names that files use for the bones: the bone's own name, or name#node where several have the same or
-/// none. `node` is the index of the glTF node.
+/// Returns the names that files use for the bones: the bone's own name, or name#node where several bones share a name
+/// or have none. `node` is the index of the glTF node.
 std::vector<std::string> bone_keys(const anim::Skeleton& skeleton);
 
 /// Returns the indices of bones by their keys. Errors: the skeleton does not have a key; the error names the first.
@@ -27,7 +27,7 @@ anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, co
 /// first with all bones, each further one with fewer, none empty. Errors name the first bone or level that breaks this.
 anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
 
-/// Returns the present order of a character with so many bones.
+/// Returns the present order of a character with this many bones.
 BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts);
 
 /// Returns `choice` with one bone moved to another place. If it moves up, the ancestors that it passes come along
@@ -41,7 +41,7 @@ double nanoseconds_a_bone();
 /// Returns the nanoseconds of the whole update of such an agent at a level.
 double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level);
 
-/// The file MODEL.lod.json: the bones in order and how many each level keeps, as a person chose them.
+/// The file MODEL.lod.json: the bones in order and how many each level keeps, by a person's choice.
 ///     {"version": 1, "bones": ["pelvis", "spine", ...], "level_counts": [62, 32, 22, 14]}
 /// It lies where the table of roles does (kept_file.h).
 class BoneLodFile {
@@ -52,7 +52,7 @@ class BoneLodFile {
   /// Returns the choice in the file; nothing if there is no file. The error names the file, what is wrong in it and
   /// what to do.
   anim::Result<std::optional<BoneLodChoice>> read(const anim::Skeleton& skeleton) const;
-  /// Writes the file whole or not at all. Returns its path, to tell people.
+  /// Writes the file whole or not at all. Returns its path, to show to people.
   anim::Result<std::filesystem::path> write(const anim::Skeleton& skeleton) const;
 
  private:

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* built_in_name = "mannequin (built in)";
-constexpr std::uintmax_t spaces_for_a_pack = 4;  // a process that may take less does without, as half of it is copied
+constexpr std::uintmax_t spaces_for_a_pack = 4;  // less address space: no pack, for half of it is copied
 
 anim::Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {
   const std::array paths{files.mannequin.string(), files.wardrobe.string()};

@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// The pack of the built-in character and all that it may wear, which the build makes beside the program. So a start
-/// neither imports nor bakes nor simplifies anything.
+/// The pack of the built-in character and all parts that it may wear, which the build makes beside the program. So a
+/// start neither imports nor bakes nor simplifies a model.
 inline constexpr const char* built_in_pack_name = "built_in.pack";
 
 /// The files that the built-in character is made of.
@@ -27,12 +27,12 @@ anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool ne
 anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
                                             const BoneLodFile* kept = nullptr);
 
-/// Takes the same out of a pack beside the program or the files. Returns nothing if there is none of these very files,
-/// or if the options ask for what was not baked.
+/// Takes the character out of a pack beside the program or the files. Returns nothing if no pack was made of these very
+/// files, or if the options ask for other values than were baked.
 std::optional<CharacterSource> take_built_in(const BuiltInFiles& files, const LoadOptions& options);
 
-/// Returns the built-in character, with all parts of its wardrobe, as a pack takes it: as its file has it, whatever a
-/// person keeps for it.
+/// Returns the built-in character, with all parts of its wardrobe, as a pack takes it: without a person's choices for
+/// it.
 anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files);
 
 }  // namespace throng::app

@@ -12,9 +12,9 @@ namespace throng::app {
 /// The most characters of people in one crowd. A system animates 32; the balloon and the camera of the film are two.
 inline constexpr std::size_t most_models = 30;
 
-/// The range of a share. It may be a number of heads as well as a part.
+/// The range of a share. A share may be a number of agents as well as a part.
 inline constexpr double least_share = 0.01, most_share = 10'000;
-/// Returns whether it can be the share of one character, which may be a part of a folder's.
+/// Returns whether it can be the share of one character, which may be part of a folder's share.
 constexpr bool is_share(double share) { return share > 0.0 && share <= most_share; }
 
 /// An entry of a cast: "FILE", "FILE#SKIN", or a folder of such files.

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How the names of files end that a folder is searched for.
+/// The endings of files that a folder is searched for.
 constexpr std::string_view pack_ending = ".pack";
 constexpr std::array<std::string_view, 3> model_endings{".glb", ".gltf", pack_ending};
 
@@ -53,7 +53,7 @@ std::string ending_of(const fs::path& file) {
 
 bool is_model(const fs::path& file) { return std::ranges::find(model_endings, ending_of(file)) != model_endings.end(); }
 
-// Packs beside other files were baked of them, so they would be cast twice.
+// Packs beside other files were baked of them, so their characters would be cast twice.
 void leave_out_packs_of_others(std::vector<std::string>& files) {
   const auto is_packed = [](const std::string& file) { return ending_of(file) == pack_ending; };
   if (!std::ranges::all_of(files, is_packed)) std::erase_if(files, is_packed);
@@ -190,7 +190,7 @@ class CastLoader {
     return anim::Done{};
   }
 
-  // Clips that lie beside characters are theirs.
+  // Clips beside characters are for them.
   bool take_clips(const Member& member, const std::string& path, anim::Result<anim::ImportedFile>& imported) {
     auto clips = imported ? take_clips_alone(path, *imported) : read_clips_alone(path, options_.import);
     if (!clips) return false;
@@ -246,7 +246,7 @@ class CastLoader {
     return own ? *own : placement_for(member.file, options_);
   }
 
-  // Clips that lie beside a pack are not lent to it, for it is baked.
+  // A pack takes no clips that lie beside it, for it is baked.
   anim::Result<CharacterSource> make_packed(const ReadMember& read) const {
     const std::string& file = read.member.file;
     const BoneLodFile kept(file);
@@ -301,7 +301,7 @@ class CastLoader {
   }
 
   anim::Error nobody() const {
-    if (!cast_.left_out.empty()) return {"there is nobody to show: " + cast_.left_out.front()};
+    if (!cast_.left_out.empty()) return {"there is no character to show: " + cast_.left_out.front()};
     const std::string first = entries_.empty() ? "" : anim::plain_text(entries_.front().file) + ": ";
     return {first + "there are clips and nobody to play them; give the file of a character with them"};
   }

@@ -9,21 +9,20 @@
 
 namespace throng::app {
 
-/// The characters of a crowd, each with its share, and what was named with them but is not shown.
+/// The characters of a crowd, each with its share, and the files that are not shown.
 struct LoadedCast {
   std::vector<CharacterSource> characters;  ///< 1 to most_models
   std::vector<std::string> left_out;        ///< a sentence for each file of a folder that cannot be used
 };
 
 /// Loads the characters of all entries, in this order, and reads each file once. A folder stands for the models in it,
-/// by name and not in folders below it; those that hold clips alone give them to the others whose bones they fit. A
-/// skin "all" stands for every character of its file.
-/// Errors: a file that was named cannot be shown; a folder has nobody to show; there are more than most_models. A file
-/// of a folder that cannot be shown is left out, unless options.import.strict.
+/// by name and not in folders below it; a model of clips alone gives them to the others whose bones they fit. A skin
+/// "all" stands for every character of its file.
+/// Errors: a file that was named cannot be shown; a folder has no character to show; there are more than most_models. A
+/// file of a folder that cannot be shown is left out, unless options.import.strict.
 anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options = {});
 
-/// Does the same with files and folders that came together, as if they lay in one folder. A file that came alone is
-/// named.
+/// Loads files and folders that came together, as if they lay in one folder. A file that came alone counts as named.
 anim::Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options = {});
 
 /// Returns whether the character has a height that can be shown. The error names `path`.

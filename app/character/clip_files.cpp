@@ -46,7 +46,7 @@ class ClipNames {
   ClipNames(const std::string& clip_file, const std::vector<std::string>& taken)
       : stem_(anim::plain_text(std::filesystem::path(clip_file).stem().string())), taken_(taken.begin(), taken.end()) {}
 
-  /// Returns the clip's name, or that of its file, with a number behind it where it is taken.
+  /// Returns the clip's name, or its file's, with a number behind it where it is taken.
   std::string name_for(const anim::Clip& clip) {
     std::string wanted = says_something(clip.name) ? clip.name : stem_;
     if (taken_.contains(wanted) && wanted != stem_) wanted = stem_ + " " + wanted;
@@ -88,7 +88,7 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
                            ".throng.json, under \"rig\", which is which")};
 }
 
-/// A walk on two legs is none of a body that rests on four. The other way round, a file of clips may rest in any pose.
+/// A two-legged walk does not suit a four-legged rest pose. Files of clips, though, may rest in any pose.
 bool walks_otherwise(const anim::RetargetPlan& plan) {
   return plan.own_carriage == anim::Carriage::bent && plan.source_carriage == anim::Carriage::upright;
 }
@@ -99,7 +99,7 @@ anim::Error another_body(const std::string& clip_file, const std::string& file) 
                            "export a person standing")};
 }
 
-/// Weights of morphs are those of another surface; clips that have nothing else go.
+/// Weights of morphs belong to another surface; clips that have nothing else are left out.
 void leave_out_morphs(std::vector<anim::Clip>& clips) {
   for (anim::Clip& clip : clips) clip.morph_tracks.clear();
   std::erase_if(clips, [](const anim::Clip& clip) { return clip.tracks.empty(); });
@@ -144,12 +144,12 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
   }
   file.notes.push_back(anim::plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
-                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)) +
+                       (lost.empty() ? "" : "; no bone follows its bones " + listed(lost)) +
                        (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
 }
 
 anim::Error no_skeleton(const std::string& path) {
-  return {anim::plain_text(path) + ": it holds no skin, so clips of other files have nobody to play them"};
+  return {anim::plain_text(path) + ": it holds no skin, so clips of other files have no character to play them"};
 }
 
 }  // namespace

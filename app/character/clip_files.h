@@ -19,7 +19,7 @@ struct ClipFile {
   bool must_fit = true;  ///< false: a character that has none of its bones, or another body, goes without
 };
 
-/// Reads files of clips, which need no mesh and no skin, with the parts of the body that a person chose for them.
+/// Reads files of clips, which need no mesh and no skin, with the parts of the body that a person chose for each.
 /// Errors: a file that cannot be read.
 anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
                                                     const import::ImportOptions& options = {});
@@ -29,19 +29,19 @@ std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files);
 /// Takes a file that was read for its clips if it has some and nothing to draw; else leaves it as it is.
 std::optional<ClipFile> take_clips_alone(const std::string& path, anim::ImportedFile& file);
 
-/// Reads such a file; returns nothing where it is none or cannot be read.
+/// Reads a file of clips alone; returns nothing where it holds more or cannot be read.
 std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options = {});
 
 /// Adds the clips of other files to one of the models of `file`, for its own skeleton: as they are where both rest
-/// alike, else retargeted. Sentences in file.notes say for each file how its clips fit and which of its bones nobody
-/// follows. Clips without a name of their own are called as their file. The model is in the space of its file, with no
-/// size or place yet. Returns the paths of those whose clips were taken.
+/// alike, else retargeted. Sentences in file.notes say for each file how its clips fit and which of its bones no bone
+/// follows. Clips without a name of their own take their file's. The model is in the space of its file, with no size or
+/// place yet. Returns the paths of the files whose clips were taken.
 /// Errors: a file that has no clips, or that must fit and has no bone that the model knows, or whose body stands
 /// upright while the model rests on four feet.
 anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
                                                       anim::ImportedFile& file, std::size_t model);
 
-/// Does the same with the largest model and files that are yet to be read, after giving it the parts of the body that a
+/// Adds clips to the largest model from files that are yet to be read, after giving it the parts of the body that a
 /// person chose for `path`, the file of `file`.
 anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
                           const import::ImportOptions& options = {});

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int keys_a_second = 30;
 constexpr double rise_seconds = cut_scene_seconds - release_seconds;
-constexpr glm::dvec3 hand{-0.34, 0.86, 0.12};  // of somebody at the origin, at size 1
+constexpr glm::dvec3 hand{-0.34, 0.86, 0.12};  // of an actor at the origin, at size 1
 
 using Turn = glm::dquat;
 
@@ -149,7 +149,7 @@ ScenePlace camera_at_time(double seconds, double size) {
 }  // namespace
 
 glm::dvec3 balloon_place(double seconds, double size) {
-  const double height = 1.25 * (seconds - 1.0 + std::exp(-seconds));  // it gathers speed, then rises evenly
+  const double height = 1.25 * (seconds - 1.0 + std::exp(-seconds));  // gathers speed, then rises evenly
   return size * (hand + glm::dvec3(0.3 * std::sin(0.9 * seconds), height, 0.1 * (1.0 - std::cos(0.7 * seconds))));
 }
 

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// The characters of a cut scene that are no people, of one bone each (paper 2: "animation streams for characters,
+/// The balloon and the camera of a cut scene, characters of one bone each (paper 2: "animation streams for characters,
 /// cameras, animated backgrounds"). `size` is CharacterRoles::size of the actor.
 
 inline constexpr double cut_scene_seconds = 14.0;

@@ -9,7 +9,7 @@ namespace throng::app {
 /// Loads the character that comes with the program, from the folders that --data leads.
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
 
-/// Takes the roles that were kept for the character the last time, where there are any. The error names the file or the
+/// Takes the roles that a person kept for the character, where there are any. The error names the file or the
 /// character, and the role that cannot be.
 anim::Status take_kept_roles(CharacterSource& character);
 

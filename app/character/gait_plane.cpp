@@ -7,8 +7,8 @@
 namespace throng::app {
 namespace {
 
-// A clip that goes nearly where its name says is placed exactly there, so that who walks straight ahead plays two clips
-// and not three. Somebody who veers does so as far as the clip does.
+// A clip that goes nearly straight ahead, back or aside is placed exactly there, so that a person who walks straight
+// ahead plays two clips and not three. A veering clip stays where it goes.
 glm::vec2 place_of(const CharacterRoles& roles, Role gait) {
   constexpr double nearly = 0.966;  // the cosine of 15 degrees
   const glm::dvec2 velocity = roles.velocity(gait), way = way_of(gait);
@@ -17,8 +17,8 @@ glm::vec2 place_of(const CharacterRoles& roles, Role gait) {
   return glm::vec2(along_an_axis && glm::dot(velocity, way) > nearly * speed ? way * speed : velocity);
 }
 
-// Steps ahead in the place of steps that there are not. It lies twice as far out as it is fast, so that at its speed
-// half of it is standing: feet rise and fall and hardly reach out.
+// A gait ahead stands in for missing steps. It lies at twice its own speed, so that at its speed half of the blend is
+// standing: feet rise and fall and hardly reach out.
 GaitPoint stand_in(const CharacterRoles& roles, Role gait) {
   constexpr double out = 2.0;
   const Role steps = roles.ground_speed(Role::shuffle) > 0.0 ? Role::shuffle : Role::walk;

@@ -21,7 +21,7 @@ struct GaitPoint {
 /// Says what a character does in the middle of the plane.
 enum class Middle : unsigned char {
   stands,
-  steps  ///< on the spot, so that slow people lift their feet; whoever has no such clip stands
+  steps  ///< on the spot, so that slow people lift their feet; a character without such a clip stands
 };
 
 /// Returns the middle, with the velocity 0, and then each of a character's gaits, no two with one velocity. Where side
@@ -29,10 +29,10 @@ enum class Middle : unsigned char {
 /// stands.
 std::vector<GaitPoint> gait_points(const CharacterRoles& roles, Middle middle = Middle::stands);
 
-/// Returns the clip with which a character stands, or what comes nearest to it.
+/// Returns the clip with which a character stands, or the nearest to it.
 int standing_clip(const CharacterRoles& roles);
 
-/// Returns the same as a blend space. Errors: a role plays a clip that the character does not have.
+/// Returns gait_points() as a blend space. Errors: a role plays a clip that the character does not have.
 anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
                                                                    Middle middle = Middle::stands);
 

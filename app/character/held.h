@@ -27,17 +27,17 @@ enum class Held : std::uint8_t {
 };
 inline constexpr std::size_t held_count = 13;
 
-/// Returns what is held by whoever has a part of this name in a hand; nothing for a name that is none.
+/// Returns the thing that a part of this name is in a hand; nothing for other names.
 Held held_named(std::string_view part);
 
-/// Returns the role whose clip an arm plays while it holds something; nothing where no arm does.
+/// Returns the role whose clip an arm plays while it holds the thing; nothing where no arm does.
 std::optional<Role> arm_of(Held held);
-/// Returns whether that clip lies over what the whole body does in a role. It does not where the hand has another way
-/// to hold the thing, or puts it away.
+/// Returns whether the arm's clip lies over the body's clip in a role. It does not where the hand has another way to
+/// hold the thing, or puts it away.
 bool arm_lies_over(Held held, Role role);
 /// Returns whether the thing is in the hand in a role, or else is put away.
 bool is_in_hand(Held held, Role role);
-/// Returns whether somebody who holds the thing may go over to a role.
+/// Returns whether an agent that holds the thing may go over to a role.
 bool can_do(Held held, Role role);
 
 }  // namespace throng::app

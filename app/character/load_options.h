@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// Says the size and place of one model among several. A member that is unset is as for all.
+/// Says the size and place of one model among several. An unset member is as for all models.
 struct ModelPlacement {
   std::string model;  ///< the name of its file, with or without its ending, or of its character
   std::optional<double> scale = std::nullopt;
@@ -20,17 +20,17 @@ struct ModelPlacement {
   friend bool operator==(const ModelPlacement&, const ModelPlacement&) = default;
 };
 
-/// Hears how far loading is: `share` of 0 to 1 is done, and what comes now. One thread calls it at a time.
+/// Takes the progress of loading: the share that is done, 0 to 1, and what comes now. One thread calls it at a time.
 using LoadProgress = std::function<void(double share, const std::string& what)>;
 
 /// Says how the files of characters are read.
 struct LoadOptions {
   import::ImportOptions import{};
   anim::PlacementChoice placement{};         ///< size and place; what it leaves open is guessed
-  std::vector<ModelPlacement> placements{};  ///< of single models, over that of all
+  std::vector<ModelPlacement> placements{};  ///< of single models, over the one of all
   std::vector<std::string> clips_from{};     ///< files whose clips every character plays too
   bool wardrobe = false;                     ///< the built-in character gets its parts
-  LoadProgress progress{};                   ///< null: nobody hears
+  LoadProgress progress{};                   ///< null: progress is not reported
 };
 
 }  // namespace throng::app

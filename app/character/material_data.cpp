@@ -18,7 +18,7 @@ std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Text
   return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
 }
 
-// Returns the texture whose coordinates all others of the material share that do not say otherwise.
+// Returns the texture whose coordinates the material's other textures take, unless they have their own.
 const anim::Texture& leading_texture(const anim::Material& material) {
   for (const anim::Texture* texture : {&material.base_color_texture, &material.emission_texture,
                                        &material.metallic_roughness_texture, &material.normal_texture}) {

@@ -9,10 +9,10 @@
 
 namespace throng::app {
 
-/// Returns what is asked of the size and place of a file, "FILE" or "FILE#SKIN".
+/// Returns the size and place that options give a file, "FILE" or "FILE#SKIN".
 anim::PlacementChoice placement_for(const std::string& file, const LoadOptions& options);
 
-/// Errors: a placement is asked for a model that is not among the characters. The error names those that are.
+/// Errors: a placement names a model that is not among the characters. The error names the characters.
 anim::Status check_placed_models(std::span<const ModelPlacement> placements,
                                  std::span<const CharacterSource> characters);
 

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// Returns what the model's morphs do to its surface, as drawing takes it.
+/// Returns the changes that the model's morphs make to its surface, as drawing takes them.
 std::vector<render::MorphDeltaData> morph_deltas(const anim::Model& model);
 
 }  // namespace throng::app

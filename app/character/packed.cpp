@@ -39,7 +39,7 @@ anim::Result<std::optional<BoneLodChoice>> kept_order(const BoneLodFile* kept, c
   return kept->read(skeleton);
 }
 
-/// `order` is the one that was baked, which counts unless another was kept since.
+/// `order` is the baked order, which counts unless a person has kept another.
 anim::Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedCharacter& chosen,
                                         const std::optional<BoneLodChoice>& order, const std::string& path,
                                         const BoneLodFile* kept, const LoadOptions& options) {

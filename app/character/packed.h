@@ -10,18 +10,17 @@
 
 namespace throng::app {
 
-/// Says which character of a pack is meant.
+/// Names a character of a pack.
 struct PackedCharacter {
-  std::size_t file = 0;   ///< of those that were baked into the pack
+  std::size_t file = 0;   ///< of the files that were baked into the pack
   std::size_t model = 0;  ///< of that file
 };
 
 /// Finds the character that `skin` names: the first of the file of that name, or else the character of that name;
-/// without a name, the first of all. The error lists the names that there are.
+/// without a name, the first of all. The error lists the known names.
 anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin);
 
-/// Returns what to write behind "FILE#" for the first character of each file of a pack, or, with `all`, for each
-/// character.
+/// Returns the name behind "FILE#" of the first character of each file of a pack, or, with `all`, of each character.
 std::vector<std::string> packed_names(const pack::Pack& pack, bool all);
 
 /// A strict run takes no character of a file that was repaired. The error names one of the repairs.

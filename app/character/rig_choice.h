@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// A person's word for the bone that is a part of the body. `bone` is its key (bone_keys() in bone_lod.h).
+/// A person's choice of the bone that is a part of the body. `bone` is its key (bone_keys() in bone_lod.h).
 struct RigChoice {
   anim::BodyRole role;
   std::string bone;

@@ -41,7 +41,7 @@ class RoleFile {
   /// Writes the file whole or not at all, and returns its path. The parts of the body stay as
   /// they are in it, so a file that cannot be read is not written over.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
-  /// Does the same with the parts of the body; the clips stay as they are.
+  /// Writes the parts of the body; the clips stay as they are.
   anim::Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
 
  private:

@@ -55,7 +55,7 @@ inline constexpr std::array<Role, 9> gait_roles = {Role::shuffle,    Role::walk,
 /// Returns the way that a gait goes, as its name says: to the left and ahead. It has the length 1.
 glm::dvec2 way_of(Role gait);
 
-/// Metres a second to the left and ahead, by Role; 0 for what is no gait.
+/// Metres a second to the left and ahead, by Role; 0 for other roles.
 using RoleVelocities = std::array<glm::dvec2, role_count>;
 constexpr RoleVelocities no_velocities() {
   RoleVelocities velocities{};
@@ -65,13 +65,13 @@ constexpr RoleVelocities no_velocities() {
 
 inline constexpr double person_height = 1.8;  ///< metres; every distance of a scene is meant for this height
 
-/// Small animals stand at least so far apart, of what people do, because a place is made for people.
+/// Small animals keep at least this share of people's distances, because a place is made for people.
 inline constexpr double least_spacing = 0.6;
 
-/// A kind of body that some agents of a character have, as woman, man or child.
+/// A kind of body that some agents of a character have, such as woman, man or child.
 struct BodyKind {
   double share = 1.0;  ///< beside the shares of the others
-  double size = 1.0;   ///< over that of the file
+  double size = 1.0;   ///< over the file's
 
   bool is_child() const { return size < 0.8; }
 };
@@ -81,10 +81,10 @@ struct CharacterRoles {
   RoleClips clips = no_clips();
   std::vector<int> others;     ///< clips that agents play in place, in turns, where there is no clip to stand with
   Passage sit_down, stand_up;  ///< into `sit` and out of it
-  double walk_speed = 0.0;     ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  double jog_speed = 0.0;      ///< the same for the jog; 0: agents that would jog walk
-  double run_speed = 0.0;      ///< the same for the run; 0: agents that would run jog or walk
-  RoleVelocities velocities = no_velocities();  ///< of the clips of gaits themselves, at scale 1; 0: nobody goes so
+  double walk_speed = 0.0;     ///< metres a second of the walk clip itself, at scale 1; 0: no agent walks
+  double jog_speed = 0.0;      ///< of the jog clip; 0: agents that would jog walk
+  double run_speed = 0.0;      ///< of the run clip; 0: agents that would run jog or walk
+  RoleVelocities velocities = no_velocities();  ///< of the clips of gaits themselves, at scale 1; 0: no such gait
   double walk_seconds = 1.0;                    ///< length of the walk clip: one left and one right step
   std::vector<double> turns;      ///< [clip] quarter turns a second to the left of its root motion; empty: none turns
   double height = person_height;  ///< metres
@@ -92,7 +92,7 @@ struct CharacterRoles {
   bool is_prop = false;           ///< a thing: it stands only where a scene asks for one
   bool is_painted = false;        ///< its colours are its file's own: agents differ in shade, not in clothes
   double share = 1.0;             ///< of the crowd, beside the shares of the others
-  std::vector<BodyKind> bodies = {};  ///< empty: all have that of the file
+  std::vector<BodyKind> bodies = {};  ///< empty: all have the file's body
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// Returns the quarter turns a second that a clip makes to the left.
@@ -109,11 +109,11 @@ struct CharacterRoles {
   /// Returns the metres a second of a gait's clip at scale 1; 0 if there is no such clip, it stays in place, or it goes
   /// another way than its role says.
   double ground_speed(Role gait) const;
-  /// Returns the same with its direction: metres a second to the left and ahead. A walk, jog or run goes ahead,
+  /// Returns the velocity of a gait's clip: metres a second to the left and ahead. A walk, jog or run goes ahead,
   /// whatever its clip does.
   glm::dvec2 velocity(Role gait) const;
   /// Returns the role that is played for `role`: itself, else the nearest one (run, jog, walk; sit or look_around,
-  /// stand); nothing if that has no clip either.
+  /// stand); nothing if these have no clip either.
   std::optional<Role> playable(Role role) const;
 };
 

@@ -10,7 +10,7 @@ namespace throng::app {
 namespace {
 
 std::size_t count_characters(const anim::ImportedFile& file) {
-  // Models are sorted by their vertices, so those without any come last.
+  // Models are sorted by their vertices, so models without any come last.
   const auto has_mesh = [](const anim::Model& model) { return !model.meshes.empty(); };
   return static_cast<std::size_t>(std::ranges::count_if(file.models, has_mesh));
 }
@@ -20,7 +20,7 @@ const std::string& mesh_name(const anim::Model& model) {
   return std::ranges::max_element(model.meshes, {}, by_size)->name;
 }
 
-// An empty name and one that two have are none.
+// An empty name, or a name that two models have, tells nothing.
 bool tells(const std::vector<std::string>& names, std::size_t i) {
   return !names[i].empty() && std::ranges::count(names, names[i]) == 1;
 }

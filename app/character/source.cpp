@@ -25,9 +25,9 @@ namespace throng::app {
 namespace {
 
 constexpr std::size_t most_measured_poses = 48;  // of mesh LODs
-constexpr double least_gain = 1.15;              // of a gait over the one before it, to be worth changing to
+constexpr double least_gain = 1.15;              // of a gait over the one before it, to be worth a change
 
-// Returns those clips that are so, or all where none is.
+// Returns the clips for which is_so() is true, or all clips where there are none.
 template <typename IsSo>
 std::vector<int> preferably(const anim::Character& character, const std::vector<int>& clips, IsSo is_so) {
   std::vector<int> chosen;
@@ -36,13 +36,13 @@ std::vector<int> preferably(const anim::Character& character, const std::vector<
   return chosen.empty() ? clips : chosen;
 }
 
-// A person of about the usual size is one exactly, so that rounding in a measured height changes no picture.
+// A person of about the usual size has size 1 exactly, so that rounding in a measured height changes no picture.
 float size_of_body(const CharacterRoles& roles) {
   constexpr double least_difference = 0.02;
   return std::abs(roles.size() - 1.0) < least_difference ? 1.0F : static_cast<float>(roles.size());
 }
 
-// A file may keep its bind pose as a clip. Clips that end where they began can be repeated in place.
+// A file may keep its bind pose as a clip. Clips that end where they began can repeat in place.
 std::vector<int> to_be_repeated(const anim::Character& character, const std::vector<int>& clips) {
   const auto moves = [](const anim::BakedClip& clip) { return clip.keyframe().track_count > 0; };
   const auto loops = [](const anim::BakedClip& clip) { return clip.loops; };
@@ -54,7 +54,7 @@ double gait_speed(const CharacterSource& source, Role gait) {
   return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
 }
 
-// A clip that goes another way than its role says is no such gait.
+// A clip that goes another way than its role says does not count as that gait.
 glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
   constexpr double same_way = 0.7;  // the cosine of 45 degrees
   const int clip = source.roles.clip(gait);
@@ -64,14 +64,14 @@ glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
   return glm::dot(velocity, way) > same_way * glm::length(velocity) ? velocity : glm::dvec2(0.0);
 }
 
-// What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
+// The entries that a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
 std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
   std::vector<std::uint16_t> entries;
   for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
   return entries;
 }
 
-// Says of each palette entry whether it moves the head, or nothing where no bone is the head for certain.
+// Returns for each palette entry whether it moves the head; nothing where no bone is the head for certain.
 std::vector<std::uint8_t> face_entries(const anim::Skeleton& skeleton) {
   const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
   if (head < 0) return {};
@@ -222,7 +222,7 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
 }
 
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice) {
-  anim::Model model;  // what measuring reads of it
+  anim::Model model;  // the parts that measuring reads
   model.skeleton = source.model.skeleton;
   model.skins = source.model.skins;
   model.clips = source.model.clips;
@@ -246,7 +246,7 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
   CharacterRoles& roles = source.roles;
   roles.clips = clips;
   const bool as_suggested =
-      roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // who chose another seat fades
+      roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // with another seat, clips fade
   roles.sit_down = as_suggested ? source.passages[0] : Passage{};
   roles.stand_up = as_suggested ? source.passages[1] : Passage{};
   roles.turns.clear();

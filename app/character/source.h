@@ -20,7 +20,7 @@
 
 namespace throng::app {
 
-/// A surface that a pack holds ready for drawing; empty where it is built of the model.
+/// A surface that a pack holds ready for drawing; empty where the model has to be built into one.
 struct PackedSurface {
   std::span<const std::byte> bytes;
   std::shared_ptr<const void> lender = {};  ///< keeps the bytes
@@ -40,21 +40,21 @@ struct CharacterSource {
   std::array<Passage, 2> passages;           ///< into the suggested seat and out of it
   std::vector<std::string> repairs;          ///< of its file, a sentence each
   std::vector<std::string> notes;            ///< anim::ImportedFile::notes
-  std::string cast_rules;                    ///< the file that says who wears what; empty: none does
-  std::optional<std::string> rules = {};     ///< what it says or a person tuned, as JSON; empty: nobody dresses.
+  std::string cast_rules;                    ///< the file of rules for clothes; empty: there is none
+  std::optional<std::string> rules = {};     ///< its rules, or what a person tuned, as JSON; empty: no agent dresses.
                                              ///< Nothing: the file was not read yet
   bool rules_are_chosen = false;             ///< a person chose or tuned them, so crowd files keep them
   std::vector<std::string> cast;             ///< names of all characters of its file
-  std::size_t cast_index = 0;                ///< which of them it is
+  std::size_t cast_index = 0;                ///< of this character among them
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
   std::vector<RigChoice> parts_in_file;      ///< the parts of the body that its file says
-  std::vector<RigChoice> rig;                ///< the parts that a person says, over those
+  std::vector<RigChoice> rig;                ///< the parts that a person says, which win
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Gives the bones of the model in `path` the parts of the body that a person chose for it, and returns these; none if
-/// nothing was chosen. The error names the file and what cannot be.
+/// Gives the bones of the model in `path` the parts of the body that a person chose for it, and returns these parts;
+/// none if nothing was chosen. The error names the file and the wrong part.
 anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
 /// Finds the clips that the roles play, once the character is there.
@@ -62,11 +62,11 @@ void guess_roles(CharacterSource& source);
 
 /// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
 /// gives it size and place, and bakes it; or takes it out of a pack (packed.h). `kept` has the order of its bones that
-/// a person chose; with it, the parts of the body that were kept for the file count too.
+/// a person chose; with it, the parts of the body that a person kept for the file count too.
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
                                              const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 
-/// Says how a model that was read becomes a character.
+/// Says how a model becomes a character.
 struct CharacterMaking {
   std::string path, name;
   const BoneLodFile* kept = nullptr;
@@ -74,7 +74,7 @@ struct CharacterMaking {
   std::span<const ClipFile* const> clips = {};
   LoadProgress progress = {};  ///< of this character
 };
-/// Does the same with one of the models of a file that was read, which it takes out of it.
+/// Makes a character of one of the models of a file that was read, which it takes out of the file.
 anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
 
 /// A character whose bones are in another order, and the new index of each bone.
@@ -92,7 +92,7 @@ void take_reordered(CharacterSource& source, const ReorderedCharacter& reordered
 /// Brings a character that is on no stage into an order that check_bone_lod() let pass.
 void take_order(CharacterSource& source, const BoneLodChoice& choice);
 
-/// Plays `clips` for the roles, and measures how far the gaits among them get.
+/// Plays `clips` for the roles, and measures the velocities of the gaits among them.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 
 /// Returns, for each bone level and palette entry, the entry that a mesh reads at that level.

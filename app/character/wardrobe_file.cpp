@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint16_t no_entry = UINT16_MAX;
 
-/// Returns, for each palette entry of `from`, that of the bone with the same name.
+/// Returns, for each palette entry of `from`, the entry of the bone with the same name in `to`.
 std::vector<std::uint16_t> entries_in(const anim::Skeleton& from, const anim::Skeleton& to) {
   std::map<std::string, std::uint16_t> entries;
   for (std::size_t entry = 0; entry < to.palette.size(); ++entry) {

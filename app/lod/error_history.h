@@ -13,7 +13,7 @@ struct ErrorOfFrame {
   float pop = 0;  ///< pixels, the largest of this frame
 };
 
-/// Keeps how errors went in the last 480 frames, one value for two frames, for a graph. Allocates nothing.
+/// Keeps the errors of the last 480 frames, one value for two frames, for a graph. Allocates nothing.
 class ErrorHistory {
  public:
   static constexpr std::size_t most_values = 240, frames_a_value = 2;

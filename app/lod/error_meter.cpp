@@ -12,11 +12,11 @@ namespace {
 
 constexpr float not_measured = -1.0F;
 constexpr std::size_t most_jobs = 8;  // each has room for a palette
-// Of measuring one agent, in bones of a crowd that is posed: the exact pose comes from blocks and rows that nobody has
-// just read, then every point is skinned twice and projected.
+// The cost of measuring one agent, in bones of a posed crowd: the exact pose comes from blocks and rows outside the
+// caches, then every point is skinned twice and projected.
 constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
-// A frame. Of a crowd that is cheap to pose, some are measured all the same, and as many as may be until a ninety-ninth
+// Agents a frame. Of a crowd that is cheap to pose, the meter still measures some, and the most until a ninety-ninth
 // percentile is known.
 constexpr std::size_t most_measured_of_few = 24, least_measured_of_few = 4;
 
@@ -105,8 +105,8 @@ double ErrorMeter::affordable_bones(const anim::UpdateReport& update) const {
                   static_cast<double>(least) * characters_.front().cost);
 }
 
-// Whoever was measured for the first time in the frame before is measured again, so that it is known by how much its
-// error changes; then it is others' turn, as long as the update's cost affords it.
+// An agent that was first measured in the frame before is measured again, which gives the change of its error; then
+// other agents follow, as long as the update's cost affords it.
 void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame) {
   chosen_.clear();
   exact_.clear();
@@ -134,7 +134,7 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
   }
 }
 
-// A person who changes a value waits for its figures, not for those of the value before.
+// A person who changes a value waits for the figures of that value, not of the former one.
 void ErrorMeter::forget_other_tunings(const Tuning& tuning) {
   if (!decide_alike(tuning, measured_with_)) window_.begin_anew();
   measured_with_ = tuning;

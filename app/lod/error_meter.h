@@ -32,21 +32,21 @@ struct MeasuredFrame {
 };
 
 /// Measures what level of detail costs the eye (app/lod/README.md): the largest distance on screen, over points of the
-/// surface, between what the vertex shader shows and the exact pose of the moment. Changes no pose.
+/// surface, between the vertex shader's result and the exact pose of the moment. Changes no pose.
 class ErrorMeter {
  public:
-  /// The share of an update's cost that the meter may take to measure some of the agents. It takes more where that is
-  /// less than four samples a frame, and until there are samples enough for a ninety-ninth percentile.
+  /// The share of an update's cost that the meter may take to measure some of the agents. It takes more where the share
+  /// pays for less than four samples a frame, and until there are enough samples for a ninety-ninth percentile.
   static constexpr double share_of_pose_cost = 0.05;
 
   explicit ErrorMeter(std::span<const CharacterSource> characters);
 
-  /// Takes a character again, with its bones in another order. Call reset() after it.
+  /// Takes a character whose bones are in another order. Call reset() after it.
   void set_character(std::size_t character, const CharacterSource& source);
-  /// Forgets all that was measured, for a crowd of `agents` that starts anew.
+  /// Forgets all samples, for a crowd of `agents` that starts anew.
   void reset(std::size_t agents);
 
-  /// Chooses the agents to watch. Call it before an update, when it is decided who is visible.
+  /// Chooses the agents to watch. Call it before an update, when the visible agents are known.
   void begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
   /// Returns where the PU must write a pose that ShownPoses::show gave `slot_memory`.
   anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
@@ -57,19 +57,19 @@ class ErrorMeter {
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
   /// Returns the errors of poses and meshes together, over the last 60 frames, or since a value that decides over level
-  /// of detail was changed. All are 0 while nobody is measured.
+  /// of detail was changed. All are 0 while no agent is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
-  /// Returns where the percentiles of figures() lie by chance. Nobody measured: they may lie anywhere.
+  /// Returns the intervals in which the percentiles of figures() lie; unbounded if no agent was measured.
   anim::ErrorIntervals intervals() const { return window_.intervals(); }
   anim::ErrorFigures since_start() const { return window_.since_start(); }
   anim::ErrorIntervals intervals_since_start() const { return window_.intervals_since_start(); }
-  /// Returns the largest pop of the last frame; 0 where nobody was measured in it and in the frame before.
+  /// Returns the largest pop of the last frame; 0 where no agent was measured in it and in the frame before.
   float newest_pop() const { return window_.newest_pop(); }
-  /// Returns how figures() went in the last seconds.
+  /// Returns figures() over the last seconds.
   const ErrorHistory& history() const { return history_; }
   /// Returns the errors of poses alone, which level of detail decides by.
   anim::ErrorFigures pose_figures() const { return pose_window_.figures(); }
-  /// Returns the error of an agent's pose and mesh together as measured last, in pixels; below 0 if it was not measured
+  /// Returns the last measured error of an agent's pose and mesh together, in pixels; below 0 if it was not measured
   /// since reset().
   float error_of(std::uint32_t agent) const { return errors_[agent]; }
   const anim::SurfacePoints& points(std::size_t character) const { return characters_[character].points; }
@@ -87,7 +87,7 @@ class ErrorMeter {
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
-  /// Holds the error of a pose alone, and that of pose and mesh together.
+  /// Holds the error of a pose alone, and the error of pose and mesh together.
   struct Measured {
     anim::ErrorSample pose, picture;
   };

@@ -12,7 +12,7 @@ namespace throng::app {
 /// The exact poses of a moment, in palette slots of their own for one frame. A split view shows them on its left. In a
 /// frame:
 ///     give_back(the frame that drew them)
-///     add(...)      everyone drawn
+///     add(...)      each agent that is drawn
 ///     pose(system)  the PUs write the slots
 class ExactPoses {
  public:
@@ -22,7 +22,7 @@ class ExactPoses {
   void give_back(std::uint64_t last_frame);
 
   /// Adds an agent whose palette with all bones has `entries`. If `entries` is 0, the exact pose is not known, and
-  /// `shown` stands for it; so it does where no memory is left.
+  /// `shown` stands for it, as it does where no memory is left.
   void add(std::uint32_t agent, const ShownPose& shown, std::uint32_t entries);
   void pose(anim::AnimationSystem& system);
 

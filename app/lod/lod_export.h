@@ -32,11 +32,11 @@ std::vector<LodLevel> lod_levels(const CharacterSource& source);
 /// Returns mesh LODs, the full mesh first. Both spans have one element a LOD.
 std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const render::MeshError> errors);
 
-/// The level of detail that is in force, and the view that distances are said for.
+/// The level of detail in force, and the view that distances are for.
 struct LodInForce {
   Tuning tuning;
-  anim::LodCharacter character = {};  ///< read under LodRule::budget, as is what follows
-  float tolerance_pixels = 0;         ///< what a pose may be off; above 0
+  anim::LodCharacter character = {};  ///< read under LodRule::budget, as is the tolerance
+  float tolerance_pixels = 0;         ///< pixels that a pose may be off; above 0
   float pixels_per_unit = 1;          ///< pixels that one metre covers at a distance of one metre; read by all rules
 };
 

@@ -7,7 +7,7 @@ namespace throng::app {
 namespace {
 
 constexpr float farthest = 200.0F;         // metres
-constexpr float beyond_rounding = 1.001F;  // so that a step of what may be allowed is met from above
+constexpr float beyond_rounding = 1.001F;  // meets a step of the allowed error from above
 
 }  // namespace
 

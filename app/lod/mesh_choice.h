@@ -12,18 +12,18 @@
 
 namespace throng::app {
 
-/// Sums up the meshes that everybody in view is drawn with.
+/// Sums up the meshes of all agents in view.
 struct MeshFigures {
   std::uint64_t triangles = 0;         ///< as drawn
   std::uint64_t triangles_wanted = 0;  ///< without Tuning::triangle_budget
   std::uint32_t demoted = 0;           ///< agents whose mesh is coarser than the limit on its error asks for
-  float demoted_error_px = 0.0F;       ///< the most that the surface of one of these is off
-  bool budget_held = true;             ///< false: all have their coarsest mesh, and are too many even so
+  float demoted_error_px = 0.0F;       ///< the most that the surface of a demoted agent is off
+  bool budget_held = true;             ///< false: all have their coarsest mesh, and triangles exceed the budget
 };
 
-/// Chooses the mesh LOD of everybody in view, once a frame. Within the limit on its error each has the coarsest. Where
-/// all together exceed Tuning::triangle_budget, some have a coarser one: the steps to coarser meshes that are seen
-/// least (MeshLods::seen_px) are taken first. The result is the same for any number of jobs.
+/// Chooses the mesh LOD of each agent in view, once a frame: the coarsest within the limit on its error. Where all
+/// together exceed Tuning::triangle_budget, some agents have a coarser one: the steps to coarser meshes that are seen
+/// least (MeshLods::seen_px) come first. The result is the same for any number of jobs.
 class MeshChoice {
  public:
   /// Makes room for a crowd, so that choose() allocates nothing.
@@ -44,11 +44,11 @@ class MeshChoice {
   /// Agents that one job chooses for.
   struct Tile {
     std::size_t first = 0, end = 0;
-    std::array<std::uint64_t, error_classes> saved;  ///< triangles, by the class of what is seen of a step
+    std::array<std::uint64_t, error_classes> saved;  ///< triangles, by the class of a step's seen pixels
     std::uint64_t to_save = 0;                       ///< triangles, by steps of the last class that is needed
     MeshFigures figures;
   };
-  /// Returns the last class whose steps are needed; those of lower classes are all taken.
+  /// Returns the last class whose steps are needed; all steps of lower classes are taken.
   static std::size_t plan_demotions(std::uint64_t to_save, std::span<Tile> tiles);
   void sum_up(std::span<const Tile> tiles);
 

@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-// A face that is lost is seen as much as a surface that is so many times as far off.
+// A lost face is seen as much as a surface that is three times as far off.
 constexpr float face_weight = 3.0F;
 
 float height_for(float share, float pixels) { return share > 0.0F ? pixels / share : INFINITY; }

@@ -23,9 +23,9 @@ float pose_error_limit(const Tuning& tuning);
 /// The pixels that a coarser mesh may be off, where a mesh is chosen by its error.
 struct MeshTolerance {
   float surface = 0.0F;
-  float face = 0.0F;  ///< of those who are least_face_pixels tall or taller
+  float face = 0.0F;  ///< of agents that are least_face_pixels tall or taller
 };
-/// Returns what a tuning allows.
+/// Returns the pixels that a tuning allows.
 MeshTolerance mesh_tolerance(const Tuning& tuning);
 /// Returns the errors in metres as shares of a character's height.
 render::MeshError shares_of(const render::MeshError& metres, double height);
@@ -46,16 +46,16 @@ class MeshLods {
     triangles_[character] = std::move(triangles);
   }
 
-  /// Returns the coarsest LOD within the limit for a character of that height on screen, or the one that the tuning
+  /// Returns the coarsest LOD within the limit for a character of that height on screen, or the LOD that the tuning
   /// fixes. 0 for a character without LODs.
   int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
   /// Returns how much is seen of a LOD that is coarser than choose() takes: the pixels that surface and face are off,
-  /// and more where somebody loses the face who should keep it.
+  /// and more where an agent loses the face that it should keep.
   float seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
-  /// Returns the first mesh LOD with which nobody of the first `people` characters is shown who is taller than so many
-  /// pixels, as far as errors decide; `lods` if there is none.
+  /// Returns the first mesh LOD that no agent of the first `people` characters shows while taller than `pixels_tall`,
+  /// as far as errors decide; `lods` if there is none.
   std::size_t first_below(const Tuning& tuning, std::size_t people, float pixels_tall, std::size_t lods) const;
   /// Returns the errors of a character's mesh LODs, as they were set.
   std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }

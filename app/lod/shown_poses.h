@@ -19,8 +19,8 @@ struct ShownPose {
   render::PaletteSlot from, to;
   std::uint8_t from_level = 0, to_level = 0;
   anim::PaletteFormat from_format{}, to_format{};
-  std::uint32_t from_time = 0;  ///< the moment that `from` is the pose of; microseconds modulo 2^32
-  std::uint32_t to_time = 0;    ///< the moment that `to` is the pose of; equal to from_time: nothing blends
+  std::uint32_t from_time = 0;  ///< the moment of the pose `from`; microseconds modulo 2^32
+  std::uint32_t to_time = 0;    ///< the moment of the pose `to`; equal to from_time: nothing blends
 
   bool shown() const { return to.valid(); }
   /// Returns the word by which the instance record names the slot `from`.
@@ -44,7 +44,7 @@ struct NewPose {
   std::uint32_t agent;
   std::uint8_t level;     ///< bone level
   std::uint32_t entries;  ///< entries of the palette at that level
-  std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
+  std::uint32_t time;     ///< the moment of the pose; microseconds modulo 2^32
   anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };
 
@@ -62,9 +62,9 @@ class ShownPoses {
   THRONG_ALWAYS_INLINE void prefetch_pose(std::uint32_t agent) const { anim::prefetch(&poses_[agent]); }
 
   /// Returns the memory of a slot for a new pose of a visible agent. The shader blends to it from the pose shown so
-  /// far. A pose of `now` is shown at once. So is a pose of an agent that must move to another page; pose().to_time is
-  /// then `now`, and the pose must be that of now. Returns null where no memory is left: the agent is posed but not
-  /// drawn.
+  /// far. A pose of `now` is shown at once. A pose of an agent that must move to another page is shown at once too;
+  /// pose().to_time is then `now`, and the pose must be of now. Returns null where no memory is left: the agent is
+  /// posed but not drawn.
   anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }

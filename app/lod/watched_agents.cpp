@@ -56,7 +56,7 @@ void WatchedAgents::choose(std::span<const anim::VisibleAgent> visible, const Sh
   for (const anim::VisibleAgent& agent : visible) watch(agent.agent);
 }
 
-// A lot for each free place, all drawn before the crowd is gone through once.
+// Draws a lot for each free place first, then goes through the crowd once.
 void WatchedAgents::fill_by_height(std::span<const anim::VisibleAgent> visible) {
   constexpr std::size_t worth_a_pass = 8;
   if (free_.size() < worth_a_pass) return;

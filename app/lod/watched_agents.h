@@ -37,8 +37,8 @@ struct WatchedAgent {
   bool can_be_measured() const { return agent != nobody && to_known && (from_known || !blends); }
 };
 
-/// The agents that are watched: all of those in view, or some of them for a while, drawn by chance in proportion to
-/// their height on screen.
+/// The agents that the meter watches: all in view, or some of them for a while, drawn by chance in proportion to their
+/// height on screen.
 class WatchedAgents {
  public:
   static constexpr std::size_t few = 64;
@@ -48,14 +48,14 @@ class WatchedAgents {
   void reset(std::size_t agents, std::size_t watched, std::size_t entries);
   std::size_t capacity() const { return watched_.size(); }
 
-  /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with those in view.
+  /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with the agents in view.
   void choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
 
   /// Returns where the PU must write a new pose: `slot_memory`, or for a watched agent the memory that keeps the pose
   /// until hand_over().
   anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
                                        anim::PaletteDestination slot_memory);
-  /// Copies into the slots what was written for them. Call it after an update.
+  /// Copies the written palettes into their slots. Call it after an update.
   void hand_over();
 
   std::span<WatchedAgent> all() { return watched_; }

@@ -14,9 +14,9 @@ constexpr double least_delay = 0.5, most_delay = 10.0;  // seconds
 constexpr double rows_of_delay = 2.05;                  // a curve between two rows goes by the one after them
 constexpr double most_playback_rate = 3.0, least_playback_rate = 0.05;
 constexpr double input_rate_window = 2.0;         // seconds
-constexpr double steady_input = 1.5;              // what comes faster is no camera, and is not hurried after
+constexpr double steady_input = 1.5;              // faster input is no camera; the clock does not hurry after it
 constexpr double row_seconds_share = 1.0 / 16.0;  // of a new row in the mean
-constexpr std::size_t least_rows = 4;             // of somebody, that are kept before the clock
+constexpr std::size_t least_rows = 4;             // of a person, that are kept before the clock
 
 std::string one_or_many(std::size_t count, const std::string& one, const std::string& many) {
   return count == 1 ? one : std::to_string(count) + many;
@@ -51,7 +51,7 @@ LiveCrowd::LiveCrowd(std::unique_ptr<LiveTracks> tracks, std::size_t places, Gro
 
 double LiveCrowd::delay() const { return std::clamp(rows_of_delay * row_seconds_, least_delay, most_delay); }
 
-// Rows stay where they are while many wait, so that whoever sends them waits too.
+// Rows stay where they are while many wait, so that their sender waits too.
 void LiveCrowd::fetch() {
   if (has_read_all_ || waiting_.size() - next_ >= LiveTracks::most_waiting_rows) return;
   if (next_ >= waiting_.size() / 2) {  // so that a row is moved once or twice
@@ -161,7 +161,7 @@ void LiveCrowd::take(const LiveRow& row) {
   mark(place);
 }
 
-/// Somebody who comes back gets the place of before while nobody else has taken it.
+/// A person who comes back gets the place of before while it is free.
 std::uint32_t LiveCrowd::free_place(std::uint32_t before) {
   const auto same = before != none ? std::ranges::find(free_, before) : free_.end();
   const auto chosen = same != free_.end() ? same : free_.begin();

@@ -19,21 +19,21 @@ namespace throng::app {
 /// Says what a frame changes of a live crowd.
 struct LiveStep {
   TrackClock clock;                          ///< before the frame, which moves it by the seconds that it takes
-  double settled = 0.0;                      ///< what was shown of times up to this stays
+  double settled = 0.0;                      ///< poses shown up to this time stay
   std::span<const std::uint32_t> changed{};  ///< places that have other rows than before, until the next step
 };
 
-/// Returns seconds of the rows' clock that pass in a second, for a clock that lags `behind` seconds more than it has
-/// to, below 0 if less. Rows come every `row_seconds`, `delay` seconds before they are shown.
+/// Returns seconds of the rows' clock that pass in a second, for a clock that lags `behind` seconds more than `delay`,
+/// below 0 if less. Rows come every `row_seconds`, `delay` seconds before they are shown.
 double live_rate(double behind, double row_seconds, double delay, bool catches_up);
 
-/// A crowd whose rows still come. It has a fixed number of places. Somebody new takes a free one, and leaves it once
-/// the clock is past the last row. The clock runs behind the newest row by two rows, at least half a second, so that
-/// ways and steps are those of a file: what comes next is known. Rows of the last seconds are kept.
+/// A crowd whose rows still come. It has a fixed number of places. A new person takes a free one, and leaves it once
+/// the clock is past the person's last row. The clock runs behind the newest row by two rows, at least half a second,
+/// so that ways and steps are as from a file: the next rows are known. Rows of the last seconds are kept.
 class LiveCrowd {
  public:
   /// Says what the clock goes by. A run without a window waits for its rows and goes on at its own rate. A window shows
-  /// what there is: it goes slower where rows fail to come, and faster where it is late.
+  /// the rows that are there: it goes slower where rows fail to come, and faster where it is late.
   enum class Pace : std::uint8_t { of_the_run, of_the_rows };
 
   static constexpr int usual_places = 1000;
@@ -45,9 +45,9 @@ class LiveCrowd {
   /// Returns the people in their places. They change in advance() alone.
   std::shared_ptr<const Trajectories> trajectories() const { return all_; }
 
-  /// Returns whether the rows are there that a frame of so many seconds shows. Waits for more at most `most`.
+  /// Returns whether the rows are there that a frame of `seconds` shows. Waits for more at most `most`.
   bool can_go_on(double seconds, std::chrono::milliseconds most);
-  /// Waits for more rows, at most so long.
+  /// Waits for more rows, at most `most`.
   void wait(std::chrono::milliseconds most) const { tracks_->wait(most); }
   /// Takes the rows that came, and moves the clock on by a frame. Allocates only what new rows need.
   LiveStep advance(double seconds);
@@ -55,9 +55,9 @@ class LiveCrowd {
   double seconds() const { return seconds_; }  ///< of the rows' clock
   /// Returns whether the input has ended and its last row is shown.
   bool has_ended() const { return has_read_all_ && next_ == waiting_.size() && seconds_ >= newest_; }
-  /// Returns what is wrong with the input: what ended it, or that most of its rows came too late to be shown.
+  /// Returns the fault of the input: what ended it, or that most of its rows came too late to be shown.
   Status status() const;
-  /// Returns what people would not expect, in sentences.
+  /// Returns sentences on what people would not expect.
   std::vector<std::string> said() const;
   /// Returns a number that is another one whenever said() is.
   std::size_t news() const;
@@ -81,15 +81,15 @@ class LiveCrowd {
   std::unique_ptr<LiveTracks> tracks_;
   std::shared_ptr<Trajectories> all_;
   Pace pace_;
-  std::vector<LiveRow> waiting_;  // those from next_ on are not handed out yet
+  std::vector<LiveRow> waiting_;  // rows from next_ on are not handed out yet
   std::size_t next_ = 0;
   bool has_read_all_ = false, has_begun_ = false;
   double seconds_ = 0.0, newest_ = 0.0, newest_before_ = 0.0;
-  double row_seconds_ = 0.0;  // between two rows of somebody; 0: not known yet
+  double row_seconds_ = 0.0;  // between two rows of a person; 0: not known yet
   float stands_ = 0.0F;
   double input_rate_ = 1.0;                 // seconds of rows that came in a second, lately
   std::vector<double> last_seconds_;        // [person] of the newest row that came, until row_seconds_ is known
-  std::vector<std::uint32_t> place_of_;     // [person] also of those who are gone
+  std::vector<std::uint32_t> place_of_;     // [person] also of people who are gone
   std::vector<std::uint32_t> person_at_;    // [place]
   std::deque<std::uint32_t> free_;          // the place that is free for longest is taken first
   std::vector<std::uint32_t> changed_;      // places

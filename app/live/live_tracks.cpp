@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t most_waiting = std::size_t{4} << 20U;  // bytes of a line, or before the first row
 
-/// Returns what rows mean where people have not moved yet, so that nothing can be told by how they move.
+/// Returns what rows mean before people have moved, when their ways show nothing yet.
 RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRow& first) {
   RowScale scale;
   const bool is_tall = facts.tells_unit && facts.z_is_head && first.z > 50.0F && first.z < 300.0F;
@@ -131,7 +131,7 @@ bool LiveTracks::State::take_text(bool is_last) {
   return true;
 }
 
-/// Tells the text apart as soon as its first row is there.
+/// Finds the format of the text as soon as its first row is there.
 bool LiveTracks::State::choose_format(bool is_last) {
   if (is_sqlite(text)) return fail("a database cannot be read as it comes; give its file's name instead of -");
   if (is_xml(text)) {
@@ -185,7 +185,7 @@ bool LiveTracks::State::take_xml(bool is_last) {
   return false;
 }
 
-/// Settles what rows mean, when the first is there.
+/// Settles what rows mean, when the first row is there.
 void LiveTracks::State::begin() {
   const RawRow& first = sink.rows.front();
   scale = scale_at_once(facts, options, first);
@@ -195,7 +195,7 @@ void LiveTracks::State::begin() {
   live_head = std::move(known);
 }
 
-/// Gives the rows that were read to whoever takes them.
+/// Gives the rows that were read to the thread that takes them.
 void LiveTracks::State::hand_over() {
   if (sink.rows.empty()) return;
   std::unique_lock lock(mutex);

@@ -19,11 +19,11 @@ namespace throng::app {
 /// A row as it came.
 struct LiveRow {
   std::uint32_t person = 0;  ///< counts people in the order in which they come: LiveTracks::id()
-  float stature = 0.0F;      ///< metres, where rows have heights of heads; 0: they say nothing
+  float stature = 0.0F;      ///< metres, where rows have heights of heads; 0: they have none
   TrackRow row;              ///< about LiveHead::origin
 };
 
-/// Holds what is known once the first row is there.
+/// Holds the facts that are known once the first row is there.
 struct LiveHead {
   glm::dvec2 origin{0.0};  ///< metres: the place of the first row, in whole metres
   std::string format;
@@ -32,7 +32,7 @@ struct LiveHead {
 
 /// Reads rows as they come, from a pipe, a socket or a file: tables with a header, the text of the Jülich archive, JSON
 /// lines and the XML of SUMO. A thread of its own waits for them and reads them, so that the caller never does. It
-/// reads no further while most_waiting_rows wait to be taken, so that whoever sends them waits too.
+/// reads no further while most_waiting_rows wait to be taken, so that their sender waits too.
 class LiveTracks {
  public:
   /// Starts to read. The descriptor stays the caller's, and is open for as long as this lives.
@@ -43,20 +43,20 @@ class LiveTracks {
 
   static constexpr std::size_t most_waiting_rows = 200'000;
 
-  /// Adds to `rows` those that came since the last call. Those of a person ascend in time. Does not wait.
+  /// Adds the rows that came since the last call to `rows`. A person's rows ascend in time. Does not wait.
   /// Returns false once the last row was taken, because the text has ended or is wrong.
   bool take(std::vector<LiveRow>& rows);
-  /// Waits until rows can be taken or the text ends, at most so long.
+  /// Waits until rows can be taken or the text ends, at most `most`.
   void wait(std::chrono::milliseconds most) const;
-  /// Returns whether no more rows will come than wait now.
+  /// Returns whether no more rows will come after the waiting ones.
   bool has_ended() const;
   std::optional<LiveHead> head() const;  ///< nothing before the first row
   std::string id(std::uint32_t person) const;
   std::size_t people() const;
-  /// Returns what is wrong with the text, which ends it; the sentence begins with its name.
+  /// Returns the fault that ended the text; the sentence begins with its name.
   Status status() const;
   std::size_t bad_rows() const;   ///< skipped, because options.lenient is set
-  std::size_t late_rows() const;  ///< left out, because somebody had another row at that time or later
+  std::size_t late_rows() const;  ///< left out, because their person had a row at that time or later
 
  private:
   struct State;

@@ -25,7 +25,7 @@ class ConvexPolygon {
   std::span<const glm::vec2> corners() const { return std::span(corners_).first(count_); }
   bool is_empty() const { return count_ < 3; }
 
-  /// Keeps what lies where dot(normal, place) is at most `most`. A cut that would take one corner too many is left out.
+  /// Keeps the part where dot(normal, place) is at most `most`. A cut that would take one corner too many is left out.
   void cut(const glm::vec2& normal, float most) {
     std::array<float, most_corners> beyond;
     bool is_cut = false;

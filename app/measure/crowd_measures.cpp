@@ -22,7 +22,7 @@ void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executo
   const Followers* const recorded = followers_of(crowd);
   const double seconds = track_clock_of(crowd).seconds;
   const std::span<const std::uint8_t> absent = absent_of(crowd);
-  const auto measure_each = [&](const auto& measure) {  // of a recorded crowd; who is not there may have no row
+  const auto measure_each = [&](const auto& measure) {  // of a recorded crowd; an absent person may have no row
     visit_in_tiles(crowd.size(), executor, jobs,
                    [&](std::size_t agent) { values_[agent] = absent[agent] != 0 ? unknown : measure(agent); });
   };

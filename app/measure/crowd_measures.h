@@ -13,7 +13,7 @@
 
 namespace throng::app {
 
-/// Measures of everybody in a crowd what the view in force shows: speed, density or time since appearing.
+/// Measures each person of a crowd for the view in force: speed, density or time since appearing.
 class CrowdMeasures {
  public:
   /// Measures the crowd as it is now; nothing where the view shows no measure. Allocates when another view begins.
@@ -31,7 +31,7 @@ class CrowdMeasures {
   std::shared_ptr<const Trajectories> area_of_;  // null: everywhere
 };
 
-/// Returns the speed of somebody of a recorded crowd, metres a second: the mean over TrackSteps::stride_window, or over
+/// Returns the speed of a person of a recorded crowd, metres a second: the mean over TrackSteps::stride_window, or over
 /// a longer `window` in seconds, or the part of it in which the person is there, as a file's rows say it.
 float speed_of(const Followers& followers, std::size_t agent, double seconds, double window = 0.0);
 

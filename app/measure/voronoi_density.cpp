@@ -18,7 +18,7 @@ namespace {
 constexpr float same_place = 1e-3F;  // metres
 constexpr float no_density = -1.0F;
 
-/// The nearest others of somebody, the nearest first.
+/// The nearest others of a person, the nearest first.
 class Nearest {
  public:
   struct Other {
@@ -46,7 +46,7 @@ class Nearest {
   static bool is_nearer(const Other& a, const Other& b) { return a.distance_squared < b.distance_squared; }
   Other* end() { return others_.data() + count_; }
 
-  // Keeps the nearest of very many: they cut the ground to less than the others could reach.
+  // Keeps the nearest of very many people: they cut the ground to less than the rest could reach.
   void add(const Other& other) {
     if (count_ < others_.size()) {
       others_[count_++] = other;

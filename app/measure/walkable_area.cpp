@@ -16,9 +16,9 @@ namespace throng::app {
 namespace {
 
 constexpr double wall_half_width = 1e-3;     // metres
-constexpr double narrowest_opening = 2e-3;   // metres: nobody goes through a gap between lines that ought to meet
+constexpr double narrowest_opening = 2e-3;   // metres: narrower gaps are between lines that ought to meet
 constexpr double same_level = 1e-7;          // metres
-constexpr double beyond_everybody = 20'000;  // metres from what stands about, where a plan has no floor
+constexpr double beyond_everybody = 20'000;  // metres from the obstacles, where a plan has no floor
 constexpr double square = 2.0;               // metres
 constexpr double most_squares = 200'000;
 constexpr std::uint32_t no_piece = 0xFFFFFFFF;
@@ -31,7 +31,7 @@ struct Box {
   }
 };
 
-/// Returns a floor that holds everybody around what stands about.
+/// Returns a floor that holds all people around the obstacles.
 DoubleRing floor_around(const GroundPlan& plan) {
   Box box;
   for (const GroundRing& ring : plan.obstacles) box.add(doubled(ring));
@@ -104,8 +104,7 @@ void WalkableArea::take_pieces(const GroundPlan& plan) {
   }
 }
 
-// Pieces begin and end at level lines. Where one ends and another one begins at the same line, one goes on between
-// them.
+// Pieces begin and end at level lines. Where one piece ends and another begins at the same line, they have an opening.
 void WalkableArea::join_pieces() {
   const glm::dvec2 along = cover_direction(), across(-along.y, along.x);
   struct End {
@@ -194,7 +193,7 @@ std::size_t WalkableArea::row(double z) const {
   return static_cast<std::size_t>(std::clamp((z - lowest_.y) * squares_a_metre_, 0.0, static_cast<double>(rows_ - 1)));
 }
 
-/// Goes from piece to piece within a cell, and adds up what of them lies in it.
+/// Goes from piece to piece within a cell, and adds up their areas in it.
 class WalkableArea::Walk {
  public:
   Walk(const WalkableArea& area, const glm::dvec2& person, const ConvexPolygon& cell)

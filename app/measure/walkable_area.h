@@ -14,17 +14,17 @@
 namespace throng::app {
 
 /// The ground that people can walk on: the floors of a plan without holes, obstacles and walls. Where a plan has no
-/// floor, that is all around its obstacles; where it has nothing, it is everywhere.
+/// floor, the area is all around its obstacles; where it has nothing, the area is everywhere.
 class WalkableArea {
  public:
   WalkableArea() = default;
-  /// Lines that cross so often that cutting the plan would take seconds are left out: then it is everywhere.
+  /// A plan whose lines cross so often that cutting it would take seconds is left out: the area is everywhere.
   explicit WalkableArea(const GroundPlan& plan);
 
   bool is_everywhere() const { return pieces_.empty(); }
 
-  /// Returns square metres of the part of `cell` in which one can go from the person to everywhere; 0: it has none.
-  /// `cell` is about the person, who is at its origin. Who stands beside the area is taken to be in the nearest part.
+  /// Returns square metres of the part of `cell` that the person can walk to; 0: there is none. `cell` is about the
+  /// person, who is at its origin. A person beside the area counts as in its nearest part.
   float area_around(glm::vec2 person, const ConvexPolygon& cell) const;
 
  private:
@@ -33,7 +33,7 @@ class WalkableArea {
     std::array<glm::dvec2, 4> corners;  // in order around it; two may be the same
     std::uint32_t first_opening = 0, opening_count = 0;
   };
-  /// A line over which one goes from a piece to another one.
+  /// A line over which a person can walk from a piece to another one.
   struct Opening {
     glm::dvec2 from, to;
     std::uint32_t other;

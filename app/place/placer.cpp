@@ -50,7 +50,7 @@ void Placer::put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, House
     const bool ends_row = bay == 0 || bay + 1 == bays;  // where a side is seen
     if (left_of_house == 0 || ends_row) {
       left_of_house = ends_row ? 1 : 1 + random_.below(3);
-      front = (front + 1 + random_.below(front_count - 1)) % front_count;  // never the same twice
+      front = (front + 1 + random_.below(front_count - 1)) % front_count;  // never two equal fronts side by side
       wall = walls[random_.below(walls.size())];
       tall = static_cast<double>(random_.between(0.92F, 1.08F));
     }
@@ -98,7 +98,7 @@ void Placer::put_horizon(double reach) {
                tall = static_cast<double>(random_.between(0.6F, 1.2F));
     const auto wide = static_cast<double>(random_.between(0.7F, 1.4F)) * (random_.chance(0.5F) ? 1.0 : -1.0);
     if (random_.chance(0.3F)) continue;                                       // so that hills show between the roofs
-    const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // a dome that one meets too often is none
+    const Prop town = roof % 11 == 3 ? Prop::skyline_center : Prop::skyline;  // domes are rare
     put(town, way * (far * away), heading_along(-way), {.stretch = {wide * far / (to_horizon * unit_), tall, 1.0}});
   }
 }

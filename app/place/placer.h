@@ -24,7 +24,7 @@ constexpr std::uint32_t tint_of(std::uint32_t red, std::uint32_t green, std::uin
   return red | (green << 8U) | (blue << 16U) | 0xFF000000U;
 }
 
-/// Puts props into a place. Everything is as large as the characters ask for.
+/// Puts props into a place. Props are as large as the characters need.
 class Placer {
  public:
   Placer(Place& place, double unit, Random random) : place_(place), unit_(unit), random_(random) {}
@@ -44,13 +44,13 @@ class Placer {
   enum class Houses : std::uint8_t { mixed, arcades };
   void put_houses(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses);
 
-  /// Does the same, with more houses behind them that look the other way. These leave the corners of the block free.
+  /// Puts such a row, with more houses behind it that look the other way. These leave the corners of the block free.
   void put_block(glm::dvec2 from, glm::dvec2 to, glm::dvec2 facing, Houses houses);
 
   /// Puts one of the trees, turned and grown at random.
   void put_tree(glm::dvec2 at);
 
-  /// Puts hills and roofs around the horizon, beyond a place that reaches so far from the origin.
+  /// Puts hills and roofs around the horizon, beyond a place that reaches `reach` metres from the origin.
   void put_horizon(double reach);
 
   double unit() const { return unit_; }

@@ -14,12 +14,12 @@
 namespace throng::app {
 namespace {
 
-// Plans are full of lines along their axes. Turned by an angle that nobody builds with, none of them lies level.
+// Plans are full of lines along their axes. Turned by an angle that no plan has, no line lies level.
 constexpr double turn_cosine = 0.8253356149096783, turn_sine = 0.5646424733950354;  // 0.6 radians
 constexpr double same_place = 1e-7;                                                 // metres
 constexpr double same_height = 1e-9;
 constexpr std::uint32_t no_polygon = 0xFFFFFFFF;  // a column's line
-// So many take a second on a slow core. Lines that cross more often are no plan.
+// This many take a second on a slow core. Lines that cross more often are no plan.
 constexpr std::size_t most_comparisons = 100'000'000, most_crossings = 30'000'000;
 
 glm::dvec2 turned(const glm::dvec2& at) {
@@ -129,7 +129,7 @@ void PlanCover::cut_columns(double width) {
   }
 }
 
-// Returns the heights at which a line begins, ends or meets another one, in ascending order; none if that is too much.
+// Returns the heights at which a line begins, ends or meets another one, ascending; none if there are too many.
 std::vector<double> PlanCover::events() const {
   std::vector<double> heights;
   std::vector<const Edge*> order, active;
@@ -215,7 +215,7 @@ std::vector<CoverPiece> PlanCover::pieces() const {
     for (const OpenPiece& piece : open) {
       const auto same = std::ranges::lower_bound(next, key(piece), {}, key);
       if (same != next.end() && key(*same) == key(piece)) {
-        same->from = piece.from;  // it goes on between the same lines
+        same->from = piece.from;  // the piece goes on between the same lines
       } else {
         made.push_back(closed(piece, heights[strip]));
       }

@@ -11,11 +11,11 @@
 
 namespace throng::app {
 
-/// Says what lies on the ground of a plan. `border` becomes a wall where nobody walks, `solid` everywhere.
+/// Names the layers on the ground of a plan. `border` becomes a wall where no agent walks, `solid` everywhere.
 enum class CoverLayer : std::uint8_t { floor, border, solid, exit };
 inline constexpr std::size_t cover_layer_count = 4;
 
-/// Holds what is drawn of it.
+/// Names the drawn parts of a plan.
 enum class CoverPart : std::uint8_t { wall, floor, exit };
 inline constexpr std::size_t cover_part_count = 3;
 
@@ -34,19 +34,19 @@ inline DoubleRing doubled(const std::vector<glm::vec2>& points) { return {points
 glm::dvec2 cover_direction();
 
 /// Cuts overlapping polygons of any shape into pieces that overlap nowhere.
-/// Within a polygon is what an odd number of its lines surrounds, so lines that cross or have no area harm nothing.
-/// The sides of all pieces that are outlines are those of the parts.
+/// Ground that an odd number of its lines surrounds is in a polygon, so lines that cross or have no area do no harm.
+/// The outline sides of all pieces form the outlines of the parts.
 class PlanCover {
  public:
-  /// Adds a polygon of rings. Those within others are its holes.
+  /// Adds a polygon of rings. Rings within others are its holes.
   void add(CoverLayer layer, std::span<const std::vector<glm::dvec2>> rings);
   /// Adds a wall along a line or a closed ring, on both sides of it.
   void add_band(CoverLayer layer, std::span<const glm::dvec2> line, bool is_closed, double half_width);
 
-  /// Cuts all that was added into columns, so that no piece is much wider. Nothing may be added after it.
+  /// Cuts all polygons into columns, so that no piece is much wider. Nothing may be added after it.
   void cut_columns(double width);
 
-  /// Returns the pieces; none where lines cross so often that it would take more than seconds.
+  /// Returns the pieces; none where lines cross so often that cutting would take more than seconds.
   std::vector<CoverPiece> pieces() const;
 
  private:
@@ -79,7 +79,7 @@ class PlanCover {
   void cut(std::span<const Crossing> crossings, double from, std::vector<OpenPiece>& pieces) const;
   CoverPiece closed(const OpenPiece& piece, double to) const;
 
-  std::vector<Edge> edges_;         // turned, so that hardly any lies level
+  std::vector<Edge> edges_;         // turned, so that hardly any edge lies level
   std::vector<CoverLayer> layers_;  // [polygon]
 };
 

@@ -43,7 +43,7 @@ class PlanBuilder {
     const glm::vec3 &a = corners.at(first), &b = corners.at((first + 1) % 3), &c = corners.at((first + 2) % 3);
     const glm::vec3 middle = 0.5F * (a + b);
     const float rest = std::max(glm::distance(a, middle), glm::distance(middle, b));
-    // Numbers far from the origin have none between them, and halving would never end.
+    // Far from the origin no number lies between two neighbours, and halving would never end.
     const bool is_halved = rest < 0.75F * lengths.at(first);
     if (lengths.at(first) <= longest || !is_halved) return add_whole(corners, normal, paint);
     add({a, middle, c}, normal, paint, longest);
@@ -80,7 +80,7 @@ double area_of(const DoubleRing& ring) {
   return 0.5 * std::abs(twice);
 }
 
-/// Counts what there is to draw.
+/// Counts the lines and areas to draw.
 struct PlanSize {
   std::size_t lines = 0;
   double length = 0.0, area = 0.0;  // metres, square metres
@@ -95,7 +95,7 @@ struct PlanSize {
     add(whole.outline);
     for (const GroundRing& hole : whole.holes) add(hole);
   }
-  /// The longest side of a triangle on the ground, and of one of a wall.
+  /// The longest side of a triangle on the ground, and of a triangle of a wall.
   float ground_step() const {
     return static_cast<float>(std::max({least_cell, std::sqrt(area / most_cells), length / most_cells}));
   }
@@ -118,7 +118,7 @@ std::vector<DoubleRing> rings_of(const GroundArea& area) {
   return rings;
 }
 
-// A floor has walls around it and blocks in its holes; they end where somebody walks.
+// A floor has walls around it and blocks in its holes; they end where agents walk.
 void add_floor(const GroundArea& area, PlanCover& cover) {
   constexpr double least_area = 1e-4;  // square metres
   const std::vector<DoubleRing> rings = rings_of(area);

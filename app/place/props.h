@@ -13,7 +13,7 @@ namespace throng::app {
 /// Errors: the file is missing or damaged; the sentence names it.
 anim::Result<std::vector<render::SceneryMeshData>> load_props(const std::string& data_option);
 
-/// Does the same for a file.
+/// Reads the props of a file.
 anim::Result<std::vector<render::SceneryMeshData>> read_props(const std::filesystem::path& file);
 
 }  // namespace throng::app

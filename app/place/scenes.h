@@ -17,7 +17,7 @@ struct PlacedCrowd {
   Clothes clothes;
 };
 
-/// These functions put what stands in a scene.
+/// These functions put the props of a scene.
 void put_plaza(const PlacedCrowd& crowd, Placer& placer);
 void put_parade(const PlacedCrowd& crowd, Placer& placer);
 void put_film(const PlacedCrowd& crowd, Placer& placer);

@@ -73,7 +73,7 @@ void put_bunting(const ParadeSize& size, Placer& placer) {
   }
 }
 
-// Trees, lamps and flags on the island between the two straights, where nobody stands.
+// Trees, lamps and flags on the island between the two straights, where no agent stands.
 void put_island(const ParadeSize& size, Placer& placer) {
   const double unit = placer.unit(), free = size.radius - size.inside;
   if (free < least_island * unit) return;
@@ -181,7 +181,7 @@ void put_film(const PlacedCrowd& crowd, Placer& placer) {
   for (const double side : {-1.0, 1.0}) {
     placer.put_houses({side * houses, far}, {side * houses, near}, -side * towards_x, Placer::Houses::mixed);
   }
-  // The street ends at a square that it meets at its side, so that one sees houses and some sky.
+  // The street ends at a square that it meets at its side, so that houses and some sky are seen.
   const double end = far - 16.0 * unit, wide = houses + 24.0 * unit;
   placer.put_houses({-wide, end}, {wide, end}, towards_z, Placer::Houses::arcades);
   placer.put(Prop::tower, {-0.6 * houses, end - 30.0 * unit}, heading_along(towards_z));

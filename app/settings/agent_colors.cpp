@@ -26,7 +26,7 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
-// Does the same in smaller steps. Those beyond the last share its colour.
+// Goes from green to red in smaller steps. Steps beyond the last share its colour.
 std::uint32_t fine_step_color(int step) {
   constexpr std::array<std::uint32_t, 8> row = {
       rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
@@ -107,7 +107,7 @@ std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail) {
   }
 }
 
-// The colours and their order are those of color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.
+// The colours and their order are as in color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.
 std::uint32_t weight_color(float weight) {
   constexpr std::array<std::array<float, 3>, 3> ramp = {
       {{0.02F, 0.04F, 0.2F}, {0.05F, 0.6F, 0.1F}, {1.0F, 0.08F, 0.02F}}};

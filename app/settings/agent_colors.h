@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-// Every colour that stands for a value, once. What is drawn, plots, legends and lines in the scene take it from here.
+// Every colour that stands for a value, once. Agents, plots, legends and lines in the scene take it from here.
 
 /// The figures of an agent that debug views show.
 struct AgentDetail {
@@ -19,12 +19,12 @@ struct AgentDetail {
   float measure = -1.0F;   ///< metres a second, people a square metre or seconds, as the view asks; below 0: unknown
 };
 
-/// Says what the colours of a view mean that shows a measure of people: those from 0 to `top` are those of a ramp.
+/// Says what the colours of a view of a measure of people mean: values from 0 to `top` have the colours of a ramp.
 struct ColorScale {
   const char* title;
   const char* unit;
   float top = 1.0F;
-  float a_unit = 1.0F;  ///< so much of the measure is one of the unit
+  float a_unit = 1.0F;  ///< this much of the measure is one of the unit
 
   friend bool operator==(const ColorScale&, const ColorScale&) = default;
 };
@@ -37,7 +37,7 @@ std::uint32_t scale_color(float share);
 /// Returns the colour (RGBA8, sRGB, red in the lowest byte) that the debug view in force lays over an agent; 0: none.
 std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail);
 
-/// Returns the colour of an interval. Those beyond eight frames share the last.
+/// Returns the colour of an interval. Intervals beyond eight frames share the last.
 std::uint32_t interval_color(int frames);
 std::uint32_t bone_level_color(int level);
 

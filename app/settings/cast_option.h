@@ -11,7 +11,7 @@ namespace throng::app {
 /// a share goes first.
 ValueReader cast_entries(std::vector<CastEntry>& target);
 
-/// Reads such entries, or the name of a file of rules, which ends in .json.
+/// Reads entries of cast_entries(), or the name of a file of rules, which ends in .json.
 ValueReader cast_or_rules(std::vector<CastEntry>& target, std::string& rules);
 
 }  // namespace throng::app

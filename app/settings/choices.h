@@ -27,7 +27,7 @@ inline constexpr std::array<const char*, 8> debug_view_words = {"none",  "interv
 inline constexpr std::array<const char*, 6> up_axis_words = {"x", "y", "z", "-x", "-y", "-z"};
 inline constexpr std::array<const char*, 3> ground_words = {"guess", "file", "feet"};
 
-// The engine may change its enumerations. These checks fail when their order is no longer that of the words.
+// The engine may change its enumerations. These checks fail when their order is no longer the order of the words.
 template <std::size_t count, class Choice>
 consteval bool is_last(const std::array<const char*, count>& words, Choice choice, std::string_view word) {
   return static_cast<std::size_t>(choice) + 1 == count && words.back() == word;

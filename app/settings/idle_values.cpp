@@ -9,11 +9,11 @@ namespace {
 using anim::LodRule;
 using Reason = const char*;  // null: the value has an effect
 
-constexpr Reason nobody_selected = "it would be forced on the selected agent, and nobody is selected";
+constexpr Reason nobody_selected = "it would be forced on the selected agent, and none is selected";
 constexpr Reason time_stands_still = "No animation is on, so time stands still";
 constexpr Reason nothing_drawn = "No drawing is on, so the picture stays";
 
-/// Returns whether what is forced is forced on everybody in view.
+/// Returns whether forced values are for all agents in view.
 bool forces_everyone(const Tuning& tuning) { return !tuning.inspection.force_selected_only; }
 
 bool forces_all_intervals(const Tuning& tuning) {
@@ -24,7 +24,7 @@ bool forces_all_levels(const Tuning& tuning) {
   return forces_everyone(tuning) && tuning.inspection.forced_bone_level >= 0;
 }
 
-/// Returns whether somebody may be posed more rarely than in each frame.
+/// Returns whether an agent may be posed more rarely than in each frame.
 bool may_skip(const Tuning& tuning) { return tuning.lod.largest_interval > 1 || tuning.inspection.forced_interval > 1; }
 
 Reason of_clock(const Tuning& tuning, const Situation&) {
@@ -39,30 +39,30 @@ Reason of_speed(const Tuning& tuning, const Situation& situation) {
 Reason of_feet(const Tuning& tuning, const Situation& situation) {
   if (!situation.places_feet) return "no character here has feet that are known; Show parts, below, can say them";
   if (forces_all_levels(tuning) && tuning.inspection.forced_bone_level > 0) {
-    return "feet are placed with all bones, and everybody is forced to fewer";
+    return "feet are placed with all bones, and all agents are forced to fewer";
   }
   const bool skips = tuning.lod.rule != LodRule::off && forces_all_intervals(tuning);
   return skips && tuning.inspection.forced_interval > 1
-             ? "feet are placed of those who are posed in each frame, and everybody is forced to be posed more rarely"
+             ? "feet are placed of agents posed in each frame, and all are forced to be posed more rarely"
              : nullptr;
 }
 
 Reason of_distances(const Tuning& tuning, const Situation&) {
-  if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
+  if (tuning.lod.rule == LodRule::off) return "with the rule off no agent is skipped";
   if (tuning.lod.rule == LodRule::budget) return "the rule budget goes by pixels and milliseconds, not by metres";
-  if (forces_all_intervals(tuning)) return "an interval is forced on everybody";
+  if (forces_all_intervals(tuning)) return "an interval is forced on all agents";
   return tuning.lod.largest_interval == 1 ? "the largest interval is one frame" : nullptr;
 }
 
 // The rule budget weighs intervals against bones, so there the largest one counts for bones too.
 Reason of_largest_interval(const Tuning& tuning, const Situation&) {
-  if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
+  if (tuning.lod.rule == LodRule::off) return "with the rule off no agent is skipped";
   const bool forced = tuning.lod.rule == LodRule::distance && forces_all_intervals(tuning);
-  return forced ? "an interval is forced on everybody" : nullptr;
+  return forced ? "an interval is forced on all agents" : nullptr;
 }
 
 Reason of_error_sample(const Tuning& tuning, const Situation&) {
-  return tuning.debug_view == DebugView::error ? "the colours show the error, so everybody is measured" : nullptr;
+  return tuning.debug_view == DebugView::error ? "the colours show the error, so all agents are measured" : nullptr;
 }
 
 // The error limit also chooses meshes, whatever the rule.
@@ -77,7 +77,7 @@ Reason of_time_limit(const Tuning& tuning, const Situation&) {
 }
 
 Reason of_forced_interval(const Tuning& tuning, const Situation& situation) {
-  if (tuning.lod.rule == LodRule::off) return "with the rule off everybody is posed in each frame";
+  if (tuning.lod.rule == LodRule::off) return "with the rule off all agents are posed in each frame";
   return tuning.inspection.force_selected_only && !situation.selected ? nobody_selected : nullptr;
 }
 
@@ -92,16 +92,16 @@ Reason of_selected_only(const Tuning& tuning, const Situation&) {
 }
 
 Reason of_smooth(const Tuning& tuning, const Situation&) {
-  if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped, so there are no gaps";
+  if (tuning.lod.rule == LodRule::off) return "with the rule off no agent is skipped, so there are no gaps";
   if (!may_skip(tuning)) return "the largest interval is one frame, so there are no gaps";
   const bool in_each_frame = forces_all_intervals(tuning) && tuning.inspection.forced_interval == 1;
-  return tuning.lod.rule == LodRule::distance && in_each_frame ? "everybody is forced to be posed in each frame"
+  return tuning.lod.rule == LodRule::distance && in_each_frame ? "all agents are forced to be posed in each frame"
                                                                : nullptr;
 }
 
 Reason of_bone_lod(const Tuning& tuning, const Situation& situation) {
   if (situation.bone_levels < 2) return "the character has one bone level";
-  return tuning.lod.rule != LodRule::budget && forces_all_levels(tuning) ? "a bone level is forced on everybody"
+  return tuning.lod.rule != LodRule::budget && forces_all_levels(tuning) ? "a bone level is forced on all agents"
                                                                          : nullptr;
 }
 
@@ -110,7 +110,7 @@ Reason of_level_distance(const Tuning& tuning, const Situation& situation) {
   if (level >= situation.bone_levels) return "no character here has this bone level";
   if (!tuning.lod.bone_lod) return "per-bone LOD is off";
   if (tuning.lod.rule == LodRule::budget) return "the rule budget chooses bone levels by the error limit";
-  return forces_all_levels(tuning) ? "a bone level is forced on everybody" : nullptr;
+  return forces_all_levels(tuning) ? "a bone level is forced on all agents" : nullptr;
 }
 
 Reason of_mesh_lod(const Tuning&, const Situation& situation) {
@@ -118,7 +118,7 @@ Reason of_mesh_lod(const Tuning&, const Situation& situation) {
 }
 
 Reason of_mesh_error(const Tuning& tuning, const Situation& situation) {
-  return tuning.mesh_lod >= 0 ? "one mesh is fixed for everyone" : of_mesh_lod(tuning, situation);
+  return tuning.mesh_lod >= 0 ? "one mesh is fixed for all agents" : of_mesh_lod(tuning, situation);
 }
 
 Reason of_variety(const Tuning& tuning, const Situation&) {
@@ -130,11 +130,11 @@ Reason of_wardrobe(const Tuning&, const Situation& situation) {
 }
 
 Reason of_weather(const Tuning& tuning, const Situation& situation) {
-  return tuning.wardrobe ? of_wardrobe(tuning, situation) : "the wardrobe is off, so nobody dresses";
+  return tuning.wardrobe ? of_wardrobe(tuning, situation) : "the wardrobe is off, so no agent dresses";
 }
 
 Reason of_grain(const Tuning&, const Situation& situation) {
-  return situation.pus == 1 ? "there is one PU, and nobody to share with" : nullptr;
+  return situation.pus == 1 ? "there is one PU, and none to share with" : nullptr;
 }
 
 Reason of_palette(const Tuning&, const Situation& situation) {
@@ -170,7 +170,7 @@ Reason of_shadows(const Tuning& tuning, const Situation& situation) {
 }
 
 Reason of_thresholds(const Tuning& tuning, const Situation& situation) {
-  if (tuning.lod.rule == LodRule::off) return "with the rule off nobody is skipped";
+  if (tuning.lod.rule == LodRule::off) return "with the rule off no agent is skipped";
   return of_what_is_drawn(tuning, situation);
 }
 
@@ -183,7 +183,7 @@ Reason of_split_line(const Tuning& tuning, const Situation& situation) {
 }
 
 Reason of_agents(const Tuning& tuning, const Situation&) {
-  return tuning.scene == Scene::tracks ? "the file says who is there" : nullptr;
+  return tuning.scene == Scene::tracks ? "the file says how many people are there" : nullptr;
 }
 
 struct Rule {

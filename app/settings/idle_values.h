@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What decides, beside the tuning itself, whether a value has an effect.
+/// The facts that decide, beside the tuning itself, whether a value has an effect.
 struct Situation {
   bool selected = false;             ///< an agent is selected
   bool places_feet = true;           ///< a character of the crowd has feet that can be placed
@@ -20,8 +20,8 @@ struct Situation {
   int pus = 2;                       ///< PUs at work
 };
 
-/// Returns why a value has no effect on what is posed, shown or reported, as the rest of a sentence that begins with
-/// "No effect: "; nothing where it has one. `key` is that of a row of tuning_values(), or the name of a member of
+/// Returns why a value has no effect on poses, picture or report, as the rest of a sentence that begins with "No
+/// effect: "; nothing where it has one. `key` is the key of a row of tuning_values(), or the name of a member of
 /// LodInspection or TakenAway.
 std::optional<std::string> idle_reason(std::string_view key, const Tuning& tuning, const Situation& situation);
 

@@ -19,7 +19,7 @@ std::vector<std::pair<std::string, Value>> choices_from(const std::array<const c
   return choices;
 }
 
-// A guess has no word on the command line: it is what happens without one.
+// A guess has no word on the command line: it is the default.
 template <typename Target>
 ValueReader ground_into(Target& target) {
   return choice<GroundRule>(target, choices_from<GroundRule>(ground_words, 1));
@@ -30,7 +30,7 @@ ValueReader axis_into(Target& target) {
   return choice<UpAxis>(target, choices_from<UpAxis>(up_axis_words, 0));
 }
 
-/// Reads one part of an option into what is asked of all models, or of one.
+/// Reads one part of an option into the placement of all models, or of one.
 using ReadAll = Complaint (*)(const std::string& value, PlacementChoice& all);
 using ReadOne = Complaint (*)(const std::string& value, ModelPlacement& one);
 

@@ -5,7 +5,7 @@
 namespace throng::app {
 
 /// These read VALUE, for all models, or NAME=VALUE, for the model of that name, with commas between several. A name is
-/// that of a file, with or without its ending, or of a character. A value for one model wins over that for all.
+/// a file's, with or without its ending, or a character's. A value for one model wins over the value for all.
 ValueReader model_scales(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
 ValueReader model_up_axes(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
 ValueReader model_grounds(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::size_t most_bytes = 65536;
 
-// The text that a command line would have; nothing for what none can have.
+// The text of a value on a command line; nothing for a value without one.
 std::optional<std::string> text_of(const Json& value) {
   if (value.is<std::string>()) return value.get<std::string>();
   if (value.is<bool>()) return value.get<bool>() ? "on" : "off";

@@ -22,12 +22,12 @@ struct Preset {
 /// Returns one flat JSON object with the keys of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
 /// them, in a string).
 Json to_json(const Preset& preset);
-/// Reads such an object into `preset`. Keys that are missing leave `preset` as it is. A complaint names the key and
-/// what is allowed; then nothing has changed.
+/// Reads an object of to_json() into `preset`. Keys that are missing leave `preset` as it is. A complaint names the key
+/// and what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, Preset& preset);
 /// Reads the place of a camera, as "camera" has it. A complaint names the key.
 Complaint read_camera_place(const std::string& key, const Json& json, std::optional<CameraPlace>& place);
-/// Does what from_json() does, with a text that may not be JSON.
+/// Reads a text, which may not be JSON, as from_json() does.
 Complaint from_json_text(std::string_view text, Preset& preset);
 
 /// Reads a preset from a file. Keys that are missing have their defaults. The error is one line that names the file,

@@ -27,7 +27,7 @@ enum class ErrorSampling : std::uint8_t { some, all, off };
 /// Divides the picture at a line. Left of it is the exact crowd; right of it the crowd as shown, or the difference of
 /// the two.
 enum class Split : std::uint8_t { off, shown, difference };
-/// The colours that people wear: each their own, or those of a shape that is seen from above.
+/// The colours that people wear: their own, or the colours of a shape that is seen from above.
 enum class Clothes : std::uint8_t { own, pattern };
 enum class Weather : std::uint8_t { mild, warm, cold, rain };
 /// The way that the camera moves by itself from its first place.
@@ -61,7 +61,7 @@ struct LodInspection {
   float split_at = 0.35F;            ///< share of the picture's width, 0 to 1; left of it the crowd is exact
   int forced_interval = 0;           ///< frames, 1 to 16; 0: the rule decides
   int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: the rule decides
-  bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
+  bool force_selected_only = false;  ///< the forced values are for the selected agent, else for all
 
   friend bool operator==(const LodInspection&, const LodInspection&) = default;
 };
@@ -78,19 +78,19 @@ struct Tuning {
   float size_variety = 0.1F;  ///< how much they differ in size, as a share, 0 to 0.3
   Clothes clothes = Clothes::own;
   bool wardrobe = true;             ///< people are dressed out of the wardrobe of their character, where it has one
-  Weather weather = Weather::mild;  ///< what they dress for
+  Weather weather = Weather::mild;  ///< the weather that people dress for
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
-  bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
+  bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off all feet
   // Level of detail
   anim::LodRules lod{.rule = anim::LodRule::budget};  ///< LevelOfDetail puts tolerance_pixels and counts_cost in
   ErrorSampling error_sample = ErrorSampling::some;   ///< the agents in view whose error on screen is measured
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
-  int mesh_lod = -1;           ///< -1: by error on screen; 0 or more: always that one
-  float mesh_error_px = 0.5F;  ///< what a coarser mesh is off at most; half of error_px at most
-  int triangle_budget = 0;     ///< of everybody in view; coarser meshes keep to it; 0: no such limit
+  int mesh_lod = -1;           ///< -1: by error on screen; 0 or more: always that mesh LOD
+  float mesh_error_px = 0.5F;  ///< pixels that a coarser mesh is off at most; half of error_px at most
+  int triangle_budget = 0;     ///< of all agents in view; coarser meshes keep to it; 0: no such limit
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // Light
@@ -100,10 +100,10 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   float top_speed = 2.0F;        ///< metres a second that the last colour stands for
-  float top_density = 5.0F;      ///< people a square metre, the same
-  float top_presence = 60.0F;    ///< seconds since somebody appeared, the same
+  float top_density = 5.0F;      ///< people a square metre of the last colour
+  float top_presence = 60.0F;    ///< seconds since a person appeared, of the last colour
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
-  float trail_seconds = 0.0F;    ///< the way that people of a recorded crowd went in them is drawn; 0: none is
+  float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
   bool bones_as_lines = false;
   bool scenery = true;  ///< what stands around the crowd
   TakenAway taken_away{};
@@ -120,7 +120,7 @@ inline void set_local_store_kib(Tuning& tuning, int kib) {
   tuning.system.local_store_bytes = static_cast<std::size_t>(kib) * bytes_a_kib;
 }
 
-/// Returns the tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
+/// Returns the tuning with which `--lod off` shows the same crowd: every agent is posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = false;
@@ -142,17 +142,17 @@ inline constexpr float most_time_scale = 4;
 inline constexpr float farthest_camera = 1e6F;
 
 inline constexpr int most_picture_pixels = 32767;
-inline constexpr int most_window_pixels = 16384;  ///< the same of a window, which is one target
+inline constexpr int most_window_pixels = 16384;  ///< of a window, which is one target
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::string crowd_file;                  ///< NAME.throng, which says who is there; empty: none was named
+  std::string crowd_file;                  ///< NAME.throng, which names the characters; empty: none was named
   std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`
   std::vector<CastEntry> cast;             ///< files and folders with shares; empty: the built-in character
-  std::string cast_rules;                  ///< the file that says who wears what; empty: as beside the models
+  std::string cast_rules;                  ///< the file of rules for clothes; empty: as beside the models
   std::vector<std::string> clips_from;     ///< files whose clips every character plays too
-  anim::PlacementChoice placement;         ///< size and place of all of them; what it leaves open is guessed
-  std::vector<ModelPlacement> placements;  ///< of single models, over that
+  anim::PlacementChoice placement;         ///< size and place of all models; what it leaves open is guessed
+  std::vector<ModelPlacement> placements;  ///< of single models, over the one of all
   TrajectoryOptions trajectories;
   Tuning tuning;
   ContextKind context = ContextKind::window;
@@ -164,7 +164,7 @@ struct DemoOptions {
   int width = 1280;
   int height = 720;
   int longest_tile = 4096;                   ///< pixels; larger pictures are drawn in tiles of at most these sides
-  std::optional<std::uint64_t> free_memory;  ///< bytes; unset: what the machine has left
+  std::optional<std::uint64_t> free_memory;  ///< bytes; unset: as much as the machine has left
   bool ui = false;                           ///< overlay in a headless run
   bool legend = false;                       ///< only the legend and the time, in a headless run
   bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
@@ -175,7 +175,7 @@ struct DemoOptions {
   float ui_scale = 1;              ///< multiplies every measure of the overlay
   int msaa = -1;                   ///< 0 or 4; -1: as much as the device affords
   std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
-  import::ImportOptions reading;   ///< of models: whether those that need repair are refused, and how large they are
+  import::ImportOptions reading;   ///< of models: whether models in need of repair are refused, and sizes
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool error_given = false;        ///< a software renderer allows a larger error in a window unless given
@@ -186,18 +186,18 @@ struct DemoOptions {
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
-  std::string camera_path_file;                        ///< a path of keys in its place; empty: there is none
+  std::string camera_path_file;                        ///< a path of keys in place of camera_path; empty: there is none
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
   bool events = false;                                 ///< the statistics sum up the events of all agents
   std::string record, replay;                          ///< files; empty: not asked for
   std::string preset;                                  ///< the file of the preset that was read; empty: none
   OutputOptions output;                                ///< video, pictures and labels of all frames
-  bool remove_parts = false;                           ///< what killed runs left beside the files to write is removed
+  bool remove_parts = false;                           ///< remove remains of killed runs beside the files to write
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
-/// Returns the frames that a headless run draws: those asked for; else all, if something of each is written; else the
-/// last, if something of it is written; else none.
+/// Returns the frames that a headless run draws: the frames asked for; else all, if something of each is written; else
+/// the last, if something of it is written; else none.
 inline DrawWhich drawn_frames(const DemoOptions& options) {
   if (options.output.any()) return DrawWhich::all;
   const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();

@@ -12,7 +12,7 @@ struct TimeOfDay {
   render::SceneLight light;
 };
 
-/// The light that can be asked for by name. The first is the default.
+/// The kinds of light that have names. The first is the default.
 inline constexpr std::array<TimeOfDay, 4> times_of_day = {{
     {"noon", {}},
     {"evening", {.sun_elevation = 9.0F, .sun_azimuth = 226.0F, .clouds = 0.45F}},

@@ -25,7 +25,7 @@ class TuningPair {
   /// Returns the tuning that waits, which has_two() must say is there.
   [[nodiscard]] const Tuning& other() const { return *other_; }
 
-  /// Returns the letter of the tuning in use, or of the one that waits.
+  /// Returns the letter of the tuning in use, or of the tuning that waits.
   [[nodiscard]] const char* letter_in_use() const { return letters.at(in_use()); }
   [[nodiscard]] const char* other_letter() const { return letters.at(1 - in_use()); }
   /// Returns the letter with the name that a person gave, if there is one: "A", or "A: baseline".
@@ -34,9 +34,9 @@ class TuningPair {
 
   /// Brings the tuning that waits into use; does nothing where none waits.
   void change_places(Tuning& tuning);
-  /// Makes a copy of the tuning in use the one that waits.
+  /// Makes a copy of the tuning in use wait.
   void copy_to_other(const Tuning& tuning) { other_ = tuning; }
-  /// Makes another tuning the one that waits, under its name.
+  /// Makes another tuning wait, under its name.
   void take_other(const Tuning& tuning, const std::string& name);
   /// Ends the comparison. The tuning in use stays, as A.
   void forget_other();
@@ -44,9 +44,9 @@ class TuningPair {
   static constexpr std::array<const char*, 2> letters = {"A", "B"};
   std::array<std::string, 2> names;  ///< of A and B, as a person typed them; may be empty
 
-  /// Returns a JSON object: {"in_use": "A", "names": ["baseline", ""], "other": {the values of the one that waits}}.
+  /// Returns a JSON object: {"in_use": "A", "names": ["baseline", ""], "other": {the values of the tuning that waits}}.
   friend Json to_json(const TuningPair& pair);
-  /// Reads such an object. A complaint says what is wrong and what is allowed; then nothing has changed.
+  /// Reads an object of to_json(). A complaint says what is wrong and what is allowed; then nothing has changed.
   friend Complaint from_json(const Json& json, TuningPair& pair);
   friend bool operator==(const TuningPair&, const TuningPair&) = default;
 
@@ -67,7 +67,7 @@ struct TuningDifference {
   std::string first, second;
 };
 
-/// Returns all values in which two tunings differ, but for those that belong to neither of a pair.
+/// Returns all values in which two tunings differ, but for values that belong to neither of a pair.
 std::vector<TuningDifference> differences(const Tuning& first, const Tuning& second);
 
 }  // namespace throng::app

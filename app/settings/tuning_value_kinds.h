@@ -59,7 +59,7 @@ TuningValue on_off(TuningValue value, Member member) {
 template <typename Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// Makes the row of one of a few values. Where several words mean the same, the first is written. The option does not
+/// Makes the row of one of a few values. Where several words mean one value, the first is written. The option does not
 /// take the word of `zero`.
 template <typename Value, typename Member>
 TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choices) {

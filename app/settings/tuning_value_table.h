@@ -11,7 +11,7 @@ std::vector<TuningValue> tuning_value_table();
 
 /// Returns the rows of sun, sky and shadows, which are a part of the table.
 std::vector<TuningValue> light_values();
-/// Returns the rows of colours, their scales, trails and bones, the same.
+/// Returns the rows of colours, their scales, trails and bones, another part.
 std::vector<TuningValue> view_values();
 
 }  // namespace throng::app

@@ -30,7 +30,7 @@ struct TuningValue {
   const char* label = "";         ///< the name in the panel; empty: the panel has no row of it
   std::string_view group = {};    ///< the heading above the option in the help
   std::string_view option = {};   ///< the option in the help, "--agents N"; empty: the command line has none
-  std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
+  std::string_view help = {};     ///< {values} and {default} stand for the allowed values and the default
   double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
@@ -39,8 +39,8 @@ struct TuningValue {
   Form form = Form::number;
   std::span<const char* const> words = {};  ///< the words of an enumeration, in its order
   std::string values = {};                  ///< all that the option takes, as a phrase
-  /// Both read a text into a tuning, or complain. `read` reads the text of presets and `--set`; `read_option` reads
-  /// that of the option.
+  /// Both read a text into a tuning, or complain. `read` reads the text of presets and `--set`; `read_option` reads the
+  /// option's text.
   std::function<Complaint(Tuning&, const std::string&)> read = {}, read_option = {};
   std::function<std::string(const Tuning&)> text = {};  ///< it reads back as the same value to the bit
 

@@ -31,7 +31,7 @@ std::string unexpected(const std::string& argument, const CLI::App& app) {
 }
 
 /// The help, which versions of CLI11 lay out in different ways. CLI11's hints list the options that exclude each other,
-/// in another order in each run; ours are the text of the option alone.
+/// in another order in each run; our help has the text of the option alone.
 class HelpPage : public CLI::Formatter {
  public:
   HelpPage() { column_width(34); }

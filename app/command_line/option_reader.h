@@ -25,7 +25,7 @@ class OptionReader : public CLI::App {
   /// Adds an option without a value, which sets `target`.
   CLI::Option* flag(const std::string& name, bool& target, const std::string& description);
 
-  /// Adds the flag that removes what killed runs left beside the files to write.
+  /// Adds the flag that removes remains of killed runs beside the files to write.
   void parts_remover(bool& target);
 
   /// Adds an option that takes a value only after `=`; without one, `reader` gets `unsaid`.
@@ -37,7 +37,7 @@ class OptionReader : public CLI::App {
   /// Adds the options of all values of a group, under its heading.
   void tuning(const std::string& group, Tuning& tuning);
 
-  /// Reads the line. Returns nothing when all went well, else what to show and end with.
+  /// Reads the line. Returns nothing when all went well, else the text to show and the exit status.
   std::optional<ParsedCommand> read(const std::vector<std::string>& arguments);
 
   /// Returns whether the line names the option. Call it after read().

@@ -20,8 +20,8 @@ struct ShowText {
   std::string text;
 };
 
-/// The reason why a command line cannot be obeyed: one line that names the option and says what is allowed. The exit
-/// status is 2.
+/// The reason why a command line is refused: one line that names the option and says what is allowed. The exit status
+/// is 2.
 struct UsageError {
   std::string message;
 };

@@ -31,7 +31,7 @@ ValueReader number_list(std::vector<int>& target, int least, int most) {
   return list_of(target, [=](const std::string& text, int& number) { return read_number(text, least, most, number); });
 }
 
-/// A list of what the option of one value of the tuning takes; `get` takes each out of its tuning.
+/// A list of values for the option of one value of the tuning; `get` takes each out of its tuning.
 template <typename Value, typename Get>
 void list(OptionReader& reader, const char* option, std::vector<Value>& target, Get get, const char* more = "") {
   const TuningValue& row = tuning_value(option);
@@ -105,7 +105,7 @@ void declare_files(OptionReader& reader, BenchOptions& options) {
   reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
   reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot))->excludes("--machine");
-  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace))
+  reader.value("--trace", "FILE", "Write the work of each PU over time, for ui.perfetto.dev", file_name(options.trace))
       ->excludes("--sweep", "--machine", "--draw");
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
   reader.parts_remover(options.remove_parts);

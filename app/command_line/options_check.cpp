@@ -14,7 +14,7 @@ ValueReader contexts(std::vector<ContextKind>& target) {
                                                    {"both", {ContextKind::egl, ContextKind::osmesa}}});
 }
 
-/// A limit that is given on a command line needs no reason: who gives it has one.
+/// A limit on a command line needs no reason: the person who types it has one.
 ValueReader limit(std::optional<DifferenceLimit>& target, float most) {
   return [&target, most](const std::string& text) -> Complaint {
     double value = 0;

@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// Each function reads the line of one command. `arguments` are those after the command's name.
+/// Each function reads the line of one command. `arguments` are the words after the command's name.
 ParsedCommand parse_demo(const std::vector<std::string>& arguments);
 ParsedCommand parse_pose(const std::vector<std::string>& arguments);
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
@@ -25,7 +25,7 @@ void declare_software(OptionReader& reader, DemoOptions& options);
 /// Adds the option that says how much memory reading a model may take.
 void declare_memory_limit(OptionReader& reader, import::ImportOptions& options);
 
-/// Adds the option that names the SIMD target which all runs on.
+/// Adds the option that names the SIMD target of the run.
 void declare_simd(OptionReader& reader, const anim::Kernels*& kernels);
 
 /// Adds the options that say in what size and where the models of files stand.
@@ -33,7 +33,7 @@ void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
 
 /// Adds the options that say what a run writes of each of its frames.
 void declare_output(OptionReader& reader, DemoOptions& options);
-/// Fills what follows from these options and others, once the line is read. Returns what contradicts them.
+/// Fills values that follow from these options and others, once the line is read. Returns a contradiction among them.
 std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options);
 
 /// Returns the demo's help as the tables of app/command_line/README.md.

@@ -16,7 +16,7 @@
 namespace throng::app {
 namespace {
 
-// Its values win over nothing that the command line says.
+// All options of the command line win over its values.
 ValueReader crowd_file(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
     if (!options.crowd_file.empty()) return "one crowd file is the most; open the other one in the window";
@@ -29,7 +29,7 @@ ValueReader crowd_file(DemoOptions& options) {
   };
 }
 
-// Before all others, which win over them.
+// These come before all other options, which win over them.
 void declare_starting_values(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Starting values; options given beside them win");
   reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
@@ -39,12 +39,12 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
 
 void declare_cast(OptionReader& reader, DemoOptions& options) {
   reader.value("--cast", "MODEL*SHARE,...|RULES.json",
-               "Models with their shares of the agents, in place of MODEL (even shares); or who wears what",
+               "Models with their shares of the agents, in place of MODEL (even shares); or rules for clothes",
                cast_or_rules(options.cast, options.cast_rules));
 }
 
 void declare_clips(OptionReader& reader, DemoOptions& options) {
-  reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
+  reader.value("--clips", "ROLE=NAME,...", "Clips to play for roles, of each model that has them (guessed from names)",
                role_choices(options.clips));
   reader.value("--clips-from", "FILE,...", "Files whose clips every model plays too, retargeted where need be",
                file_names(options.clips_from));
@@ -82,7 +82,7 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
   reader.value(
       "--camera", "PLACE",
-      "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees, or follow:ID, behind somebody of "
+      "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees, or follow:ID, behind a person of "
       "--trajectories, or behind agent N as follow:#N",
       camera(options));
   reader.value(
@@ -90,7 +90,7 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
       "orbit around the crowd, or pan to both sides, from where --camera stands, or along the keys of a file (none)",
       camera_path(options));
   reader.value(
-      "--focus", "METRES", "Of a screenshot: what lies so far ahead is sharp, and the rest is not (all is sharp)",
+      "--focus", "METRES", "Distance at which a screenshot is sharp, the rest is not (all is sharp)",
       [&options](const std::string& text) { return number_between(options.focus.emplace(), 0.1F, 10'000.0F)(text); });
   reader.value("--aperture", "F", "The f-number of its lens on film 24 mm high, 0.1 to 64 (1.4)",
                number_between(options.aperture, 0.1F, 64));
@@ -147,16 +147,16 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", file_that_ends_in(".png", options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
-  reader.flag("--events", options.events, "Sum up in --stats what everybody met, and where everybody was");
-  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
+  reader.flag("--events", options.events, "Sum up in --stats the events and places of all agents");
+  reader.value("--trace", "FILE", "Write the work of each PU over time, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
-  reader.value("--record", "FILE", "Record what is asked for and the poses that come of it", file_name(options.record));
+  reader.value("--record", "FILE", "Record all requests and the poses that come of them", file_name(options.record));
   reader.parts_remover(options.remove_parts);
 }
 
-/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. Who gives a
-/// limit asks for the rule that holds it.
+/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. A limit on
+/// the command line asks for the rule that keeps it.
 void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
   if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod.rule = anim::LodRule::budget;
@@ -175,7 +175,7 @@ bool names_an_error(const OptionReader& reader) {
                              given);
 }
 
-/// Limits without the rule that holds them.
+/// Complains about limits without the rule that keeps them.
 std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
   for (const std::string limit : {"--error-px", "--budget-ms"}) {
     if (reader.given(limit) && tuning.lod.rule != anim::LodRule::budget) return limit + ": goes with --lod budget";
@@ -183,7 +183,7 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
   return {};
 }
 
-/// A recording has its own options; the command line must not give them too.
+/// A recording has its own options; the command line must not repeat them.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
       "MODEL",          "--clips-from", "--replay",        "--pus",      "--local-store", "--tile",
@@ -197,7 +197,7 @@ std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   return {};
 }
 
-/// A crowd file says who is there; the command line must not say it too.
+/// A crowd file names its characters; the command line must not name others.
 std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& options) {
   static const std::set<std::string> said{"--cast", "--clips-from", "--skin",  "--scale",
                                           "--up",   "--ground",     "--replay"};
@@ -208,7 +208,7 @@ std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& option
   return {};
 }
 
-/// Refuses what is drawn over a picture where a run draws none.
+/// Refuses an overlay or legend where a run draws no picture.
 std::optional<std::string> contradiction_of_overlay(const DemoOptions& options) {
   const std::string asked = options.ui ? "--ui" : options.legend ? "--legend" : "";
   if (options.context == ContextKind::window) {

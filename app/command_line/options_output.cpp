@@ -29,14 +29,14 @@ ValueReader folder_name(std::string& target) {
   };
 }
 
-/// Returns the option that asks for something of each frame; empty where none does.
+/// Returns the option that asks for a file of each frame; empty where none does.
 std::string asked_by(const OutputOptions& output) {
   if (!output.video.empty()) return "--video";
   if (!output.pictures.empty()) return "--pictures";
   return output.labels.empty() ? "" : "--labels";
 }
 
-/// Words that change nothing that is drawn, so that a run can go on with others.
+/// Returns whether an option changes a picture; a run can go on with other values of the rest.
 bool changes_a_picture(const std::string& option) {
   static const std::set<std::string> others{"--video",  "--pictures", "--labels", "--frames",      "--seconds",
                                             "--stats",  "--events",   "--trace",  "--screenshot",  "--ui-map",
@@ -51,7 +51,7 @@ std::vector<std::string> words_of_run(const OptionReader& reader, const DemoOpti
     words.push_back(option->get_name());
     words.insert(words.end(), option->results().begin(), option->results().end());
   }
-  if (!options.output.labels.empty()) words.emplace_back("--labels");  // everybody is posed exactly
+  if (!options.output.labels.empty()) words.emplace_back("--labels");  // all agents are posed exactly
   return words;
 }
 
@@ -105,11 +105,11 @@ void declare_output(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Every frame of a headless run");
   reader.value("--video", "FILE.mp4|.webm", "Write a video, with the ffmpeg that is installed",
                video_file(output.video));
-  reader.value("--fps-out", "N[/N]", "Frames a second of the video; without --dt, of the run too (those of the run)",
+  reader.value("--fps-out", "N[/N]", "Frames a second of the video; without --dt, of the run too (as the run has)",
                frame_rate(output.frames_per_second, least_rate, most_rate));
-  reader.value("--pictures", "DIR", "Write numbered PNGs; those of the same run that are there are kept",
+  reader.value("--pictures", "DIR", "Write numbered PNGs; keep the ones that are there of the same run",
                folder_name(output.pictures));
-  reader.value("--labels", "DIR", "Write who is where: mask and depth as PNGs, boxes and joints as JSON",
+  reader.value("--labels", "DIR", "Write where each person is: mask and depth as PNGs, boxes and joints as JSON",
                folder_name(output.labels));
   reader.value("--seconds", "X", "Length of the run, in place of --frames",
                real_number(output.seconds, least_frame_seconds, 1e6));

@@ -90,7 +90,7 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
   reader.value(
       "--trajectories", "FILE|-",
-      "Who was where when: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
+      "People, places and times: JuPedSim, Vadere, Jülich text, SUMO, Pathfinder, obsmat, ndjson or any CSV; -: rows "
       "of standard input as they come, for at most --agents people at once (1000)",
       any_text(options.trajectories.file));
   declare_track_reading(reader, options.trajectories.reading);

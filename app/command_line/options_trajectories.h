@@ -14,8 +14,8 @@ void declare_track_reading(OptionReader& reader, TrackReading& reading);
 /// Adds the options of a recorded crowd.
 void declare_trajectories(OptionReader& reader, DemoOptions& options);
 
-/// Makes the scene that of the recorded crowd, if one is named. `--up` is the crowd's where it has the crowd's name, or
-/// no model is named. Returns what cannot be, "--start: goes with --trajectories".
+/// Makes the scene `tracks`, if a recorded crowd is named. `--up` is the crowd's where it has the crowd's name, or no
+/// model is named. Returns a contradiction, "--start: goes with --trajectories".
 std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options);
 
 }  // namespace throng::app

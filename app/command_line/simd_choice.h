@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// Makes all that runs from now on use the SIMD target that the options of a command name. Commands that pose nothing
+/// Makes the program use the SIMD target that the options of a command name from now on. Commands that pose nothing
 /// have no such option.
 void choose_kernels(const auto& options) {
   if constexpr (requires { options.kernels; }) {

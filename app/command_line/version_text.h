@@ -4,8 +4,8 @@
 
 namespace throng::app {
 
-/// Returns what `--version` shows: the program and its commit, SIMD targets, contexts, Mesa, ffmpeg; a line each. It
-/// asks the driver in a process of its own, so that one that crashes or waits costs no more than its line.
+/// Returns the text of `--version`: the program and its commit, SIMD targets, contexts, Mesa, ffmpeg; a line each. It
+/// asks the driver in a process of its own, so that a driver that crashes or waits costs no more than its line.
 std::string version_text();
 
 }  // namespace throng::app

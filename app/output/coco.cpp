@@ -23,8 +23,8 @@ constexpr std::array coco_roles{BodyRole::left_upper_arm,  BodyRole::right_upper
                                 BodyRole::left_upper_leg,  BodyRole::right_upper_leg, BodyRole::left_lower_leg,
                                 BodyRole::right_lower_leg, BodyRole::left_foot,       BodyRole::right_foot};
 
-/// The places of the face from the tip of the nose: to the left, up, ahead, in heights of a head. Those of the right
-/// mirror those of the left.
+/// The places of the face from the tip of the nose: to the left, up, ahead, in heights of a head. The right side
+/// mirrors the left.
 constexpr glm::vec3 left_eye_from_nose{0.14F, 0.13F, -0.12F}, left_ear_from_nose{0.32F, 0.06F, -0.45F};
 
 /// The directions of a body in the bind pose.

@@ -24,9 +24,9 @@ struct CocoPoint {
 };
 using CocoPoints = std::array<CocoPoint, coco_names.size()>;
 
-/// Finds the points on a character. Joints are those of the rig map (anim::find_rig). Nose, eyes and ears follow from
-/// the shape of what the head's bones carry: the nose is its foremost point in the middle, and the others lie beside it
-/// as they do in people. A skeleton that is not rigid, or has no head or no surface, has none of these five.
+/// Finds the points on a character. Joints come of the rig map (anim::find_rig). Nose, eyes and ears follow from the
+/// shape of the surface that the head's bones carry: the nose is its foremost point in the middle, and the others lie
+/// beside it as on people. A skeleton that is not rigid, or has no head or no surface, has none of these five.
 CocoPoints coco_points(const CharacterSource& source);
 
 }  // namespace throng::app

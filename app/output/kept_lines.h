@@ -8,17 +8,17 @@
 
 namespace throng::app {
 
-/// The lines of frames that an earlier part of a run has written, one after the other: that of frame 1 is the first.
+/// The lines of frames that an earlier part of a run has written, one after the other from frame 1 on.
 class KeptLines {
  public:
-  /// Takes the lines of a file, or of what a run that was killed has left beside it if that has more.
+  /// Takes the lines of a file, or of the part beside it that a killed run has left if that has more.
   explicit KeptLines(const std::filesystem::path& file);
 
-  /// Returns of how many frames from the first on there is a whole line.
+  /// Returns how many frames, from the first on, have a whole line.
   int count() const { return count_; }
   /// Returns the next of these lines, without its end; nothing after the last.
   std::optional<std::string> next();
-  /// Removes what was left beside the file. Call it when all lines are elsewhere.
+  /// Removes the part beside the file. Call it when all lines are elsewhere.
   void remove_parts() const;
 
  private:
@@ -27,7 +27,7 @@ class KeptLines {
 
   std::filesystem::path file_, source_;
   std::optional<InputFile> input_;
-  std::string pending_;  // what was read and not given yet
+  std::string pending_;  // text that was read and not returned yet
   int count_ = 0, given_ = 0;
 };
 

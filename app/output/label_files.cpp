@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_waiting_labels = 2;
 
-// Numbers and depths as they are drawn, and files of frames that wait.
+// Numbers and depths as they are drawn, and waiting files of frames.
 constexpr std::uint64_t bytes_a_labelled_pixel = 8 + 4 * (most_waiting_labels + 2);
 
 render::NumberImage mask_of(const render::LabelPicture& labels) {

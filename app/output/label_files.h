@@ -13,17 +13,17 @@
 
 namespace throng::app {
 
-/// Writes labels of each frame into a folder: mask_000001.png, depth_000001.png, a line of labels.jsonl, and what all
-/// lines have in common, labels.json.
+/// Writes labels of each frame into a folder: mask_000001.png, depth_000001.png, a line of labels.jsonl, and
+/// labels.json, which has what all lines share.
 class LabelFiles {
  public:
-  /// Errors: those of OutputFolder::open, memory does not hold the labels, or a file cannot be written.
+  /// Errors: as OutputFolder::open(), memory does not hold the labels, or a file cannot be written.
   static anim::Result<std::unique_ptr<LabelFiles>> open(const DemoOptions& options, const Show& show);
 
-  /// Returns whether the files of a frame are there, of an earlier part of the run.
+  /// Returns whether an earlier part of the run has written the files of a frame.
   bool has(int frame) const;
-  /// Takes the frames one after the other, from the first. Errors: those of LabelMaker::make, or one of the frames
-  /// before could not be written.
+  /// Takes the frames one after the other, from the first. Errors: as LabelMaker::make(), or one of the frames before
+  /// could not be written.
   anim::Status take(Show& show, int frame, bool is_drawn);
   /// Passes over a frame that is there. Errors: one of the frames before could not be written.
   anim::Status keep();

@@ -191,8 +191,8 @@ bool LabelMaker::is_in_picture(glm::ivec2 pixel) const {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < frame_.size.x && pixel.y < frame_.size.y;
 }
 
-// A joint lies inside of its body, so its own body hides it only if it is far before it, as a chest is before an arm
-// behind the back. A joint may stand out of an outline by a pixel.
+// A joint lies inside of its body, so its own body hides it only from far before it, as a chest hides an arm behind the
+// back. A joint may stand out of an outline by a pixel.
 bool LabelMaker::is_visible(std::uint32_t label, glm::ivec2 pixel, float metres, float height) const {
   const std::size_t at = picture_.place(pixel.x, pixel.y);
   if (picture_.agents[at] == label) return picture_.metres[at] >= metres - deepest_joint * height;

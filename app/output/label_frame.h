@@ -26,19 +26,19 @@ struct LabelPoint {
   Seen seen = Seen::not_in_picture;
 };
 
-/// Somebody of whom a pixel is seen at least.
+/// A person with at least one visible pixel.
 struct LabelledPerson {
   std::uint32_t agent = 0;
   std::string id;
   std::size_t character = 0;
   std::string role, clip;
-  render::PixelBox box;                            ///< of the pixels that are seen
-  render::PixelBox whole_box;                      ///< of all that the picture would show of it alone
-  double share_visible = 0;                        ///< pixels that are seen over those
+  render::PixelBox box;                            ///< of the visible pixels
+  render::PixelBox whole_box;                      ///< of all pixels that the picture would show of it alone
+  double share_visible = 0;                        ///< visible pixels over all of them
   glm::vec3 position{0.0F};                        ///< metres, between the feet
   float heading = 0.0F;                            ///< radians about +Y; 0 faces +Z, a quarter turn +X
   std::vector<LabelPoint> joints;                  ///< [bone]
-  std::array<LabelPoint, coco_names.size()> coco;  ///< those that the character has
+  std::array<LabelPoint, coco_names.size()> coco;  ///< as far as the character has them
 };
 
 /// Says how the camera takes a picture: x to the right, y down, z ahead.
@@ -52,7 +52,7 @@ struct LabelCamera {
   glm::vec3 project(const glm::vec3& place) const;
 };
 
-/// All that the labels of a frame say.
+/// The labels of a frame.
 struct LabelFrame {
   int number = 0;
   double seconds = 0;
@@ -63,23 +63,23 @@ struct LabelFrame {
   std::vector<LabelledPerson> people;
 };
 
-/// Returns the name by which labels know an agent: that of the file that it is from, or its number.
+/// Returns the name by which labels know an agent: its name in the file that it is from, or its number.
 std::string id_of_agent(const Stage& stage, std::uint32_t agent);
 
 /// Makes the labels of the frame that a show animated last. Keeps its memory from frame to frame.
 class LabelMaker {
  public:
-  /// Knows the characters of a show.
+  /// Finds the points of all characters of a stage.
   explicit LabelMaker(const Stage& stage);
 
-  /// Errors: those of draw_labels() and Painter::measure_bodies().
+  /// Errors: as draw_labels() and Painter::measure_bodies().
   anim::Status make(Show& show, int number, bool is_drawn);
   const render::LabelPicture& picture() const { return picture_; }
   LabelFrame& frame() { return frame_; }
   const std::vector<CocoPoints>& coco() const { return coco_; }
 
  private:
-  /// The pixels of an agent that are seen.
+  /// The visible pixels of an agent.
   struct SeenPart {
     render::PixelBox box;
     std::uint64_t pixels = 0;

@@ -160,7 +160,7 @@ Json label_conventions(std::span<const CharacterSource> characters, std::span<co
   return {{"world", "metres, right-handed, y up; heading is in radians about y, 0 faces +z and pi/2 faces +x"},
           {"camera", "x right, y down, z ahead; pixel = K * (world_to_camera * place), divided by its z; row by row"},
           {"pixels", "from the top left corner of the picture; the pixel in column x and row y is from x to x + 1"},
-          {"mask", "grey PNG of 16 bits: label of the person, 0 is nobody"},
+          {"mask", "grey PNG of 16 bits: label of the person, 0 is no person"},
           {"depth", "grey PNG of 16 bits: times depth_step metres along z; 0 is nothing, 65535 that far or farther"},
           {"boxes", "left, top, width, height"},
           {"points", "x, y, z in metres, column, row, and 0 not in the picture, 1 hidden, 2 visible"},

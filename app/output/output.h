@@ -17,31 +17,30 @@
 
 namespace throng::app {
 
-/// Checks, before anything is loaded, that what an output needs beside this program is there. Errors: those of
+/// Checks, before anything is loaded, that the other programs that an output needs are there. Errors: as
 /// check_encoder().
 anim::Status check_output(const OutputOptions& options);
 
-/// Returns how many frames a run has: those asked for; without a wish, as many as a recorded crowd that is written goes
-/// on for. Returns 0 where nobody knows, for the rows of a live crowd still come.
+/// Returns how many frames a run has: as options ask; else to the end of a recorded crowd that is written. Returns 0
+/// where the rows of a live crowd still come, since their number is unknown.
 int frames_of_run(const DemoOptions& options, const Show& show);
 
 /// Writes a video, pictures and labels of each frame of a run. Drawing goes on while frames are encoded. A frame whose
-/// files are there already, of an earlier part of the same run, is not drawn again.
+/// files an earlier part of the same run has written is not drawn again.
 class Output {
  public:
-  /// Errors: a file or folder cannot be written, or is of another run.
+  /// Errors: a file or folder cannot be written, or belongs to another run.
   static anim::Result<std::unique_ptr<Output>> begin(const DemoOptions& options, const Show& show);
 
-  /// Has this draw over each picture of a frame, which labels know nothing of. Its error ends the run.
+  /// Calls `draw` over each picture of a frame; labels do not show it. Its error ends the run.
   void draw_over_pictures(std::function<anim::Status(Show& show)> draw) { draw_over_ = std::move(draw); }
 
   /// Takes the frame that the show animated last, counted from 1; draws it unless its files are there. Errors: it
   /// cannot be drawn, or one of the frames before could not be written.
   anim::Status take(Show& show, int frame);
-  /// Returns whether the show's picture is that of the last frame.
+  /// Returns whether the show's picture is of the last frame.
   bool drew_last() const { return drew_last_; }
-  /// Waits for what is not written yet, ends the video, and says in one line what there is. Errors: something could
-  /// not be written.
+  /// Waits until all is written, ends the video, and lists the files in one line. Errors: a file could not be written.
   anim::Status finish();
 
  private:
@@ -65,7 +64,7 @@ class Output {
   int frames_ = 0, kept_ = 0;
   bool drew_last_ = false;  // in colour
   Progress progress_;
-  std::optional<Workers> encoder_, picture_writers_;  // go first, as they use all of it
+  std::optional<Workers> encoder_, picture_writers_;  // go first, as they use all members
 };
 
 }  // namespace throng::app

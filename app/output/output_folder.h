@@ -9,11 +9,11 @@
 
 namespace throng::app {
 
-/// A folder of numbered files that a run writes. The file `run.json` in it says what run they are of.
+/// A folder of numbered files that a run writes. The file `run.json` in it names the run.
 class OutputFolder {
  public:
   /// Makes the folder where there is none, and takes one of the same run. Errors begin with `option`: the folder is of
-  /// another run or of none that is known, or cannot be made.
+  /// another or unknown run, or cannot be made.
   static anim::Result<OutputFolder> open(std::string_view option, const std::filesystem::path& folder,
                                          const std::vector<std::string>& run);
 

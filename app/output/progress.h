@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// Tells on a terminal how far a run is and how long it goes on, a few times a second. Elsewhere it tells nothing.
+/// Shows on a terminal how far a run is and how long it goes on, a few times a second. Elsewhere it shows nothing.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,7 +17,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void tell(int frame);
-  /// Takes the line away, for others to write.
+  /// Clears the line, for other output.
   void end();
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 

@@ -22,8 +22,8 @@ anim::Error not_started(const std::string& why) {
           "; install the package ffmpeg, or write --pictures"};
 }
 
-/// Returns the words that start an ffmpeg which reads frames and writes `part`. Colours are those of HD television,
-/// which players take them for.
+/// Returns the words that start an ffmpeg which reads frames and writes `part`. Colours are as in HD television, which
+/// players take them for.
 std::vector<std::string> words_for(const std::filesystem::path& file, const std::filesystem::path& part,
                                    const VideoFormat& format) {
   std::vector<std::string> words{program,

@@ -13,17 +13,17 @@
 
 namespace throng::app {
 
-/// Says what a video is like.
+/// Says the size and rate of a video.
 struct VideoFormat {
   int width = 0, height = 0;  ///< pixels, even
   double rate = 60;           ///< frames a second
 };
 
-/// Checks that an ffmpeg is installed that can make a video of this name. Errors: it is not, with the package that has
-/// it; it has not the encoder.
+/// Checks that an ffmpeg is installed that can make a video of this name. Errors: it is missing, with the package that
+/// has it; it lacks the encoder.
 anim::Status check_encoder(const std::filesystem::path& file);
 
-/// A video that an ffmpeg makes of frames: H.264 in .mp4, VP9 in .webm. The file is whole or as it was.
+/// A video that an ffmpeg makes of frames: H.264 in .mp4, VP9 in .webm. The file is whole, or stays as before.
 class VideoFile {
  public:
   /// Errors: ffmpeg does not start, or the file cannot be written.

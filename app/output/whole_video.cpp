@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t webm_head = 0x1A45DFA3, webm_segment = 0x18538067;
 constexpr std::uint64_t mp4_table = 0x6D6F6F76, mp4_media = 0x6D646174;  // "moov", "mdat"
 
-/// Returns the whole number in the `count` bytes at a place, the highest byte first. What is beyond the end counts 0.
+/// Returns the whole number in the `count` bytes at a place, the highest byte first. Bytes beyond the end count as 0.
 std::uint64_t number_at(InputFile& file, std::uint64_t place, std::size_t count) {
   std::array<std::byte, 8> bytes{};
   if (file.go_to(place)) static_cast<void>(file.read(std::span(bytes).first(count)));

@@ -13,7 +13,7 @@
 namespace throng::app {
 
 /// Does jobs on threads of its own, so that drawing goes on meanwhile. One thread does them in the order in which they
-/// came. Who adds more than may wait, waits.
+/// came. add() waits while as many jobs wait as may.
 class Workers {
  public:
   using Job = std::function<anim::Status()>;
@@ -24,9 +24,9 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Adds a job. Errors: that of the first job that failed; from then on none is done.
+  /// Adds a job. Errors: the error of the first job that failed; from then on none is done.
   anim::Status add(Job job);
-  /// Waits until all jobs are done. Errors: that of the first job that failed.
+  /// Waits until all jobs are done. Errors: the error of the first job that failed.
   anim::Status finish();
 
  private:

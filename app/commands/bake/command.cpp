@@ -60,7 +60,7 @@ anim::Result<pack::CharacterToPack> bake_model(const std::string& path, const Ba
   return character;
 }
 
-/// Returns names of the characters of a file; of its first skeleton where nothing has a mesh.
+/// Returns names of the characters of a file; of its first skeleton where no model has a mesh.
 std::vector<std::string> names_of(const anim::ImportedFile& file) {
   std::vector<std::string> names = character_names(file);
   if (names.empty()) names.push_back(file.models.front().skeleton.name);
@@ -91,7 +91,7 @@ anim::Result<pack::FileToPack> bake_file(const std::string& path, const BakeOpti
   return packed;
 }
 
-/// Counts the bytes of what a pack is made of.
+/// Counts the bytes of the parts of a pack.
 struct PackSizes {
   std::size_t streams = 0, surfaces = 0, texels = 0;
 
@@ -108,7 +108,7 @@ struct PackSizes {
   }
 };
 
-/// Says what was baked of a file, and what a person should know of it.
+/// Lists what was baked of a file, with notes for a person.
 std::string told_of(const std::string& path, const pack::FileToPack& file) {
   std::size_t clips = 0;
   for (const pack::CharacterToPack& packed : file.characters) clips += packed.character->clips.size();

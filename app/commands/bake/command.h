@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// Bakes all characters of the models into one pack, and says what is in it. Returns the exit status. The pack is
+/// Bakes all characters of the models into one pack, and lists its contents. Returns the exit status. The pack is
 /// written whole or not at all.
 int run_bake(const BakeOptions& options);
 

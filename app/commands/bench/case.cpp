@@ -26,17 +26,17 @@ bool all_sampled(const anim::Character& character) {
   return std::ranges::all_of(character.clips, [](const anim::BakedClip& clip) { return clip.sampled() != nullptr; });
 }
 
-/// The subjects and what they work on; the order in which they are added is the order within a round.
+/// The subjects and their data; the order in which they are added is the order within a round.
 class CaseBench {
  public:
-  /// Everything that can be refused is refused here, before the first round.
+  /// All refusals come from here, before the first round.
   anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents, int sockets);
   const BenchTimes& run(int rounds, const std::string& label) {
     rounds_.run(rounds, label);
     return rounds_.times();
   }
   void trace(TimelineLog& log);
-  /// The pose hash belongs to the poses that were timed, but hashing does not belong into the time.
+  /// The pose hash covers the timed poses, but their time does not include hashing.
   std::uint64_t hash(int frames) const;
   const anim::AnimationSystem& system() const { return update_->system(); }
 
@@ -53,7 +53,7 @@ class CaseBench {
   anim::SystemOptions options_;
   std::vector<BenchAgent> agents_;
   std::unique_ptr<BenchPalettes> palettes_;
-  std::unique_ptr<BenchPalettes> packed_palettes_;  // null: this skeleton's cannot be packed
+  std::unique_ptr<BenchPalettes> packed_palettes_;  // null: this skeleton's palettes cannot be packed
   // Memory of its own: stores that pass by the caches would empty them of the palettes that the other subjects write.
   std::unique_ptr<BenchPalettes> floor_palettes_;
   std::unique_ptr<SystemSubject> update_, keyframe_;
@@ -96,7 +96,7 @@ void CaseBench::add_kernels() {
   rounds_.add({"packed kernels", [this] { packed_kernels_->run(); }});
 }
 
-// One system with one PU and with all: two systems differ by a tenth just by where their memory lies.
+// One system runs with one PU and with all: two systems differ by a tenth just by where their memory lies.
 void CaseBench::add_updates() {
   anim::SystemOptions one_pu = options_;
   one_pu.pus = 1;
@@ -202,7 +202,7 @@ std::uint64_t CaseBench::hash(int frames) const {
   return (*made)->system().figures().pose_hash();
 }
 
-/// The way of writing that took least.
+/// The way of writing that took the least time.
 std::string write_floor(const BenchTimes& times) {
   const auto median = [&](const auto& store) { return times.median(store.first); };
   return std::ranges::min_element(store_policies, {}, median)->first;

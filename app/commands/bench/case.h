@@ -24,7 +24,7 @@ anim::Result<BenchCharacter> bench_character(const BenchOptions& options, int bo
 /// Returns the options of the system for a case, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
 
-/// The share of a case that runs before the next case has its turn.
+/// The part of a case that runs before the next case has its turn.
 struct BenchPass {
   int rounds;
   bool is_last;
@@ -32,8 +32,8 @@ struct BenchPass {
 };
 
 /// Times the whole update, the bare kernels, their scalar twin, keyframe streams and the write floor in interleaved
-/// rounds, and puts the times behind those of earlier passes in `times`. The last pass gives `trace` some frames and
-/// returns one flat object of the figures of all passes, as the README lists them; earlier passes return null. The
+/// rounds, and puts the times behind the times of earlier passes in `times`. The last pass gives `trace` some frames
+/// and returns one flat object of the figures of all passes, as the README lists them; earlier passes return null. The
 /// error is a usage error, found before the first round.
 anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
                                   const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace);

@@ -21,7 +21,7 @@ struct BenchAgent {
   float fraction;
 };
 
-/// Returns a pair of clips, phases and a weight for each agent; the same ones each time.
+/// Returns a pair of clips, phases and a weight for each agent; they are the same each time.
 std::vector<BenchAgent> bench_agents(const anim::Character& character, int agents);
 
 /// The palette slots of a crowd, one an agent, 64-byte aligned, as a renderer would hand them out.

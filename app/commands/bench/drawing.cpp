@@ -41,7 +41,7 @@ constexpr std::array<NamedPart, 7> parts = {
      {"submission_ms_median", "submission", [](const FrameTimes& times) { return times.submission_ms; }},
      {"wait_ms_median", "wait for the device", [](const FrameTimes& times) { return times.wait_ms; }}}};
 
-/// Draws frames of one show until there are enough of them or its time is over.
+/// Draws frames of one show until there are enough or its time is over.
 class DrawnFrames {
  public:
   DrawnFrames(Show& show, const BenchOptions& options) : show_(&show), options_(&options) {}
@@ -109,7 +109,7 @@ DemoOptions shown_options(const BenchOptions& options, int agents) {
   return shown;
 }
 
-/// Describes the device, and what the frames are of.
+/// Describes the device and the show.
 Json description(const Show& show, const DemoOptions& shown) {
   const DrawnBy drawn_by = show.painter().drawn_by();
   const Spared& spared = show.painter().spared();
@@ -130,7 +130,7 @@ Json description(const Show& show, const DemoOptions& shown) {
           {"error_px", tuning.error_px}};
 }
 
-/// Says what was drawn, from where and how.
+/// Says in words which show was drawn, from where and how.
 std::string drawn_things(const Json& described) {
   const auto text = [&](const char* key) { return described[key].get<std::string>(); };
   const bool samples = described["samples"].get<int>() > 0;

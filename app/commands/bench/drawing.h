@@ -5,11 +5,11 @@
 
 namespace throng::app {
 
-/// The numbers of agents that `throng bench --draw` measures unless others are asked for.
+/// The numbers of agents that `throng bench --draw` measures by default.
 std::vector<int> usual_drawn_agents();
 
-/// Measures whole frames of each number of agents, one after the other, each for the frames or the seconds that the
-/// options say, whichever ends first, and for one frame at least. Errors: there is no such device, camera or model.
+/// Measures whole frames of each number of agents, one after the other, each for the frames or the seconds in the
+/// options, whichever ends first, and for one frame at least. Errors: there is no such device, camera or model.
 anim::Result<BenchReport> measure_drawing(const BenchOptions& options);
 
 }  // namespace throng::app

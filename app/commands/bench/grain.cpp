@@ -48,7 +48,7 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
   return anim::Done{};
 }
 
-/// Crowds of 1, 2, 4, ... agents, on one PU and on all: from where on another PU pays.
+/// Crowds of 1, 2, 4, ... agents, on one PU and on all: shows the size from which more PUs pay.
 anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
   const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions all = bench_system_options(options, bench);

@@ -9,7 +9,7 @@
 namespace throng::app {
 namespace {
 
-/// Metres, model space: round about in front, at the height of faces.
+/// Metres, model space: in front, to both sides, at the height of faces.
 glm::vec3 sight_of(std::uint32_t agent) {
   const auto number = static_cast<float>(agent);
   return {2.0F * std::sin(number), 1.5F + 0.3F * std::sin(0.7F * number), 2.5F};

@@ -22,8 +22,7 @@ class JointSubject {
   anim::AlignedBytes memory_;
 };
 
-/// Lists three joints, as a game asks for sockets: those at a half, at three quarters and at the end of the skeleton's
-/// order.
+/// Lists three joints, as a game asks for sockets: at a half, at three quarters and at the end of the skeleton's order.
 anim::JointList three_joints(const anim::Skeleton& skeleton);
 
 }  // namespace throng::app

@@ -45,7 +45,7 @@ BesideBlocks beside_blocks(const anim::AnimationSystem& system) {
           .palettes = report.agents_updated};
 }
 
-/// Runs some frames on one PU and returns the tasks of the fastest: other work disturbed the slower ones.
+/// Runs some frames on one PU and returns the tasks of the fastest, for other work disturbed the slower frames.
 std::vector<RecordedTask> fastest_tasks(BenchCrowd& crowd, int frames) {
   std::vector<RecordedTask> fastest;
   double least = std::numeric_limits<double>::max();
@@ -66,7 +66,7 @@ anim::SystemOptions one_pu_options(const BenchOptions& options) {
                               {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
 }
 
-/// The same in the local store of the machine, with a trace of every task.
+/// One PU with the local store of the machine and a trace of every task.
 anim::SystemOptions recorded_options(const BenchOptions& options, const Machine& machine) {
   anim::SystemOptions recorded = one_pu_options(options);
   recorded.local_store_bytes = static_cast<std::size_t>(machine.local_store_kib) * 1024;

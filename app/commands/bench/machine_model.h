@@ -21,7 +21,7 @@ struct Machine {
   double dma_gigabytes_per_second = 1;                       ///< the rate of one PU
   int dma_transfers_in_flight = 1;                           ///< the number of transfers whose latencies overlap
   std::optional<double> compute_ns_per_bone = std::nullopt;  ///< nothing: compute_times says how fast the PUs are
-  double compute_times = 1;  ///< the factor by which computing takes longer than on the PU that was recorded
+  double compute_times = 1;  ///< the factor by which computing takes longer than on the recorded PU
   std::string notes = {};
 };
 
@@ -38,8 +38,8 @@ struct RecordedTask {
 };
 
 struct MachinePrediction {
-  double busy_ns = 0;   ///< the time of one PU that does all of it
-  double stall_ns = 0;  ///< the part of it that waits for copies
+  double busy_ns = 0;   ///< the time of one PU for all tasks
+  double stall_ns = 0;  ///< the part of this time that waits for copies
   double dma_ns = 0;    ///< the time that copies take, hidden or not
   double overlap() const { return dma_ns > 0 ? 1.0 - stall_ns / dma_ns : 1.0; }
 };
@@ -47,8 +47,8 @@ struct MachinePrediction {
 /// Returns the nanoseconds that a batch of transfers takes: latencies as far as they do not overlap, then bytes.
 double dma_time(const Machine& machine, const anim::CopyCounts& copies);
 
-/// Predicts the time of task after task with double buffering: the longer of computing and copying, plus what nothing
-/// hides.
+/// Predicts the time of task after task with double buffering: the longer of computing and copying, plus the copies
+/// that nothing hides.
 MachinePrediction predict(const Machine& machine, std::span<const RecordedTask> tasks);
 
 /// The work of a trace's updates beside blocks: the bones that they evaluated, the rows of streams that they read, and

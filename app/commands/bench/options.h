@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// One thing that a sweep of `throng bench` looks at instead of the table.
+/// The subject of a sweep of `throng bench` in place of the table.
 enum class Sweep : std::uint8_t {
   none,
   grain,  ///< tile by tile and crowd by crowd: below which size tasks are too small
@@ -25,20 +25,20 @@ struct BenchOptions {
   std::vector<int> pus{0};        ///< 0: all cores
   std::vector<anim::Schedule> schedules{anim::Schedule::fused};
   std::vector<anim::StreamKind> streams{anim::StreamKind::sampled};
-  Tuning tuning;  ///< its `system` has what all combinations share: local store, tile, double buffering, palettes
+  Tuning tuning;  ///< its `system` has values of all combinations: local store, tile, double buffering, palettes
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
-  int sockets = 0;  ///< agents of each case that carry a thing in a hand, which is then measured too; 0: it is not
+  int sockets = 0;  ///< agents of each case that carry a thing in a hand; 0: things are not measured
   Sweep sweep = Sweep::none;
   bool draws = false;         ///< whole frames are measured, crowd logic, level of detail and drawing included
-  DemoOptions shown;          ///< what they show, from where, on which device
+  DemoOptions shown;          ///< the show of these frames, its camera and device
   float seconds = 20;         ///< that each number of agents may take, above 0
   std::string machine;        ///< a file, or the name of a preset; empty: none
   std::string data;           ///< folder of presets; empty: the usual places
   std::string json;           ///< a file, "-" for standard output, empty: lines for a person
   std::string plot;           ///< an SVG file; empty: none
   std::string trace;          ///< empty: none
-  bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
+  bool remove_parts = false;  ///< remove remains of killed runs beside the files to write
   import::ImportOptions reading{};
 };
 

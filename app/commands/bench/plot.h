@@ -11,13 +11,13 @@ struct PlotBar {
   bool emphasised = false;
 };
 
-/// Draws bars from left to right, the longest as wide as there is room, each with its value, as a whole SVG file.
+/// Draws bars from left to right, the longest as wide as the room, each with its value, as a whole SVG file.
 std::string bars_as_svg(const std::string& title, const std::string& unit, const std::vector<PlotBar>& bars);
 
 struct PlotLine {
   std::string name;
   std::vector<double> x, y;  ///< of equal length, x ascending and above 0
-  bool dashed = false;       ///< true for a line that is only compared with
+  bool dashed = false;       ///< true for a line to compare others with
 };
 
 struct PlotStyle {

@@ -16,7 +16,7 @@ struct BenchSubject {
   std::function<void()> prepare = [] {};  ///< runs before it, untimed
 };
 
-/// Times subjects in turns, so that a drift of the machine's speed meets all of them alike. What ran before leaves its
+/// Times subjects in turns, so that a drift of the machine's speed meets all of them alike. Earlier work leaves its
 /// mark on caches and clock rates for some milliseconds, so each subject first runs untimed for as long.
 class BenchRounds {
  public:

@@ -8,10 +8,10 @@
 
 namespace throng::app {
 
-/// Says from what a host learns where a hand is.
+/// Says where a host reads the place of a hand.
 enum class SocketSource : unsigned char {
-  palette,  ///< from the palette that was just written, as a draw of things does on a device
-  list      ///< from a joint that the update writes beside the palette, where palettes cannot be read back
+  palette,  ///< in the palette that was just written, as a draw of things does on a device
+  list      ///< in a joint that the update writes beside the palette, where palettes cannot be read back
 };
 
 /// The whole update over the same agents, some of which carry a thing in a hand. After it, the host multiplies the hand
@@ -36,13 +36,13 @@ class SocketSubject {
   };
 
   std::unique_ptr<SystemSubject> subject_;
-  float from_hand_[3] = {};  // where the joint is in the space of what `hand` points at
+  float from_hand_[3] = {};  // where the joint is in the space of the matrix at `hand`
   std::vector<Carrier> carriers_;
   std::vector<Matrix> listed_;     // [thing] of a list of joints
   std::vector<Matrix> instances_;  // [thing] in the world
 };
 
-/// Returns the joint of the right hand, or the last one where no bone is known as that.
+/// Returns the joint of the right hand, or the last joint where the hand is unknown.
 int carrying_joint(const anim::Skeleton& skeleton);
 
 }  // namespace throng::app

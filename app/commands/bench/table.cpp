@@ -17,7 +17,7 @@ std::string short_text(const Json& value) {
   return text;
 }
 
-/// Heads a column with its key, without the word that all keys end in.
+/// Returns the heading of a column: its key without the word that all keys end in.
 std::string column_heading(std::string_view key) {
   constexpr std::string_view all_have = "_median";
   if (key.ends_with(all_have)) key.remove_suffix(all_have.size());

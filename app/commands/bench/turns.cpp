@@ -13,7 +13,7 @@
 namespace throng::app {
 namespace {
 
-/// So many that what a pass begins with, crowds and memory, is small beside them.
+/// Enough rounds to make the start of a pass, crowds and memory, small beside them.
 constexpr int rounds_of_a_pass = 4;
 
 /// Makes each character once, by bones and clips; a model brings its own.
@@ -41,7 +41,7 @@ std::string label_of(std::size_t pass, std::size_t passes, std::size_t index, st
          std::to_string(cases[index].bones) + " bones, ";
 }
 
-/// A row's time by agent and bone over that of the first row, round by round.
+/// A row's time by agent and bone over the first row's, round by round.
 double over_first_row(std::span<const Json> rows, std::span<const BenchTimes> times) {
   const auto bones = [](const Json& row) { return row["agents"].get<double>() * row["bones_per_agent"].get<double>(); };
   const std::size_t row = rows.size() - 1;

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the cases that are asked for. Errors: there is none of that name.
+/// Returns the cases that the options name. Errors: there is no case of a name.
 anim::Result<std::vector<RegressionCase>> chosen(const RegressionCases& all, const CheckOptions& options) {
   if (options.names.empty()) return all.cases;
   std::vector<std::string> known;
@@ -67,7 +67,7 @@ std::string line_of(const CaseOutcome& outcome) {
   return line + "\n";
 }
 
-/// Says whether what --update replaces can be brought back; an empty text if it can.
+/// Says which pictures --update would replace for good; an empty text if git can bring all back.
 std::string danger_of_update(const std::vector<RegressionCase>& cases, const CheckOptions& options) {
   if (!options.update || options.force) return {};
   std::vector<fs::path> files;
@@ -83,7 +83,7 @@ anim::Status write_reports(const RegressionRun& run, const CheckOptions& options
   return options.junit.empty() ? anim::Done{} : write_whole_file(options.junit, junit_xml(run));
 }
 
-/// Draws all, a line each, and reports.
+/// Draws all cases, with a line each, and reports.
 int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
   const fs::path report = options.report.empty() ? plan.out / "report.html" : fs::path(options.report);
   RegressionRun run{.title = fs::path(options.cases).stem().string(), .outcomes = {}};

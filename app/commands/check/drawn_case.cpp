@@ -20,7 +20,7 @@ void fail(CaseOutcome& outcome, Verdict verdict, const std::string& message) {
   outcome.message = message;
 }
 
-/// Returns what a run that failed said last, without the program's name.
+/// Returns the last line of a run that failed, without the program's name.
 std::string last_words(const std::string& errors) {
   const std::string line = last_line(errors), name = "throng: ";
   return anim::plain_text(line.starts_with(name) ? line.substr(name.size()) : line);
@@ -57,7 +57,7 @@ CaseOutcome CaseDrawer::run(const RegressionCase& wanted, ContextKind context) {
   return outcome;
 }
 
-/// Returns whether there is a picture. What earlier runs drew must not be taken for it.
+/// Returns whether there is a picture. A picture of an earlier run must not pass for it.
 bool CaseDrawer::draw(const RegressionCase& wanted, CaseOutcome& outcome) const {
   for (const char* const what : {"actual", "difference", "heat"}) {
     std::error_code error;

@@ -9,12 +9,12 @@
 
 namespace throng::app {
 
-/// Holds what all cases of a run share.
+/// Holds the values that all cases of a run share.
 struct CheckPlan {
   const RegressionCases& all;
-  std::string program;        ///< that draws: this one
+  std::string program;        ///< the program that draws: this one
   std::string typed;          ///< how a person calls `throng check` for one case, without its name
-  std::filesystem::path out;  ///< the folder for what is drawn
+  std::filesystem::path out;  ///< the folder for drawn pictures
   std::string data;           ///< folder of shaders and assets; empty: where the program finds them
   bool update = false;        ///< expected pictures are written
 };
@@ -24,8 +24,8 @@ class CaseDrawer {
  public:
   explicit CaseDrawer(CheckPlan plan) : plan_(std::move(plan)) {}
 
-  /// Draws a case and compares it, or writes what is expected. The first of several cases that share a picture writes
-  /// it, and the others are held against that.
+  /// Draws a case and compares it, or writes the expected picture. The first of several cases that share a picture
+  /// writes it, and the others are held against it.
   CaseOutcome run(const RegressionCase& wanted, ContextKind context);
 
  private:

@@ -10,8 +10,8 @@ namespace throng::app {
 struct CompareOptions {
   std::string expected, actual;  ///< pictures
   std::string difference;        ///< empty: not asked for
-  Tolerance tolerance;           ///< without any limit, the pictures must be the same
-  bool remove_parts = false;     ///< what killed runs left beside the file to write is removed
+  Tolerance tolerance;           ///< without any limit, the pictures must be equal
+  bool remove_parts = false;     ///< remove remains of killed runs beside the file to write
 };
 
 }  // namespace throng::app

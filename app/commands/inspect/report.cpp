@@ -33,7 +33,7 @@ std::string rate_text(const anim::BakedClip& clip) {
   return clip.sampled() == nullptr ? "its keys" : fixed(clip.sampled_rate, 0) + " Hz";
 }
 
-/// Rows lie only where the error bound asks for them, so there are fewer than the rate gives.
+/// Rows lie only where the error bound needs them, so there are fewer than by the rate.
 std::string rows_text(const anim::BakedClip& clip) {
   const anim::SampledStream* const stream = clip.sampled();
   if (stream == nullptr) return "none";
@@ -191,7 +191,7 @@ std::string baked_lods_text(const anim::Model& model) {
   return text + " triangles\n";
 }
 
-/// Says what names suggest and a person may choose otherwise, and what baking notes of clips.
+/// Lists the guesses from names, which a person may overrule, and the notes of baking on clips.
 std::vector<std::string> guesses(const anim::Model& model, const anim::Character& character) {
   std::vector<std::string> lines;
   std::vector<std::string> names;

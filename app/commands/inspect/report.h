@@ -20,7 +20,7 @@ struct InspectedModel {
 std::uint32_t bytes_played(const anim::BakedClip& clip);
 
 /// Says for a person, in tables, what a file holds: each character with its size, clips, meshes and materials, and what
-/// import repaired, left out and guessed. `models` are those of the file, taken out of it.
+/// import repaired, left out and guessed. `models` are the file's, taken out of it.
 std::string inspection_text(const anim::ImportedFile& file, std::span<const InspectedModel> models);
 
 }  // namespace throng::app

@@ -7,7 +7,7 @@
 namespace throng::app {
 namespace {
 
-/// Counts letters, not bytes: all but those that go on with a letter of UTF-8.
+/// Counts letters, not bytes: leaves out bytes that continue a letter of UTF-8.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }

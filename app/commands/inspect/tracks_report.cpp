@@ -13,7 +13,7 @@
 namespace throng::app {
 namespace {
 
-/// The least and the most of something.
+/// The least and the most of a value.
 struct Extent {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 

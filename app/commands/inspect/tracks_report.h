@@ -6,11 +6,10 @@
 
 namespace throng::app {
 
-/// Says for a person what a file of trajectories holds: people, rows, time and place, what was told apart and what is
-/// odd.
+/// Says for a person what a file of trajectories holds: people, rows, time and place, findings and oddities.
 std::string tracks_text(const Trajectories& tracks);
 
-/// Says the same as one JSON object; README.md beside this file lists the keys.
+/// Returns the same facts as one JSON object; README.md beside this file lists the keys.
 std::string tracks_json(const Trajectories& tracks);
 
 }  // namespace throng::app

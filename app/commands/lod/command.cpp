@@ -18,7 +18,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float exported_height = 720.0F;  // pixels of the picture that distances are said for
+constexpr float exported_height = 720.0F;  // pixels of the picture that distances are for
 
 anim::Result<CharacterSource> character_of(const LodOptions& options) {
   if (options.model.empty()) return load_built_in(options.data);
@@ -26,7 +26,7 @@ anim::Result<CharacterSource> character_of(const LodOptions& options) {
   return load_character(options.model, options.model, &kept, {.import = options.reading});
 }
 
-// By the values that a crowd begins with.
+// Exports by the values that a crowd begins with.
 std::string exported(const CharacterSource& source, const LodCurve& curve) {
   const Tuning tuning;
   return lod_as_json(source, curve.bones, curve.meshes,

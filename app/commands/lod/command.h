@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// Runs `throng lod`: measures what each bone level of a character costs in time and in pixels. Returns the exit
+/// Runs `throng lod`: measures the cost of each bone level of a character in time and in pixels. Returns the exit
 /// status.
 int run_lod(const LodOptions& options);
 

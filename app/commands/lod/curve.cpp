@@ -19,7 +19,7 @@ namespace {
 constexpr int timed_agents = 1000;
 constexpr int timed_rounds = 40;
 constexpr double worth_a_switch = 0.9;    // of the time of the level before
-constexpr double least_pixels_tall = 10;  // smaller ones are dots, whatever their bones
+constexpr double least_pixels_tall = 10;  // smaller characters are dots, whatever their bones
 constexpr int agents_of_milliseconds = 10'000;
 
 std::string key_of(std::size_t level) { return "level " + std::to_string(level); }

@@ -14,10 +14,10 @@ namespace throng::app {
 struct LodOptions {
   std::string model;                       ///< empty: the built-in character
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
-  int pixels = 200;                        ///< height on screen at which errors are said in pixels
+  int pixels = 200;                        ///< height on screen at which errors are given in pixels
   std::string json, plot;                  ///< empty: not asked for; json may be `-`, standard output
   std::string export_file;                 ///< for another engine
-  bool remove_parts = false;               ///< what killed runs left beside the files to write is removed
+  bool remove_parts = false;               ///< remove remains of killed runs beside the files to write
   std::string data;                        ///< folder of the built-in character
   import::ImportOptions reading{};
 };

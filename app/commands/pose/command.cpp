@@ -67,8 +67,8 @@ anim::Result<Json> sample_json(const anim::ImportedFile& file, std::optional<int
   return Json{{"skins", std::move(skins)}, {"time", seconds}};
 }
 
-/// Index among the file's animations of a name or, where none is called so, an index; nothing for "none". The error
-/// lists what there is.
+/// Returns the index of an animation of the file by its name or, where none has this name, its index; nothing for
+/// "none". The error lists the names.
 anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, const std::string& clip) {
   const auto named = std::ranges::find(file.animations, clip);
   if (named != file.animations.end()) return std::optional(static_cast<int>(named - file.animations.begin()));

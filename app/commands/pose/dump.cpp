@@ -23,8 +23,8 @@ Json json_of(const glm::dvec3& vector) { return Json::array({vector.x, vector.y,
 
 Json json_of(const glm::dquat& rotation) { return Json::array({rotation.x, rotation.y, rotation.z, rotation.w}); }
 
-/// Globals of all bones. Rigid: what the palette itself says, put back on the bind pose. General: composed from the
-/// local transforms, because an inverse bind matrix need not be invertible.
+/// Globals of all bones. Rigid: the palette's matrices, put back on the bind pose. General: composed from the local
+/// transforms, because an inverse bind matrix need not be invertible.
 std::vector<glm::dmat4> find_globals(const anim::Skeleton& skeleton, const BonePose& pose,
                                      const std::vector<anim::StateTransform>& locals) {
   if (!skeleton.rigid) return anim::pose_from_locals(skeleton, locals).globals;

@@ -20,7 +20,7 @@ Json describe_skin(const anim::Model& model, const anim::Skin& skin);
 /// Describes the joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.
 ///
 /// `r` is a unit quaternion; it is left out where the rotation keys of `clip` (null: the rest pose) are not unit, since
-/// programs then differ in what they call the rotation, while all agree on `global` and palette.
+/// programs then disagree on the rotation, while all agree on `global` and palette.
 Json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip, const BonePose& pose);
 
 }  // namespace throng::app

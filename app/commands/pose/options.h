@@ -18,7 +18,7 @@ struct PoseOptions {
   anim::StreamKind stream = anim::StreamKind::sampled;
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   std::string json;                        ///< a file, or "-" for standard output
-  bool remove_parts = false;               ///< what killed runs left beside the files to write is removed
+  bool remove_parts = false;               ///< remove remains of killed runs beside the files to write
 };
 
 }  // namespace throng::app

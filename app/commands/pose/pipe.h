@@ -15,14 +15,14 @@ class PosePipe {
  public:
   explicit PosePipe(anim::StreamKind stream) : stream_(stream) {}
 
-  /// Returns the pose at `seconds`. `clip` is one of the model's, or null for the rest pose.
+  /// Returns the pose at `seconds`. `clip` is a clip of the model, or null for the rest pose.
   anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
 
  private:
   anim::Status prepare(const anim::Model& model, const anim::Clip* clip);
 
   anim::StreamKind stream_;
-  const anim::Model* model_ = nullptr;  // what `system_` was made for
+  const anim::Model* model_ = nullptr;  // the model that `system_` was made for
   const anim::Clip* clip_ = nullptr;
   std::unique_ptr<anim::AnimationSystem> system_;
   anim::AlignedBytes palette_;

@@ -16,7 +16,7 @@ struct FrameTimes {
   double submission_ms = 0;              ///< draw calls
   double wait_ms = 0;                    ///< for the device to be done
   StageTimes stage = {};                 ///< the parts of the animation
-  std::optional<double> device_ms = {};  ///< of the device's own timer; beside these parts, which it runs beside
+  std::optional<double> device_ms = {};  ///< by the device's own timer, which runs beside these parts
 
   double drawing_ms() const { return upload_ms + submission_ms + wait_ms; }
   double frame_ms() const { return animation_ms + drawing_ms(); }
@@ -24,7 +24,7 @@ struct FrameTimes {
 
 enum class Limiter : std::uint8_t { animation, upload, submission, gpu };
 
-/// Returns the part that takes most of the frame, the earlier one where two take the same.
+/// Returns the part that takes most of the frame, the earlier one of two that take equally long.
 Limiter who_limits(const FrameTimes& times);
 
 /// Returns "Animation limits you: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3", or nothing before
@@ -32,7 +32,7 @@ Limiter who_limits(const FrameTimes& times);
 std::string limit_sentence(const FrameTimes& times);
 
 /// Returns why skipping updates saves little at a low frame rate, below 25 frames a second: something else takes the
-/// frame, or frames are so long that hardly anybody may miss one. `agents_by_interval[i]` agents in view are posed
+/// frame, or frames are so long that hardly any agent may miss one. `agents_by_interval[i]` agents in view are posed
 /// every i + 1 frames. Returns nothing where the frame rate is higher, or where skipping does pay.
 std::string skipping_sentence(const FrameTimes& times, std::span<const int> agents_by_interval);
 

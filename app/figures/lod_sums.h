@@ -8,9 +8,9 @@ namespace throng::app {
 
 /// The cost that level of detail saves, as the cost model predicts it.
 struct SavedCost {
-  double culling_percent = 0.0;   ///< of the cost of all agents; saved on those out of view
-  double skipping_percent = 0.0;  ///< of the cost of those in view; saved by skipped updates
-  double bones_percent = 0.0;     ///< of the cost of those in view; saved by dropped bones
+  double culling_percent = 0.0;   ///< of the cost of all agents; saved on agents out of view
+  double skipping_percent = 0.0;  ///< of the cost of agents in view; saved by skipped updates
+  double bones_percent = 0.0;     ///< of the cost of agents in view; saved by dropped bones
 };
 SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule);
 

@@ -84,7 +84,7 @@ std::string import_notice(std::span<const CharacterSource> characters) {
 }
 
 std::string placement_notice(std::span<const CharacterSource> characters) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;  // with all to whom they apply
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;  // with all characters that they apply to
   for (const CharacterSource& character : characters) {
     if (character.placement.is_plain) continue;
     const bool has_extent = character.placement.extent.has_value();

@@ -9,20 +9,20 @@
 #include "app/wardrobe/clothing.h"
 #include "engine/anim/agent/animation_system.h"
 
-/// Sentences about what a run does otherwise than a person would expect. Each is empty where there is nothing to say.
+/// Sentences on the ways in which a run differs from a person's expectation. Each is empty where it does not.
 namespace throng::app {
 
 /// The savings where a processor draws live and the command line does not ask otherwise.
 struct Spared {
-  int agents = 0;  ///< the number that is animated instead of the one asked for; 0: the one asked for
+  int agents = 0;  ///< the number that is animated instead of the one asked for; 0: as asked
   bool multisampling = false, shadows = false;
-  float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: the one asked for
-  int triangles = 0;   ///< with it: the most of everybody in view
+  float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: as asked
+  int triangles = 0;   ///< with it: the most of all agents in view
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
-/// Says what import repaired and left out of the characters' files, up to three lines each, what was done to them
-/// after import, and which other characters the files have.
+/// Says what import repaired and left out of the characters' files, up to three lines each, how they were changed after
+/// import, and which other characters the files have.
 std::string import_notice(std::span<const CharacterSource> characters);
 
 /// Says, in a line each, which characters are not shown in the size and place of their files, and why.
@@ -31,7 +31,7 @@ std::string placement_notice(std::span<const CharacterSource> characters);
 /// Says the doubts of the rules that dress people, up to four lines for each file of rules.
 std::string rules_notice(std::span<const Clothing> clothing);
 
-/// Says what a recorded crowd is, what was told apart in its file, and how many odd things `throng inspect` lists.
+/// Describes a recorded crowd: its people, the reader's findings, and how many oddities `throng inspect` lists.
 std::string tracks_notice(const Trajectories& trajectories);
 /// Says that the walls and floors of a recorded crowd are too many to be drawn.
 std::string plan_notice(std::size_t lines, std::size_t most);

@@ -9,16 +9,16 @@
 
 namespace throng::app {
 
-/// Measures a run: how long its frames take, what they cost, and what each PU does in them.
+/// Measures a run: the times and costs of its frames, and the work of each PU in them.
 class RunFigures {
  public:
   using Clock = TimelineLog::Clock;
 
-  /// Keeps from now on what each PU does, for `--trace`.
+  /// Keeps the work of each PU from now on, for `--trace`.
   void keep_timeline() { timeline_.emplace(); }
   /// Returns the times of the start, to be written.
   StartTimes& start() { return statistics_.start; }
-  /// Takes how long it took to lay out the overlay in this frame; call it when that is done.
+  /// Takes the time of laying out the overlay in this frame; call it when the overlay is laid out.
   void add_overlay(double milliseconds);
   /// Takes an update that began at `start` and posed the crowd in `milliseconds`.
   void add_update(const Stage& stage, Clock::time_point start, double milliseconds);

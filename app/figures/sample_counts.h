@@ -11,9 +11,9 @@ namespace throng::app {
 double nearest_rank(std::vector<double> values, double part);
 
 /// Takes one sample a frame, such as a time in milliseconds, and stays as large as it is made, a hundred kilobytes.
-/// Count, mean and most are exact. So are quantiles of up to `exact_samples` samples. Those of more come from counts in
-/// steps of a 64th of an octave, and are off by at most `largest_error` of the exact one, or by `least_value` where it
-/// is less than that.
+/// Count, mean and most are exact, as are quantiles of up to `exact_samples` samples. Quantiles of more samples come
+/// from counts in steps of a 64th of an octave, and are off by at most `largest_error` of the exact value, or by
+/// `least_value` where it is less than that.
 class SampleCounts {
  public:
   static constexpr std::size_t exact_samples = 10'000;

@@ -20,7 +20,7 @@ Json median_or_null(const SampleCounts& samples) {
 
 Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-// A whole number where every agent has as many.
+// A whole number where all agents have equally many.
 Json bones_per_agent(const Stage& stage) {
   std::uint64_t bones = 0;
   const std::size_t agents = stage.crowd().size();
@@ -75,7 +75,7 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["beside_local_store_bytes"] = beside;
 }
 
-// Of the whole run; null where it was not measured, or too seldom.
+// Errors of the whole run; null where they were not measured, or too seldom.
 void add_error(Json& json, const ErrorMeter& meter) {
   const anim::ErrorFigures error = meter.since_start();
   const anim::QuantileInterval p99 = meter.intervals_since_start().p99;
@@ -106,7 +106,7 @@ void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) 
   json["cost_bones_percent"] = saved.bones_percent;
 }
 
-// Null unless they were asked for.
+// Null unless events were asked for.
 void add_events(Json& json, const std::optional<EventSums>& sums) {
   json["events"] = sums ? Json(sums->events()) : Json(nullptr);
   json["event_hash"] = sums ? Json(hex_string(sums->event_hash())) : Json(nullptr);

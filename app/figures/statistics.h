@@ -12,7 +12,7 @@
 
 namespace throng::app {
 
-/// Names what drew the frames, as `--stats` has it.
+/// Names the context that drew the frames, as `--stats` has it.
 struct DrawnBy {
   std::string context = "none";
   std::string gl_version, gl_renderer;  ///< empty without GL
@@ -34,7 +34,7 @@ class Statistics {
 
   void add_update(double milliseconds);
   void add_drawn_frame(double milliseconds);
-  /// Takes the time that laying out the overlay took.
+  /// Takes the time of laying out the overlay.
   void add_overlay(double milliseconds) { overlay_ms_.add(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
   /// Takes the figures of an update; call it after each.

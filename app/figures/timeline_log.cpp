@@ -33,7 +33,7 @@ void append(std::string& text, const char* format, Values... values) {
 
 }  // namespace
 
-// Nothing where nothing was copied for nobody.
+// Appends nothing where no bytes were copied and no agents posed.
 void TimelineLog::append_arguments(std::string& text, const Event& event) {
   if (event.transfers == 0 && event.content.agents == 0) return;
   append(text, ",\"args\":{\"bytes_in\":%u,\"bytes_out\":%u,\"transfers\":%u", event.bytes_in, event.bytes_out,

@@ -18,14 +18,14 @@ struct TraceCounters {
   float error_p99_px = 0, pop_px = 0;  ///< over the last 60 frames; of this frame
 };
 
-/// Keeps what the newest frames of a run were spent on, for `--trace`: a lane for updates, one for each PU, and where
-/// there are such, one for drawing and one for the overlay. It has at most `most_spans` spans and figures in all.
+/// Keeps the work of the newest frames of a run, for `--trace`: a lane for updates, one for each PU, and where there
+/// are any, one for drawing and one for the overlay. It has at most `most_spans` spans and figures in all.
 class TimelineLog {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t most_spans = 300'000;
 
-  /// Takes what each PU did in an update, and a span around it from `frame_start` until now.
+  /// Takes the work of each PU in an update, and a span around it from `frame_start` until now.
   void add_update(const anim::AnimationSystem& system, Clock::time_point frame_start,
                   const TraceCounters& counters = {});
   /// Takes the drawing of the newest frame.
@@ -55,7 +55,7 @@ class TimelineLog {
 
     std::size_t size() const { return events.size() + counters_a_frame; }
   };
-  static constexpr std::uint32_t drawing_lane = 10'000, overlay_lane = drawing_lane + 1;  // behind those of all PUs
+  static constexpr std::uint32_t drawing_lane = 10'000, overlay_lane = drawing_lane + 1;  // behind the lanes of all PUs
   static constexpr std::size_t counters_a_frame = 4;
 
   static void append_arguments(std::string& text, const Event& event);

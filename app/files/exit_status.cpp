@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-/// Needs no memory, which there may be none of, and runs no destructor, since threads may be at work.
+/// Needs no memory, for none may be left, and runs no destructor, since threads may be at work.
 [[noreturn]] void end_at_once() {
   say_without_memory("throng: ");
   say_without_memory(std::current_exception() ? sentence_of_failure()

@@ -13,11 +13,11 @@ constexpr int exit_of_signal(int signal) { return 128 + signal; }
 /// Puts the one line on stderr that a failure has, "throng: " and the sentence, and returns `status`.
 int end_with(ExitStatus status, std::string_view sentence);
 
-/// Sees to it that whatever goes wrong in a thread, or has no handler, ends the program with one line and
-/// exit_job_failed; and that a pipe without a reader and a file that grows too large are errors of their writer.
+/// Makes every failure in a thread or without a handler end the program with one line and exit_job_failed. A pipe
+/// without a reader and a file that grows too large become errors of their writer.
 void end_in_words();
 
-/// Returns the sentence for the exception that is handled now.
+/// Returns the sentence for the exception in the current handler.
 std::string_view sentence_of_failure();
 
 }  // namespace throng::app

@@ -20,7 +20,7 @@ std::string joined(const Words& words, std::string_view between = ", ", std::str
   return text;
 }
 
-/// Returns a number with so many digits after the point.
+/// Returns a number with `decimals` digits after the point.
 inline std::string fixed(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.*f", decimals, value);

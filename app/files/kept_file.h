@@ -19,8 +19,8 @@ class KeptFile {
   /// as ".throng.json". Errors call the choices `what` where there is no file to name.
   KeptFile(const std::filesystem::path& model, std::string_view ending, std::string_view what);
 
-  /// Returns the file to read; empty if there is none. Where none can be written beside the model, a person's own file
-  /// goes before the one that came with the model.
+  /// Returns the file to read; empty if there is none. Where no file can be written beside the model, a person's own
+  /// file goes before the one that came with the model.
   std::filesystem::path found() const;
   /// Writes the file whole or not at all, and returns its path.
   anim::Result<std::filesystem::path> write(std::string_view text) const;

@@ -4,13 +4,13 @@
 
 namespace throng::app {
 
-/// Keeps what main() knows of the commit that the program was built from. Call it before all else.
+/// Keeps the commit that the program was built from, which main() knows. Call it before all else.
 void set_program_commit(const char* commit);
 
 /// Returns "1.0.0".
 std::string program_version();
 
-/// Returns the commit, which ends in "-dirty" where files were changed after it; "unknown" where main() did not say it.
+/// Returns the commit, which ends in "-dirty" where files had changed since; "unknown" where main() did not say it.
 std::string program_commit();
 
 }  // namespace throng::app

@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// Returns the last line of a text that says something; empty if none does.
+/// Returns the last line of a text that is not blank; empty if there is none.
 std::string last_line(const std::string& text);
 
 /// Returns the words as a person would give them to a shell.

@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// Shows a line on standard error in place of the one before, if that is a terminal; an empty one takes it away.
+/// Shows a line on standard error in place of the line before, if that is a terminal; an empty text clears the line.
 void show_progress(const std::string& text);
 /// Returns whether standard error is a terminal.
 bool shows_progress();

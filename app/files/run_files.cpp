@@ -32,7 +32,7 @@ const NamedFile* same_among(std::span<const NamedFile> others, const fs::path& f
   return found == others.end() ? nullptr : &*found;
 }
 
-/// Returns the files that a .gltf names. What it cannot read, the import will refuse.
+/// Returns the files that a .gltf names. The import refuses a file that cannot be read.
 std::vector<fs::path> files_named_by(const fs::path& model) {
   std::vector<fs::path> files;
   if (model.extension() != ".gltf") return files;

@@ -21,12 +21,12 @@ std::string bar_text(double share, const std::string& what) {
   return "[" + std::string(done, '=') + std::string(width - done, ' ') + "] " + what;
 }
 
-// A thread shows the line, because what it tells of may take long without telling anything.
+// A thread shows the line, because the work may take long from one tell() to the next.
 StartLine::StartLine() {
   if (!shows_progress()) return;
   try {
     shows_ = std::thread([this] { show(); });
-  } catch (const std::system_error&) {  // no more threads: it goes on without a line
+  } catch (const std::system_error&) {  // no more threads: the start goes on without a line
   }
 }
 

@@ -7,18 +7,18 @@
 
 namespace throng::app {
 
-/// Shows a bar on a terminal while something long begins: how far it is, and what it is at. Nothing is seen of what
-/// takes less than half a second, and elsewhere nothing at all.
+/// Shows a bar on a terminal while a long start runs: its share and its step. A start of less than half a second shows
+/// none, and without a terminal there is none.
 class StartLine {
  public:
   StartLine();
-  /// Takes the line away.
+  /// Clears the line.
   ~StartLine();
   StartLine(const StartLine&) = delete;
   StartLine& operator=(const StartLine&) = delete;
 
-  /// Says what begins now. `share` of 0 to 1 is done. Nothing is shown while `what` is empty, for others to write. Any
-  /// thread may call it.
+  /// Names the step that begins now. `share` of 0 to 1 is done. Nothing is shown while `what` is empty, for other
+  /// output. Any thread may call it.
   void tell(double share, std::string what);
 
  private:

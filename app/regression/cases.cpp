@@ -23,7 +23,7 @@ using Keys = std::initializer_list<std::string_view>;
 
 constexpr std::size_t most_cases = 10'000;
 
-/// Complains about a key that is none of `keys`, and names the one that was meant, or all.
+/// Complains about a key that is none of `keys`, and names the key that was meant, or all.
 Complaint unknown_key_in(const Json& object, Keys keys) {
   const Json::Member* const other = object.member_beside(keys);
   if (other == nullptr) return {};
@@ -88,7 +88,7 @@ Complaint read_tolerance(const Json& json, Tolerance& tolerance) {
   return complaint ? complaint : read_limit(json, "share", 1, tolerance.share);
 }
 
-/// Returns whether a name can be that of a file on every system.
+/// Returns whether a name can name a file on every system.
 bool is_a_good_name(const std::string& name) {
   constexpr std::size_t most_letters = 100;
   const auto is_good = [](char letter) {
@@ -99,7 +99,7 @@ bool is_a_good_name(const std::string& name) {
          std::ranges::all_of(name, is_good);
 }
 
-/// Reads one case; what it leaves open, the defaults say.
+/// Reads one case; keys that it lacks come from the defaults.
 class CaseReader {
  public:
   CaseReader(const RegressionCases& all, const Json& json, const Json& defaults)
@@ -232,7 +232,7 @@ Complaint read_each_case(const Json& json, RegressionCases& all) {
   return {};
 }
 
-/// Reads the defaults alone, so that what is wrong with them is not said of the first case.
+/// Reads the defaults alone, so that a complaint about them does not blame the first case.
 Complaint read_defaults(const Json& json, RegressionCases& all) {
   if (!json.contains("defaults")) return {};
   const Json& defaults = json["defaults"];

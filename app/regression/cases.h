@@ -20,19 +20,19 @@ struct RegressionCase {
   std::filesystem::path expected;
 };
 
-/// Holds what a file of cases says. app/commands/check/README.md has its keys.
+/// Holds a file of cases. app/commands/check/README.md has its keys.
 struct RegressionCases {
-  std::filesystem::path folder;    ///< of the file; paths in it are relative to this one
-  std::filesystem::path pictures;  ///< where expected pictures lie that no case names
+  std::filesystem::path folder;    ///< of the file; paths in it are relative to this folder
+  std::filesystem::path pictures;  ///< the folder of expected pictures that no case names
   int bits = 8;                    ///< a channel in which expected pictures are kept, and both are compared
-  Tolerance tolerance;             ///< of cases that say nothing else
+  Tolerance tolerance;             ///< of cases without one of their own
   std::vector<RegressionCase> cases;
 };
 
 /// Reads cases. Errors are ends of sentences that begin with the file's name, and say the place and what is allowed.
 anim::Result<RegressionCases> parse_cases(std::string_view text, const std::filesystem::path& folder);
 
-/// Does the same with a file. Errors are whole sentences.
+/// Reads cases from a file. Errors are whole sentences.
 anim::Result<RegressionCases> read_cases(const std::filesystem::path& file);
 
 }  // namespace throng::app

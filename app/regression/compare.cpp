@@ -23,7 +23,7 @@ std::string sides_of(const NumberImage& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-/// Returns what two pictures hold both. Grey ones that do not say what their numbers are may hold anything.
+/// Returns the contents that two pictures share. Grey pictures that do not name their contents may hold anything.
 std::optional<PixelKind> kind_of_both(PixelKind expected, PixelKind actual) {
   if (expected == actual) return expected;
   if (expected != PixelKind::numbers && actual != PixelKind::numbers) return {};
@@ -38,7 +38,7 @@ struct PixelDifference {
   bool is_seen = false;
 };
 
-/// Finds how far pixels of two pictures are off that hold the same.
+/// Finds how far pixels of two pictures of equal contents are off.
 class PixelMeter {
  public:
   PixelMeter(const ComparedPicture& expected, const ComparedPicture& actual, PixelKind kind)
@@ -77,7 +77,7 @@ class PixelMeter {
             .is_seen = worst > seen_steps * render::deep_steps};
   }
 
-  /// Pictures of two steps round one depth apart, by half of the coarser step at most.
+  /// Pictures of two steps round one depth differently, by half of the coarser step at most.
   PixelDifference between_depths(int before, int now) const {
     const auto metres = [](const ComparedPicture& picture, int depth) {
       return picture.metres_a_step * (depth == 0 ? 65535 : depth);
@@ -92,7 +92,7 @@ class PixelMeter {
   PixelKind kind_;
 };
 
-/// Pictures of one size are painted whatever they hold.
+/// Pictures of one size are painted whatever their contents.
 PixelMeter painting_meter(const ComparedPicture& expected, const ComparedPicture& actual) {
   return {expected, actual, kind_of_both(expected.kind, actual.kind).value_or(PixelKind::colours)};
 }

@@ -10,13 +10,13 @@
 
 namespace throng::app {
 
-/// Says what the pixels of a picture hold, which says what it can be compared with.
+/// Names the contents of a picture's pixels, which decide what it can be compared with.
 enum class PixelKind : std::uint8_t { colours, numbers, labels, depths };
 /// Returns "colours", "numbers", ...
 std::string pixel_kind_name(PixelKind kind);
 
-/// A picture that is compared: colours, or what `--labels` writes. A grey one of 16 bits that does not say what it
-/// holds is one of numbers.
+/// A picture to compare: colours, or a file of `--labels`. A grey picture of 16 bits that does not name its contents
+/// holds numbers.
 struct ComparedPicture {
   render::NumberImage image;
   PixelKind kind = PixelKind::colours;
@@ -26,15 +26,15 @@ struct ComparedPicture {
   ComparedPicture(render::NumberImage pixels, PixelKind holds) : image(std::move(pixels)), kind(holds) {}
 };
 
-/// Reads a picture and what it says of itself. Errors are whole sentences.
+/// Reads a picture and the texts in it. Errors are whole sentences.
 render::Result<ComparedPicture> read_compared(const std::filesystem::path& file);
 
-/// Returns the texts that say in a PNG what it holds.
+/// Returns the texts that name the contents of a PNG.
 std::vector<render::PngText> label_texts();
 std::vector<render::PngText> depth_texts(double metres_a_step);
 
 /// Says how far two pictures of one size are apart. Of colours, a pixel is off by the mean of its channels in steps of
-/// 255, or by its alpha if that is more; of depths, by metres, where nothing is as far as can be said; of labels and
+/// 255, or by its alpha if that is more; of depths, by metres, where nothing counts as the farthest; of labels and
 /// numbers, by 1 if they differ.
 struct PictureDifference {
   PixelKind kind = PixelKind::colours;
@@ -47,23 +47,23 @@ struct PictureDifference {
   bool is_none() const { return mean == 0.0 && share == 0.0; }
 };
 
-/// A pixel of colours counts as another one if a channel of it is off by more steps of 255 than these.
+/// A pixel of colours counts as different if a channel of it is off by more steps of 255 than this.
 inline constexpr int seen_steps = 16;
 
-/// Measures the difference. Errors: the sizes differ, or one holds other things than the other; the error says both.
+/// Measures the difference. Errors: the sizes or the contents differ; the error names both.
 render::Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual);
 
 /// Returns the absolute difference of two pictures of one size, eight times as bright; numbers that differ are white.
 render::Image paint_difference(const ComparedPicture& expected, const ComparedPicture& actual);
 
-/// Returns the expected picture in grey with what differs in colour: from blue, a step, over yellow to red, 64 steps
-/// and more. A frame is around the worst block.
+/// Returns the expected picture in grey with differences in colour: from blue, a step, over yellow to red, 64 steps and
+/// more. A frame is around the worst block.
 render::Image paint_heat(const ComparedPicture& expected, const ComparedPicture& actual,
                          const PictureDifference& difference);
 
-/// Returns a picture with so many bits a channel, 1 to 8, which compresses the better the fewer they are. White stays.
+/// Returns a picture with `bits` bits a channel, 1 to 8; fewer bits compress better. White stays.
 render::Image rounded_to_bits(render::Image image, int bits);
-/// Does the same with colours of fewer than 8 bits; returns any other picture as it is.
+/// Rounds colours if `bits` is below 8; returns any other picture as it is.
 ComparedPicture rounded_to_bits(ComparedPicture picture, int bits);
 
 }  // namespace throng::app

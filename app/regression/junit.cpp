@@ -19,7 +19,7 @@ std::string counts_as_attributes(const RegressionRun& run) {
          attribute("time", fixed(seconds, 3));
 }
 
-/// Returns what a test case has inside, which says how it ended; empty if it went well.
+/// Returns the element inside a test case that says how it ended; empty if it went well.
 std::string end_of(const CaseOutcome& outcome) {
   const std::string said = attribute("message", outcome.message);
   if (outcome.verdict == Verdict::left_out) return "<skipped" + said + "/>";

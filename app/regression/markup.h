@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// Returns a text as it stands in XML and HTML, also inside quotation marks. What XML has no letter for becomes U+FFFD.
+/// Returns a text as it stands in XML and HTML, also inside quotation marks. Characters unknown to XML become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// Returns bytes in base64, as a data URI has them.

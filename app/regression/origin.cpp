@@ -13,7 +13,7 @@ namespace {
 
 using OriginMember = std::string PictureOrigin::*;
 
-/// "Software" is the keyword that the standard of PNG has for it.
+/// "Software" is the keyword of the PNG standard for the program.
 constexpr std::array<std::pair<const char*, OriginMember>, 4> keywords{{{"Software", &PictureOrigin::program},
                                                                         {"Throng context", &PictureOrigin::context},
                                                                         {"Throng renderer", &PictureOrigin::renderer},

@@ -21,15 +21,15 @@ struct CaseOutcome {
   Verdict verdict = Verdict::passed;
   std::string message;                                       ///< what went wrong, or why it was left out; else empty
   std::vector<JudgedFigure> figures;                         ///< empty: nothing was compared
-  std::string brief;                                         ///< them in a few words
+  std::string brief;                                         ///< the figures in a few words
   bool differs = false;                                      ///< in any pixel
   std::filesystem::path expected, actual, difference, heat;  ///< pictures; empty: there is none
   PictureOrigin expected_origin, actual_origin;
   double seconds = 0;
-  std::string command;  ///< that draws it again
+  std::string command;  ///< the command that draws it again
 };
 
-/// Returns whether a person has to look at it.
+/// Returns whether a person has to look at the case.
 inline bool is_bad(Verdict verdict) { return verdict == Verdict::failed || verdict == Verdict::not_drawn; }
 
 /// All cases of a run.
@@ -38,16 +38,16 @@ struct RegressionRun {
   std::vector<CaseOutcome> outcomes;
 };
 
-/// Counts how often each kind of end came about.
+/// Counts the cases of each verdict.
 struct RunCounts {
   std::size_t all = 0, as_expected = 0, changed = 0, added = 0, failed = 0, not_drawn = 0, left_out = 0;
 };
 RunCounts counts_of(const RegressionRun& run);
 
-/// Returns the word for it in lines and pages: "ok", "FAILED".
+/// Returns the word for a verdict in lines and pages: "ok", "FAILED".
 const char* word_of(Verdict verdict);
 
-/// Returns "12 pictures: 9 as expected, 1 new, 1 failed, 1 not drawn"; kinds that are none of are not in it.
+/// Returns "12 pictures: 9 as expected, 1 new, 1 failed, 1 not drawn"; kinds without a picture are left out.
 std::string summary_of(const RegressionRun& run);
 
 }  // namespace throng::app

@@ -23,7 +23,7 @@ class PageWriter {
   void put(std::string_view text) {
     if (outcome_) outcome_ = file_->write(text);
   }
-  /// Puts a picture inside the page. One that cannot be read any more is said in its place.
+  /// Puts a picture inside the page. Where it cannot be read any more, a sentence takes its place.
   void image(const std::filesystem::path& file, const std::string& classes, const std::string& label) {
     constexpr std::size_t most_bytes = std::size_t{1} << 30U;
     const auto bytes = read_file(file, "a .png", most_bytes);
@@ -68,7 +68,7 @@ void put_button(PageWriter& page, const std::string& what, const std::string& la
 constexpr std::string_view zoom_button =
     "<button type=\"button\" class=\"zoom\" aria-pressed=\"false\">True size</button>";
 
-/// Both pictures on each other, and what differs over them.
+/// Both pictures on each other, and their difference over them.
 void put_pair(PageWriter& page, const CaseOutcome& outcome) {
   page.put("<div class=\"view\"><div class=\"choices\">");
   put_button(page, "slider", "Slider", true);
@@ -91,7 +91,7 @@ void put_pair(PageWriter& page, const CaseOutcome& outcome) {
       "worst block.</p></div></div></div>");
 }
 
-/// Pictures of two sizes, which cannot lie on each other, or the only one that there is.
+/// Pictures of two sizes, which cannot lie on each other, or the only picture.
 void put_apart(PageWriter& page, const CaseOutcome& outcome) {
   for (const auto& [file, label] : {std::pair{&outcome.expected, "expected"}, std::pair{&outcome.actual, "actual"}}) {
     if (file->empty()) continue;

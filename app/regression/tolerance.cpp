@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-/// What is there is not rounded to nothing.
+/// A value above 0 is not rounded to 0.
 std::string rounded(double value, int decimals) {
   std::string text = fixed(value, decimals);
   if (value == 0.0 || text.find_first_of("123456789") != std::string::npos) return text;
@@ -17,13 +17,13 @@ std::string rounded(double value, int decimals) {
 
 std::string percent(double share) { return rounded(100 * share, 2) + "%"; }
 
-/// Returns a mean in the unit of what the pictures hold.
+/// Returns a mean in the unit of the pictures' contents.
 std::string amount(const PictureDifference& difference, double mean) {
   if (difference.kind == PixelKind::colours) return rounded(mean, 3);
   return difference.kind == PixelKind::depths ? rounded(mean, 3) + " m" : percent(mean);
 }
 
-/// The mean of what differs or not is the share.
+/// Labels and numbers have no mean beside the share.
 bool has_mean(const PictureDifference& difference) {
   return difference.kind == PixelKind::colours || difference.kind == PixelKind::depths;
 }
@@ -35,7 +35,7 @@ std::string other_pixels(PixelKind kind) {
 
 bool has_no_limit(const Tolerance& tolerance) { return !tolerance.mean && !tolerance.worst_block && !tolerance.share; }
 
-/// Without any limit, two pictures must be the same.
+/// Without any limit, two pictures must be equal.
 DifferenceLimit no_difference() { return {.most = 0, .because = "no tolerance is given"}; }
 
 JudgedFigure judged(const std::string& name, double value, const std::optional<DifferenceLimit>& limit,

@@ -21,7 +21,7 @@ std::string camera_option(const CameraPlace& place);
 /// Mouse and keyboard of a frame, as far as the camera may use them.
 struct FlyControls {
   bool pointer_free = true;     ///< the overlay does not use it
-  bool keyboard_free = true;    ///< nobody types
+  bool keyboard_free = true;    ///< no text field takes keys
   glm::vec3 orbit_about{0.0F};  ///< the point of the world that a drag turns about
 };
 
@@ -31,8 +31,8 @@ inline constexpr float lowest_fly_speed = 0.25F, highest_fly_speed = 250, usual_
 /// Returns whether a drag turns the camera about a point.
 bool orbits(const InputFrame& input);
 
-/// W A S D and Q E fly, a drag with the right button looks around, one with the middle button, or with Alt and the left
-/// one, turns about a point. The wheel sets the speed, Shift is faster and Ctrl slower.
+/// W A S D and Q E fly, a drag with the right button looks around, a drag with the middle button, or with Alt and the
+/// left one, turns about a point. The wheel sets the speed, Shift is faster and Ctrl slower.
 class FlyCamera {
  public:
   explicit FlyCamera(const CameraPlace& place) : camera_(camera_at(place)) {}

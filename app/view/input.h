@@ -67,7 +67,7 @@ enum class Key : std::uint8_t {
   count
 };
 
-/// One thing that happened at the window, in the order in which it happened.
+/// One event at the window. Events come in the order in which they happen.
 struct InputEvent {
   enum class Kind : std::uint8_t { pointer, button, wheel, key, character, file, focus_lost };
   Kind kind = Kind::pointer;
@@ -77,7 +77,7 @@ struct InputEvent {
   bool down = false;                       ///< button, key
   float wheel = 0;                         ///< wheel: steps, up is positive
   char32_t character = 0;                  ///< character: Unicode code point
-  std::string path = {};                   ///< file: dropped on the window; those of one drop are pushed together
+  std::string path = {};                   ///< file: dropped on the window; files of one drop are pushed together
 };
 
 /// Mouse and keyboard in a frame.
@@ -101,7 +101,7 @@ struct Clipboard {
   std::function<void(const std::string&)> set;
 };
 
-/// Turns events into frames so that nothing shorter than a frame is lost. A key or button changes at most once in a
+/// Turns events into frames so that no press shorter than a frame is lost. A key or button changes at most once in a
 /// frame; a second change, and all events after it, wait for the next frame.
 class InputQueue {
  public:

@@ -26,8 +26,8 @@ Values values_of(const CameraPlace& place) {
   return {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view};
 }
 
-/// Returns how fast the values change at a key: as fast as in the mean from the key before it to the one after it. The
-/// camera sets out from its first key and arrives at its last.
+/// Returns how fast the values change at a key: the mean from the key before it to the key after it. The camera sets
+/// out from its first key and arrives at its last.
 Values slope(const std::vector<CameraKey>& keys, std::size_t key) {
   Values slopes{};
   if (key == 0 || key + 1 == keys.size()) return slopes;
@@ -63,7 +63,7 @@ Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
   const HeadLines head = lines_of(*text);
   const char separator = separator_of(head.first);
   std::vector<std::string> names = fields_of(head.first, separator);
-  if (names.size() == all_names.size() - 1) names.emplace_back(all_names.back());  // which may be left out
+  if (names.size() == all_names.size() - 1) names.emplace_back(all_names.back());  // the last may be left out
   if (!std::ranges::equal(names, all_names)) {
     return fault(file, head.first_line, "it is no header of a camera path; begin with time,x,y,z,yaw,pitch,fov");
   }

@@ -40,7 +40,7 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing, Cloth
   };
 }
 
-// The camera comes nearer to a long, low character than its room asks, and stands as low as it is.
+// The camera comes nearer to a long, low character than its room needs, and stands as low as the character.
 std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& roles, const NamedCamera& tower) {
   const auto unit = static_cast<float>(roles.spacing()), tall = static_cast<float>(roles.size());
   const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(roles.spacing()));

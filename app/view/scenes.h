@@ -20,7 +20,7 @@ struct NamedCamera {
 inline constexpr float film_field_of_view = 50.0F;
 
 /// Returns the names of a scene's cameras, in their order. The first is where a scene begins. Every scene has front,
-/// above, close, far and tower; some have more to show.
+/// above, close, far and tower; some have more cameras.
 std::span<const char* const> scene_camera_names(Scene scene);
 
 /// Returns the cameras of a scene, one a name. They depend on the size of the crowd and of the character, and on

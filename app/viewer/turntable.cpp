@@ -34,7 +34,7 @@ void Turntable::face_front() {
   nearness_ = 1.0F;
 }
 
-// Each point of both rims asks for a distance, at which it touches an edge of the picture.
+// Each point of both rims needs a distance, at which it touches an edge of the picture.
 float Turntable::distance_to_see(const render::Camera& camera, float aspect) const {
   constexpr int points = 48;
   const glm::vec3 ahead = render::forward(camera), right = render::right(camera), up = glm::cross(right, ahead);

@@ -19,7 +19,7 @@ class Turntable {
   void update(const InputFrame& input, const FlyControls& controls);
   /// Turns on by itself.
   void turn(float seconds);
-  /// Goes back to where it began.
+  /// Goes back to the first view.
   void face_front();
 
   /// Returns the camera for a picture of `aspect`, whose right share `covered` (0 to below 1) a panel hides. The

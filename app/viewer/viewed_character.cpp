@@ -16,7 +16,7 @@ constexpr int times_of_a_clip = 8;
 constexpr float room_around = 1.06F;   // the points are not the whole surface
 constexpr float least_radius = 1e-6F;  // metres
 
-// Reads what anim::store_state wrote.
+// Reads a state that anim::store_state() wrote.
 anim::StateTransform load_state(const float* pose, int bone, int components) {
   pose += bone / anim::packet_bones * components * anim::packet_bones + bone % anim::packet_bones;
   const auto at = [&](int component) { return static_cast<double>(pose[component * anim::packet_bones]); };

@@ -14,7 +14,7 @@
 
 namespace throng::app {
 
-/// Says which pose of a character is wanted.
+/// Names a pose of a character.
 struct ViewedPose {
   int clip = 0;
   double seconds = 0;     ///< in the clip
@@ -33,10 +33,10 @@ struct ViewedRoom {
   float across = 1.0F, half_height = 1.0F;  ///< radius and half the height of the cylinder
 };
 
-/// One agent of a character, in an animation system of its own, which is asked for a pose in each frame.
+/// One agent of a character, in an animation system of its own, which gives a pose in each frame.
 class ViewedCharacter {
  public:
-  /// `source` outlives it. Errors: those of AnimationSystem::create.
+  /// `source` outlives it. Errors: as AnimationSystem::create().
   static anim::Result<std::unique_ptr<ViewedCharacter>> create(const CharacterSource& source, anim::StreamKind stream);
 
   void pose(const ViewedPose& wanted);

@@ -29,7 +29,7 @@ std::optional<std::uint32_t> first_agent_of(const Crowd& crowd, std::size_t char
   return static_cast<std::uint32_t>(found - crowd.characters().begin());
 }
 
-// The clip that is asked for, else that of the agent, else to stand with, else the first.
+// The clip that is asked for, else the agent's, else the one to stand with, else the first.
 int first_clip(const Stage& stage, const ViewRequest& request) {
   const CharacterSource& source = stage.characters()[request.character];
   const int of_agent = request.agent ? stage.crowd().clips()[*request.agent] : no_clip;
@@ -50,7 +50,7 @@ anim::Status check(const Stage& stage, const ViewRequest& request) {
   return anim::Done{};
 }
 
-/// Returns the palette entries that a bone moves; one that no vertex has for a bone that no skin uses.
+/// Returns the palette entries that a bone moves; an entry without vertices for a bone that no skin uses.
 render::WeighedEntries entries_of(const anim::Skeleton& skeleton, int bone) {
   const auto first = std::ranges::lower_bound(skeleton.palette, bone, {}, &anim::PaletteEntry::bone);
   const auto end = std::ranges::upper_bound(skeleton.palette, bone, {}, &anim::PaletteEntry::bone);
@@ -142,7 +142,7 @@ double Viewer::seconds_of(int clip) const {
   return std::max(anim::to_seconds(duration), shortest_clip);
 }
 
-// Clips that are blended go in step, so both take the time between theirs.
+// Blended clips go in step, so both take a time between their lengths.
 double Viewer::length() const {
   const double own = seconds_of(settings_.clip);
   if (settings_.blended == no_clip) return own;
@@ -205,7 +205,7 @@ render::CrowdFrame Viewer::frame(const render::CameraView& camera) {
   return frame;
 }
 
-// The sphere that no pose leaves, and the cylinder of its body.
+// Adds the sphere that no pose leaves, and the cylinder of the body.
 void Viewer::add_bounds() {
   const anim::CharacterBounds& bounds = viewed_->character().bounds;
   const glm::vec3 centre(0.0F, scale_ * static_cast<float>(bounds.height / 2), 0.0F);

@@ -19,15 +19,15 @@ namespace throng::app {
 class Viewer {
  public:
   /// The stage outlives the viewer, and its characters stay as they are. Errors: there is no such character, agent or
-  /// clip; those of ViewedCharacter::create.
-  /// `meshes` are the character's as they are loaded for drawing; none where nothing is drawn.
+  /// clip; as ViewedCharacter::create().
+  /// `meshes` are the character's, as loaded for drawing; none where nothing is drawn.
   static anim::Result<std::unique_ptr<Viewer>> create(const Stage& stage, const ViewRequest& request,
                                                       std::vector<ViewedMesh> meshes);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Takes what a person chose; what the character does not have is left as it was.
+  /// Takes a person's choices; choices that the character does not have change nothing.
   void choose(const ViewerSettings& settings);
   const ViewerSettings& settings() const { return settings_; }
   /// Stops at these seconds of the clip.
@@ -36,7 +36,7 @@ class Viewer {
   void advance(anim::Ticks delta);
 
   Turntable& turntable() { return turntable_; }
-  /// Returns what is to be drawn from `camera`. It is valid until the viewer changes.
+  /// Returns the frame to draw from `camera`. It is valid until the viewer changes.
   render::CrowdFrame frame(const render::CameraView& camera);
   ViewerReport report() const;
   const ViewedCharacter& viewed() const { return *viewed_; }

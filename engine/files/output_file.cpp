@@ -127,7 +127,7 @@ Result<OutputFile> OutputFile::create(const fs::path& file, Unfinished unfinishe
 
 Status OutputFile::open_straight() {
   descriptor_ = output_calls::open_straight(file_);
-  if (descriptor_ < 0 && errno == ENXIO) return cannot_write(file_, "nobody reads from it");
+  if (descriptor_ < 0 && errno == ENXIO) return cannot_write(file_, "it has no reader");
   if (descriptor_ < 0) return cannot_write(file_, errno);
   return Done{};
 }

@@ -106,7 +106,7 @@ PipedProgram::~PipedProgram() {
   waitpid(process_, nullptr, 0);
 }
 
-// It must be listened to meanwhile: a program whose words nobody takes stops.
+// Reads the program's output meanwhile: a program stops when its output is not read.
 bool PipedProgram::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     std::array<pollfd, 2> ends{

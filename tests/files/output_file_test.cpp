@@ -154,8 +154,7 @@ TEST_F(OutputFiles, AreLeftAsTheyWereWithoutACommit) {
 
 TEST_F(OutputFiles, RefuseAPipeThatNobodyReads) {
   ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
-  EXPECT_EQ(write_whole_file(file_, "text").error().message,
-            file_.string() + ": cannot be written: nobody reads from it");
+  EXPECT_EQ(write_whole_file(file_, "text").error().message, file_.string() + ": cannot be written: it has no reader");
   EXPECT_TRUE(fs::is_fifo(file_)) << "it is not replaced";
 }
 

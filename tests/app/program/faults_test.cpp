@@ -81,7 +81,7 @@ TEST_F(Faults, APipeIsNotWaitedFor) {
   ASSERT_EQ(mkfifo(at("pipe.json").c_str(), 0600), 0);
   expect_one_line(run({"--preset", at("pipe.json")}), 2,
                   "--preset " + at("pipe.json") + ": it is a pipe, not a file; name a preset");
-  expect_one_line(run({"--stats", at("pipe.json")}), 1, at("pipe.json") + ": cannot be written: nobody reads from it");
+  expect_one_line(run({"--stats", at("pipe.json")}), 1, at("pipe.json") + ": cannot be written: it has no reader");
 }
 
 TEST_F(Faults, AnOutputNeverReplacesAnInput) {

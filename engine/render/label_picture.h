@@ -21,7 +21,7 @@ struct PixelBox {
 /// Says of each pixel who is there and how far away, with one sample a pixel; top row first.
 struct LabelPicture {
   glm::ivec2 size{0};
-  std::vector<std::uint32_t> agents;  ///< InstanceRecord::agent + 1; 0: nobody
+  std::vector<std::uint32_t> agents;  ///< InstanceRecord::agent + 1; 0: no agent
   std::vector<float> metres;          ///< along the camera's axis, to crowd, scenery or ground; infinite: to nothing
 
   std::size_t place(int x, int y) const {

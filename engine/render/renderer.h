@@ -169,7 +169,7 @@ class Renderer {
   BonePass bones_{shaders_};
   LinePass lines_{shaders_};
   SplitPass split_{shaders_};
-  std::optional<LabelPass> labels_;  // none: nobody has asked for labels
+  std::optional<LabelPass> labels_;  // none: no caller has asked for labels
   std::optional<OverlayRenderer> overlay_;
   TiledTarget target_;
   RendererOptions options_;

@@ -75,7 +75,7 @@ class PaletteSlots {
   /// Gives the memory that a PU writes to. Debug builds assert that the slot is acquired and not retired.
   std::byte* memory(const PaletteSlot& slot) const;
 
-  /// Says whether this very slot is acquired and not retired, so that nobody else writes or frees it.
+  /// Says whether this very slot is acquired and not retired: its owner alone writes and frees it.
   bool is_acquired(const PaletteSlot& slot) const;
 
   std::size_t page_count() const { return pages_.size(); }

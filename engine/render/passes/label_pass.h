@@ -33,7 +33,7 @@ class LabelPass {
   /// Makes a target for pictures of that size, or keeps the one that there is. Errors: the device has no memory for it.
   Status prepare(glm::ivec2 size);
 
-  /// Begins a picture: binds the target, where nobody is.
+  /// Begins a picture: binds the target and empties it of agents.
   void begin() const;
   /// Draws numbers and depths of the crowd over the depths that are there.
   void draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);

@@ -90,7 +90,7 @@ class AgentGraphs {
   /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
   /// graph with a cycle; then the agent keeps its graph if all entities of it are still alive, or else has none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
-  /// Rebuilds the graph. Call it when somebody else has changed a channel; or after an update whose graph has no room,
+  /// Rebuilds the graph. Call it after a channel was changed from outside; or after an update whose graph has no room,
   /// to cut what channels fade by themselves.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent, Fades fades = Fades::go_on);
   /// Compiles all graphs anew. Call it when layouts of entities have changed.

@@ -50,8 +50,8 @@ RootMotion AgentMotion::displacement_of(std::size_t step, Ticks from, Ticks to) 
   return anim::displacement(*curve, place_on_root_curve(step, from), place_on_root_curve(step, to), looping);
 }
 
-// Straight motions blend as vectors. Those that turn are blended as steady velocities, over steps in which nobody turns
-// far, so that the result does not depend on where an interval was cut.
+// Straight motions blend as vectors. Motions that turn blend as steady velocities, over steps in which none turns far,
+// so that the result does not depend on where an interval was cut.
 RootMotion AgentMotion::displacement(Ticks from, Ticks to) const {
   const PoseWeights shares = weights(to);
   RootMotion sum;

@@ -70,7 +70,7 @@ class AgentMotion {
                          KeyChoice choice = KeyChoice::felt) const;
 
   /// Visits each clip that does not loop and arrived at its end in (from, to], or at its start where it plays
-  /// backwards, whatever its weight. Adjoining intervals deliver each arrival once. Nobody arrives who began there.
+  /// backwards, whatever its weight. Adjoining intervals deliver each arrival once; a clip that begins there has none.
   void for_each_end(Ticks from, Ticks to, const std::function<void(const ClipEnd&)>& visit) const;
 
   /// Adds the weights of the character's morphs at `at` to `weights`, which has one for each. They are blended as the

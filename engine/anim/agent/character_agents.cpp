@@ -53,7 +53,7 @@ struct LostPlayer {
   }
 };
 
-/// Says who plays a clip that `after` has not in its place; empty: nobody does.
+/// Says which agents play a clip that `after` has not in its place; empty: none do.
 std::string played_clip(const Character& before, const Character& after, const EntityPools& pools) {
   std::set<LostPlayer> lost;
   const auto note = [&](const std::byte* block) {

@@ -65,7 +65,7 @@ Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) 
   Population& population = system_->population;
   if (!population.has_room_for_character()) {
     return Error{"a system animates at most " + std::to_string(most_skeletons) +
-                 " characters at a time: remove one that nobody plays, or use another system for \"" +
+                 " characters at a time: remove one that no agent plays, or use another system for \"" +
                  character->skeleton.name + "\""};
   }
   const CharacterId added = population.add_character(std::move(character));

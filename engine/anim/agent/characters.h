@@ -54,8 +54,8 @@ class Characters {
 
   /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette
   /// or beside it: all (all_joints), chosen ones for sockets and hits (joints_of), or palettes in the order of a glTF
-  /// skin (joints_of_skin) or as 4x4 matrices. An agent of whom neither a palette nor a hash is wanted is posed as far
-  /// as its joints need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
+  /// skin (joints_of_skin) or as 4x4 matrices. An agent without a wanted palette or hash is posed as far as its joints
+  /// need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
   /// joints, and the order of bones stays. An empty list: none. Errors: those of compile_joints, or a local store of a
   /// fixed size is too small; then nothing has changed.
   Status write_joints(const JointList& list, JointFormat format, CharacterId character = 0);

@@ -84,7 +84,7 @@ Status FittedScheduler::take_character(const Population& population, std::uint32
   refresh_contexts(population);
   const LocalStoreDemand needs = demand(population);
   if (Status fits = fit(population, needs); !fits) return fits;
-  // PUs write palettes that nobody sees to a place of their own, which has room for the largest.
+  // PUs write palettes without a destination to a place of their own, which has room for the largest.
   if (population.characters()[character]->skeleton().palette_count() > scheduler_->palette_entries()) {
     make_scheduler(population, scheduler_->options().plan, scheduler_->options().local_store_bytes);
   }

@@ -42,7 +42,7 @@ class FittedScheduler {
   }
   /// Updates the channels of an agent. If there is no room for what they fade, it is shown without fading.
   Status update_channels(Population& population, std::uint32_t agent);
-  /// Updates the channels of a character's agents that are due by the clock, whoever is posed.
+  /// Updates the channels of a character's agents that are due by the clock, posed or not.
   void update_due_channels(Population& population, std::uint32_t character);
   /// Returns what all graphs ask of the stores.
   LocalStoreDemand demand(const Population& population) const;

@@ -52,7 +52,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   }
 
   /// Returns the ankle of a leg at the last update, as the animation has it before it is placed, in world space. Like
-  /// what follows, it is 0 where nobody was posed yet, and for a leg that there is not.
+  /// what follows, it is 0 before the agent is posed, and for a leg that there is not.
   glm::vec3 ankle(const EntityPools& pools, int leg) const {
     if (!has(pools, leg)) return glm::vec3(0.0F);
     const auto& memory = pools.private_as<FootPlacementMemory>(entity());

@@ -80,7 +80,7 @@ bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const Pla
   return changed;
 }
 
-// The leader of before stays as long as nobody is heavier.
+// The leader of before stays as long as no gait is heavier.
 std::size_t InStepPlayers::choose_leader() const {
   std::size_t best = leader_;
   for (std::size_t i = 0; i < count_; ++i) {

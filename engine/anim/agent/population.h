@@ -16,7 +16,7 @@ inline constexpr const char* no_character = "a character of this id is not in th
 
 /// The character of an agent, and its number among the agents of that character.
 struct Member {
-  static constexpr std::uint32_t dead = 1U << 31;  ///< set in the generation of a number that nobody has
+  static constexpr std::uint32_t dead = 1U << 31;  ///< set in the generation of a number that no agent has
 
   std::uint32_t character;
   std::uint32_t index;
@@ -141,7 +141,7 @@ class Population {
 
  private:
   std::vector<std::unique_ptr<CharacterAgents>> characters_;
-  std::vector<std::uint32_t> character_generations_;  // [character] of numbers that nobody has, too
+  std::vector<std::uint32_t> character_generations_;  // [character] of free numbers too
   AgentNumbers numbers_;
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
   Ticks clock_{};

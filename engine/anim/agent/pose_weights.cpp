@@ -64,7 +64,7 @@ void PoseSharing::share_layered(const Asked& asked, std::size_t step, PoseWeight
   if (asked.part == Part::motion) return;
   const float added = weights[step] * layer.weight * mask_at(asked, layer.mask).most;
   weights[own.sources[1]] += added;
-  if (asked.part == Part::bone) weights[own.sources[2]] -= added;  // nobody feels what is only subtracted
+  if (asked.part == Part::bone) weights[own.sources[2]] -= added;  // what is only subtracted is not felt
 }
 
 void PoseSharing::share(const Asked& asked, std::size_t step, PoseWeights& weights) const {

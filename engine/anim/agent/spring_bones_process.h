@@ -36,7 +36,7 @@ class SpringBonesProcess final : public WeightedProcess<SpringBonesEntity> {
   void restart() { ++restarts_; }
 
   /// Returns the ends of the bones that swing at the last update, in world space and in the order of SpringRig::joints.
-  /// There are none where nobody was posed yet.
+  /// There are none before the agent is posed.
   std::span<const SpringJointState> joints(const EntityPools& pools) const {
     if (!entity().valid()) return {};
     return spring_joints(rig_of(pools), pools.private_as<SpringBody>(entity()));

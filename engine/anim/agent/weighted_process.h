@@ -26,7 +26,7 @@ class WeightedProcess : public OneEntityProcess<Entity> {
     fades_ = true;
   }
 
-  /// Returns the weight that the last update reached on its way to what was set; 0 where nobody was posed yet.
+  /// Returns the weight that the last update reached on its way to the weight that was set; 0 before the first update.
   float weight(const EntityPools& pools) const {
     return this->entity().valid() ? value(pools.as<Entity>(this->entity()).weight) : 0.0F;
   }

@@ -13,7 +13,7 @@ bool has_no_offset_of(const Inertialiser& offset, Ticks ahead) {
   return !has_left(offset) || offset.since_capture < ahead;
 }
 
-// Where feet were held and where they are let go to depends on frames in which nobody posed them.
+// The places where feet were held, and where they are let go to, depend on frames in which they were not posed.
 bool holds_feet_of(const FootPlacementEntity& feet, Ticks ahead) {
   FadingWeight weight = feet.weight;
   advance_weight(weight, -static_cast<float>(to_seconds(ahead)));

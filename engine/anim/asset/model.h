@@ -123,11 +123,11 @@ struct BakedMeshLod {
   std::vector<SkinnedMesh> meshes;
 };
 
-/// A piece of what a character may wear or be made of. Those who differ wear some of them each (app/wardrobe).
+/// A piece of what a character may wear or be made of. Each agent of a varied crowd wears some of them (app/wardrobe).
 struct ModelPart {
   std::string name;                    ///< of its node, behind the first `/`
   std::string slot;                    ///< what it fills, as "top"; empty: it is always worn
-  std::string body;                    ///< whom it fits, as "woman"; empty: everybody
+  std::string body;                    ///< the body that it fits, as "woman"; empty: all
   std::vector<std::string> covers;     ///< slots that are not drawn below it
   std::vector<std::string> keeps_out;  ///< slots that stay empty with it
   std::vector<std::string> tags;       ///< what rules know it by, as "warm"

@@ -19,7 +19,7 @@ constexpr double equally_important = 0.02;     // the two sides of a character d
 constexpr double largest_useful_share = 0.85;  // of the level above; a larger level is not worth its switch
 
 /// Makes each parent at least as important as its children, since it cannot be dropped before them, and each root as
-/// important as any bone, since there is nobody whom it could follow.
+/// important as any bone, since it has no parent to follow.
 std::vector<double> hand_up(std::span<const int> parents, std::span<const double> importance) {
   std::vector<double> result(importance.begin(), importance.end());
   for (std::size_t bone = parents.size(); bone-- > 0;) {

@@ -27,7 +27,7 @@ constexpr double most_turn = 270.0 * degree;
 constexpr double least_turn = 20.0 * degree, least_closed_turn = 3.0 * degree;
 constexpr double least_climb = 0.10, least_closed_climb = 0.05;
 
-/// The poses of a clip at even steps, closely enough that nobody turns by half a turn in between.
+/// The poses of a clip at even steps, closely enough that no body turns by half a turn in between.
 struct Survey {
   std::vector<Frames> frames;
   double seconds = 0.0;

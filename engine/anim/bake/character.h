@@ -42,7 +42,7 @@ struct BakedClip {
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   UserCurves curves = {};             ///< numbers for game play; no pose depends on them
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
-  double stance_speed = 0.0;  ///< metres a second of the foot that stands; 0: nobody strides, or the clip travels
+  double stance_speed = 0.0;          ///< metres a second of the foot that stands; 0: no strides, or the clip travels
   AlignedBytes keyframe_block;
   double keyframe_error = 0.0;  ///< metres: what still tracks and a turn taken out may move the surface by at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
@@ -64,8 +64,8 @@ struct BakeOptions {
   bool take_root_motion = true;  ///< remove travel, turn and climb of the root from the pose (off for `pose`)
   /// Time 0 is the file's, not that of the clip's first key, and tracks that hardly move keep their keys (for `pose`).
   bool as_in_the_file = false;
-  /// Hears of each clip that was baked: how many are, of how many. One thread calls it at a time, any of those that
-  /// bake. Null: nobody hears.
+  /// Is called after each baked clip with the number of baked clips and of all clips. Any thread that bakes calls it,
+  /// one at a time. Null: no call.
   std::function<void(std::size_t done, std::size_t clips)> progress = {};
 };
 

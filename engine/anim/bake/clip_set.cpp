@@ -26,7 +26,7 @@ std::optional<Error> fault_in(const std::shared_ptr<const Character>& character)
   return fault == nullptr ? std::nullopt : std::optional(Error{in_quotes(character->skeleton.name) + ": " + fault});
 }
 
-/// Returns a clip with the streams of another one, which `owner` keeps unless somebody else does.
+/// Returns a clip with the streams of another one, which `owner` keeps unless another owner does.
 BakedClip lend_clip(const BakedClip& clip, const Owner& owner) {
   BakedClip lent = without_streams(clip);
   if (clip.is_empty()) return lent;

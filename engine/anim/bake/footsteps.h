@@ -9,7 +9,7 @@
 namespace throng::anim {
 
 /// Returns data keys "footstep_left" and "footstep_right", by time: the lowest joint of a side comes down and stands on
-/// the ground. `stream` loops in place. Returns none where nobody stands, or where left and right do not take turns.
+/// the ground. `stream` loops in place. Returns none where no foot stands, or where left and right do not take turns.
 std::vector<NamedDataKey> find_footsteps(const Skeleton& skeleton, const KeyframeStream& stream, double height);
 
 }  // namespace throng::anim

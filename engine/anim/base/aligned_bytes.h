@@ -12,7 +12,7 @@ inline constexpr std::size_t huge_page_bytes = std::size_t{2} << 20U;
 
 /// Gives bytes back to who gave them (throng/host.h), unless they were lent.
 struct AlignedDelete {
-  bool lent = false;  ///< the bytes belong to somebody else, who keeps them for longer
+  bool lent = false;  ///< the bytes belong to another owner, who keeps them for longer
   std::size_t size = 0;
   std::size_t alignment = block_alignment;
   MemoryHooks giver{};  ///< without functions: operator new gave them
@@ -25,7 +25,7 @@ using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
 /// Allocates `size` zeroed bytes, in huge pages where they fill half of one and the system has them.
 AlignedBytes allocate_aligned(std::size_t size);
 
-/// Holds aligned bytes that belong to somebody else, who keeps them for longer. Nobody writes to them.
+/// Holds aligned bytes that belong to another owner, who keeps them for longer. They are not written.
 inline AlignedBytes lend_aligned(const std::byte* bytes) {
   return {const_cast<std::byte*>(bytes), AlignedDelete{.lent = true}};
 }

@@ -2,8 +2,8 @@
 
 namespace throng::anim {
 
-/// Returns on how many cores this process may run, at least 1: those of the machine, or fewer where somebody pinned it
-/// to some of them (`taskset`, a container).
+/// Returns on how many cores this process may run, at least 1: all cores of the machine, or fewer where the process is
+/// pinned (`taskset`, a container).
 int usable_cores();
 
 }  // namespace throng::anim

@@ -33,7 +33,7 @@ struct CrowdCharacter {
 /// The inside of a Crowd: an AnimationSystem, and what the door adds to it.
 struct CrowdParts {
   std::vector<CrowdCharacter>
-      characters;  // [number] an empty one where nobody has the number. They outlive the system.
+      characters;  // [number] an empty one where no character has the number. They outlive the system.
   std::unique_ptr<anim::AnimationSystem> system;
   AgentNotes notes;
   std::vector<anim::AgentUpdate> updates;  // scratch of a frame

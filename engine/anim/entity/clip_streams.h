@@ -12,7 +12,7 @@
 namespace throng::anim {
 
 /// The read-only resource of one clip, in main memory (paper 2.2.2 "pointer to the animation stream"). The place of a
-/// clip may be empty; nobody plays it then.
+/// clip may be empty; no agent plays it then.
 struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream

@@ -151,7 +151,7 @@ struct EntityKind {
   int whole_pose_work = 1;  ///< time of pose_whole as a multiple of a gaze's (CostModel::post_process)
   /// Quads whose positions it changes. In other quads they are those of its only source. General skeletons ignore this.
   std::uint64_t displaced_quads = ~std::uint64_t{0};
-  /// Does what pose_whole does for up to widest_strip characters at once, to the same bits whoever the others are.
+  /// Does what pose_whole does for up to widest_strip characters at once, to the same bits whatever the others are.
   /// Null: pose_whole is called for each.
   void (*pose_strip)(const PosedEntities& all) = nullptr;
   /// Does what pose_packet does for up to widest_strip characters at once, in place.

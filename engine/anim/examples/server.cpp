@@ -1,4 +1,4 @@
-// A server without drawing: where are the hands and heads of a thousand players, whom nobody sees?
+// A server without drawing: where are the hands and heads of a thousand players that are not seen?
 #include <cstdio>
 #include <vector>
 

@@ -32,7 +32,7 @@ int main(int count, char** arguments) {
     if (frame == 600) mind.set(*tired, 1.0F);
     if (frame == 1200) mind.set(*tired, 0.0F);
     crowd->advance(ticks_per_second / 60);
-    const PoseRequest pose{.agent = agent.id()};  // no palette: nobody draws it here
+    const PoseRequest pose{.agent = agent.id()};  // no palette: this example does not draw
     crowd->update({&pose, 1});
     const std::string_view name = machine->state_name(mind.state());
     if (name == shown) continue;

@@ -9,7 +9,7 @@ using namespace throng;
 
 namespace {
 
-/// Poses all agents of the crowd for the next frame. Nobody draws them here.
+/// Poses all agents of the crowd for the next frame. This example does not draw them.
 void step(Crowd& crowd, std::vector<PoseRequest>& requests) {
   requests.clear();
   for (const AgentId id : crowd.agents()) requests.push_back({.agent = id});
@@ -58,7 +58,7 @@ int main(int count, char** arguments) {
     for (const AgentId id : guests) crowd->agent(id).play({.clip = {0}, .loop = true});
     for (int frame = 0; frame < 60; ++frame) step(*crowd, requests);
     for (const AgentId id : guests) crowd->remove_agent(id);
-    const auto left = crowd->remove(*guest);  // its memory is free when nobody else has the character
+    const auto left = crowd->remove(*guest);  // its memory is free when no other owner has the character
     if (!left) return std::fprintf(stderr, "%s\n", left.error().message.c_str()), 1;
   }
   if (const Status streamed = stream_a_clip(*crowd, load(arguments[1])->characters.front()); !streamed)

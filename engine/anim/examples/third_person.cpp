@@ -49,7 +49,7 @@ int main(int count, char** arguments) {
     stand.position.z += walks_in_place ? ahead / 60.0F : moved.displacement.z;
     stand.position.y = 0.1F * stand.position.z;
     agent.motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++steps; });
-    const PoseRequest pose{.agent = agent.id()};  // no palette: nobody draws it here
+    const PoseRequest pose{.agent = agent.id()};  // no palette: this example does not draw
     crowd->update({&pose, 1});
   }
   std::printf("walked %.1f m in 10 s, %d data keys on the way\n", static_cast<double>(stand.position.z), steps);

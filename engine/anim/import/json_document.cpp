@@ -95,7 +95,7 @@ json parse_text(std::string_view text, std::vector<std::string>& repairs) {
   return std::move(*document);
 }
 
-/// Many objects are made of one, and each has its name. Nobody reads so long a name.
+/// Shortens a name that is too long to read. Many objects are made of one, and each has its name.
 void shorten_name(std::string& name) {
   constexpr std::size_t longest = 1024;  // bytes
   if (name.size() <= longest) return;

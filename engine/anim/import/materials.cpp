@@ -163,7 +163,7 @@ anim::Material MaterialCollector::convert(const tinygltf::Material& source) {
 /// Converts factors, or factors and images where a texture or two of the same coordinates need it. A file that brings
 /// metallic and roughness in a texture besides is read by that one.
 void MaterialCollector::read_specular_glossiness(const tinygltf::Value& extension, anim::Material& material) {
-  constexpr float brightest_dielectric = 0.08F;  // specular: gems reflect more, but nobody is made of them
+  constexpr float brightest_dielectric = 0.08F;  // specular: gems reflect more, but no character is made of them
   const SpecularGlossiness factors{.diffuse = read_vector(extension, "diffuseFactor", glm::vec4(1.0F)),
                                    .specular = read_vector(extension, "specularFactor", glm::vec3(1.0F)),
                                    .glossiness = read_number(extension, "glossinessFactor", 1.0F)};

@@ -15,8 +15,8 @@ namespace throng::import {
 /// it lies if its own name is a link.
 ///
 /// A uri never leads out of a folder by itself: absolute paths, schemes and ".." are refused. A symbolic link in the
-/// folder leads where the operating system says, because whoever laid out the folder put it there; model hubs and build
-/// systems lay files out so.
+/// folder leads where the operating system says, because the folder's owner put it there; model hubs and build systems
+/// lay out every file as a link.
 class ModelFiles {
  public:
   /// `strict` takes a uri by its letter alone, and follows no link out of the folder.

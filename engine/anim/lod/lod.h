@@ -134,7 +134,7 @@ struct LodFrame {
   std::span<const int> clips;                  ///< index of the character's clips; below 0: stands still; empty: all 0
   std::span<const float> importance;           ///< above 0; 1: as the rules say, 2: half the error; empty: all 1
   std::span<const std::uint8_t> changing;     ///< 1: goes over to another clip (LodChoices::changing); empty: none does
-  std::span<const std::uint8_t> absent = {};  ///< 1: neither seen nor due; empty: everybody is there
+  std::span<const std::uint8_t> absent = {};  ///< 1: neither seen nor due; empty: every agent is there
   const LodChoices* choices = nullptr;        ///< of `characters`; null: counts no cost, and forbids LodRule::budget
   LodCamera camera;
   LodRules rules;

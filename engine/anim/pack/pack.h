@@ -36,7 +36,7 @@ struct CharacterToPack {
   std::string name;
   Preparation prepared;
   std::shared_ptr<const anim::Character> character;
-  std::vector<std::byte> surface;  ///< for the device, in the form of whoever draws; or empty
+  std::vector<std::byte> surface;  ///< for the device, in the renderer's form; or empty
 };
 
 /// Holds a file that a pack is to have whole, and the characters that were baked from the first of its models.
@@ -44,7 +44,7 @@ struct FileToPack {
   std::string name;                         ///< by which the pack names it
   anim::ImportedFile file;                  ///< at least one model
   std::vector<CharacterToPack> characters;  ///< 1 to file.models.size()
-  std::uint64_t made_of = 0;                ///< what fingerprint_of() says of its sources; 0: nobody asks
+  std::uint64_t made_of = 0;                ///< what fingerprint_of() says of its sources; 0: not asked for
 };
 
 /// Returns the image of a pack. The same input gives the same bytes.

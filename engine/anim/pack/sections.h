@@ -19,7 +19,7 @@ enum class SectionKind : std::uint32_t {
   clips,          ///< the model's clips with all keys
   character,      ///< the baked model, its streams used in place
   surveyed_keys,  ///< the clips with those keys alone that another order of bones is measured by
-  surface,        ///< the model's surface for the device, written and read by whoever draws
+  surface,        ///< the model's surface for the device, written and read by the renderer
 };
 
 /// One row of the table of sections.

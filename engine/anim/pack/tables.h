@@ -8,8 +8,8 @@
 
 namespace throng::pack {
 
-/// These functions name the members of everything that a pack holds, for the three archives (archive.h). Whoever adds a
-/// member to a struct adds it here; the layout that packs carry changes by itself.
+/// These functions name the members of everything that a pack holds, for the three archives (archive.h). A new member
+/// of a struct is added here too; the layout that packs carry changes by itself.
 
 // These functions describe a skeleton.
 

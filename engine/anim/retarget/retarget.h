@@ -14,7 +14,7 @@ namespace throng::anim {
 struct RetargetedClip {
   Clip clip;
   bool as_it_was = false;         ///< its keys fit as they are
-  std::vector<std::string> lost;  ///< bones that it animates, and whose motion reaches nobody
+  std::vector<std::string> lost;  ///< bones that it animates, and whose motion reaches no bone
 };
 
 /// Plays clips of one skeleton on another. Both outlive it.

@@ -28,8 +28,8 @@ RigMatch match_rigs(const Skeleton& from, const Skeleton& to);
 /// same rest transforms as far as the clip does not replace them.
 bool keys_fit(const Skeleton& from, const Skeleton& to, const RigMatch& match, const Clip& clip);
 
-/// Returns the names of the bones of `from` whose motion is lost: a clip animates them, and nobody follows them or a
-/// bone below.
+/// Returns the names of the bones of `from` whose motion is lost: a clip animates them, and no bone follows them or
+/// a bone below.
 std::vector<std::string> lost_bones(const Skeleton& from, const RigMatch& match, const Clip& clip);
 
 }  // namespace throng::anim

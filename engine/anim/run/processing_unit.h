@@ -22,7 +22,7 @@ struct PuActivity {
 /// A worker with a local memory of its own. It runs tasks of any kind through that memory.
 class alignas(block_alignment) ProcessingUnit {
  public:
-  /// Makes a PU. `palette_entries` are those of the largest skeleton, for palettes that nobody sees.
+  /// Makes a PU. `palette_entries` is the count of the largest skeleton, for palettes without a destination.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
       : store_(local_store_bytes),
         unseen_(allocate_aligned(palette_stride(palette_entries, PaletteFormat::matrices))) {}

@@ -32,8 +32,8 @@ struct ScheduleOptions {
 ///
 /// 1. *Guard the pools* (base/guard.h). Under the address sanitizer all blocks are poisoned until the update is over.
 ///    The copy engine alone reaches them, so a kernel that reads main memory instead of its local store is caught.
-/// 2. *Update shared graphs*, by `levels` in either schedule. Agents of many tiles read their states, so these have to
-///    be whole before the first tile is fetched. Nobody waits for a shared graph later.
+/// 2. *Update shared graphs*, by `levels` in either schedule. Agents of many tiles read their states, so the states
+///    must be whole before the first tile is fetched. No PU waits for a shared graph later.
 /// 3. *Order the work* (program/work_order.h), on the calling thread, which is PU 0. Agents are grouped by what a tile
 ///    must have in common: skeleton, bone level, held or streaming. The dearest groups go first, because a large task
 ///    that begins last keeps all other PUs waiting. The list is walked by runs of agents who run one program and cost

@@ -82,7 +82,7 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, const W
       tiles_.back().width = newest.width();
     }
     if (next == run.count) continue;
-    // Tiles behind one that is narrow for somebody in it are as wide as those in them allow.
+    // A narrow agent narrows its own tile only; the tiles after it take the width that their agents allow.
     if (!holds || newest.needs() != like.program->needs) newest.begin(context, *like.program);
     for (; next < run.count; next += tiles_.back().count) {
       tiles_.push_back({.first = run.first + next, .width = newest.width(), .needs = newest.needs()});

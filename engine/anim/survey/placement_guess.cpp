@@ -19,14 +19,14 @@ namespace {
 constexpr double least_side = 0.04;                                   // metres: a mouse
 constexpr double largest_side = 40.0;                                 // metres: a tall house
 constexpr double upright_over_depth = 0.8, upright_over_width = 0.6;  // an animal is longer; arms may be spread
-constexpr double off_the_middle = 0.25;  // of the largest side: nobody who stands on the origin is so far off
+constexpr double off_the_middle = 0.25;  // of the largest side: no figure that stands on the origin is so far off
 constexpr double sunk = 0.02;            // of the height: soles lie a little below the ground in many files
 constexpr double afloat = 0.5;           // of the height: who hovers on purpose is lower
 
 double largest_of(const glm::dvec3& size) { return std::max({size.x, size.y, size.z}); }
 
 /// Returns the metres that a unit of the file probably is: 1, or the power of ten that brings a model of `side` units
-/// nearest to a person. Nobody models in decimetres.
+/// nearest to a person. No artist models in decimetres.
 double guess_scale(double side) {
   if (side >= least_side && side <= largest_side) return 1.0;
   const double power = std::round(std::log10(tall_person / side));
@@ -38,7 +38,7 @@ bool stands_upright(const glm::dvec3& size) {
 }
 
 /// Returns by how much a model of that size in metres grows to fit among people: 1 for one that does. No unit makes a
-/// figure of 5 cm or of 6 m that stands upright, so it is a person in a unit that nobody knows.
+/// figure of 5 cm or of 6 m that stands upright, so it is a person in an unknown unit.
 double growth_among_people(const glm::dvec3& metres) {
   const bool upright = stands_upright(metres);
   const double side = upright ? metres.y : largest_of(metres);

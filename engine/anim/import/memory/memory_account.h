@@ -18,14 +18,14 @@ inline constexpr std::uint64_t most_decoded_memory = 4'000'000'000;     ///< byt
 inline constexpr std::uint64_t free_memory_a_json_byte = 32;
 inline constexpr std::uint64_t most_free_json_memory = 256'000'000;  ///< bytes
 
-/// Says that an import would hold more memory than it may. It is no Refusal, so that nobody mends the object and goes
-/// on.
+/// Says that an import would hold more memory than it may. It is no Refusal, so that no caller mends the object and
+/// goes on.
 class MemoryRefusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Counts the bytes that one import holds. Whoever takes memory that a file can ask for says so here first.
+/// Counts the bytes that one import holds. Code that takes memory on a file's word charges it here first.
 class MemoryAccount {
  public:
   /// `limit` is in bytes. 0 stands for basic_memory and what the files allow, and then images and JSON count as above.

@@ -123,7 +123,7 @@ class Processes {
   /// Tells feet the ground below a leg, in world space: a point of it and its unit normal. Leg -1: all.
   bool set_ground(ProcessId feet, int leg, const Vec3& point, const Vec3& normal) const;
   /// Returns the ankle of a leg at the last update, before it was placed, in world space: where to look for the ground.
-  /// It is 0 where nobody was posed yet, and for a leg that there is not.
+  /// It is 0 before the agent is posed, and for a leg that there is not.
   Vec3 ankle(ProcessId feet, int leg) const;
 
   /// Pushes the body nearest to `place` with an impulse, in kg m/s.

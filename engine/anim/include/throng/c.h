@@ -62,7 +62,7 @@ typedef struct throng_one_shot {
 typedef struct throng_pose_request {
   throng_id agent;
   uint32_t level; /* bone level, 0: all bones */
-  float* palette; /* 12 floats an entry, throng_crowd_palette_bytes, aligned to 16; null: nobody draws it */
+  float* palette; /* 12 floats an entry, throng_crowd_palette_bytes, aligned to 16; null: it is not drawn */
 } throng_pose_request;
 
 /* A data key that an agent has met. */

@@ -45,7 +45,7 @@ struct PoseRequest {
   AgentId agent{};
   std::uint8_t level = 0;        ///< bone level, 0: all bones
   Ticks look_ahead{};            ///< the pose is that of now + look_ahead, for skipped frames that are blended
-  std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: nobody draws it
+  std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: it is not drawn
   std::byte* joints = nullptr;   ///< Crowd::joint_bytes, aligned to 16; null: none are written
   std::uint8_t fade_level = 0;   ///< as Lod says it
   std::uint8_t fade_halves = 0;

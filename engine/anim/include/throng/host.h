@@ -52,7 +52,7 @@ struct MemoryHooks {
   void* context = nullptr;
 };
 
-/// Sets who gives memory from now on; without functions, operator new. What was given is taken back by whoever gave it,
+/// Sets the functions that give memory from now on; without functions, operator new. Memory goes back to its giver,
 /// so the functions stay callable. Call it when no other thread is in the library. Only one of the two functions is a
 /// misuse, which changes nothing.
 void set_memory_hooks(const MemoryHooks& hooks);
@@ -61,7 +61,7 @@ void set_memory_hooks(const MemoryHooks& hooks);
 /// its core. PU 0 is the caller's own thread.
 using ThreadHook = void (*)(int pu);
 
-/// Sets who is told of new threads, from any thread; nullptr: nobody.
+/// Sets the function that is told of new threads, from any thread; nullptr: none.
 void set_thread_hook(ThreadHook hook);
 
 }  // namespace throng

@@ -8,9 +8,9 @@ namespace throng {
 /// is used again, and its generation tells the two apart. Every call checks the ids that it is given.
 
 inline constexpr std::uint32_t no_number = UINT32_MAX;
-inline constexpr std::uint32_t whichever = UINT32_MAX;  ///< a generation: whoever has the number now
+inline constexpr std::uint32_t whichever = UINT32_MAX;  ///< a generation: the present owner of the number
 
-/// Names an agent of a system. A system gives ids with a generation; `AgentId{n}` names whoever has number n.
+/// Names an agent of a system. A system gives ids with a generation; `AgentId{n}` names the agent with number n.
 struct AgentId {
   std::uint32_t number = no_number;
   std::uint32_t generation = whichever;

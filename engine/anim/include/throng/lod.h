@@ -12,7 +12,7 @@ struct Camera {
   Vec3 position{};                                ///< metres, world
   Vec3 forward{0.0F, 0.0F, -1.0F};                ///< unit
   std::array<std::array<float, 4>, 6> frustum{};  ///< unit normals and offsets, inside where normal * p + offset >= 0;
-                                                  ///< all 0: everybody is in view
+                                                  ///< all 0: every agent is in view
   float pixels_per_unit = 1000.0F;                ///< pixels that a metre covers at a distance of a metre
 };
 

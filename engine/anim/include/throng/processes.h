@@ -40,7 +40,7 @@ struct FootPlacement {
   float farthest_lock = 0.4F;  ///< metres from its animation at which a planted foot is let go; 0: none is held
 };
 
-/// Adds noise to all joints, so that nobody stands like a statue.
+/// Adds noise to all joints, so that no agent stands like a statue.
 struct Noise {
   float frequency = 0.5F;   ///< Hz
   float amplitude = 0.02F;  ///< radians

@@ -52,7 +52,7 @@ class Ticks {
   /// Says how many times `b` fits into `a`.
   friend constexpr std::int64_t operator/(Ticks a, Ticks b) { return a.count_ / b.count_; }
   friend constexpr Ticks operator%(Ticks a, Ticks b) { return Ticks{a.count_ % b.count_}; }
-  // A fraction of a time is rounded by whoever needs one, so that a factor of 0.5 is not taken for 0.
+  // A caller that needs a fraction of a time rounds it, so that a factor of 0.5 is not taken for 0.
   template <std::floating_point Number>
   friend Ticks operator*(Ticks, Number) = delete;
   template <std::floating_point Number>

@@ -132,7 +132,7 @@ HWY_INLINE void store_blocks(D d, hn::Vec<D> blocks, float* const* to, int offse
 #endif
 
 /// The inverse, from the float `first` of each lane's destination on. Lanes that go to the same address hold the same
-/// values, or nobody reads them.
+/// values, or are never read.
 template <int rows, class D, class V = hn::Vec<D>>
 HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* to, int stride, int first = 0) {
   if constexpr (lane_count<D> >= block_floats) {

@@ -39,7 +39,7 @@ inline constexpr float longest_spring_seconds = 0.5F;
 /// to where the pose has it, by gravity, and out of colliders; its distance from its joint stays. Damped springs are
 /// integrated by implicit Euler steps, stable for any stiffness, and lengths by position-based dynamics (M. Mueller et
 /// al., "Position Based Dynamics", 2007). In between two updates the joints that carry chains, and colliders, are
-/// interpolated. So a chain on a body that moves smoothly is where it would be if nobody had skipped updates: to a
+/// interpolated. So a chain on a body that moves smoothly is where it would be without skipped updates: to a
 /// hundredth of its swing with 20 updates a second, to a twentieth with 10.
 ///
 /// It is pure, allocates nothing, and gives the same bits on every machine. A new character, or one that was restarted,

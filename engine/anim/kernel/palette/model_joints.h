@@ -16,7 +16,7 @@ struct ModelJointsJob {
   float* carry = nullptr;          ///< in and out, [branch_slot_floats][width]
   float* branch_slots = nullptr;   ///< in and out, [slot_count][branch_slot_floats][width]
   float* const* to = nullptr;  ///< [width] JointProgram::bytes each, 16-byte aligned, written in no special order and
-                               ///< not read; lanes that nobody wants may share a place
+                               ///< not read; lanes that are not wanted may share a place
 };
 bool is_valid(const ModelJointsJob& job);
 

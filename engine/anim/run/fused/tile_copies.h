@@ -24,7 +24,7 @@ class TileCopies {
 
   /// Queues what the entities of the tile read.
   void fetch(const TileInStore& tile, int buffer, CopyEngine& engine);
-  /// Queues the sources that nobody in the tile owns; they lie behind all others.
+  /// Queues the sources that no agent of the tile owns; they lie behind all others.
   static void fetch_shared(const TileInStore& tile, const SharedSources& shared, CopyEngine& engine);
   /// Writes back at once the blocks that posing does not change.
   void write_back_final(const TileInStore& tile, int buffer, CopyEngine& engine);

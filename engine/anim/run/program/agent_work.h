@@ -22,7 +22,7 @@ struct AgentWork {
   const PoseProgram* program = nullptr;
   const Handle* entities = nullptr;  ///< [step of the program]; they stay where they are until the update is over
   Ticks delta{};                     ///< since its last update
-  PaletteDestination palette = {};   ///< written once; null: posed, but nobody draws it
+  PaletteDestination palette = {};   ///< written once; null: posed, but not drawn
   std::uint32_t agent = 0;
   std::uint16_t cost = 1;        ///< predicted, in steps of cost_step
   std::uint8_t skeleton = 0;     ///< index of its UpdateContext, below most_skeletons

@@ -36,7 +36,7 @@ void fade_bones(const UpdateContext& context, const AgentWork& work, int packet,
   const int components = context.assets.components;
   const int kept = context.bones(work.fade_level) - packet * packet_bones;
   if (work.fade_halves == 0 || kept >= packet_bones) return;
-  assert(!context.still_pose.empty() && "nobody said where bones stand still");
+  assert(!context.still_pose.empty() && "the context lacks the still pose");
   const float share = static_cast<float>(work.fade_halves) / whole_way;
   const float* still = &context.still_pose[static_cast<std::size_t>(packet) * context.packet_floats()];
   for (int lane = std::max(kept, 0); lane < packet_bones; ++lane) {

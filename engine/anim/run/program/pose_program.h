@@ -57,8 +57,8 @@ struct PoseProgram {
   static constexpr std::size_t max_depth = 128;
 
   std::vector<PoseStep> steps;
-  /// The first step of the tail, in which each step reads the one before it and nothing else, and nobody else reads
-  /// that one. So a pose is changed where it lies. It is never the first step of the program.
+  /// The first step of the tail. Each step of the tail reads the step before it alone, and is the only reader of that
+  /// step, so a pose is changed where it lies. The tail never begins with the first step of the program.
   std::uint8_t tail = 1;
   std::uint8_t packet_tail = 1;            ///< the first step of the part of the tail that works packet by packet
   std::uint32_t blocks_before_tail = 0;    ///< bytes of its own blocks before the tail

@@ -15,13 +15,13 @@ struct TaskContent {
 
   std::uint32_t first_agent = 0;  ///< the lowest of their numbers
   std::uint32_t last_agent = 0;   ///< the highest
-  std::uint16_t agents = 0;       ///< their number; 0: nobody's work, or that of shared graphs
+  std::uint16_t agents = 0;       ///< their number; 0: work for no agent, or for shared graphs
   std::uint8_t bone_level = 0;    ///< the level of all, or several_levels
 
   friend bool operator==(const TaskContent&, const TaskContent&) = default;
 };
 
-/// The agents of several tasks in a row. A task for the same agents as the one before adds nobody.
+/// The agents of several tasks in a row. A task for the same agents as the task before adds none.
 class JoinedContent {
  public:
   void add(const TaskContent& task) {

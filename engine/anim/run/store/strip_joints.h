@@ -17,7 +17,7 @@ struct StripPacket {
 class StripJoints {
  public:
   StripJoints() = default;
-  /// As for StripPalettes. Joints that nobody wants are written to `unseen`, which has room for a list.
+  /// As for StripPalettes. Joints that are not wanted are written to `unseen`, which has room for a list.
   StripJoints(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> strip, int width,
               float* unseen);
 
@@ -31,7 +31,7 @@ class StripJoints {
   }
 
  private:
-  ModelJointsJob job_;  // without a program: nobody wants joints
+  ModelJointsJob job_;  // without a program: no joints are wanted
   void (*model_joints_)(const ModelJointsJob& job) = nullptr;
 };
 

@@ -9,12 +9,12 @@ namespace throng::anim {
 
 /// The way in which palettes are written. It is the same for all strips of an update.
 struct PaletteStores {
-  PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
+  PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that are not drawn
   StorePolicy policy = StorePolicy::prefetched;
 };
 
 /// Makes palettes of a strip by way of model space, packet by packet in ascending order, and the joints that are listed
-/// beside them. Bones that leave a level are changed first. Palettes that nobody sees are made for their hashes alone.
+/// beside them. Bones that leave a level are changed first. Palettes without a destination are made for their hashes.
 /// This object is small, so that it stays in L1 while kernels evict all else.
 class StripPalettes {
  public:
@@ -23,7 +23,7 @@ class StripPalettes {
   StripPalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> strip, int width,
                 const PaletteStores& stores);
 
-  /// Returns whether anybody sees something of a packet. One that nobody sees may be left out.
+  /// Returns whether anything of a packet is wanted. A packet that is not wanted may be left out.
   bool needs(int packet) const { return makes_palettes_ || joints_.needs(packet); }
   void write(const StripPacket& about);
   /// Hands the hashes of the whole strip to its agents, if they are wanted.

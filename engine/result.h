@@ -58,7 +58,7 @@ namespace throng::render {
 using throng::Done, throng::Error, throng::Result;
 }
 
-// X11 has a macro of this name: who includes it before writes Result<Done>.
+// X11 has a macro of this name: a source that includes X11 before writes Result<Done>.
 #if !defined(Status)
 namespace throng {
 using Status = Result<Done>;

@@ -29,7 +29,7 @@ class Capture {
 
   int descriptor() const { return descriptor_; }
   std::string text() const {
-    constexpr std::size_t most_bytes = std::size_t{1} << 20U;  // who says more has said what matters before
+    constexpr std::size_t most_bytes = std::size_t{1} << 20U;  // a program says what matters before
     std::string all;
     std::array<char, 4096> part{};
     lseek(descriptor_, 0, SEEK_SET);

@@ -34,7 +34,7 @@ class InputFile {
   Result<std::size_t> read(std::span<std::byte> bytes);
   /// Goes on reading at this byte of the file.
   Status go_to(std::uint64_t byte);
-  /// Maps all of the file. It must not be cut short while it is mapped: who replaces it renames another one to its
+  /// Maps all of the file. It must not be cut short while it is mapped: to replace it, rename another file to its
   /// name.
   Result<MappedFile> map() const;
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-/// What OutputFile asks of the system. Calls fail as those of POSIX do: with -1, and the number of the error in errno.
+/// What OutputFile asks of the system. Calls fail as POSIX calls do: with -1, and the number of the error in errno.
 namespace throng::output_calls {
 
 /// Opens a file that must not be there yet.

@@ -59,7 +59,7 @@ bool is_device_or_pipe(const std::filesystem::path& file);
 Status write_whole_file(const std::filesystem::path& file, std::string_view contents,
                         OutputFile::Sync sync = OutputFile::Sync::disk);
 
-/// Does the same; `-` means standard output.
+/// Writes as write_whole_file() does; `-` means standard output.
 Status write_output(const std::string& file, std::string_view contents);
 
 /// Writes a text for people to standard output.

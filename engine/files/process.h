@@ -33,7 +33,7 @@ void ignore_signals_of_writers();
 std::span<const int> ending_signals();
 /// Calls `handler` at this signal, if it is not ignored.
 void catch_signal(int signal, void (*handler)(int));
-/// Takes that handler away, if it is the one that is called.
+/// Takes this handler away, if the signal calls it.
 void release_signal(int signal, void (*handler)(int));
 
 }  // namespace throng

@@ -6,7 +6,7 @@
 namespace throng {
 namespace {
 
-/// Reads to the end. The size is a guess alone: a file may grow meanwhile, and those of /proc say 0.
+/// Reads to the end. The size is a guess alone: a file may grow meanwhile, and files of /proc say 0.
 template <typename Bytes>
 Result<Bytes> read_all(const std::filesystem::path& path, std::string_view wanted, std::size_t most) {
   constexpr std::size_t piece = 65536;

@@ -86,7 +86,7 @@ constexpr AgentLook plain_look() {
 /// Returns a number for CrowdFrame::looks_number that none had before.
 std::uint64_t new_looks_number();
 
-/// Names the pieces of a character's mesh that an agent wears, and the one that stands for all of them far away.
+/// Names the pieces of a character's mesh that an agent wears, and the piece that stands for all of them far away.
 /// It is read on the processor alone.
 struct Outfit {
   static constexpr std::size_t most_pieces = 18;

@@ -25,7 +25,7 @@ struct CrowdBatch {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   /// The piece, a silhouette, is not seen. It casts the shadows of its instances where a shadow map is too coarse to
-  /// tell it from the pieces that they wear. If a run has such batches, all who wear pieces in it are in one.
+  /// tell it from their pieces. If a run has such batches, all its agents with pieces are in one.
   bool stands_in = false;
 };
 

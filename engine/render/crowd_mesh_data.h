@@ -108,9 +108,9 @@ struct PieceLevelData {
 
 /// A piece of a wardrobe, which some agents wear (Outfit).
 struct MeshPieceData {
-  /// Finest first, at least one. Those of a usual piece stand for mesh LODs from 0 on, those of a silhouette for mesh
-  /// LODs from first_silhouette_lod on; the last one stands for all that follow. One alone that is no silhouette is
-  /// simplified.
+  /// Finest first, at least one. The levels of a usual piece stand for mesh LODs from 0 on, the levels of a silhouette
+  /// for mesh LODs from first_silhouette_lod on; the last level stands for all that follow. A single level is
+  /// simplified, unless it is a silhouette's.
   std::vector<PieceLevelData> levels;
   bool is_silhouette = false;
 };
@@ -124,8 +124,8 @@ struct CrowdMeshData {
   std::vector<MeshPieceData> pieces;     ///< pieces 1, 2 ...: what agents with an outfit wear
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
-  /// Maps, for each of 1 to 4 bone levels, a palette entry to the one that a vertex reads at that level: the same entry
-  /// where the bone is kept, else that of its nearest kept ancestor. [0] is the identity.
+  /// Maps, for each of 1 to 4 bone levels, a palette entry to the entry that a vertex reads at that level: itself where
+  /// the bone is kept, else the entry of its nearest kept ancestor. [0] is the identity.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
   std::vector<std::uint8_t> face_entries;  ///< one a palette entry, 1: it moves a face; or empty: no face is known
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed

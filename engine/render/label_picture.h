@@ -18,7 +18,7 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-/// Says of each pixel who is there and how far away, with one sample a pixel; top row first.
+/// Says of each pixel which agent is there and how far away, with one sample a pixel; top row first.
 struct LabelPicture {
   glm::ivec2 size{0};
   std::vector<std::uint32_t> agents;  ///< InstanceRecord::agent + 1; 0: no agent

@@ -106,7 +106,7 @@ class Renderer {
   /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
-  /// Draws who is where in the picture of a frame that was uploaded, behind what stands around. Errors: the device has
+  /// Labels each pixel of a frame that was uploaded with the agent there; scenery hides agents. Errors: the device has
   /// no memory for it.
   Status draw_labels(const CrowdFrame& frame, LabelPicture& labels);
   /// Measures what each instance of a frame that was uploaded would cover if it were alone. boxes[instance] holds it.

@@ -1,4 +1,4 @@
-// The part of the renderer that draws who is where.
+// The part of the renderer that labels pixels with agents.
 #include <algorithm>
 #include <limits>
 

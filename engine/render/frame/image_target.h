@@ -46,7 +46,7 @@ class ImageTarget {
 
   /// Copies the first finished pixels to a place in an image of a larger picture. A row of both begins at the left.
   void read(Image& image, const PixelRect& place) const;
-  /// Does the opposite: finished pixels become those of the image.
+  /// Copies the other way: from a place in the image to the first finished pixels.
   void write(const Image& image, const PixelRect& place) const;
 
  private:

@@ -30,7 +30,7 @@ class PictureTiles {
   glm::ivec2 tile_size() const { return tile_size_; }
   int count() const { return columns_ * rows_; }
 
-  /// Gives the pixels that a tile draws, and those of them that are in the picture.
+  /// Gives the pixels that a tile draws, and its pixels that are in the picture.
   PixelRect drawn(int tile) const;
   PixelRect shown(int tile) const;
 

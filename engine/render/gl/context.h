@@ -97,7 +97,7 @@ struct WindowOptions {
 };
 
 /// Opens a window. Errors: there is no display, or no OpenGL 4.5 on it. Errors of all contexts say what is wrong with
-/// this one; who asked knows which others there are.
+/// this context; the caller knows which others there are.
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options);
 
 struct EglOptions {
@@ -111,7 +111,7 @@ Result<std::unique_ptr<Context>> make_egl_context(const EglOptions& options = {}
 bool osmesa_is_installed();
 
 /// Makes a context without a window and without EGL, by Mesa's off-screen library, which it opens at run time. Errors
-/// are those of the others, and that the library is not installed.
+/// are as for the other contexts, and that the library is not installed.
 Result<std::unique_ptr<Context>> make_osmesa_context();
 
 }  // namespace throng::render::gl

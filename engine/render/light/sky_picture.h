@@ -35,8 +35,8 @@ class SkyPicture {
   glm::vec3 radiance(const glm::vec3& direction) const;
 
   /// Returns what a direction looks like to people in a town. Below the roofs there are walls instead of sky while the
-  /// sun is low: those that it shines on are bright and warm, those on its side are dim, and the ground lies in their
-  /// shade.
+  /// sun is low: walls that it shines on are bright and warm, walls on its side are dim, and the ground lies in the
+  /// shade of the walls.
   glm::vec3 radiance_in_town(const glm::vec3& direction) const;
 
   /// Computes a face of the cube that surfaces mirror, in the order and the directions of OpenGL 4.5, 8.13. The level

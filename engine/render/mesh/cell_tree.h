@@ -34,7 +34,7 @@ inline glm::vec3 position_in(const SurfaceCell& cell, const glm::vec3& weights) 
   return cell.corners[0] * weights.x + cell.corners[1] * weights.y + cell.corners[2] * weights.z;
 }
 
-/// Finds the closest cells of a surface, and those that a ray meets.
+/// Finds the closest cells of a surface, and the cells that a ray meets.
 class CellTree {
  public:
   /// A point of a cell: `weights` are of the cell's corners.

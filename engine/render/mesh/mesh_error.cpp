@@ -16,7 +16,7 @@ constexpr float farthest_of_extent = 0.125F;  // farther counterparts are not lo
 constexpr float least_of_extent = 0.002F;     // the samples do not resolve less
 constexpr std::size_t most_sampled_cells = 1000;
 // A mesh of so few of the triangles is off in large patches. Fewer samples find them as well, and each takes longer.
-// An odd number takes both those inside cells and those in corners.
+// An odd number takes samples inside cells and samples in corners.
 constexpr std::size_t few_of_the_triangles = 20, one_sample_of = 5;
 constexpr double poses_kept = 0.99;
 constexpr glm::vec3 middle(1.0F / 3.0F);  // weights

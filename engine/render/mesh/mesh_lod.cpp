@@ -13,8 +13,8 @@
 namespace throng::render {
 namespace {
 
-/// The steps of simplification, in shares of the triangles. Each is measured. Those who are so small that they are
-/// drawn with the coarse ones show no face, but a head: there it is held about as firmly as its size asks for.
+/// The steps of simplification, in shares of the triangles. Each is measured. Agents that are drawn with
+/// the coarse steps are small and show no face, but a head, which is held about as firmly as its size asks for.
 constexpr std::array fine_steps{0.65, 0.45, 0.3};
 constexpr std::array coarse_steps{0.2, 0.12, 0.07, 0.04, 0.025, 0.015, 0.009};
 constexpr double firmness_from_afar = 3.0;
@@ -86,7 +86,7 @@ double mean_cost(std::span<const MeshLod* const> lods, double extent) {
   return cost;
 }
 
-/// Returns those of the candidates that a crowd is drawn with at the least cost, the first among them.
+/// Returns the candidates with which a crowd is drawn at the least cost. The first is always among them.
 std::vector<MeshLod> cheapest(std::span<const MeshLod> candidates, double extent) {
   std::vector<const MeshLod*> best{candidates.data()}, some;
   const std::uint32_t subsets = 1U << (candidates.size() - 1);

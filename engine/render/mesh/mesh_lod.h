@@ -17,7 +17,7 @@ struct MeshLod {
   MeshError error = {};
 };
 
-/// Simplifies a surface step by step, measures each step, and keeps those with which a crowd of all sizes on screen is
+/// Simplifies a surface step by step, measures each step, and keeps the steps with which a crowd of all sizes is
 /// drawn at the least cost. [0] is the surface itself. Each further LOD has clearly fewer triangles than the one
 /// before, so a surface that cannot be simplified has fewer LODs. The result is never empty. SurfaceSimplifier makes
 /// the steps. Where it misses one, because a character without a texture has many loose pieces, meshoptimizer's

@@ -60,7 +60,7 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface);
 /// another version, or damaged.
 Result<SurfaceView> view_packed_surface(std::span<const std::byte> packed);
 
-/// Returns the parts of a character's surface: of its packed one, or of the one that is built for it. Errors: those of
+/// Returns the parts of a character's packed surface or, without one, of a surface that is built. Errors: those of
 /// view_packed_surface.
 Result<SurfaceParts> surface_parts(const CrowdMeshData& data);
 

@@ -235,7 +235,7 @@ std::vector<MeshLod> lods_of_piece(const CrowdMeshData& data, const MeshPieceDat
   return simplified_lods(data, surface, merged);
 }
 
-/// Builds a piece apart, and appends its vertices and indices to those of all others.
+/// Builds a piece apart, and appends its vertices and indices to the surface.
 SurfacePiece append_piece(const CrowdMeshData& data, const MeshPieceData& piece, Surface& surface, Merged& merged) {
   Surface own;
   Merged of_own;

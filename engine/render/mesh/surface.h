@@ -90,8 +90,7 @@ struct SurfaceParts {
   std::vector<std::uint32_t> triangles_by_lod;        ///< of piece 0
   std::vector<MeshError> error_by_lod;                ///< of piece 0
   std::vector<SurfacePiece> pieces;                   ///< pieces 1, 2 ...
-  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; those of baked LODs and
-                                   ///< of pieces follow
+  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; baked LODs and pieces follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

@@ -30,7 +30,7 @@ struct SkinnedSurfaceView {
 };
 
 /// Merges points of a skinned surface along its edges, the cheapest first (CollapseCost).
-/// A point is always merged into one that exists, so that weights stay valid.
+/// A point is always merged into another point of the surface, so that weights stay valid.
 /// Colours stay where they are as far as they can, and faces are held more firmly than all else.
 /// Triangles never turn over. Borders between materials and regions stay where they are.
 class SurfaceSimplifier {

@@ -58,12 +58,12 @@ struct PaletteSlot {
 ///    newest frame whose fence has signalled.
 /// One draw must be able to read both slots of an agent, so both lie on one page: pass the page of the first as `near`.
 /// An agent's first slot (without `near`) comes from a page that is less than a third full, because the agent needs a
-/// second slot there, and a third while a retired one waits for its frame. If `near` is full all the same, the agent
+/// second slot there, and a third while a retired one waits for its frame. If `near` is full nevertheless, the agent
 /// moves: acquire a slot without `near` and show it alone.
 /// Use it on the GL thread only. It allocates nothing once the pages exist and the free lists have grown.
 class PaletteSlots {
  public:
-  /// `sizes` lists, in any order, the bytes that slots will be asked for: those of each character's bone levels.
+  /// `sizes` lists, in any order, the sizes of slots that will be asked for: of each bone level of each character.
   PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes);
 
   /// Gives a slot of at least `bytes`, which may be at most the largest of the sizes. The slot is invalid when no

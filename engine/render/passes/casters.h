@@ -11,8 +11,8 @@
 
 namespace throng::render {
 
-/// Chooses who may cast a shadow into which cascade, for all cascades in one pass over the instances. Jobs do it in
-/// tiles; the result is the same for any number of them. Memory is kept from frame to frame.
+/// Chooses which agents may cast a shadow into which cascade, for all cascades in one pass over the instances. Jobs
+/// do it in tiles; the result is the same for any number of jobs. Memory is kept from frame to frame.
 class Casters {
  public:
   /// Chooses among the instances of a frame's batches. `reaches` has the metres that each character's surface reaches

@@ -52,7 +52,7 @@ class CrowdPass {
     ProgramVariants blended_part;
   };
 
-  /// Returns the programs for a mesh; those that morph cost more.
+  /// Returns the programs for a mesh; programs that morph cost more.
   Programs& programs_for(const CrowdMesh& mesh) { return morphs_ && mesh.has_morphs() ? *morphed_ : plain_; }
   void use_material(const CrowdMesh& mesh, const IndirectDraws::Group& group);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr GLint map_location = 0, spread_location = 1;
 constexpr GLsizei corners_of_a_square = 4;
 constexpr float least_side = 96.0F;     // metres
-constexpr float least_spread = 0.8F;    // metres: who is farther away leaves most of the sky
+constexpr float least_spread = 0.8F;    // metres: a farther agent leaves most of the sky
 constexpr float share_in_front = 0.4F;  // of the side: how far before the camera the middle lies
 
 gl::Texture create_map() {

@@ -78,7 +78,7 @@ inline float font_height(const ImFont* font) {
 #endif
 }
 
-/// Makes a font that of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
+/// Sets the font of the next windows and texts. It puts nothing on the stack of fonts, which belongs to a window.
 inline void set_font(ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200
   ImGui::SetCurrentFont(font, font_height(font), font_height(font));
@@ -87,7 +87,7 @@ inline void set_font(ImFont* font) {
 #endif
 }
 
-/// Makes a font that of the next texts, until ImGui::PopFont().
+/// Sets the font of the next texts, until ImGui::PopFont().
 inline void push_font(ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200
   ImGui::PushFont(font, font_height(font));

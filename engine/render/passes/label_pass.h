@@ -20,7 +20,7 @@
 
 namespace throng::render {
 
-/// Draws numbers in place of colours: who is seen at each pixel, and what each agent would cover if nothing hid it.
+/// Draws numbers in place of colours: the agent at each pixel, and what each agent would cover if nothing hid it.
 /// There is one sample a pixel. What is seen through counts as solid from half of its alpha on. Frame data must be
 /// bound.
 class LabelPass {
@@ -30,7 +30,7 @@ class LabelPass {
 
   /// Makes ready for meshes that morph; see CrowdPass.
   void prepare_morphs();
-  /// Makes a target for pictures of that size, or keeps the one that there is. Errors: the device has no memory for it.
+  /// Makes a target for pictures of that size, or keeps its present one. Errors: the device has no memory for it.
   Status prepare(glm::ivec2 size);
 
   /// Begins a picture: binds the target and empties it of agents.

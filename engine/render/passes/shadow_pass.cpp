@@ -44,7 +44,7 @@ void set_state() {
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  // What is nearer to the sun than the map begins casts its shadow all the same.
+  // A thing between the sun and the beginning of the map still casts its shadow.
   glEnable(GL_DEPTH_CLAMP);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5F, 2.0F);

@@ -44,7 +44,7 @@ class SceneryPass {
   DrawCounts draw_depth(const glm::mat4& view_projection, float texel_metres);
 
  private:
-  /// A run of the index buffer: triangles that scatter light, then those that mirror too.
+  /// A run of the index buffer: triangles that scatter light, then triangles that mirror too.
   struct LodRun {
     std::uint32_t first_index;
     std::uint32_t matt_count;

@@ -163,7 +163,7 @@ void ScenerySelection::see(const SceneryView& view, std::uint32_t instance, std:
   ++counts_[place];
 }
 
-// Near things hide far ones, so they come first. Those of a ring and a slot are one run.
+// Near things hide far ones, so they come first. The things of a ring and a slot are one run.
 void ScenerySelection::sort_by_distance() {
   run_count_ = 0;
   std::uint32_t first = 0;

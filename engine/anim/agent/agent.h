@@ -67,8 +67,8 @@ class AgentView {
     return {alike.pools, alike.clips, graph(), posed_at, alike.morph_blend()};
   }
 
-  /// Asks the caches for what a change of the agent's channels reads and writes. Who changes many agents one after the
-  /// other asks for the next one before it changes this one.
+  /// Asks the caches for what a change of the agent's channels reads and writes. A caller that changes many agents one
+  /// after the other asks for the next agent before it changes this one.
   void prefetch() const;
 
   /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
@@ -129,7 +129,7 @@ class Agent : public AgentView {
   /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
-  /// set_speeds() does so for many.
+  /// set_speeds() sets the speeds of many agents.
   bool set_speed(double speed);
 
   /// Lays a channel over those that the agent has. Errors: it is null, or not valid for this character; the agent's

@@ -31,7 +31,7 @@ std::optional<std::size_t> AgentMotion::leader_of(std::size_t step) const {
   return std::nullopt;
 }
 
-// The leader speaks for those who follow it.
+// The leader speaks for the players that follow it.
 float AgentMotion::weight_of_key(std::size_t step, std::uint32_t name, const PoseWeights& felt) const {
   float weight = felt[step];
   if ((player(step).flags & Player::leads_step) == 0) return std::min(weight, 1.0F);

@@ -45,7 +45,7 @@ class AgentGraphs {
   AgentGraphs(EntityPools& pools, ProgramTable& programs, std::uint32_t owners = 0)
       : pools_(&pools), programs_(&programs), owners_(owners) {}
 
-  /// Returns a number above those of all agents. Those that were removed have empty graphs.
+  /// Returns a number above the numbers of all agents. Removed agents have empty graphs.
   std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
   std::uint32_t alive_count() const { return static_cast<std::uint32_t>(agents_.size() - free_.size()); }
   /// Adds an agent that plays nothing, and returns its number. Numbers and memory of removed agents are used again.

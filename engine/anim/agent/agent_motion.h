@@ -22,9 +22,9 @@ struct DataKeyEvent {
 
 /// Says which of the data keys that were met are delivered.
 enum class KeyChoice : unsigned char {
-  felt,      ///< those of clips that have some weight
-  heaviest,  ///< those of the clip with the largest weight alone
-  all        ///< those of clips without weight too
+  felt,      ///< keys of clips that have some weight
+  heaviest,  ///< keys of the clip with the largest weight alone
+  all        ///< keys of clips without weight too
 };
 
 /// A clip that does not loop has reached its end, or its start where it plays backwards.
@@ -64,8 +64,7 @@ class AgentMotion {
   /// deliver each key once. Weights are those at `to`. Under a mask a clip weighs what it has in the bone where it has
   /// most.
   ///
-  /// Gaits that keep step in a blend space meet the same key together: the one that leads delivers it, with the weight
-  /// of all of them.
+  /// Gaits that keep step in a blend space meet the same key together: the leader delivers it, with the weight of all.
   void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit,
                          KeyChoice choice = KeyChoice::felt) const;
 

@@ -24,7 +24,7 @@ class SystemSnapshot;
 ///     figures()         what updates did, and what they took
 /// A frame comes after the requests:
 ///     advance(dt)       moves the clock of every agent, updated or not
-///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
+///     update(agents)    poses the agents that level of detail chose, on all PUs; returns when they are posed
 class AnimationSystem {
  public:
   /// Errors: the character is null or has no bones, and those of configure().

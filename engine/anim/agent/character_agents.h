@@ -14,7 +14,7 @@
 
 namespace throng::anim {
 
-/// The main memory that the blocks of one kind take: those that agents own, and those that they share.
+/// The main memory that the blocks of one kind take: blocks of single agents, and blocks that agents share.
 struct KindMemory {
   const char* kind = "";
   PoolMemory own;
@@ -47,8 +47,8 @@ struct CharacterAgents {
     return {.bones = character->morph_bones, .masks = mask_weights, .ranges = mask_ranges};
   }
 
-  /// Takes the same character with other clips, and returns the one before. The clips that are played stay where they
-  /// are: bound_to_clips() says so.
+  /// Takes the same character with other clips, and returns the one before. The played clips keep
+  /// their places, as bound_to_clips() says.
   std::shared_ptr<const Character> replace_clips(std::shared_ptr<const Character> other);
   /// Returns why agents cannot go on with the clips of `other`, in a sentence; empty if they can.
   std::string bound_to_clips(const Character& other);

@@ -46,10 +46,10 @@ class Characters {
   /// Takes the same character with other clips (bake/clip_set.h), at a frame boundary, and lets go of the one before.
   /// Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips that they know.
   ///
-  /// Errors: it has another skeleton, or its bones in another order. An agent plays a clip that leaves its place; who
-  /// fades away from a clip plays it still, and who has interrupted such a fade until it is posed twice. A blend space
-  /// or state machine has such a clip. A place goes from one clip to another at once. A local store of a fixed size is
-  /// too small. Then nothing has changed.
+  /// Errors: it has another skeleton, or its bones in another order. An agent plays a clip that leaves its place
+  /// (during a fade away from it too, and after an interrupted fade until it is posed twice). A blend space or state
+  /// machine has such a clip. A place goes from one clip to another at once. A local store of a fixed size is too
+  /// small. Then nothing has changed.
   Status replace_clips(CharacterId character, std::shared_ptr<const Character> other);
 
   /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette

@@ -119,7 +119,7 @@ class CrossFadeChannel final : public Channel {
   std::array<Ticks, BlendTree::max_players> fade_end_{};  // [i] the end of the blender over player i; [0] unused
   BlendTree left_;                                        // the tree that the inertialiser is leaving
   Handle inertialiser_;
-  Ticks settled_at_{};  // when the newest interruption settles, by the clock, so it does not depend on who was posed
+  Ticks settled_at_{};  // when the newest interruption settles, by the clock, so it depends on no pose
 };
 
 }  // namespace throng::anim

@@ -36,7 +36,7 @@ class FittedScheduler {
   /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
   template <typename Change>
   Status settle(const Population& population, std::uint32_t agent, Change&& change_graph) {
-    // The needs of before say nothing: that graph may be one that a failed change has left, which fits no store.
+    // The needs of before say nothing: a failed change may have left that graph, and it may fit no store.
     Status changed = change_graph();
     return changed ? fit(population, agent) : changed;
   }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is listed
 constexpr Ticks farthest_ahead = 3600 * ticks_per_second;
 
-/// What follows from an agent's program and level: nearly always those of the one before.
+/// What follows from an agent's program and level, which the agent before nearly always shares.
 struct AlikeAgents {
   const PoseProgram* program = nullptr;
   std::uint8_t level = 0;
@@ -30,7 +30,7 @@ struct AlikeAgents {
   }
 };
 
-/// Asks the caches for an agent that will be listed soon: those who are due lie far apart.
+/// Asks the caches for an agent that will be listed soon: due agents lie far apart.
 THRONG_ALWAYS_INLINE void prefetch_graph(const Population& population, std::uint32_t agent) {
   const std::span<const Member> members = population.numbers().members();
   if (agent >= members.size() || !members[agent].alive()) return;

@@ -70,7 +70,7 @@ void AgentNumbers::make_room(std::uint32_t agents) {
 }
 
 AgentId AgentNumbers::add(std::uint32_t character, std::uint32_t index) {
-  order();  // who died has left it, since a number may come back at another place
+  order();  // dead agents have left the order, since a number may come back at another place
   if (free_.empty()) {
     free_.push_back(number_limit());
     members_.push_back({.character = 0, .index = 0, .generation = Member::dead});

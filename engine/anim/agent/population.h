@@ -26,14 +26,14 @@ struct Member {
 };
 
 /// Agents in the order in which they were added, and the place of each number in it. Poses are hashed by the place, so
-/// that a hash does not depend on who lived before.
+/// that a hash does not depend on dead agents.
 struct AgentOrder {
   std::vector<AgentId> agents;        // [place]
   std::vector<std::uint32_t> places;  // [number] meaningless for the dead
   std::uint64_t version = 0;          // another one whenever a place belongs to another agent
 };
 
-/// The numbers of the agents of a population. Those of the dead are used again, the last first.
+/// The numbers of the agents of a population. The numbers of dead agents are used again, the last first.
 class AgentNumbers {
  public:
   /// Returns how many agents live.
@@ -56,7 +56,7 @@ class AgentNumbers {
   /// Gives a number to an agent.
   AgentId add(std::uint32_t character, std::uint32_t index);
   void remove(std::uint32_t agent);
-  /// Takes those of a snapshot, as another order.
+  /// Takes the numbers of a snapshot, as another order.
   void restore(const AgentNumbers& from);
 
  private:

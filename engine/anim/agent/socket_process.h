@@ -11,8 +11,8 @@ class SocketProcess final : public OneEntityProcess<Socket> {
   /// `kind` is that of socket_kind, added to the system. `place` is an index of its SocketPlaces.
   SocketProcess(EntityPools::Kind kind, std::uint32_t place) : OneEntityProcess(kind), place_(place) {}
 
-  /// Returns the motion at the agent's last update, in model space. If its bone level lacked a joint of the chain, it
-  /// is that of the last update that had all.
+  /// Returns the motion at the agent's last update, in model space. If its bone level lacked a joint of the chain, the
+  /// motion is from the last update that had all.
   JointMotion motion(const EntityPools& pools) const {
     return entity().valid() ? socket_motion(pools.as<Socket>(entity())) : JointMotion{};
   }

@@ -28,7 +28,7 @@ struct BoneTracks {
   Track<glm::vec3> scale;
 };
 
-/// The weights of morphs of one mesh, above those that its surface shows without animation. Keys hold as in Track.
+/// The weights of morphs of one mesh, beyond the weights of its surface without animation. Keys hold as in Track.
 struct MorphTrack {
   Interpolation interpolation = Interpolation::linear;
   std::vector<int> morphs;     ///< indices among Model::morphs, ascending
@@ -51,8 +51,8 @@ struct NamedCurve {
 };
 
 /// One animation of the file, restricted to one skeleton. A bone without a track keeps its rest transform. Before a
-/// track's first key and after its last, the nearest key holds. Its times are those of the file; what plays it begins
-/// at `start`, since the time before the first key is no part of a loop.
+/// track's first key and after its last, the nearest key holds. Its times are the file's; a player of it begins at
+/// `start`, since the time before the first key is no part of a loop.
 struct Clip {
   std::string name;
   int animation = -1;     ///< index in the file

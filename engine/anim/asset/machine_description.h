@@ -51,7 +51,7 @@ struct MachineDescription {
 
   std::vector<Input> inputs;
   std::vector<State> states;
-  std::vector<Transition> transitions;  ///< of those that are due together, the first is taken
+  std::vector<Transition> transitions;  ///< of transitions that are due together, the first is taken
   std::string start = {};               ///< a state; empty: the first
 };
 

@@ -10,7 +10,7 @@ namespace {
 /// Returns how many rows of weights a key has.
 std::size_t rows_a_key(Interpolation interpolation) { return interpolation == Interpolation::cubic_spline ? 3 : 1; }
 
-/// Returns the places, among the track's morphs, of those that any row moves away from 0.
+/// Returns the places, among the track's morphs, of the morphs that any row moves away from 0.
 std::vector<std::size_t> moving_columns(const MorphTrack& track) {
   const std::size_t columns = track.morphs.size();
   std::vector<std::size_t> moving;

@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// The most morphs that clips of one model animate: those of a face that follows an actor's are 52.
+/// The most morphs that clips of one model animate. A face that follows an actor's has 52.
 inline constexpr std::size_t most_morphs = 64;
 
 /// Leaves out morphs that no clip moves, or that move no vertex, and all but the strongest `most`: those that move a

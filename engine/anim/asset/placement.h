@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// The way from the space of a model's file to that of its agent: metres, +Y up, the agent's feet at the origin.
+/// The way from the space of a model's file to its agent's space: metres, +Y up, the agent's feet at the origin.
 /// A point p of the file is at offset + rotation * (scale * p).
 struct Placement {
   double scale = 1.0;  ///< metres a unit of the file; above 0

@@ -59,7 +59,7 @@ inline bool turns(const RootCurve& curve) { return !curve.keys.empty() && curve.
 
 /// Returns how a character moves while it plays from one position to another, seen from where it stands first: the
 /// loop's motion times the whole loops, and the curve in between, in double. Positions are unwrapped, as in
-/// for_each_data_key; those of a clip that does not loop are held at its ends. The motions of adjoining intervals
+/// for_each_data_key; positions in a clip that does not loop are held at its ends. The motions of adjoining intervals
 /// compose to the motion of the whole.
 RootMotion displacement(const RootCurve& curve, FineTicks from, FineTicks to, bool looping);
 

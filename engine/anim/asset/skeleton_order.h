@@ -19,7 +19,7 @@ struct BoneOrder {
 /// `importance` says, in any unit, what is lost when a bone and all below it follow its parent (see bone_importance).
 /// A parent counts as at least as important as its children.
 /// A level ends where importance falls most near the size that it aims at. Equally important bones, such as the fingers
-/// of a hand, are so kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
+/// of a hand, are therefore kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
 BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance);
 
 /// Returns the new index of each bone of an order.

@@ -101,12 +101,12 @@ Character bake_character(const Model& model, const BakeOptions& options = {});
 Character reorder_character(const Character& character, const Model& model, const BoneOrder& order);
 
 /// Returns the speed, in metres a second, at which the ground must pass under a character that plays `clip`, so that
-/// its feet do not slide. It is the speed of the clip's root motion; without any, that of the foot that stands; 0 for
-/// clips that stay where they are.
+/// its feet do not slide. It is the speed of the clip's root motion, else of the foot that stands; 0 for clips that
+/// stay where they are.
 double ground_speed(const Character& character, int clip);
 
-/// Returns that speed with its direction at the clip's start: metres a second along x, which is to the left of who
-/// faces +Z, and along z. A clip in place goes against the foot that stands, which is measured anew with each call.
+/// Returns that speed with its direction at the clip's start: metres a second along x, to the left of a character
+/// that faces +Z, and along z. A clip in place goes against its standing foot, which is measured anew with each call.
 glm::dvec2 ground_velocity(const Character& character, int clip);
 
 }  // namespace throng::anim

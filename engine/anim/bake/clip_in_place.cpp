@@ -52,7 +52,7 @@ struct Turned {
   double error = 0.0;
 };
 
-/// Takes a turn out with as few keys as keep to the error: those of the clip's own grid, or parts of them.
+/// Takes a turn out with as few keys as keep to the error: keys of the clip's own grid, or some of them.
 Turned turned_back(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const RootCurve& curve,
                    double start) {
   const StateClip state = to_state_space(skeleton, clip, start);

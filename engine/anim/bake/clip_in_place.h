@@ -12,7 +12,7 @@ namespace throng::anim {
 struct ClipInPlace {
   StateClip state;
   RootCurve root_motion;
-  std::vector<Ticks> keys;  ///< times of the keys of all moving tracks, without those that hold a travel at the ends
+  std::vector<Ticks> keys;  ///< times of the keys of all moving tracks, without keys that hold a travel at the ends
   double error = 0.0;       ///< metres, by which the two together may be off the file's clip on the surface
 };
 

@@ -15,7 +15,7 @@ namespace throng::anim {
 /// its bones in another order. Empty places are filled first, in their order. Skeleton, surface and levels are those of
 /// `base`.
 ///
-/// Streams are lent: `base` and `more`, or those that lent to them, live as long as a clip of theirs is left. Clips
+/// Streams are lent: `base` and `more`, or the lenders of their clips, live as long as a clip of theirs is left. Clips
 /// whose bones are in another order get streams of their own.
 ///
 /// Names of data keys and curves keep their index in `base`, and new ones follow. Bounds and the errors of levels cover

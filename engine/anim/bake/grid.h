@@ -20,7 +20,7 @@ struct KeyGrid {
 
 /// Finds the coarsest grid of 1 to 120 Hz on which all `times` lie (ascending, at least one), or nothing. It has a
 /// whole number of hertz if one fits, else the longest step that divides all distances. Forgives the rounding of float
-/// seconds, which is that of the file's times: `start` is the file's time at time 0, in seconds.
+/// seconds, in which the file has its times: `start` is the file's time at time 0, in seconds.
 std::optional<KeyGrid> find_grid(std::span<const Ticks> times, double start = 0.0);
 
 /// Returns the key times of all moving tracks, ascending, each once.

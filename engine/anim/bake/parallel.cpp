@@ -38,7 +38,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   std::vector<std::future<void>> helpers;
   while (helpers.size() + 1 < threads) {
     std::future<void> helper = start_helper(take);
-    if (!helper.valid()) break;  // those that began do all of it
+    if (!helper.valid()) break;  // the threads that began do all of it
     helpers.push_back(std::move(helper));
   }
   take();

@@ -12,7 +12,7 @@ namespace throng::anim {
 /// Counts the palette entries of each level.
 std::vector<std::uint32_t> entries_of_levels(const Skeleton& skeleton);
 
-/// Returns all of a clip but its streams and who keeps them.
+/// Returns all of a clip but its streams and their owner.
 BakedClip without_streams(const BakedClip& clip);
 
 /// Returns a clip whose streams have the bones in the order of `skeleton`; `places` has the new index of each bone.

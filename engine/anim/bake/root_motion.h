@@ -17,8 +17,8 @@ namespace throng::anim {
 /// pose,
 ///   turned back, closes to 5 mm and the turn is above 3 degrees, or if it is above 20 degrees and no joint stays away:
 ///   turned back, each comes to within half of its distance or 3 cm. So a walk that sways and a body that twists over
-///   its feet do not turn. Nor does who spins by more than 270 degrees, as in an attack.
-/// - It climbs under the same terms, above 5 cm or 10 cm. So who sits down does not climb, because the feet stay.
+///   its feet do not turn. Nor does a body that spins by more than 270 degrees, as in an attack.
+/// - It climbs under the same terms, above 5 cm or 10 cm. A person who sits down does not climb: the feet stay.
 ///
 /// The curve is steady: one speed, and one rate of turning. There is none where a root moves in steps, from which
 /// nothing can be taken out, and no turn where the nodes above a root shear or scale unevenly.

@@ -6,8 +6,8 @@
 namespace throng::anim {
 
 /// Makes constants of the tracks that hardly move the surface, whatever their interpolation: exporters write keys for
-/// all that stands still, often STEP. A track stands at its first key then. Starts with those that move least and stops
-/// before they move any point of the surface by more than `most` metres together. Returns what they move it by at most.
+/// all that stands still, often STEP. A track stands at its first key then. Starts with the tracks that move least, and
+/// stops before the tracks together move any point by more than `most` metres. Returns the farthest such move.
 double hold_still_tracks(const Skeleton& skeleton, const SurfaceProxy& proxy, double most, StateClip& clip);
 
 /// Returns how far the STEP tracks of a clip move the surface, in metres: the farthest of them, at most.

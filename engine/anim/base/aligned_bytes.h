@@ -10,7 +10,7 @@ namespace throng::anim {
 inline constexpr std::size_t block_alignment = 64;
 inline constexpr std::size_t huge_page_bytes = std::size_t{2} << 20U;
 
-/// Gives bytes back to who gave them (throng/host.h), unless they were lent.
+/// Gives bytes back to their giver (throng/host.h), unless they were lent.
 struct AlignedDelete {
   bool lent = false;  ///< the bytes belong to another owner, who keeps them for longer
   std::size_t size = 0;

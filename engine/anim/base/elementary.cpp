@@ -82,7 +82,7 @@ float rough_sine_of(const Reduced& angle, int more_quarters) {
 
 /// Returns the angle of a slope from 0 to 1: of up / along.
 double angle_of_slope(double up, double along) {
-  // The series of a quarter at most, past an angle that is known: those of the slopes 0, 1/2 and 1.
+  // The series of a slope of a quarter at most, past a known angle: the angle of slope 0, 1/2 or 1.
   static constexpr std::array terms{-1.0 / 3.0,  1.0 / 5.0,  -1.0 / 7.0,  1.0 / 9.0,  -1.0 / 11.0, 1.0 / 13.0,
                                     -1.0 / 15.0, 1.0 / 17.0, -1.0 / 19.0, 1.0 / 21.0, -1.0 / 23.0, 1.0 / 25.0};
   struct Known {

@@ -52,7 +52,7 @@ struct Compaction {
 };
 
 /// A copy of a pool: its tables and the bytes of each slab that had a living block. The caller keeps it and uses it
-/// again: a snapshot into one that has held as many slabs of the same pool allocates nothing.
+/// again: it allocates nothing once it has held as many slabs of the same pool.
 class PoolSnapshot {
  public:
   std::size_t bytes() const { return slabs_.size() * PoolTables::places_per_slab * block_size_ + tables_.bytes(); }
@@ -105,9 +105,9 @@ class Pool {
   /// Gives every living block `block_size` bytes; `convert(old, new)` fills the zeroed new one. Handles stay valid.
   void resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert);
 
-  /// Moves all living blocks to the front and gives empty slabs back, except one spare and those that reserve() asked
-  /// for. Handles, generations and the blocks' bytes stay as they are. The blocks of `order` come first, in that order
-  /// (best the one in which the scheduler reads them); handles of other pools, dead handles and repetitions are
+  /// Moves all living blocks to the front and gives empty slabs back, except one spare and the slabs that reserve()
+  /// asked for. Handles, generations and the blocks' bytes stay as they are. The blocks of `order` come first, in that
+  /// order (best the order in which the scheduler reads them); handles of other pools, dead handles and repetitions are
   /// skipped. All others follow, in the order of their places if `order` is empty.
   Compaction compact(std::span<const Handle> order = {});
   /// Does a part of compact(), so that a frame boundary takes bounded time: moves at most `max_blocks` blocks, 2 or

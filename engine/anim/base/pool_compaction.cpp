@@ -17,7 +17,7 @@ Compaction Pool::compact_some(std::size_t max_blocks, std::span<const Handle> or
   return done;
 }
 
-// Returns the first place behind those that `order` fills.
+// Returns the first place behind the places that `order` fills.
 std::uint32_t Pool::put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done) {
   std::uint32_t next = 0;
   for (const Handle handle : order) {

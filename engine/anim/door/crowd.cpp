@@ -65,7 +65,7 @@ Result<anim::JointList> joints_of(const detail::CharacterData& character, const 
   return Error{skeleton.name + ": the character has no skin " + std::to_string(*output.skin) + " of the file"};
 }
 
-/// Returns the inside of a crowd without agents, which stands for that of a crowd that was moved from.
+/// Returns the inside of a crowd without agents. It stands in for a crowd that was moved from.
 detail::CrowdParts& no_crowd() {
   static const std::unique_ptr<detail::CrowdParts> parts = [] {
     anim::Model model;
@@ -94,7 +94,7 @@ void note(detail::CrowdParts& parts, std::span<const AgentId> added, CharacterId
   }
 }
 
-/// Returns whether `after` was made of `before`, or of one that was: then no id of a clip names another clip in it.
+/// Returns whether `after` descends from `before`: then no id of a clip of `before` names another clip in `after`.
 bool follows(const anim::Character& after, const anim::Character& before) {
   if (after.clips.size() < before.clips.size()) return false;
   for (std::size_t place = 0; place < before.clips.size(); ++place) {

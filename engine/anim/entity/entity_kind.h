@@ -149,7 +149,7 @@ struct EntityKind {
   /// pose_whole reads and changes bones with smaller numbers than this alone. The others may not be posed yet.
   int whole_bones = std::numeric_limits<int>::max();
   int whole_pose_work = 1;  ///< time of pose_whole as a multiple of a gaze's (CostModel::post_process)
-  /// Quads whose positions it changes. In other quads they are those of its only source. General skeletons ignore this.
+  /// Quads whose positions it changes. Others have the positions of its only source. General skeletons ignore this.
   std::uint64_t displaced_quads = ~std::uint64_t{0};
   /// Does what pose_whole does for up to widest_strip characters at once, to the same bits whatever the others are.
   /// Null: pose_whole is called for each.

@@ -140,7 +140,7 @@ void inertialise_packet(const EntityInStore& entity, const PacketJob& job) {
   std::memcpy(job.out, shown, packet_bytes(entity.assets->components));
 }
 
-// Bones move among all packets, so those without an offset get one that is zero. Of these no velocity is half measured,
+// Bones move among all packets, so packets without an offset get a zero offset. No velocity of these is half measured,
 // so the measurement begins again.
 void reorder_offsets(std::byte* block, const EntityLayout& layout, std::span<const int> places) {
   auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);

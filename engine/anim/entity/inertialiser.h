@@ -37,8 +37,8 @@ static_assert(offsetof(Inertialiser, since_capture) == 104 && offsetof(Inertiali
 /// Returns the half-life in seconds for an interruption that is to settle in `fade`: little is left after four.
 inline float half_life_of(Ticks fade) { return static_cast<float>(to_seconds(fade) / 4.0); }
 
-/// Makes it follow `target` from the next update on. `leaving` is the source that it followed, or the one that was
-/// shown before there was an inertialiser. The caller destroys both.
+/// Makes it follow `target` from the next update on. `leaving` is the source that it followed, or the source that
+/// was shown before there was an inertialiser. The caller destroys both.
 void retarget(Inertialiser& inertialiser, Handle target, Handle leaving, float half_life);
 
 /// Returns true once the change is captured and `leaving` is no longer read.

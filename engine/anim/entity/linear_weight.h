@@ -7,7 +7,7 @@
 namespace throng::anim {
 
 /// A weight, 0 to 1, that moves evenly to `target` and stays there. The time since its end says all, so it does not
-/// depend on who was posed when.
+/// depend on when its agent was posed.
 struct LinearWeight {
   float target;
   float per_second;  ///< 0: the weight is `target`

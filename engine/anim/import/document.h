@@ -42,7 +42,7 @@ struct PartNode {
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
 /// inside their views.
 struct Document {
-  MemoryAccount* memory = nullptr;  ///< of the import; whoever adds to the document charges it
+  MemoryAccount* memory = nullptr;  ///< of the import; additions to the document are charged to it
   ModelFiles files;
   tinygltf::Model gltf;
   std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them; else none

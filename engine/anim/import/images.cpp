@@ -54,7 +54,7 @@ anim::Image image_of(const anim::Result<anim::Image>& decoded) {
   return *decoded;
 }
 
-/// The bytes of an image, and what stands for them: the same for images that have the same.
+/// The bytes of an image, and what stands for them: it is equal for images with equal bytes.
 struct EncodedImage {
   std::string place;
   std::filesystem::path file;  ///< where they are read; none for a data URI

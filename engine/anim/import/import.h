@@ -22,7 +22,7 @@ struct ImportOptions {
 /// (memory/README.md).
 anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 
-/// Does the same, but accepts a file without skins, which has animations and no models.
+/// Imports as import_file() does, but accepts a file without skins, which has animations and no models.
 anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options = {});
 
 /// Does the same, but makes a skeleton of the animated nodes, and of all above and below them, where the file has no

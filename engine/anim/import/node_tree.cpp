@@ -63,7 +63,7 @@ std::vector<bool> find_scene(const Document& document, const NodeTree& tree) {
   return in_scene;
 }
 
-/// KHR_node_visibility: who is hidden hides all below.
+/// KHR_node_visibility: a hidden node hides all below.
 std::vector<bool> find_drawn(Document& document, const NodeTree& tree) {
   std::vector<bool> hidden = document.is_hidden;
   std::vector<bool> drawn(hidden.size());

@@ -184,7 +184,7 @@ const Format* by_markup(std::string_view text) {
   return nullptr;
 }
 
-/// A first line of words or numbers with separators between them is that of a table, or of a .gltf that is damaged.
+/// A first line of words or numbers with separators between them begins a table, or a .gltf that is damaged.
 const Format* by_first_line(std::string_view text, const std::filesystem::path& path) {
   if (text.starts_with('[')) return &json_list;
   if (equal_without_case(path.extension().string(), ".gltf")) return nullptr;

@@ -16,8 +16,8 @@ const Kernels* find_kernels(std::string_view name);
 std::vector<std::string> runnable_targets();
 
 /// Makes best_kernels() return these from now on, so that all that poses, bakes and copies runs on one target. They
-/// must be among runnable_kernels(). Call it before anything is baked or posed: who has asked for kernels before may
-/// keep them. A crowd whose SystemOptions name kernels has those.
+/// must be among runnable_kernels(). Call it before anything is baked or posed: a caller that has asked for kernels
+/// before may keep them. A crowd whose SystemOptions name kernels has its own.
 void choose_kernels(const Kernels& kernels);
 
 }  // namespace throng::anim

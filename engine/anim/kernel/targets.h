@@ -20,8 +20,8 @@
 #if defined(__aarch64__)
 #include <hwy/detect_targets.h>
 #if !defined(HWY_NEON_WITHOUT_AES)
-// Highway 1.0.3 marks functions for NEON with an attribute, for the sake of AES, which we do not use. The constructors
-// that a compiler makes by itself have no such mark, and could not call those of vectors. Without it all is plain NEON.
+// Highway 1.0.3 marks functions for NEON with an attribute, for the sake of AES, which we do not use. Constructors
+// that a compiler makes lack the mark, and could not call the vectors' constructors. Without it all is plain NEON.
 #undef HWY_HAVE_RUNTIME_DISPATCH
 #define HWY_HAVE_RUNTIME_DISPATCH 0
 #define THRONG_PLAIN_NEON 1

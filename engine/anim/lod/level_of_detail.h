@@ -69,7 +69,7 @@ class LevelOfDetail {
 
   /// Forgets every agent and makes room for `agents`. Time and turns go on.
   void reset(std::size_t agents, const LodLimits& limits);
-  /// Begins turns and figures as in the first frame; call reset() after it. The same frames are then decided the same.
+  /// Begins turns and figures as in the first frame; call reset() after it. Equal frames then get equal decisions.
   void restart();
 
   /// Notes that the agent goes over to another clip until `until`.

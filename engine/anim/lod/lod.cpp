@@ -55,7 +55,7 @@ int bone_level_at(float squared_distance, int current, bool fresh, int level_cou
   return level;
 }
 
-// Returns the frames until the next one that is the agent's own: 1 to interval.
+// Returns the frames until the agent's next own frame: 1 to interval.
 int frames_to_own_turn(std::uint64_t agent, std::uint64_t frame, std::uint64_t interval) {
   const std::uint64_t own = agent % interval;
   const std::uint64_t now = frame % interval;

@@ -34,7 +34,7 @@ const auto begins_of_steps = [] {
 }();
 
 // A fade eases in and out over 0.3 s and so bends the way from one pose to the other. The poses are `apart` times the
-// character's height from each other. The error comes on top of that of a walking person.
+// character's height from each other. The error comes on top of a walking person's.
 SkipError error_of_change(float height) {
   constexpr float apart = 0.3F, fade_sixtieths = 18.0F;
   SkipError error;

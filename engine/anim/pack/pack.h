@@ -53,8 +53,7 @@ std::vector<std::byte> write_pack(std::span<const FileToPack> files);
 /// Returns a number that is another one, as good as surely, when a byte of one of the files is another.
 anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
 
-/// Says whether a file is a pack, by its first bytes, or by its name that ends in ".pack"; false for one that cannot be
-/// read.
+/// Says whether a file is a pack, by its first bytes, or by its name that ends in ".pack". An unreadable file is none.
 bool is_pack(const std::string& path);
 
 /// Says where the bytes of a pack lie while it is used.
@@ -81,7 +80,7 @@ class Pack {
 
   /// Returns a baked character, ready to play. Its streams lie in the pack.
   anim::Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
-  /// Returns the same, with what was done to its model.
+  /// Returns a baked character, with what was done to its model.
   anim::Result<BakedModel> baked(std::size_t file, std::size_t model) const;
   /// Returns the model that a character was baked from: with its size, its place and its order of bones, and those keys
   /// alone that anim::keep_surveyed_keys keeps. Its texels lie in the pack.

@@ -9,8 +9,8 @@
 namespace throng::anim {
 namespace {
 
-/// Returns a leg that was found, or the one that the parts of its bones say: a file that rests in the middle of a clip
-/// may have its legs anywhere.
+/// Returns a leg that was found, or the leg that the bones' parts say: a file that rests in the middle of a clip may
+/// have its legs anywhere.
 std::optional<LimbBones> leg_of(const std::optional<LimbBones>& found, const RigMap& rig,
                                 const std::array<BodyRole, 4>& parts) {
   const LimbBones said{
@@ -40,7 +40,7 @@ double ground_of(const Figure& figure) {
   return std::min(ankle - 0.1 * length, ball < 0 ? ankle : pose.place(ball).y - 0.02 * length);
 }
 
-/// Returns the mean height of ankles that are as high as each other, or that of the lower one, which stands.
+/// Returns the mean height of ankles that are as high as each other, or the height of the lower ankle, which stands.
 double standing_height(std::span<const double> ankles, double most_apart) {
   const auto [low, high] = std::ranges::minmax(ankles);
   return high - low > most_apart ? low : (low + high) / 2.0;

@@ -33,8 +33,8 @@ std::vector<const LimbBones*> legs_of(const Figure& figure);
 /// How a body carries its trunk in the reference pose.
 enum class Carriage : unsigned char {
   unknown,  ///< it lacks arms or legs, or lies between the two
-  upright,  ///< the trunk goes on where the legs end, as that of a person
-  bent      ///< the trunk lies across the legs, as that of an animal on four feet, or of a person who sits
+  upright,  ///< the trunk goes on where the legs end, as a person's does
+  bent      ///< the trunk lies across the legs, as in an animal on four feet, or a person who sits
 };
 Carriage carriage_of(const Figure& figure);
 

@@ -40,8 +40,8 @@ struct LimbName {
 /// Foot", "lShin", "upper_arm.L", "LeftKnee".
 LimbName read_limb_name(std::string_view bone_name);
 
-/// Returns the part of every bone: the one that the file or a person says (Bone::role), else the one that its name
-/// says. A part that is said belongs to that bone alone, whatever others are called.
+/// Returns the part of every bone: as the file or a person says (Bone::role), else as its name says. A part that is
+/// said belongs to that bone alone, whatever other bones are called.
 std::vector<LimbName> limb_names(const Skeleton& skeleton);
 
 }  // namespace throng::anim

@@ -21,8 +21,8 @@ class PuThreads final : public Executor {
   PuThreads(const PuThreads&) = delete;
   PuThreads& operator=(const PuThreads&) = delete;
 
-  /// Runs job i on PU i. `count` is at most the number of PUs. A job that throws on the calling thread, for want of
-  /// memory, is passed on once the others have ended; one that throws elsewhere ends the program.
+  /// Runs job i on PU i. `count` is at most the number of PUs. An exception of a job on the calling thread, for want
+  /// of memory, is passed on once all jobs have ended; on another thread it ends the program.
   void run(int count, Job job) override;
   /// Returns whether this process has the threads.
   bool are_here() const;

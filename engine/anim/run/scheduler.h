@@ -36,8 +36,8 @@ struct ScheduleOptions {
 ///    must be whole before the first tile is fetched. No PU waits for a shared graph later.
 /// 3. *Order the work* (program/work_order.h), on the calling thread, which is PU 0. Agents are grouped by what a tile
 ///    must have in common: skeleton, bone level, held or streaming. The dearest groups go first, because a large task
-///    that begins last keeps all other PUs waiting. The list is walked by runs of agents who run one program and cost
-///    the same: a crowd has few of them.
+///    that begins last keeps all other PUs waiting. The list is walked by runs of agents with one program and equal
+///    cost: a crowd has few runs.
 /// 4. *Cut tiles and shares* (tile_cutter.h). Tasks are never equal units, so each PU gets a share of equal predicted
 ///    cost. A tile has as many characters as the local store holds. A tile that straddles two shares is cut where that
 ///    gains more than another tile costs. A PU that would have too little to do stays parked, because waking it takes
@@ -55,8 +55,8 @@ struct ScheduleOptions {
 ///
 /// A task touches three things: the local store of its PU, read-only assets, and the palettes of its own agents. The
 /// copy engine writes back the blocks of its own task, and no other task of the round reads these. That is why there is
-/// no lock, why PUs share nothing but the heads of their queues, and why the result does not depend on who took what.
-/// Memory is set aside between frames, by reserve() and set_plan().
+/// no lock, why PUs share nothing but the heads of their queues, and why the result does not depend on the PU of a
+/// task. Memory is set aside between frames, by reserve() and set_plan().
 class Scheduler {
  public:
   /// Makes the PUs. `palette_entries` are those of the largest skeleton.

@@ -17,7 +17,7 @@ class NewestTile {
   std::uint32_t width() const { return static_cast<std::uint32_t>(fit_.width); }
   const StoreNeeds& needs() const { return needs_; }
 
-  /// Returns true if characters of this program need no more than those that the tile has.
+  /// Returns true if characters of this program need no more than the characters of the tile.
   bool holds(const PoseProgram& program) const {
     StoreNeeds wider = needs_;
     wider.widen(program.needs);

@@ -11,7 +11,7 @@ namespace throng::anim {
 /// pose, and the 99th percentile over poses of all clips.
 std::vector<double> bone_errors(const Model& model);
 
-/// Does the same for ordering bones. A model without clips shows no errors, so each bone gets the distance of its
+/// Returns these errors to order bones by. A model without clips shows no errors, so each bone gets the distance of its
 /// farthest point.
 std::vector<double> bone_importance(const Model& model);
 

@@ -21,7 +21,7 @@ void add_row(const Skeleton& skeleton, float error_metres, BoneLod& lod) {
   lod.rows.push_back({.bone = bone, .error_metres = error_metres, .level = coarsest_level_with(skeleton, bone)});
 }
 
-/// The points that change at a level, with their own entries and with those that replace them.
+/// The points that change at a level, with their own entries and with the entries that replace them.
 struct LevelPoints {
   std::vector<LodPoint> full, reduced;
 

@@ -19,7 +19,7 @@ struct BoneLodRow {
 /// The errors that dropping bones causes on a character's surface (paper 3.2).
 struct BoneLod {
   std::vector<BoneLodRow> rows;  ///< one a bone, in order
-  /// The distance of each level's surface from that of level 0, in metres: the farthest point of each pose, and the
+  /// The distance of each level's surface from level 0's, in metres: the farthest point of each pose, and the
   /// 99th percentile over poses of all clips. It never falls from level to level. A level that the character lacks
   /// repeats the coarsest.
   std::array<float, max_bone_levels> level_error_metres{};
@@ -32,7 +32,7 @@ BoneLod measure_bone_lod(const Model& model);
 /// index of each. A bone's error stays with it, and only levels are measured.
 BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const int> bones);
 
-/// Returns for each palette entry the one that replaces it when only the first `bone_count` bones are kept: itself, or
+/// Returns for each palette entry its replacement when only the first `bone_count` bones are kept: itself, or
 /// the first entry of its bone's nearest kept ancestor that has one.
 std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count);
 

@@ -20,7 +20,7 @@ struct LodPoint {
   glm::dvec3 position{0.0};  ///< in the space of the palette
 };
 
-/// Picks up to 16 vertices of each bone, spread over the mesh, of those that it holds for at least half.
+/// Picks up to 16 vertices of each bone, spread over the mesh, each of which the bone holds for at least half.
 std::vector<LodPoint> pick_lod_points(const Model& model);
 
 /// Returns where a palette puts the point.

@@ -11,8 +11,8 @@ namespace throng::anim {
 
 inline constexpr double tall_person = 1.8;  ///< metres: what is chosen for people is meant for this height
 
-/// The room that a model takes in its file, measured over the poses that it shows: those of its clips, or the rest pose
-/// where it has none. Units are the file's; +Y is up.
+/// The room that a model takes in its file, measured over the poses of its clips, or in its rest pose where it has no
+/// clips. Units are the file's; +Y is up.
 struct ModelExtent {
   glm::dvec3 size{0.0};    ///< width, height and depth: the rest pose's, unless clips show another size
   glm::dvec3 middle{0.0};  ///< of the body where clips begin: the median over clips

@@ -21,7 +21,7 @@ constexpr double largest_side = 40.0;                                 // metres:
 constexpr double upright_over_depth = 0.8, upright_over_width = 0.6;  // an animal is longer; arms may be spread
 constexpr double off_the_middle = 0.25;  // of the largest side: no figure that stands on the origin is so far off
 constexpr double sunk = 0.02;            // of the height: soles lie a little below the ground in many files
-constexpr double afloat = 0.5;           // of the height: who hovers on purpose is lower
+constexpr double afloat = 0.5;           // of the height: a figure that hovers on purpose is lower
 
 double largest_of(const glm::dvec3& size) { return std::max({size.x, size.y, size.z}); }
 
@@ -37,7 +37,7 @@ bool stands_upright(const glm::dvec3& size) {
   return size.y >= upright_over_depth * size.z && size.y >= upright_over_width * size.x;
 }
 
-/// Returns by how much a model of that size in metres grows to fit among people: 1 for one that does. No unit makes a
+/// Returns by how much a model of that size in metres grows to fit among people: 1 for one that fits. No unit makes a
 /// figure of 5 cm or of 6 m that stands upright, so it is a person in an unknown unit.
 double growth_among_people(const glm::dvec3& metres) {
   const bool upright = stands_upright(metres);

@@ -46,10 +46,10 @@ double guessed_scale(const ModelExtent& extent, SizeRule rule);
 
 /// Finds the size and place of a model that a person would expect. Sizes that people, animals and houses have in metres
 /// are kept (largest side from 4 cm to 40 m); others are taken as centimetres, millimetres or whatever power of ten
-/// brings them nearest to a person. Who stands beside the origin is moved there, and who reaches below the ground or
-/// floats far above it is put on it. `model` is as imported. By SizeRule::among_people, what stands upright and does
-/// not fit becomes as tall as a person, and anything else the nearest size that fits, so that a mouse stays the
-/// smallest.
+/// brings them nearest to a person. A model beside the origin is moved there, and a model that reaches below the
+/// ground or floats far above it is put on it. `model` is as imported. By SizeRule::among_people, a model that stands
+/// upright and does not fit becomes as tall as a person, and any other takes the nearest size that fits, so that a
+/// mouse stays the smallest.
 GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice = {},
                                  SizeRule rule = SizeRule::kept);
 

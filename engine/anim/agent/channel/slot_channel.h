@@ -28,7 +28,7 @@ struct OneShotEnd {
 /// nothing. Over nothing, a shot neither fades in nor out.
 ///
 /// A shot fades out before its end by itself. One that interrupts neither snaps nor waits: an inertialiser leaves
-/// behind what was shown. All that follows is known when it is asked for, so poses do not depend on who was posed when.
+/// behind what was shown. All that follows is known when it is asked for, so poses do not depend on when they are made.
 class SlotChannel final : public Channel {
  public:
   /// Asks for a shot; call it through `Agent::change`. Returns false if max_shots are playing and waiting already.

@@ -9,8 +9,8 @@ namespace throng::import {
 /// Holds the numbers of triangles and points that the head of a Draco mesh states.
 struct DracoCounts {
   std::uint64_t faces = 0;
-  std::uint64_t points = 0;  ///< those of the connectivity; seams add others
-  std::uint64_t seams = 0;   ///< tables of corners beside that of the faces
+  std::uint64_t points = 0;  ///< of the connectivity; seams add points
+  std::uint64_t seams = 0;   ///< tables of corners beside the faces' table
   bool by_valence = false;   ///< whether the walk keeps lists of the faces by the valence of their corners
 };
 

@@ -5,7 +5,7 @@
 
 namespace throng::import {
 
-/// Says whether a stream of attributes has the format that KHR_meshopt_compression adds to that of
+/// Says whether a stream of attributes has the format that KHR_meshopt_compression adds to the format of
 /// EXT_meshopt_compression.
 bool is_attribute_stream_v1(std::span<const std::byte> bytes);
 

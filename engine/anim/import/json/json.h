@@ -111,7 +111,7 @@ class Json {
   // A whole number that is not negative is unsigned, so that equal numbers are equal values.
   using Variant = std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
 
-  /// libstdc++ 12 takes a variant of these types for one that always has a value: where memory runs out while it is
+  /// libstdc++ 12 believes that a variant of these types always has a value: where memory runs out while it is
   /// copied, it calls the destructor of nothing. An assignment copies before it changes anything.
   struct Value : Variant {
     using Variant::Variant, Variant::operator=;

@@ -15,8 +15,8 @@
 namespace throng {
 
 /// Reads the members of a JSON object into values of our own. A value stays as it is where there is no such member, or
-/// a wrong one. The first that is wrong is kept as a complaint, the end of a sentence that begins with the file's name:
-/// `state 2: "speed" must be a number`. A complaint is kept by who reads, since several objects share it.
+/// a wrong one. The first wrong member is kept as a complaint, the end of a sentence that begins with the file's name:
+/// `state 2: "speed" must be a number`. The reader keeps the complaint, since several objects share it.
 class JsonObject {
  public:
   /// `name` says which object it is; it is empty for a whole file. `keys` are all that it may have.

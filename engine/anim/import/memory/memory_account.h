@@ -8,7 +8,7 @@ namespace throng::import {
 
 // An import may hold this much if its caller sets no limit.
 inline constexpr std::uint64_t basic_memory = 64'000'000;  ///< bytes, however small the file is
-inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of those that it names
+inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of the files that it names
 
 // Images and JSON are packed far more densely than all else. What they take up to here does not count; a flat PNG of
 // 4096 pixels squared takes 67 MB, and may have 15 KB.

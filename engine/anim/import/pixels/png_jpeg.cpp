@@ -20,13 +20,13 @@ struct DecoderHeap {
 
 thread_local DecoderHeap* decoder_heap = nullptr;  // none: pixels are freed long after their image was decoded
 
-/// Stands before each block. Blocks are as aligned as those of malloc.
+/// Stands before each block. Blocks are as aligned as malloc's.
 union alignas(std::max_align_t) BlockHead {
   std::size_t size;
   std::max_align_t align;
 };
 
-// The block is zero: stb decodes by tables that a JPEG does not have, which would be those of another image.
+// The block is zero: stb reads tables that a JPEG does not have, which else would hold another image's.
 void* take_block(std::size_t size) {
   if (decoder_heap != nullptr) {
     const std::uint64_t held = decoder_heap->held + size;

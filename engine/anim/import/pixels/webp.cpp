@@ -7,8 +7,8 @@
 namespace throng::import {
 namespace {
 
-/// Returns what libwebp holds at most beside the pixels: those of a lossless picture once more, and so the alpha of one
-/// that is not, which is packed alike; the alpha itself; some rows.
+/// Returns what libwebp holds at most beside the pixels: the pixels of a lossless picture once more, or the alpha of a
+/// lossy one, which is packed without loss too; the alpha itself; some rows.
 std::uint64_t scratch_size(const WebPBitstreamFeatures& features) {
   constexpr std::uint64_t tables = 1 << 20;
   constexpr int lossy = 1;

@@ -38,9 +38,9 @@ struct ClipEnd {
 
 /// Says which of the data keys that were met are told.
 enum class KeyChoice : unsigned char {
-  felt,      ///< those of clips that have some weight
-  heaviest,  ///< those of the clip with the largest weight alone
-  all        ///< those of clips without weight too
+  felt,      ///< keys of clips that have some weight
+  heaviest,  ///< keys of the clip with the largest weight alone
+  all        ///< keys of clips without weight too
 };
 
 /// One agent of a Crowd, as cheap to copy as a pointer. A request takes effect at the frame boundary at which it is
@@ -70,7 +70,7 @@ class Agent {
   /// Lays a slot over the channels before it. It plays one-shots, and costs nothing in between.
   Result<ChannelId> add_slot(const Layer& layer = {}) const;
   /// Plays a clip once in a slot. It fades out before its end by itself; Motion::for_each_end tells the end, if it is
-  /// asked before Crowd::update. One that is not queued takes the place of those that play and wait, and neither snaps
+  /// asked before Crowd::update. A clip that is not queued replaces the clips that play and wait, and neither snaps
   /// nor waits. Returns false if it is queued and four play and wait already. Returns false also if the local stores
   /// have no room; then the slot has stopped.
   bool play_once(ChannelId slot, const OneShot& shot) const;
@@ -149,7 +149,7 @@ class Motion {
 
   RootMotion displacement(Ticks from, Ticks to) const;
   /// Returns a number that its clips have over time, now; `name` is an index of Character::curve_names. It is blended
-  /// by the weights of the clips; one that has no such curve counts as 0.
+  /// by the weights of the clips; a clip without the curve counts as 0.
   float curve(std::uint32_t name) const;
   /// Returns where a cut scene has it now; nothing if none plays.
   std::optional<Place> absolute_root() const;

@@ -76,9 +76,9 @@ typedef struct throng_key {
 /* The library. */
 THRONG_C int throng_version(void);
 THRONG_C const char* throng_version_text(void);
-/* Returns why the last call of this thread that failed did so. Valid until the next one fails. */
+/* Returns why the last failed call of this thread failed. Valid until the next call fails. */
 THRONG_C const char* throng_last_error(void);
-/* Sets who hears of calls that break their contract; null: one line each on standard error. */
+/* Sets the function that hears of calls that break their contract; null: one line each on standard error. */
 typedef void (*throng_misuse_hook)(const char* call, const char* reason);
 THRONG_C void throng_set_misuse_hook(throng_misuse_hook hook);
 

@@ -45,7 +45,7 @@ class Character {
   explicit Character(std::shared_ptr<const detail::CharacterData> data) : data_(std::move(data)) {}
   explicit operator bool() const { return data_ != nullptr; }
 
-  /// Returns the number of places for clips, those that without() left empty included.
+  /// Returns the number of places for clips, with places that without() left empty.
   std::uint32_t clip_count() const;
   /// Returns whether the clip is there, and has not left.
   bool has(ClipId clip) const;
@@ -64,7 +64,7 @@ class Character {
   /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. The surface and
   /// what depends on it are those of this one; added clips move its morphs if `more` has the same ones. Takes a moment,
   /// on any thread, while crowds play both: see Crowd::replace. Errors: the skeleton is another one, by bones, parents
-  /// or bind pose; a clip has the name of one that is there.
+  /// or bind pose; a clip has the name of a clip that is there.
   Result<Character> with_clips(const Character& more) const;
   /// Returns this character without a clip. Its place is empty until another clip comes, and ids of the clip name
   /// nothing from then on. The others keep theirs. The memory of clips that came together is let go with the last of

@@ -99,9 +99,9 @@ class Crowd {
   Result<Done> remove(CharacterId character);
   /// Takes a character with other clips, which was made of the one that it replaces (Character::with_clips, without),
   /// between frames. Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips
-  /// that they know. Errors: an agent plays a clip that leaves; who fades away from a clip plays it still, and who has
-  /// interrupted such a fade until it is posed twice. A blend space or state machine of an agent has such a clip. A
-  /// place goes from one clip to another at once. A local store of a fixed size is too small. Then nothing has changed.
+  /// that they know. Errors: an agent plays a clip that leaves (during a fade away from it too, and after an
+  /// interrupted fade until it is posed twice), or has it in a blend space or state machine. A place goes from one clip
+  /// to another at once. A local store of a fixed size is too small. Then nothing has changed.
   Result<Done> replace(CharacterId character, const Character& with_other_clips);
   /// Returns a character; an empty one if there is none of this id.
   Character character(CharacterId character) const;

@@ -15,8 +15,8 @@ struct Misuse {
 /// Hears of each misuse, on the thread that made the call. It does not call the library.
 using MisuseHook = void (*)(const Misuse& misuse);
 
-/// Sets who hears of misuses, from any thread, and returns who heard of them before. The hook that is there at first,
-/// and again after nullptr, prints one line for each call and reason. A build with assertions then ends the program.
+/// Sets the hook that hears of misuses, from any thread, and returns the hook before it. The first hook, which
+/// nullptr sets again, prints one line for each call and reason. A build with assertions then ends the program.
 MisuseHook set_misuse_hook(MisuseHook hook);
 
 /// A function and the context that it works on. Owns and allocates nothing.

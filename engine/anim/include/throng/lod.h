@@ -45,8 +45,8 @@ struct LodFrame {
   Ticks frame_step{};  ///< the time since the frame before
 };
 
-/// Decides who is posed now, how far ahead, and with how many bones (paper 3.2). It allocates only when agents or
-/// characters are added, or rules change. Each call of one that was moved from is a misuse (host.h).
+/// Decides which agents are posed now, how far ahead, and with how many bones (paper 3.2). It allocates only when
+/// agents or characters are added, or rules change. Each call of a Lod that was moved from is a misuse (host.h).
 ///
 ///     for (PoseRequest& request : lod.select(crowd, frame)) request.palette = ...;
 ///     crowd.update(lod.requests());
@@ -58,7 +58,7 @@ class Lod {
   Lod(Lod&&) noexcept;
   Lod& operator=(Lod&&) noexcept;
 
-  /// Lists who is to be posed. The span is valid until the next call.
+  /// Lists the agents to be posed. The span is valid until the next call.
   std::span<PoseRequest> select(Crowd& crowd, const LodFrame& frame);
   std::span<PoseRequest> requests();
   /// Learns what the update took.

@@ -32,7 +32,7 @@ struct MachineData;
 /// and for two "velocity", "speed_and_turn" or "plain"; the first is the default (channels.h). A transition is taken
 /// once all of "when" hold ("speed > 1.5", "grounded", "not grounded", "jump"), its state has played for "after"
 /// seconds, and, with "at_end", the fade ends with the clip or with a loop of it. "from": "*" leads from any other
-/// state. Of those that are due together the first is taken. A trigger stays on until a transition that asks for it is
+/// state. Of transitions due at once the first is taken. A trigger stays on until a transition that asks for it is
 /// taken. There are at most 16 inputs, 64 states and 256 transitions.
 class StateMachine {
  public:

@@ -8,7 +8,7 @@ inline constexpr std::int64_t tick_rate = 705'600'000;              ///< ticks a
 inline constexpr std::int64_t most_ticks = std::int64_t{1} << 62U;  ///< longest_time, as a bare number
 
 /// Names the std::chrono::durations, and types like them, that are a whole number of ticks whatever they count: hours,
-/// seconds, milliseconds and those of std::ratio<1, 60>, but not microseconds or floating durations.
+/// seconds, milliseconds and durations of std::ratio<1, 60>, but not microseconds or floating durations.
 template <typename Duration>
 concept WholeTicks = requires {
   requires std::signed_integral<typename Duration::rep>;
@@ -19,7 +19,7 @@ concept WholeTicks = requires {
 /// rate and sample rate (24, 25, 30, 48, 50, 60, 90, 100, 120 Hz; 44.1, 48, 96 kHz).
 ///
 /// No number becomes a time by itself: to_ticks() takes seconds, Ticks{n} takes ticks, and durations of std::chrono
-/// convert where that is exact: `system.advance(16ms)`. Sums must stay within 64 bits, as those of integers.
+/// convert where that is exact: `system.advance(16ms)`. Sums must stay within 64 bits, as with integers.
 /// `Ticks{}` is 0; `Ticks t;` is not set, since blocks that hold times are plain bytes.
 class Ticks {
  public:

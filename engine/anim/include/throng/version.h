@@ -12,7 +12,7 @@ namespace throng {
 /// the headers of another version.
 int version();
 
-/// Returns the same as text, "1.0.0".
+/// Returns the version as text, "1.0.0".
 const char* version_text();
 
 }  // namespace throng

@@ -69,7 +69,7 @@ void hold_constants(const KeyframeStream& stream, std::span<std::byte> interpola
   }
 }
 
-/// Number of events that a player at `now` has met: those that open tracks, and all that have begun.
+/// Number of events that a player at `now` has met: events that open tracks, and all that have begun.
 std::uint32_t events_met(const KeyframeStream& stream, std::int32_t now) {
   const auto later = stream.events().subspan(stream.track_count);
   const auto end = std::ranges::upper_bound(later, now, {}, &KeyEvent::start);

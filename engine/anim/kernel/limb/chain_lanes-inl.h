@@ -34,7 +34,7 @@ HWY_INLINE JointMotions<V> posed_joint(D d, const JointMotions<V>& parent, const
           sum(parent.position, rotated(parent.rotation, from_parent))};
 }
 
-/// The joints of a chain: their bones among those that were read, and their motions, model space.
+/// The joints of a chain: their bones among the bones that were read, and their motions, model space.
 template <class D>
 struct ChainLanes {
   BonePlace bones[JointChain::max_joints];

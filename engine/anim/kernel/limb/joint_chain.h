@@ -47,7 +47,7 @@ struct JointMotion {
 };
 static_assert(std::is_trivially_copyable_v<JointMotion>);
 
-/// Returns whether the rotation is unit, and the place one that a joint can have (is_place).
+/// Returns whether the rotation is unit, and a joint can have the place (is_place).
 bool is_valid(const JointMotion& motion);
 
 /// Makes a product of nearly unit quaternions unit by one Newton step. A square root and a division would delay the

@@ -42,8 +42,8 @@ inline constexpr float longest_spring_seconds = 0.5F;
 /// interpolated. So a chain on a body that moves smoothly is where it would be without skipped updates: to a
 /// hundredth of its swing with 20 updates a second, to a twentieth with 10.
 ///
-/// It is pure, allocates nothing, and gives the same bits on every machine. A new character, or one that was restarted,
-/// is at rest in its pose. Levels of detail without all bones are left alone, and forget.
+/// It is pure, allocates nothing, and gives the same bits on every machine. A new or restarted character is at rest
+/// in its pose. Levels of detail without all bones are left alone, and forget.
 struct SpringBonesJob {
   const SpringRig* rig = nullptr;
   SpringBody* body = nullptr;

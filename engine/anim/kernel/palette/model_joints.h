@@ -6,7 +6,7 @@
 namespace throng::anim {
 
 /// Computes the joints of a list that bones of one packet carry, of `width` characters of one skeleton. Packets are
-/// done in order; those that the program does not need may be left out. What both compute has the bits of the palette.
+/// done in order; packets that the program does not need may be left out. Joints have the bits of the palette.
 struct ModelJointsJob {
   const JointProgram* program = nullptr;
   int packet = 0;                  ///< of the skeleton

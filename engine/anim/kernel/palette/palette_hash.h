@@ -14,8 +14,7 @@ namespace throng::anim {
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PackedPaletteEntry& entry);
 
-/// The keys of the words; those of joint j are palette_hash_keys times palette_hash_factor(j). They are digits of the
-/// square roots of 2 to 37.
+/// The keys of the words, digits of the square roots of 2 to 37. Joint j multiplies them by palette_hash_factor(j).
 alignas(16) inline constexpr std::uint32_t palette_hash_keys[] = {0x6A09E667, 0xBB67AE85, 0x3C6EF373, 0xA54FF53B,
                                                                   0x510E527F, 0x9B05688D, 0x1F83D9AB, 0x5BE0CD19,
                                                                   0xCBBB9D5D, 0x629A292A, 0x9159015A, 0x152FECD8};

@@ -58,7 +58,7 @@ HWY_INLINE Vectors<V> displaced(D d, const Vectors<V>& at_rest, const float* dis
   return displacement == nullptr ? at_rest : sum(at_rest, load_vectors(d, displacement, stride));
 }
 
-/// Turns the `motion` of the parent into that of a bone. `rotation` is about its joint, which `displacement` moves if
+/// Turns the `motion` of the parent into a bone's. `rotation` is about its joint, which `displacement` moves if
 /// it is not null:
 ///     R = R_parent * R',   joint = joint_parent + R_parent * (offset + displacement)
 /// The parent's matrix is not used after that, because 16 registers do not hold two matrices.

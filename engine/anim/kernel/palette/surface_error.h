@@ -22,7 +22,7 @@ struct ShownPaletteJob {
   PaletteDestination to;                        ///< has these too; may be `from`
   std::span<const PackingFrame> packing = {};   ///< [entries] the frames that unpack them; empty: they are matrices
   float blend = 1.0F;                           ///< 0 shows `from`, 1 shows `to`
-  std::span<const std::uint16_t> kept_entries;  ///< [entries] the one that stands for each at the level shown
+  std::span<const std::uint16_t> kept_entries;  ///< [entries] the entry that stands for each at the level shown
   std::span<PaletteMatrix> shown;               ///< out, [entries]
 };
 bool is_valid(const ShownPaletteJob& job);

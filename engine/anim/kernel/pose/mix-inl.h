@@ -64,7 +64,7 @@ HWY_INLINE Quaternions<V> mix_rotations(D d, const WeighedSources& sources, cons
   Quaternions<V> sum{zero, zero, zero, zero};
   for (int source = 0; source < sources.count; ++source) {
     const auto q = load_quaternions(d, sources.of[source] + bone, packet_bones);
-    // Adding 0 turns a dot product of -0, which the first source may have, into one that keeps its sign.
+    // Adding 0 turns a dot product of -0, which the first source may have, into 0, which changes no sign.
     const V factor = hn::CopySignToAbs(shares.of[source], hn::Add(dot(sum, q), zero));
     sum = {hn::MulAdd(q.x, factor, sum.x), hn::MulAdd(q.y, factor, sum.y), hn::MulAdd(q.z, factor, sum.z),
            hn::MulAdd(q.w, factor, sum.w)};

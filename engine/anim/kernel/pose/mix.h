@@ -6,8 +6,8 @@ namespace throng::anim {
 
 /// Mix: N sources at once, out = normalise(sum of w * q) in their order, each q on the hemisphere of the sum before it;
 /// positions and scales linear. w = weight * bone weight, under bone weights divided by their sum bone by bone. A
-/// source of w = 0 changes no bit; where one source weighs all its bits are copied, and where none weighs anything
-/// those of the first whose `weight` is not 0 (else of the first). `out` may be any of the sources.
+/// source of w = 0 changes no bit. Where one source has all the weight, its bits are copied; where none has any, the
+/// bits of the first source whose `weight` is not 0 (else of the first). `out` may be any of the sources.
 inline constexpr int most_mixed_sources = 8;
 inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone with a smaller sum of weights has no weight
 inline constexpr float most_mixed_excess = 1e-4F;    ///< largest distance of the sum of all weights from 1

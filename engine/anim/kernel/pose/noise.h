@@ -20,8 +20,7 @@ struct NoisePoint {
 /// first. Negative times are as good as others.
 NoisePoint noise_at(Ticks time, float frequency);
 
-/// Returns the bits with their upper half mixed into the lower one. The result for an exclusive or is that of both
-/// results.
+/// Returns the bits with their upper half mixed into the lower one: folded(a ^ b) is folded(a) ^ folded(b).
 constexpr std::uint32_t folded(std::uint32_t bits) { return bits ^ (bits >> 16); }
 
 /// Data that all bones of a character share at one time: three lattice points, and the share of each in a uniform

@@ -23,7 +23,7 @@ struct Lane {
   void store(D d, hn::Vec<D> value) { hn::Store(value, d, of); }
 };
 
-/// A bone among those that were read.
+/// A bone among the bones that were read.
 using BonePlace = int;
 
 /// The bones of up to `most_quads` quads. Bones that are not written keep their bits.

@@ -143,7 +143,7 @@ class JointSolver {
     return turning / glm::dot(axis, both);
   }
 
-  /// A limit stops a joint that leaves it; it does not throw back one that a pose left outside.
+  /// A limit stops a joint that leaves it; it does not throw back a joint that a pose left outside.
   void keep_limit(const Excess& now, Excess (*measure)(const RagdollLimit&, const JointPose&)) {
     if (now.angle <= 0.0F) return;
     const JointPose before = joint_pose(limit_, step_.previous_rotation[parent_], step_.previous_rotation[child_]);

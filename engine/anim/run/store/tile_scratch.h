@@ -34,8 +34,8 @@ class ScratchCarver {
 ///     carry     float [branch_slot_floats][width]          the last bone's transform
 ///     branches  float [slots][branch_slot_floats][width]   transforms of branch points
 ///     palettes, hashes                                     the destinations of each character
-///     joint_carry, joint_branches, joints                  the same for lists of joints; those of matrices share the
-///                                                          first two, as one walk does both
+///     joint_carry, joint_branches, joints                  as above for lists of joints; lists beside matrices share
+///                                                          the first two, as one walk does both
 struct ModelScratch {
   std::span<float> local;
   std::span<float> carry;

@@ -64,7 +64,7 @@ class AnimationSystem {
   bool set_agent_count(std::uint32_t count);
 
   std::uint32_t agent_count() const { return parts_.population.numbers().count(); }
-  /// Returns a number above those of all agents, for arrays that have a place for each. Numbers of removed agents are
+  /// Returns a number above all agents' numbers, for arrays that have a place for each. Numbers of removed agents are
   /// used again before a new one is.
   std::uint32_t number_limit() const { return parts_.population.numbers().number_limit(); }
   /// Returns the agents in the order in which they were added. The span is valid until agents are added or removed.

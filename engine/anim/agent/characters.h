@@ -21,7 +21,7 @@ class Characters {
   /// Works on the inside of a system, which outlives this object.
   explicit Characters(SystemParts& system) : system_(&system) {}
 
-  /// Returns a number above those of all characters.
+  /// Returns a number above all characters' numbers.
   std::uint32_t count() const { return static_cast<std::uint32_t>(system_->population.characters().size()); }
   bool has(CharacterId character) const { return system_->population.has(character); }
   /// Returns a character; one without bones and clips if there is none of this id.

@@ -38,7 +38,7 @@ class AgentNumbers {
  public:
   /// Returns how many agents live.
   std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size() - free_.size()); }
-  /// Returns a number above those of all agents.
+  /// Returns a number above all agents' numbers.
   std::uint32_t number_limit() const { return static_cast<std::uint32_t>(members_.size()); }
   std::span<const Member> members() const { return members_; }
   const Member& member(std::uint32_t agent) const { return members_[agent]; }

@@ -12,7 +12,7 @@ namespace throng::anim {
 struct AgentUpdate {
   AgentId agent{};
   std::uint8_t level = 0;           ///< bone level
-  Ticks look_ahead{};               ///< the pose is that of now + look_ahead (smooth skipping); see can_wind_back()
+  Ticks look_ahead{};               ///< the pose is for now + look_ahead (smooth skipping); see can_wind_back()
   PaletteDestination palette = {};  ///< the PU writes it there, room for the level's entries; null: none is made
   PaletteDestination joints = {};  ///< the PU writes the character's list of joints there; see Characters::write_joints
   /// A coarser level, to or from which the pose fades. The bones that it lacks are `fade_halves` halves of the way to

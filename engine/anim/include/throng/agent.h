@@ -36,7 +36,7 @@ struct ClipEnd {
   float weight = 0.0F;
 };
 
-/// Says which of the data keys that were met are told.
+/// Says which of the met data keys are delivered.
 enum class KeyChoice : unsigned char {
   felt,      ///< keys of clips that have some weight
   heaviest,  ///< keys of the clip with the largest weight alone
@@ -44,8 +44,8 @@ enum class KeyChoice : unsigned char {
 };
 
 /// One agent of a Crowd, as cheap to copy as a pointer. A request takes effect at the frame boundary at which it is
-/// made. A request that is not valid, to an agent that is gone for example, is a misuse (host.h): it changes nothing,
-/// and returns false, nothing or an error.
+/// made. An invalid request, for example to an agent that is gone, is a misuse (host.h): it changes nothing, and
+/// returns false, nothing or an error.
 class Agent {
  public:
   Agent(detail::CrowdParts& crowd, AgentId id) : crowd_(&crowd), id_(id) {}
@@ -54,18 +54,18 @@ class Agent {
   bool exists() const;
   CharacterId character() const;
 
-  /// Plays a clip on the first channel, which is one for clips that fade unless another was added first. It never waits
+  /// Plays a clip on the first channel, which fades between clips unless another kind was added first. It never waits
   /// and never snaps: a fade may be interrupted at any time.
   bool play(const Play& request) const;
   bool play(ChannelId channel, const Play& request) const;
-  /// Changes the speed of what the first channel plays, without a jump.
+  /// Changes the speed of the clip on the first channel, without a jump.
   bool set_speed(double speed) const;
 
-  /// Lays a channel over those that the agent has. The first lies below all, whatever its layer says.
+  /// Lays a channel over the agent's channels. The first lies below all, whatever its layer says.
   Result<ChannelId> add_clips(const Layer& layer = {}) const;  ///< plays nothing until it is asked to
   Result<ChannelId> add(const BlendSpace& space, const Layer& layer = {}) const;
   Result<ChannelId> add(const BlendSpace2d& space, const Layer& layer = {}) const;
-  /// Lays a state machine over the channels before it; Machine (state_machine.h) tells it its inputs.
+  /// Lays a state machine over the channels before it; Machine (state_machine.h) sets its inputs.
   Result<ChannelId> add(const StateMachine& machine, const Layer& layer = {}) const;
   /// Lays a slot over the channels before it. It plays one-shots, and costs nothing in between.
   Result<ChannelId> add_slot(const Layer& layer = {}) const;
@@ -76,15 +76,15 @@ class Agent {
   bool play_once(ChannelId slot, const OneShot& shot) const;
   /// Returns whether a slot plays.
   bool is_playing(ChannelId slot) const;
-  /// Sets the parameter of a blend space; of a plane with both.
+  /// Sets the parameter of a blend space; of a plane, both parameters.
   bool set_parameter(ChannelId channel, float parameter) const;
   bool set_parameters(ChannelId channel, float x, float y) const;
-  /// Sets how much a channel covers those below it, 0 to 1. The weight moves there evenly in `fade`.
+  /// Sets how much a channel covers the channels below it, 0 to 1. The weight moves there evenly in `fade`.
   bool set_weight(ChannelId channel, float weight, Ticks fade = {}) const;
   bool remove(ChannelId channel) const;
 
-  /// Adds a process that the pose passes through, after those that were added before. Errors: the character has no such
-  /// rig (Character::missing_rigs says why), or no bone of this name.
+  /// Adds a process, which changes the pose after the processes before it. Errors: the character has no such rig
+  /// (Character::missing_rigs says why), or no bone of this name.
   Result<ProcessId> add(const LookAt& settings) const;
   Result<ProcessId> add(const Reach& settings) const;
   Result<ProcessId> add(const ChainReach& settings) const;
@@ -96,9 +96,9 @@ class Agent {
   Result<ProcessId> add(StepId step) const;
   bool remove(ProcessId process) const;
 
-  /// Returns what its processes do, and takes what they are told; see Processes.
+  /// Reads and sets the agent's processes.
   class Processes processes() const;
-  /// Returns what it did, and where it is going; see Motion.
+  /// Tells how the agent moves over time.
   class Motion motion() const;
 
  private:
@@ -107,12 +107,12 @@ class Agent {
   AgentId id_;
 };
 
-/// The processes of an agent. Places are in metres in model space, unless it says otherwise.
+/// The processes of an agent. Places are in metres in model space, unless a call says otherwise.
 class Processes {
  public:
   Processes(detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
 
-  /// Sets the weight of a gaze, of a limb or chain that reaches, of feet or springs, 0 to 1, and fades to it.
+  /// Sets the weight of a gaze, a reaching limb or chain, feet or springs, 0 to 1, and fades to it.
   bool set_weight(ProcessId process, float weight, Ticks fade = {}) const;
   bool look_at(ProcessId gaze, const Vec3& target, Ticks fade = {}) const;
   bool look_away(ProcessId gaze, Ticks fade) const;
@@ -129,7 +129,7 @@ class Processes {
   /// Pushes the body nearest to `place` with an impulse, in kg m/s.
   bool push(ProcessId ragdoll, const Vec3& impulse, const Vec3& place) const;
   bool recover(ProcessId ragdoll, Ticks fade) const;
-  /// Returns whether it has fallen, or is falling.
+  /// Returns whether the agent has fallen, or is falling.
   bool is_down(ProcessId ragdoll) const;
 
   /// Returns where the attachment of a socket is, at the agent's last update.
@@ -148,10 +148,10 @@ class Motion {
   Motion(const detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
 
   RootMotion displacement(Ticks from, Ticks to) const;
-  /// Returns a number that its clips have over time, now; `name` is an index of Character::curve_names. It is blended
-  /// by the weights of the clips; a clip without the curve counts as 0.
+  /// Returns the value of a curve of its clips now; `name` is an index of Character::curve_names. It is blended by the
+  /// weights of the clips; a clip without the curve counts as 0.
   float curve(std::uint32_t name) const;
-  /// Returns where a cut scene has it now; nothing if none plays.
+  /// Returns where a cut scene has the agent now; nothing if none plays.
   std::optional<Place> absolute_root() const;
 
   /// Calls visit(const DataKey&) for each key met in [from, to), a minute at most, clip after clip, each once.

@@ -1,12 +1,12 @@
 #ifndef THRONG_C_H
 #define THRONG_C_H
 
-/* The library for C, and for whatever calls C. It does what the C++ headers say; see there for what a word means.
+/* The library for C, and for languages that call C. It does what the C++ headers say; they explain the words.
  *
- * A function that makes something returns null, THRONG_NONE or an invalid id if it could not, and one that changes
- * something returns 0 (else 1); throng_last_error() says why, of a misuse too. Strings are UTF-8.
- * Times are seconds. Vectors are three floats, rotations four: x, y, z, w. Nothing is kept of a pointer after the call,
- * unless it says so. */
+ * A function that makes something returns null, THRONG_NONE or an invalid id if it fails. A function that changes
+ * something returns 1, or 0 if it fails. throng_last_error() says why, also after a misuse. Strings are UTF-8.
+ * Times are seconds. Vectors are three floats, rotations four: x, y, z, w. No function keeps a pointer after the call,
+ * unless its comment says so. */
 
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include <stddef.h>
@@ -55,7 +55,7 @@ typedef struct throng_one_shot {
   float fade_in;   /* seconds */
   float fade_out;  /* seconds; the fade ends with the clip */
   float speed;     /* multiple of the clip's own speed, not 0 */
-  uint32_t queued; /* 1: it waits for those before it */
+  uint32_t queued; /* 1: it waits for the clips before it */
 } throng_one_shot;
 
 /* One agent to be posed. */
@@ -118,9 +118,9 @@ THRONG_C int throng_crowd_remove_agent(throng_crowd* crowd, throng_id agent);
 THRONG_C uint32_t throng_crowd_agent_count(const throng_crowd* crowd);
 THRONG_C int throng_crowd_advance(throng_crowd* crowd, double seconds);
 THRONG_C double throng_crowd_clock(const throng_crowd* crowd);
-/* Poses agents. A request that is not valid is left out: it returns 1, and the others are posed. */
+/* Poses agents. It leaves out invalid requests: it returns 1, and poses the other agents. */
 THRONG_C int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count);
-/* Does the same with all agents and all bones. The palette of an agent is written at palettes + its number * stride;
+/* Poses all agents with all bones. The palette of an agent is written at palettes + its number * stride;
  * both are multiples of 16 bytes, and `stride` is at least what each character's throng_crowd_palette_bytes says. */
 THRONG_C int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, uint32_t stride);
 THRONG_C uint64_t throng_crowd_pose_hash(const throng_crowd* crowd);

@@ -26,10 +26,10 @@ struct OneShot {
   Ticks fade_in{};      ///< eases in from what is shown; 0 replaces it at once
   Ticks fade_out{};     ///< eases out, so that the fade ends with the clip
   double speed = 1.0;   ///< multiple of the clip's own speed, not 0; negative: backwards, from the clip's end
-  bool queued = false;  ///< it waits for those before it, and eases in over the end of the last
+  bool queued = false;  ///< it waits for the clips before it, and eases in over the end of the last
 };
 
-/// How a channel lies over those before it.
+/// How a channel lies over the channels before it.
 struct Layer {
   float weight = 1.0F;  ///< 0 to 1
   MaskId mask{};
@@ -64,7 +64,7 @@ struct BlendPoint2d {
   Pace pace = Pace::automatic;
 };
 
-/// Says what the parameters of a plane are, and with it the speed over ground of a point.
+/// Says what the parameters of a plane are, and so the speed over ground of a point.
 enum class PlaneMeaning : unsigned char {
   plain,          ///< no speed: each clip keeps its own
   velocity,       ///< metres a second, aside and ahead

@@ -37,7 +37,7 @@ struct MeshView {
 };
 
 /// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only and shared: copies are
-/// as cheap as pointers, and any number of crowds on any threads use one at a time. An empty one has no bones and no
+/// as cheap as pointers, and any number of crowds on any threads use one together. An empty one has no bones and no
 /// clips, and no crowd takes it.
 class Character {
  public:
@@ -49,7 +49,7 @@ class Character {
   std::uint32_t clip_count() const;
   /// Returns whether the clip is there, and has not left.
   bool has(ClipId clip) const;
-  /// Describes a clip; the description of a clip that there is not, or of an empty place, is empty.
+  /// Describes a clip; the description of an absent clip or an empty place is empty.
   ClipInfo clip(ClipId clip) const;
   /// Returns the clip of this name; an invalid id if there is none.
   ClipId find_clip(std::string_view name) const;
@@ -61,14 +61,14 @@ class Character {
   ClipId find_role(std::string_view role) const;
 
   /// Returns this character with the clips of `more`, for example of another file, which are not copied. Empty
-  /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. The surface and
-  /// what depends on it are those of this one; added clips move its morphs if `more` has the same ones. Takes a moment,
-  /// on any thread, while crowds play both: see Crowd::replace. Errors: the skeleton is another one, by bones, parents
-  /// or bind pose; a clip has the name of a clip that is there.
+  /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. This
+  /// character gives the surface and all that depends on it; added clips move its morphs if `more` has equal morphs.
+  /// Takes a moment, on any thread, while crowds play both: see Crowd::replace. Errors: the skeleton is another one, by
+  /// bones, parents or bind pose; a clip has the name of a clip that is there.
   Result<Character> with_clips(const Character& more) const;
   /// Returns this character without a clip. Its place is empty until another clip comes, and ids of the clip name
-  /// nothing from then on. The others keep theirs. The memory of clips that came together is let go with the last of
-  /// them, when no crowd, character or snapshot has it. Errors: it has no such clip, or no other.
+  /// nothing from then on. Other clips keep their ids. The memory of clips that came together is let go with the last
+  /// of them, when no crowd, character or snapshot has it. Errors: it has no such clip, or no other.
   Result<Character> without(ClipId clip) const;
 
   int bone_count() const;
@@ -76,16 +76,16 @@ class Character {
   /// Returns the index of the bone's parent, which is lower than its own; -1 for a root.
   int bone_parent(int bone) const;
   std::optional<int> find_bone(std::string_view name) const;
-  /// Returns how many levels of detail its bones have, 1 to 4. Level 0 has all.
+  /// Returns how many levels of detail its bones have, 1 to 4. Level 0 has all bones.
   int level_count() const;
 
   /// Returns the entries of a palette at a bone level.
   std::uint32_t palette_entries(int level = 0) const;
-  /// Returns what packed_palette.glsl unpacks each entry of a packed palette with: where the joint rests, in the space
-  /// of the palette, and the metres of one unit of a place. One for each entry of level 0; none if its palettes cannot
-  /// be packed, and are matrices. They are a table of vec4 for the device, and shared by all agents.
+  /// Returns the frames with which packed_palette.glsl unpacks the entries of a packed palette: where the joint rests,
+  /// in the space of the palette, and the metres of one unit of a place. One for each entry of level 0; none if its
+  /// palettes cannot be packed, and are matrices. They are a table of vec4 for the device, shared by all agents.
   std::vector<std::array<float, 4>> packing_frames() const;
-  /// Returns the metres of the standing character.
+  /// Returns the height of the standing character, in metres.
   double height() const;
   /// Returns the names of the data keys of all its clips. DataKey::name is an index.
   std::span<const std::string> data_key_names() const;
@@ -107,13 +107,13 @@ class Character {
 
 struct LoadOptions {
   double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
-  bool strict = false;       ///< refuses what would be repaired
+  bool strict = false;       ///< refuses files that need repairs
   bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
-  /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and more for its images,
-  /// which are scaled down to 1 GB of pixels where they have more.
+  /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and besides 1 GB of pixels,
+  /// to which larger images are scaled down.
   std::uint64_t memory_limit = 0;
   /// Reads a pack into memory of its own instead of mapping it. A mapped file may only be replaced by renaming another
-  /// one to its name, as `throng bake` does: if a program cuts or overwrites it, this one ends.
+  /// file to its name, as `throng bake` does: if a program cuts or overwrites it, this program ends.
   bool copy_pack = false;
 };
 

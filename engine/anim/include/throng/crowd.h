@@ -24,7 +24,7 @@ enum class JointFormat : unsigned char {
 };
 
 /// The joints that an update writes of each agent of a character, in model space: for a server that draws nothing, for
-/// sockets, or as palettes in another form. Where no palette is asked for, only what they need is posed.
+/// sockets, or as palettes in another form. Without a palette, only the bones that they need are posed.
 struct JointOutput {
   std::span<const int> bones{};  ///< these, in this order; empty: all bones
   std::optional<int> skin{};     ///< instead: the matrices of this skin of the file, in the order of its joints
@@ -44,7 +44,7 @@ struct CrowdOptions {
 struct PoseRequest {
   AgentId agent{};
   std::uint8_t level = 0;        ///< bone level, 0: all bones
-  Ticks look_ahead{};            ///< the pose is that of now + look_ahead, for skipped frames that are blended
+  Ticks look_ahead{};            ///< the pose is for now + look_ahead, for skipped frames that are blended
   std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: it is not drawn
   std::byte* joints = nullptr;   ///< Crowd::joint_bytes, aligned to 16; null: none are written
   std::uint8_t fade_level = 0;   ///< as Lod says it
@@ -73,14 +73,14 @@ class Snapshot {
 };
 
 /// Thousands of agents, of one character or of several. One thread calls it; the PUs are inside. A call that breaks its
-/// contract, or is one of a crowd that was moved from, is a misuse (host.h): it is reported and ignored. A frame is
+/// contract, or any call of a moved-from crowd, is a misuse (host.h): it is reported and ignored. A frame is
 ///
 ///     crowd.agent(id).play(...)    requests
 ///     crowd.advance(16ms)          moves the clock of every agent, posed or not
 ///     crowd.update(requests)       poses these, on all PUs; returns when their palettes are written
 ///
-/// In a child of fork() a crowd with threads of its own can be destroyed, read and told, but it poses no agent before
-/// it is configured there. A crowd that a child makes is as any other.
+/// In a child of fork() a crowd with threads of its own can be destroyed and read, and takes requests, but it poses no
+/// agent before it is configured there. A crowd that a child makes has no such limit.
 ///
 /// Poses depend on clips, times and weights alone: not on the number of PUs, on neighbours, nor on the machine.
 class Crowd {
@@ -103,9 +103,9 @@ class Crowd {
   /// interrupted fade until it is posed twice), or has it in a blend space or state machine. A place goes from one clip
   /// to another at once. A local store of a fixed size is too small. Then nothing has changed.
   Result<Done> replace(CharacterId character, const Character& with_other_clips);
-  /// Returns a character; an empty one if there is none of this id.
+  /// Returns a character; an empty one if none has this id.
   Character character(CharacterId character) const;
-  /// Returns the bytes from one palette of a character to the next, where many lie in a row.
+  /// Returns the bytes from one palette of a character to the next in an array of palettes.
   std::size_t palette_bytes(CharacterId character) const;
   /// Sets which joints an update writes where PoseRequest::joints says. Errors: the character has no such bone or skin,
   /// or not this format; then nothing has changed.
@@ -125,21 +125,21 @@ class Crowd {
   Agent agent(AgentId agent);
   /// Returns all agents, in the order in which they were added.
   std::span<const AgentId> agents() const;
-  /// Returns a number above those of all agents, for arrays that have a place for each.
+  /// Returns a number above all agents' numbers, for arrays that have a place for each.
   std::uint32_t number_limit() const;
 
   // Frames.
   void advance(Ticks delta);
   Ticks clock() const;
   void update(std::span<const PoseRequest> requests);
-  /// Writes palettes of matrices of the clock, with all bones, whatever level of detail has done. Changes nothing.
+  /// Writes palettes of matrices for the time of the clock, with all bones at any level of detail. Changes nothing.
   void pose_exactly(std::span<const PoseRequest> requests);
   /// Writes the local transforms of an agent at the clock, relative to the parent, in the order of its bones: for a
-  /// network or an editor. `into` has room for all. Returns false if its pose of now is not known.
+  /// network or an editor. `into` has room for all. Returns false if its present pose is not known.
   bool local_pose(AgentId agent, std::span<LocalTransform> into);
 
   void snapshot(Snapshot& into) const;
-  /// Puts a snapshot of this crowd back. It goes on to the same poses, bit for bit.
+  /// Puts a snapshot of this crowd back. The crowd goes on to the same poses, bit for bit.
   Result<Done> restore(const Snapshot& from);
 
   class Debug debug() const;

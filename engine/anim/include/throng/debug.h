@@ -16,7 +16,7 @@ class Debug {
   std::uint64_t pose_hash() const;
   /// Returns how many agents the last update posed.
   std::uint32_t posed_agents() const;
-  /// Returns the time of one PU that the last update was predicted to take.
+  /// Returns the predicted time of the last update, on one PU.
   double predicted_nanoseconds() const;
   /// Returns the time that the last update took, from call to return.
   double update_milliseconds() const;

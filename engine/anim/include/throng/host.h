@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-/// A host may hear of misuses, run jobs, give memory and name threads in the library's place.
+/// In place of the library a host may take misuses, run jobs, give memory and name threads.
 namespace throng {
 
-/// A call that broke its contract: an id of nothing, a number that is none, a call at the wrong time. The library
+/// A call that broke its contract: an id of nothing, a NaN, a call at the wrong time. The library
 /// ignores such a call and leaves everything as it was.
 struct Misuse {
   const char* call;    ///< the function, as "Agent::play"
@@ -53,8 +53,8 @@ struct MemoryHooks {
 };
 
 /// Sets the functions that give memory from now on; without functions, operator new. Memory goes back to its giver,
-/// so the functions stay callable. Call it when no other thread is in the library. Only one of the two functions is a
-/// misuse, which changes nothing.
+/// so the functions stay callable. Call it when no other thread is in the library. One function without the other is
+/// a misuse, which changes nothing.
 void set_memory_hooks(const MemoryHooks& hooks);
 
 /// Is called first on each thread that the library starts, with the number of its PU, from 1: to name it, or to choose

@@ -4,8 +4,8 @@
 
 namespace throng {
 
-/// Ids name what a system has. An id that was never given names nothing, and so does the id of what is gone: a number
-/// is used again, and its generation tells the two apart. Every call checks the ids that it is given.
+/// Ids name things of a system. An id that was never given names nothing, and neither does the id of a removed thing: a
+/// number is used again, and its generation tells its owners apart. Every call checks its ids.
 
 inline constexpr std::uint32_t no_number = UINT32_MAX;
 inline constexpr std::uint32_t whichever = UINT32_MAX;  ///< a generation: the present owner of the number
@@ -40,7 +40,7 @@ struct ChannelId {
   friend constexpr bool operator==(ChannelId, ChannelId) = default;
 };
 
-/// Names a post process of an agent. An agent counts them from 0, and uses no number twice.
+/// Names a post process of an agent. An agent counts its processes from 0, and uses no number twice.
 struct ProcessId {
   std::uint32_t number = no_number;
 
@@ -49,7 +49,7 @@ struct ProcessId {
 };
 
 /// Names a clip of a character, whichever system plays it. A character gives ids with the generation of the place where
-/// the clip is; `ClipId{n}` names whichever is at place n now.
+/// the clip is; `ClipId{n}` names the clip at place n now.
 struct ClipId {
   std::uint32_t number = no_number;
   std::uint32_t generation = whichever;
@@ -58,7 +58,7 @@ struct ClipId {
   friend constexpr bool operator==(ClipId, ClipId) = default;
 };
 
-/// Names weights of bones that a crowd has of a character. An invalid one stands for all bones.
+/// Names a crowd's weights for the bones of a character. An invalid id stands for all bones.
 struct MaskId {
   std::uint32_t number = no_number;
 

@@ -36,7 +36,7 @@ struct LodRules {
   bool smooth = false;               ///< the renderer blends each palette from the last one over its look-ahead
 };
 
-/// One frame of a crowd. The spans have an element for each agent, by its number; those of dead numbers are not read.
+/// One frame of a crowd. The spans have an element for each agent, by its number; dead numbers' elements are not read.
 struct LodFrame {
   std::span<const Vec3> positions{};  ///< metres, world, between the feet
   std::span<const float> scales{};    ///< empty: all 1
@@ -61,7 +61,7 @@ class Lod {
   /// Lists the agents to be posed. The span is valid until the next call.
   std::span<PoseRequest> select(Crowd& crowd, const LodFrame& frame);
   std::span<PoseRequest> requests();
-  /// Learns what the update took.
+  /// Learns the cost of the update.
   void settle(const Crowd& crowd);
   /// Makes an agent due in the next frame: after a request that must be seen at once.
   void make_due(AgentId agent);

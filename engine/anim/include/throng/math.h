@@ -22,7 +22,7 @@ struct Quat {
   friend constexpr bool operator==(const Quat&, const Quat&) = default;
 };
 
-/// The place of something that does not change its size: first it is turned, then moved.
+/// The place of a thing of constant size: it is turned first, then moved.
 struct Place {
   Vec3 position{};
   Quat rotation{};

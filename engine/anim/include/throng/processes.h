@@ -9,7 +9,7 @@
 /// call reads strings and spans while it lasts.
 namespace throng {
 
-/// Turns spine, neck and head towards a place, within limits. It looks nowhere until Agent::look_at.
+/// Turns spine, neck and head towards a place, within limits. It looks nowhere until Agent::look_at is called.
 struct LookAt {
   float yaw = 1.3F;  ///< radians to either side
   float pitch_up = 0.7F;
@@ -34,7 +34,7 @@ struct ChainReach {
   float tolerance = 0.001F;  ///< metres
 };
 
-/// Lets feet stand on the ground that is there; see Agent::set_placement and set_ground.
+/// Lets feet stand on the ground; see Agent::set_placement and set_ground.
 struct FootPlacement {
   float max_drop = 0.4F;       ///< metres that the pelvis may be lowered
   float farthest_lock = 0.4F;  ///< metres from its animation at which a planted foot is let go; 0: none is held
@@ -55,7 +55,7 @@ struct SpringChain {
   float stiffness = 80.0F;          ///< per second squared: pulls a bone back to its pose
   float damping = 6.0F;             ///< per second: slows a bone relative to the joint that carries it
   float drag = 1.0F;                ///< per second: slows it relative to the air
-  Vec3 gravity{0.0F, -3.0F, 0.0F};  ///< metres per second squared, world: the part that the pose has not
+  Vec3 gravity{0.0F, -3.0F, 0.0F};  ///< metres per second squared, world: beyond the pose's
   float radius = 0.02F;             ///< metres that the end of each bone keeps from colliders
   float tip = 0.0F;                 ///< metres that the last bone reaches beyond its joint
 };
@@ -79,7 +79,7 @@ struct Ragdoll {
   Ticks fade = ticks_per_second / 10;  ///< from the animation to the rag-doll
 };
 
-/// Tells where something is that a bone carries: a sword in a hand, a camera on a head.
+/// Tells where a thing on a bone is: a sword in a hand, a camera on a head.
 struct Socket {
   int bone = 0;
   Place offset{};  ///< from the bone's joint, in its own frame
@@ -112,7 +112,7 @@ struct StepJob {
   StepPose pose;       ///< of the channels and processes before it
 };
 
-/// A step of a host's own (paper 2.2.6). It is told to a crowd once, before agents have it.
+/// A step of a host's own (paper 2.2.6). It is added to a crowd once, before agents have it.
 struct StepKind {
   const char* name = "";         ///< lives as long as the crowd
   std::size_t memory_bytes = 0;  ///< of each agent: plain bytes without pointers, at most 4,096

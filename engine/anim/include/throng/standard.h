@@ -1,7 +1,7 @@
 #pragma once
 
-// What public headers use of the standard library. It is read without the macros min and max, which headers of Windows
-// define; they stand again afterwards.
+// The headers of the standard library that public headers use. They are read without the macros min and max,
+// which headers of Windows define, and which stand again afterwards.
 #pragma push_macro("max")
 #pragma push_macro("min")
 #undef max

@@ -14,7 +14,7 @@ struct MachineData;
 }
 
 /// States that play a clip or a blend space, and transitions between them, made for a character. It is read-only and
-/// shared, as a Character is. Agent::add lays one over the channels of an agent, and Machine tells it its inputs.
+/// shared, as a Character is. Agent::add lays one over the channels of an agent, and Machine sets its inputs.
 ///
 ///     {
 ///       "inputs": [ {"name": "speed", "value": 0},
@@ -40,11 +40,11 @@ class StateMachine {
   explicit StateMachine(std::shared_ptr<const detail::MachineData> data) : data_(std::move(data)) {}
   explicit operator bool() const { return data_ != nullptr; }
 
-  /// Reads a text. Errors: one sentence with the object and what to do, about what is no JSON, has the wrong type,
-  /// names what there is not, is out of its range, is never reached, or never rests; also if the library was built
-  /// without throng::import, which reads JSON.
+  /// Reads a text. Errors: one sentence with the object and what to do, if the text is no JSON, or a value has the
+  /// wrong type, names an absent thing, is out of its range, is never reached, or never rests; also if the library was
+  /// built without throng::import, which reads JSON.
   static Result<StateMachine> parse(std::string_view json, const Character& character);
-  /// Reads a file. Errors: the same, after the name of the file.
+  /// Reads a file. Errors: as for a text, after the name of the file.
   static Result<StateMachine> load(const std::string& path, const Character& character);
 
   std::optional<std::uint32_t> find_input(std::string_view name) const;
@@ -72,8 +72,8 @@ class Machine {
   bool set(std::uint32_t input, float value) const;
   /// Sets a trigger or flag.
   bool fire(std::uint32_t input) const { return set(input, 1.0F); }
-  /// Returns the state at the clock, and when it was entered; 0 where the agent plays no machine. The machine is
-  /// brought up to the clock for it, so this is a request, too.
+  /// Returns the state at the clock, and when it was entered; 0 where the agent plays no machine. The call
+  /// brings the machine up to the clock, so it is a request, too.
   std::uint32_t state() const;
   Ticks entered_at() const;
 

@@ -28,7 +28,7 @@ class Ticks {
   template <std::floating_point Number>
   explicit Ticks(Number) = delete;  // to_ticks() takes seconds
 
-  /// Durations longer than longest_time become it.
+  /// A longer duration than longest_time becomes longest_time.
   template <WholeTicks Duration>
   constexpr Ticks(const Duration& duration) : count_(0) {
     constexpr std::int64_t ticks_per_unit = tick_rate / Duration::period::den * Duration::period::num;
@@ -84,7 +84,7 @@ inline constexpr Ticks ticks_per_second{tick_rate};
 /// The longest time that a conversion gives, 207 years. It is half of what 64 bits hold, so two of them can be added.
 inline constexpr Ticks longest_time{most_ticks};
 
-/// Rounds to the nearest tick. A longer time than longest_time becomes it, an infinite one too, and NaN becomes 0.
+/// Rounds to the nearest tick. A longer or infinite time becomes longest_time, and NaN becomes 0.
 inline Ticks to_ticks(double seconds) {
   const double ticks = seconds * static_cast<double>(tick_rate);
   if (std::abs(ticks) < static_cast<double>(most_ticks)) return Ticks{std::llround(ticks)};
@@ -95,7 +95,7 @@ inline double to_seconds(Ticks ticks) { return static_cast<double>(ticks.count()
 
 }  // namespace throng
 
-/// Gives the ends of time, as for integers: without it they would be 0 in silence.
+/// Gives the limits of Ticks, as for integers: without this they would silently be 0.
 template <>
 class std::numeric_limits<throng::Ticks> {
  public:

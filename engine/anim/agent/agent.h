@@ -67,11 +67,11 @@ class AgentView {
     return {alike.pools, alike.clips, graph(), posed_at, alike.morph_blend()};
   }
 
-  /// Asks the caches for what a change of the agent's channels reads and writes. A caller that changes many agents one
+  /// Prefetches the data that a change of the agent's channels reads and writes. A caller that changes many agents one
   /// after the other asks for the next agent before it changes this one.
   void prefetch() const;
 
-  /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
+  /// Returns whether the agent's present pose is known. It is not known while the agent stands ahead of the clock and
   /// the offset of an interrupted fade was captured in between, or its feet are placed.
   bool can_pose_exactly() const;
   /// Returns whether update() can take the agent back to the clock. It cannot while the agent stands ahead of the clock
@@ -115,7 +115,7 @@ class AgentView {
 };
 
 /// One agent (paper 2.1.2: "an agent handles requests and commands for its skeleton"). Every request takes effect at
-/// the frame boundary at which it is made. A request that is not valid, to an agent that is gone for example, is a
+/// the frame boundary at which it is made. An invalid request, for example to an agent that is gone, is a
 /// misuse: it is reported, changes nothing, and returns false or an error.
 class Agent : public AgentView {
  public:
@@ -125,14 +125,14 @@ class Agent : public AgentView {
   /// blends that stay (masked or held) take all places of the channel's tree. Returns false also if a local store of a
   /// fixed size has no room for the fade; then the clip has replaced all at once.
   bool play(const PlayRequest& request);
-  /// Does the same on another channel, which is a CrossFadeChannel. A layer for which a local store of a fixed size has
+  /// Plays a clip on another channel, which is a CrossFadeChannel. A layer for which a local store of a fixed size has
   /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
-  /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
+  /// Changes the speed of the last requested clip from now on, without a jump. The first channel is as for play().
   /// set_speeds() sets the speeds of many agents.
   bool set_speed(double speed);
 
-  /// Lays a channel over those that the agent has. Errors: it is null, or not valid for this character; the agent's
+  /// Lays a channel over the agent's channels. Errors: it is null, or not valid for this character; the agent's
   /// graph would have a cycle, or would be too large for a local store of a fixed size; then the agent is as it was.
   template <typename Derived>
   Result<ChannelId> add_channel(std::unique_ptr<Derived> channel, const LayerSettings& settings = {}) {
@@ -140,8 +140,8 @@ class Agent : public AgentView {
   }
   /// Removes a channel. The channels after it move up one place.
   bool remove_channel(ChannelId channel);
-  /// Sets how much a channel, but not the first, covers those before it, 0 to 1. The weight moves there evenly in
-  /// `fade`, from where it is.
+  /// Sets how much a channel, but not the first, covers the channels before it, 0 to 1. The weight moves there evenly
+  /// in `fade`, from where it is.
   bool set_channel_weight(ChannelId channel, float weight, Ticks fade = {});
   /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto& channel) {
   /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
@@ -153,7 +153,7 @@ class Agent : public AgentView {
     return channel_changed();
   }
 
-  /// Adds a process that the pose passes through, after those that were added before. Errors: those of add_channel.
+  /// Adds a process, which changes the pose after the processes before it. Errors: those of add_channel.
   template <typename Derived>
   Result<ProcessId> add_post_process(std::unique_ptr<Derived> process) {
     return add_post_process(std::move(process), type_tag<Derived>());

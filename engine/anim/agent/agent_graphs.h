@@ -16,7 +16,7 @@
 
 namespace throng::anim {
 
-/// The weight and the mask with which a channel lies over those before it.
+/// The weight and the mask with which a channel lies over the channels before it.
 struct LayerSettings {
   float weight = 1.0F;              ///< 0 to 1
   int mask = EaseBlender::no_mask;  ///< the number that `Characters::add_mask` returned
@@ -53,7 +53,7 @@ class AgentGraphs {
   void remove(std::uint32_t agent);
   /// Makes room for so many more agents.
   void make_room(std::uint32_t agents);
-  /// Returns a channel that plays nothing, one of a removed agent's if there is any.
+  /// Returns a channel that plays nothing: a removed agent's if there is any.
   std::unique_ptr<CrossFadeChannel> take_cross_fade_channel();
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
@@ -61,7 +61,7 @@ class AgentGraphs {
 
   enum class Fades : unsigned char { go_on, are_cut };
 
-  // Channels and post processes of an agent have places, from the bottom up, which change when one below is removed,
+  // Channels and post processes of an agent have places, from the bottom up, which change when a part below is removed,
   // and ids, which do not.
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
   const OwnedChannel& channel(std::uint32_t agent, std::size_t place) const { return agents_[agent].layers[place].own; }
@@ -80,7 +80,7 @@ class AgentGraphs {
   void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process,
                           TypeTag type);
-  /// Takes one without its entities, so that another agent can have it.
+  /// Takes a process without its entities, so that another agent can have it.
   std::unique_ptr<PostProcess> take_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   /// Updates one process alone.
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
@@ -101,7 +101,7 @@ class AgentGraphs {
 
   /// Makes keyframe players find their keys anew at the next update, because their streams have changed.
   void restart_keyframes();
-  /// Moves what entities keep of each bone from update to update to its new index; `places` has it for each bone.
+  /// Moves entities' values of each bone to its new index; `places` has the index for each bone.
   void reorder_bones(std::span<const int> places);
 
   /// Returns the most that any program asks of the local store.
@@ -149,10 +149,10 @@ class AgentGraphs {
 };
 
 /// Returns the player of the first channel that was asked for last, if that is a CrossFadeChannel that plays; else an
-/// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many.
+/// invalid or dead handle. It is kept beside the graphs, since a frame sets the speeds of many agents.
 inline Handle newest_player(const AgentGraphs& graphs, std::uint32_t agent) { return graphs.newest_players_[agent]; }
 
-/// Asks the caches for what an update reads of an agent first.
+/// Prefetches the data that an update reads of an agent first.
 THRONG_ALWAYS_INLINE void prefetch_agent(const AgentGraphs& graphs, std::uint32_t agent) {
   prefetch(&graphs.graphs_[agent]);
   prefetch(&graphs.next_updates_[agent]);

@@ -61,8 +61,8 @@ class AgentMotion {
   RootMotion displacement(Ticks from, Ticks to) const;
 
   /// Visits the data keys met in [from, to), player after player, each in the order of its motion. Adjoining intervals
-  /// deliver each key once. Weights are those at `to`. Under a mask a clip weighs what it has in the bone where it has
-  /// most.
+  /// deliver each key once. Weights hold at `to`. Under a mask a clip has the weight of its heaviest
+  /// bone.
   ///
   /// Gaits that keep step in a blend space meet the same key together: the leader delivers it, with the weight of all.
   void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit,
@@ -76,9 +76,9 @@ class AgentMotion {
   /// pose of their bones is. Returns whether any clip that plays has morphs; else nothing is added.
   bool add_morph_weights(Ticks at, std::span<float> weights) const;
 
-  /// Returns a number that clips have over time, for game play, at `at`; `name` is an index of Character::curve_names.
-  /// It is blended by how much its clips are felt, as data keys are, and a clip without the curve counts as 0. Where
-  /// clips that lie under a mask are felt beside others, so that all together weigh more than 1, it is their mean.
+  /// Returns the value of a curve at `at`, for game play; `name` is an index of Character::curve_names. It is blended
+  /// by how much its clips are felt, as data keys are, and a clip without the curve counts as 0. Where clips under a
+  /// mask are felt beside others, so that all together weigh more than 1, it is their mean.
   float curve(std::uint32_t name, Ticks at) const;
 
   /// Returns where the heaviest player of an absolute state stands at `now`, its own root motion included. Returns

@@ -19,7 +19,7 @@ class SystemSnapshot;
 
 /// A crowd of agents, mostly of one character, of several if they are added (the façade, paper 2.1.2). One thread calls
 /// it; the PUs are inside. A call that breaks its contract is reported (base/misuse.h) and ignored. It has three parts:
-///     characters()      what agents are, and what they share; to be told at load time
+///     characters()      what agents are, and what they share; set it up at load time
 ///     agent(id)         one agent: takes requests, and tells how it moves
 ///     figures()         what updates did, and what they took
 /// A frame comes after the requests:
@@ -58,14 +58,14 @@ class AnimationSystem {
   /// Adds one agent of each of these characters, given by their numbers, in this order.
   std::span<const AgentId> add_agents(std::span<const std::uint8_t> characters);
   /// Removes an agent, with its channels, post processes and entities. Numbers and memory are used again: a frame that
-  /// removes as many as it adds allocates nothing. What others do, and the hash of their poses, does not change.
+  /// removes as many as it adds allocates nothing. The other agents, and the hash of their poses, do not change.
   bool remove_agent(AgentId agent);
   /// Removes all agents but the first `count`, or adds agents of character 0 until there are so many.
   bool set_agent_count(std::uint32_t count);
 
   std::uint32_t agent_count() const { return parts_.population.numbers().count(); }
   /// Returns a number above all agents' numbers, for arrays that have a place for each. Numbers of removed agents are
-  /// used again before a new one is.
+  /// used again before new numbers.
   std::uint32_t number_limit() const { return parts_.population.numbers().number_limit(); }
   /// Returns the agents in the order in which they were added. The span is valid until agents are added or removed.
   std::span<const AgentId> agents() { return parts_.population.numbers().order().agents; }
@@ -76,15 +76,15 @@ class AnimationSystem {
   Agent agent(std::uint32_t number) { return {parts_, id(number)}; }
   AgentView agent(std::uint32_t number) const { return {parts_, id(number)}; }
 
-  /// Moves the clock of every agent, by no negative time.
+  /// Moves the clock of every agent. `delta` is not negative.
   void advance(Ticks delta);
   Ticks clock() const { return parts_.population.clock(); }
-  /// Poses these agents, each once. An entry that is not valid is left out: an agent that is gone or plays nothing, a
+  /// Poses these agents, each once. An invalid entry is left out: an agent that is gone or plays nothing, a
   /// bone level that its character lacks, a palette that is not aligned, an agent that comes twice.
   void update(std::span<const AgentUpdate> agents);
 
-  /// Writes palettes or local transforms of the clock, with all bones, of agents that were updated before. Level of
-  /// detail is measured against them. The players and blends of an agent are wound back, however far ahead it stands;
+  /// Writes palettes or local transforms for the clock, with all bones, of agents that were updated before. Level of
+  /// detail is measured against these. The players and blends of an agent are wound back, however far ahead it stands;
   /// entities that remember more than a time (rag-dolls, gazes, placed feet) are taken as they are. Changes nothing:
   /// copies of blocks are updated and dropped.
   void pose_exactly(std::span<const ExactPose> agents);
@@ -92,7 +92,7 @@ class AnimationSystem {
   /// Copies the blocks of everything that changes. The memory of the snapshot is used again.
   void snapshot(SystemSnapshot& into) const;
   /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit, unless it reads another stream now.
-  /// Errors: the snapshot is of other characters, kinds of entities or bone orders, or of a schedule whose blocks have
+  /// Errors: the snapshot has other characters, kinds of entities or bone orders, or a schedule whose blocks have
   /// other sizes; then nothing has changed.
   Status restore(const SystemSnapshot& from);
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
@@ -113,8 +113,8 @@ class AnimationSystem {
   Characters characters_{parts_};
 };
 
-/// Does what Agent::set_speed does for many agents, each once, on all PUs. Agents that cannot play so are left out;
-/// false: there were some, and one of them was reported.
+/// Does what Agent::set_speed does for many agents, each once, on all PUs. Agents that cannot play at their speed are
+/// left out; false: there were some, and one of them was reported.
 bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
 
 }  // namespace throng::anim

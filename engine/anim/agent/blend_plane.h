@@ -25,14 +25,14 @@ class BlendPlane {
   struct Shares {
     std::array<Share, 3> of{};  ///< ascending by point; the weights add up to 1
     std::size_t count = 0;      ///< 1 to 3
-    glm::vec2 place{0.0F};      ///< the place that they stand for: the one asked for, or the nearest in the hull
+    glm::vec2 place{0.0F};      ///< the place that they stand for: the requested place, or the nearest in the hull
 
     std::span<const Share> all() const& { return {of.data(), count}; }
     std::span<const Share> all() && = delete;  ///< a loop over them would outlive them
   };
 
-  /// Takes 1 to `most_points` points. Those on a line, or fewer than three, work as a line or a point. Errors: there is
-  /// no point or too many, a coordinate is not finite, or two points lie at one place.
+  /// Takes 1 to `most_points` points. Points on a line, or fewer than three, work as a line or a point. Errors: there
+  /// is no point or too many, a coordinate is not finite, or two points lie at one place.
   static Result<BlendPlane> create(std::span<const glm::vec2> points);
 
   /// `place` is finite.

@@ -18,7 +18,7 @@ struct BlendPoint2d {
   Pace pace = Pace::automatic;
 };
 
-/// Says what the two parameters of a plane are, and with it the speed over ground of a point.
+/// Says what the two parameters of a plane are, and so the speed over ground of a point.
 enum class PlaneMeaning : unsigned char {
   plain,          ///< no speed: each clip keeps its own, and gaits make their mean pace
   velocity,       ///< metres a second, aside and ahead: the length of the place is the speed
@@ -28,8 +28,7 @@ enum class PlaneMeaning : unsigned char {
 /// The points of a blend space in a plane, which any number of agents share.
 class BlendSpace2d {
  public:
-  /// `clip_count` is that of the character. Errors: those of BlendPlane::create; a point plays a clip that there is
-  /// not.
+  /// `clip_count` is the character's. Errors: those of BlendPlane::create; a point plays an absent clip.
   static Result<std::shared_ptr<const BlendSpace2d>> create(std::vector<BlendPoint2d> points, PlaneMeaning meaning,
                                                             int clip_count);
 
@@ -49,8 +48,8 @@ class BlendSpace2d {
 
 /// Plays looping clips by two parameters, such as a velocity aside and ahead, or speed and turn. It mixes the corners
 /// of the triangle that holds the place, at most three; a place outside of all triangles is moved to the nearest in
-/// them. Gaits keep step and others play at their own rate, as in BlendSpaceChannel. The root moves at the speed that
-/// was asked for, also outside of the triangles.
+/// them. Gaits keep step and others play at their own rate, as in BlendSpaceChannel. The root moves at the requested
+/// speed, also outside of the triangles.
 class BlendSpace2dChannel final : public Channel {
  public:
   /// `space` is not null.

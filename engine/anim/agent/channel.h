@@ -26,7 +26,7 @@ class Channel {
   /// Returns the entity whose pose is the channel's; invalid until there is one.
   virtual Handle state() const = 0;
 
-  /// Tells the pose that the channel will be laid over, before state() is asked for; it is invalid where there is none.
+  /// Takes the pose that the channel will be laid over, before a call of state(); it is invalid where there is none.
   virtual void lie_over(const EntityBuilder&, Handle) {}
 
   /// Brings the channel's entities up to date with its parameters and the clock. Returns whether state(), or an entity
@@ -37,7 +37,7 @@ class Channel {
   /// Returns the time of the clock at which update() must be called again by itself, or never.
   virtual Ticks next_update() const { return never; }
 
-  /// Ends at once what fades, if the channel began it by itself, because the agent's graph has no room for both sides.
+  /// Ends at once a fade that the channel began by itself, because the agent's graph has no room for both sides.
   virtual void cut_fades(const EntityBuilder&) {}
 
   /// Calls `visit` with each handle that the channel keeps, because entities are renamed when the stream changes.

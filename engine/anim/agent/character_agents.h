@@ -31,7 +31,7 @@ struct CharacterAgentsSnapshot {
   std::size_t bytes() const;
 };
 
-/// The agents of one character, and all that they share: streams, masks, pools, and graphs that several of them read.
+/// The agents of one character, and all that they share: streams, masks, pools, and graphs that several agents read.
 /// It never moves, because its parts point at each other.
 struct CharacterAgents {
   explicit CharacterAgents(std::shared_ptr<const Character> played);
@@ -42,7 +42,7 @@ struct CharacterAgents {
   /// Returns the context that PUs read. It is valid until a mask or a selection is added.
   UpdateContext context(const Kernels& kernels) const;
 
-  /// Returns what blends the morphs of its agents. It is valid as long as context().
+  /// Returns the data that blends the morphs of its agents. It is valid as long as context().
   MorphBlend morph_blend() const {
     return {.bones = character->morph_bones, .masks = mask_weights, .ranges = mask_ranges};
   }

@@ -14,8 +14,8 @@
 namespace throng::anim {
 
 /// The characters of an AnimationSystem, and what all agents of one character share. The first is number 0. A camera
-/// and a prop are characters too. Characters come and go at frame boundaries; what agents of one share is told before
-/// they use it. An id of no character is refused.
+/// and a prop are characters too. Characters come and go at frame boundaries; the shared parts of a character are set
+/// before its agents use them. An id of no character is refused.
 class Characters {
  public:
   /// Works on the inside of a system, which outlives this object.
@@ -24,7 +24,7 @@ class Characters {
   /// Returns a number above all characters' numbers.
   std::uint32_t count() const { return static_cast<std::uint32_t>(system_->population.characters().size()); }
   bool has(CharacterId character) const { return system_->population.has(character); }
-  /// Returns a character; one without bones and clips if there is none of this id.
+  /// Returns a character; one without bones and clips if none has this id.
   const Character& operator[](CharacterId character) const { return *of(character).character; }
   const EntityPools& pools(CharacterId character) const { return of(character).pools; }
   /// Returns the format in which palettes of this character's agents are written.
@@ -53,9 +53,9 @@ class Characters {
   Status replace_clips(CharacterId character, std::shared_ptr<const Character> other);
 
   /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette
-  /// or beside it: all (all_joints), chosen ones for sockets and hits (joints_of), or palettes in the order of a glTF
-  /// skin (joints_of_skin) or as 4x4 matrices. An agent without a wanted palette or hash is posed as far as its joints
-  /// need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
+  /// or beside it: all joints (all_joints), chosen joints for sockets and hits (joints_of), or palettes in the order of
+  /// a glTF skin (joints_of_skin) or as 4x4 matrices. An agent without a wanted palette or hash is posed as far as its
+  /// joints need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
   /// joints, and the order of bones stays. An empty list: none. Errors: those of compile_joints, or a local store of a
   /// fixed size is too small; then nothing has changed.
   Status write_joints(const JointList& list, JointFormat format, CharacterId character = 0);

@@ -50,7 +50,7 @@ struct BlendTree {
   void destroy(const EntityBuilder& build);
 };
 
-// A fade that is interrupted is left behind through an inertialiser. Channels whose entities are a tree share how. The
+// An inertialiser leaves an interrupted fade behind. Channels whose entities are a tree share these functions. The
 // inertialiser is invalid, and `left` empty, where nothing was interrupted.
 
 /// Moves the entities of `tree` to `left`, which the inertialiser leaves from now on; retarget() says for what.
@@ -65,7 +65,7 @@ void begin_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& 
   tree = {};
 }
 
-/// Lets go of what was left once the inertialiser has seen it, and of the inertialiser once its offset has ended.
+/// Lets go of the left tree once the inertialiser has seen it, and of the inertialiser once its offset has ended.
 /// Returns whether it let go of anything.
 template <typename Tree>
 bool end_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& left) {
@@ -87,8 +87,8 @@ void cut_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& le
   if (inertialiser.valid()) build.destroy(std::exchange(inertialiser, {}));
 }
 
-/// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: an inertialiser leaves
-/// behind what was shown, so that at most two fades are evaluated at once, whatever is asked for.
+/// Plays a clip, and fades to the next. An interrupted fade neither snaps nor waits: an inertialiser leaves the
+/// shown pose behind, so that at most two fades are evaluated at once, whatever the requests.
 ///
 ///     player <- ease blender <- player                a fade
 ///     inertialiser <- player                          interrupted; for two updates it reads the old fade too

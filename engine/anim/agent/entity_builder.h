@@ -30,18 +30,18 @@ inline constexpr const char* not_a_fade = "a fade takes from no time to a day";
 
 /// Returns whether a player can play at this speed.
 bool is_speed(double speed);
-inline constexpr double slowest_speed = 1.0 / 65536.0;  ///< a player that is slower stands still
-/// Returns whether something can fade for so long, so that the clock can be added to it.
+inline constexpr double slowest_speed = 1.0 / 65536.0;  ///< a slower player stands still
+/// Returns whether a fade may last so long, so that the clock can be added to it.
 constexpr bool is_fade(Ticks time) { return time >= Ticks{} && time <= 24 * 3600 * ticks_per_second; }
 
 inline constexpr const char* too_many_entities = "at most 1,048,576 entities of a kind live at a time";
 
 /// Makes the entities of channels and post processes, at a frame boundary. An agent's entities may stand ahead of the
-/// clock (smooth skipping) or behind it; an entity that is made now stands where they do.
+/// clock (smooth skipping) or behind it; a new entity stands at the same time.
 class EntityBuilder {
  public:
   struct About {
-    std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner, all agents may read what is made
+    std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner, all agents may read the entities
     Ticks now{};              ///< the clock
     Ticks posed_at{};         ///< the time at which the agent's entities stand
     StreamKind stream = StreamKind::sampled;
@@ -52,8 +52,8 @@ class EntityBuilder {
       : pools_(&pools), clips_(clips), about_(about) {}
 
   Ticks now() const { return about_.now; }
-  /// Returns a builder for what happened at an earlier time of the clock: what it makes stands where it would stand if
-  /// it had been made then.
+  /// Returns a builder for an earlier time of the clock: its entities stand where they would stand if they had been
+  /// made then.
   EntityBuilder at(Ticks time) const {
     EntityBuilder earlier = *this;
     earlier.about_.now = time;
@@ -64,8 +64,8 @@ class EntityBuilder {
   const ClipStreams& clip(int index) const { return clips_[static_cast<std::size_t>(index)]; }
   EntityPools& pools() const { return *pools_; }
 
-  // Each of the functions below that is given what does not exist reports a misuse and returns an invalid handle or
-  // does nothing. A channel can ask before.
+  // A function below that gets an absent clip, mask or entity reports a misuse, and returns an invalid handle or does
+  // nothing. A channel can ask before.
   bool has_clip(int clip) const {
     return clip >= 0 && static_cast<std::size_t>(clip) < clips_.size() && !this->clip(clip).is_empty();
   }
@@ -97,10 +97,10 @@ class EntityBuilder {
   /// Makes a blender that eases from one state to the other in `total` from now on. `mask` weighs the bones
   /// (EaseBlender::no_mask: all).
   Handle ease(Handle from, Handle to, Ticks total, int mask = EaseBlender::no_mask) const;
-  /// Makes such a blender that stands still at `fraction`.
+  /// Makes a blender that stands still at `fraction`.
   Handle hold(Handle from, Handle to, float fraction, int mask = EaseBlender::no_mask) const;
 
-  /// Puts a player where it is at `position` at the clock.
+  /// Moves a player so that it is at `position` at the clock.
   void seek(Handle player, FineTicks position) const;
   /// Returns the position of a player at the clock, wherever it stands. It may lie outside of the clip, whole loops
   /// away.
@@ -119,7 +119,7 @@ class EntityBuilder {
   static constexpr std::size_t nowhere_bytes = std::size_t{64} << 10U;
   /// Returns whether the entity lives, and reports a misuse if not.
   bool is_alive(Handle entity) const;
-  /// Returns zeroed memory for what is written to an entity that is gone.
+  /// Returns zeroed memory that takes writes to an entity that is gone.
   static std::byte* nowhere();
 
   EntityPools* pools_;

@@ -20,7 +20,7 @@ struct ExactPose {
 };
 
 /// Poses agents for the clock with all bones, and changes nothing. Level of detail is measured against these poses. It
-/// has a scheduler of its own, so that a look neither fails nor depends on how the crowd is scheduled.
+/// has a scheduler of its own, so that it neither fails nor depends on how the crowd is scheduled.
 class ExactPoser {
  public:
   /// Does what AnimationSystem::pose_exactly does.

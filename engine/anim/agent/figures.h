@@ -18,8 +18,8 @@ class Figures {
   /// Returns the PUs, which tell what each of them did; see SystemOptions::trace.
   std::span<const ProcessingUnit> units() const { return system_->pus.scheduler().units(); }
   const UpdateTime& update_time() const { return system_->pus.scheduler().time(); }
-  /// Returns the bytes of streams that the players read, however often several read the same (paper 2.2.3: the resource
-  /// that stays shared). These are the two rows around the time for a sampled stream, and the share of its keys that
+  /// Returns the bytes of streams that the players read, counted for each reader (paper 2.2.3: the resource that stays
+  /// shared). These are the two rows around the time for a sampled stream, and the share of its keys that
   /// the time passed over for a keyframe stream.
   std::uint64_t stream_bytes() const { return system_->frame.stream_bytes(system_->pus.contexts()); }
 
@@ -30,7 +30,7 @@ class Figures {
   /// Returns [agent] the hash of its last update, which pose_hash() sums up.
   std::span<const std::uint64_t> agent_hashes() const { return system_->frame.hashes().agents; }
 
-  // The ways in which it runs.
+  // The ways in which the system runs.
   const ScheduleOptions& schedule() const { return system_->pus.scheduler().options(); }
   const Kernels& kernels() const { return *system_->pus.contexts().front().assets.kernels; }
 

@@ -33,14 +33,14 @@ class FittedScheduler {
   /// Sets [agent] where PUs write lists of joints.
   void set_joints(std::span<const PaletteDestination> joints_to);
 
-  /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
+  /// Changes the graph of an agent, and fits the stores to the changed graph.
   template <typename Change>
   Status settle(const Population& population, std::uint32_t agent, Change&& change_graph) {
     // The needs of before say nothing: a failed change may have left that graph, and it may fit no store.
     Status changed = change_graph();
     return changed ? fit(population, agent) : changed;
   }
-  /// Updates the channels of an agent. If there is no room for what they fade, it is shown without fading.
+  /// Updates the channels of an agent. If there is no room for their fades, it is shown without them.
   Status update_channels(Population& population, std::uint32_t agent);
   /// Updates the channels of a character's agents that are due by the clock, posed or not.
   void update_due_channels(Population& population, std::uint32_t character);

@@ -7,12 +7,12 @@
 
 namespace throng::anim {
 
-/// Lets feet stand on the ground that is there. The host says where the character stands and, for each leg, on which
+/// Lets feet stand on the ground. The host says where the character stands and, for each leg, on which
 /// plane. Planes are in world space, so that they stay true while the character walks over them.
 ///
-/// On uneven ground, sample it under `ankle(leg)` at each frame boundary: that is where the ankle was at the last
-/// update. The plane is then taken under the ankle as it is posed. This is exact on flat ground and slopes, and off by
-/// what the ground bends in one update elsewhere.
+/// On uneven ground, sample it under `ankle(leg)` at each frame boundary, where the ankle was at the last update. The
+/// plane is then taken under the ankle as it is posed. This is exact on flat ground and slopes; elsewhere it is off by
+/// the bend of the ground in one update.
 class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
  public:
   /// `kind` is RigKinds::foot_placement. The ground is flat at height 0 until told otherwise.

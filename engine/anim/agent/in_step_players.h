@@ -41,8 +41,8 @@ class InStepPlayers {
  public:
   static constexpr std::size_t most = 3;
 
-  /// Plays `points`, 1 to `most`, from the clock on. All gaits make `cycles_per_second`. Returns whether some player is
-  /// another than before.
+  /// Plays `points`, 1 to `most`, from the clock on. All gaits make `cycles_per_second`. Returns whether any player
+  /// changed.
   bool play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second);
 
   std::size_t count() const { return count_; }

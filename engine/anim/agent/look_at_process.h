@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// Turns spine, neck and head towards something, within limits. It looks nowhere until it is told to.
+/// Turns spine, neck and head towards a target, within limits. It looks nowhere until look_at().
 class LookAtProcess final : public TargetedProcess<LookAtEntity> {
  public:
   /// `kind` is RigKinds::look_at.

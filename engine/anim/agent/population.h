@@ -20,7 +20,7 @@ struct Member {
 
   std::uint32_t character;
   std::uint32_t index;
-  std::uint32_t generation;  ///< of the agent that has this number, or of the next one that will
+  std::uint32_t generation;  ///< of the agent that has this number, or of its next owner
 
   bool alive() const { return (generation & dead) == 0; }
 };
@@ -51,7 +51,7 @@ class AgentNumbers {
   /// Returns the living agents. They stay where they are until agents are added or removed.
   const AgentOrder& order();
 
-  /// Makes room for so many more.
+  /// Makes room for so many more agents.
   void make_room(std::uint32_t agents);
   /// Gives a number to an agent.
   AgentId add(std::uint32_t character, std::uint32_t index);
@@ -84,7 +84,7 @@ struct PopulationSnapshot {
 /// The characters of a system, their agents in one numbering, the clock, and the time at which each agent stands.
 class Population {
  public:
-  /// Returns [character]. A number that no character has holds one without bones, agents and clips.
+  /// Returns [character]. A free number holds a character without bones, agents and clips.
   std::span<const std::unique_ptr<CharacterAgents>> characters() const { return characters_; }
   /// Adds a character under the lowest free number. There must be fewer than most_skeletons.
   CharacterId add_character(std::shared_ptr<const Character> character);
@@ -102,7 +102,7 @@ class Population {
 
   const AgentNumbers& numbers() const { return numbers_; }
   AgentNumbers& numbers() { return numbers_; }
-  /// Adds an agent. make_room() makes that cheap for many.
+  /// Adds an agent. make_room() makes this cheap for many agents.
   AgentId add(std::uint32_t character);
   /// Makes room for so many more agents of a character.
   void make_room(std::uint32_t agents, std::uint32_t character);
@@ -133,10 +133,10 @@ class Population {
   /// Checks that the snapshot is of this population. Errors: it is empty, or characters, their clips, their kinds of
   /// entities or the order of their bones differ.
   Status can_restore(const PopulationSnapshot& from) const;
-  /// Puts it back. Players read the stream that they read now, whichever it was then.
+  /// Puts a snapshot back. Players keep their present stream, whichever it was then.
   Status restore(const PopulationSnapshot& from);
   Compaction compact();
-  /// Returns the bytes of all blocks that live, and of what is kept for each agent.
+  /// Returns the bytes of all living blocks, and of the lists of agents.
   std::size_t bytes() const;
 
  private:

@@ -25,13 +25,13 @@ struct MorphBlend {
   std::span<const MaskRange> ranges{};    ///< of each mask
 };
 
-/// Shares out the weight of a pose among the steps that it is made of. The root has all of it; blenders and mixers pass
+/// Shares out the weight of a pose among its steps. The root has all of it; blenders and mixers pass
 /// it on to their sources.
 class PoseSharing {
  public:
   /// Says for what part of the agent the weights are.
   enum class Part : unsigned char {
-    motion,   ///< the agent's own motion, which knows no masks: what a mask or an additive layer lays over has no share
+    motion,   ///< the agent's own motion, which knows no masks: a masked or additive layer has no share
     bone,     ///< one bone
     anywhere  ///< the bone in which the step weighs most; below several masks it is the product of the largest weights
   };

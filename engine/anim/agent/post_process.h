@@ -9,7 +9,7 @@
 namespace throng::anim {
 
 /// Paper 2.1.2: "too often the final animation pose needs to be tweaked after it is calculated." A post process has
-/// entities on top of what the agent's channels make. Several are applied in the order in which they were added. One
+/// entities on top of what the agent's channels make. Several processes work in the order in which they were added. One
 /// thread calls it, at frame boundaries.
 class PostProcess {
  public:

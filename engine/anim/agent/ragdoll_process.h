@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// Lets an agent fall over when it is pushed, and come back to its animation when it is told to. It has no entities
-/// while the agent stands.
+/// Lets an agent fall over when it is pushed, and come back to its animation by recover(). It has no entities while the
+/// agent stands.
 ///
 ///     source ──┬──────────── blender         the source still plays below, so that the agent's time goes on
 ///              └─ rag-doll ──┘               it reads the source until it is let go, two updates after the push
@@ -21,7 +21,7 @@ class RagdollProcess final : public PostProcess {
  public:
   enum class Phase : std::uint8_t { standing, letting_go, down, recovering };
 
-  /// `kind` is RigKinds::ragdoll. `fade` is the time from the animation to the rag-doll, when that is let go.
+  /// `kind` is RigKinds::ragdoll. `fade` is the time from the animation to the rag-doll, once it is let go.
   explicit RagdollProcess(EntityPools::Kind kind, Ticks fade = ticks_per_second / 10) : kind_(kind), fade_(fade) {}
 
   /// Pushes with an impulse (kg m/s) at a place in model space; the nearest body takes it. A second push before the
@@ -55,7 +55,7 @@ class RagdollProcess final : public PostProcess {
   }
 
   Phase phase() const { return phase_; }
-  /// Returns whether it lies and does not move.
+  /// Returns whether the body lies still.
   bool is_asleep(const EntityPools& pools) const;
   /// Returns the place of its first body, the hips, at the last update, in model space; 0 while it stands.
   glm::vec3 hips(const EntityPools& pools) const;

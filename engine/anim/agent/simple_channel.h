@@ -6,7 +6,7 @@
 
 namespace throng::anim {
 
-/// Plays one clip; the next one takes its place at once.
+/// Plays one clip; the next clip takes its place at once.
 class SimpleChannel final : public Channel {
  public:
   explicit SimpleChannel(const PlayerStart& start) : start_(start) {}

@@ -24,8 +24,8 @@ struct SystemOptions {
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< orders tasks and cuts tiles
   std::optional<StorePolicy> stores{};  ///< the policy for palettes; none: by their size (run/store/store_choice.h)
-  /// The bytes of palettes up to which the caches hold them from one update to the next. 0: what the machine says of
-  /// its caches. A host that has half a second at load time gives measured_cached_bytes().
+  /// The bytes of palettes up to which the caches hold them from one update to the next. 0: as the machine's caches
+  /// say. A host that has half a second at load time gives measured_cached_bytes().
   std::size_t cached_bytes = 0;
   /// `packed` is for the characters that can be packed (see Characters::palette_format); all others get matrices.
   PaletteFormat palettes = PaletteFormat::matrices;
@@ -37,7 +37,7 @@ inline constexpr int max_pus = 256;
 inline constexpr std::uint32_t most_agents = 1U << 20U;
 inline constexpr std::size_t most_local_store_bytes = std::size_t{1} << 30U;
 
-/// Checks that every number is in its range. Errors: the first that is not.
+/// Checks that every number is in its range. Errors: the first number out of its range.
 Status check(const SystemOptions& options);
 
 }  // namespace throng::anim

@@ -10,8 +10,8 @@
 
 namespace throng::anim {
 
-/// The right to change a system, which one call has at a time. It is a guard against misuse and no lock: a call that
-/// comes while another is at work is refused, on whatever thread.
+/// The right to change a system, which one call has at a time. It is a guard against misuse and no lock: a call during
+/// another call is refused, on any thread.
 class Turn {
  public:
   Turn(std::atomic<bool>& taken, const char* call)

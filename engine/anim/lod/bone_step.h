@@ -5,7 +5,7 @@
 namespace throng::anim {
 
 /// The pose of an agent that goes from one bone level to another, so that nothing pops: the bones that come or go pass
-/// through where they stand still, where both levels show the same.
+/// through a pose in which they stand still, and which both levels show alike.
 ///
 ///     to a coarser level:   all of the finer --> half way --> there | the coarser      four updates,
 ///     and back:             the coarser | there --> half way --> all of the finer      the mesh changes at |

@@ -10,7 +10,7 @@
 /// Collects how far shown poses are off, in pixels on screen, over a crowd and some time.
 namespace throng::anim {
 
-/// Errors of the agents that were measured. All figures are 0 where none was.
+/// Errors of measured agents. All figures are 0 where no agent was measured.
 struct ErrorFigures {
   /// The samples below which chance decides a ninety-ninth percentile, so that nothing is learned from it.
   static constexpr std::uint32_t samples_for_p99 = 1000;
@@ -70,7 +70,7 @@ class ErrorCounts {
   std::uint64_t total_ = 0;
 };
 
-/// Keeps the errors of the last 60 frames, and counts those since the start. Where the last 60 frames have too few
+/// Keeps the errors of the last 60 frames, and counts all errors since the start. Where the last 60 frames have too few
 /// samples for a ninety-ninth percentile, percentiles look further back, up to 600 frames.
 class ErrorWindow {
  public:
@@ -79,9 +79,9 @@ class ErrorWindow {
 
   /// Makes room for so many samples a frame, so that add() does not allocate.
   void reserve(std::size_t samples_a_frame);
-  /// Forgets all frames so far; those since the start still count.
+  /// Forgets all frames so far; the errors since the start still count.
   void begin_anew();
-  /// Begins a frame and forgets the oldest ones that are not needed.
+  /// Begins a frame and forgets the oldest frames that are not needed.
   void begin_frame();
   /// Adds a sample to the frame that was begun last.
   void add(const ErrorSample& sample);

@@ -19,7 +19,7 @@
 
 namespace throng::anim {
 
-/// Returns what level of detail reads of a character, which outlives the result.
+/// Returns a character as level of detail reads it. The character outlives the result.
 LodCharacter lod_character(const Character& character, const CostModel& cost = {});
 
 /// A crowd as level of detail reads it. The spans are parallel, one element an agent.
@@ -49,12 +49,12 @@ struct LodFigures {
   BindingLimit binding = BindingLimit::none;
   double predicted_ms = 0.0;       ///< time of all PUs
   bool budget_held = true;         ///< agents that come into view are exempt; true without a budget
-  std::optional<bool> error_held;  ///< none: no such limit, or nothing measured yet
+  std::optional<bool> error_held;  ///< none: no limit on the error, or nothing measured yet
   LodCost cost;
 };
 
 /// Decides level of detail for a crowd from frame to frame. It lists the agents to be posed, with bone level and
-/// look-ahead, and keeps what that needs of each agent. It allocates in set_characters(), reset() and in the first
+/// look-ahead, and keeps the state of each agent. It allocates in set_characters(), reset() and in the first
 /// select() after the rules, or the mean length of frames by more than a quarter, have changed.
 ///
 ///     select(crowd, request, executor, jobs)   lists updates()
@@ -63,8 +63,8 @@ struct LodFigures {
 ///     settle(...)                           learns what was shown and what it cost
 class LevelOfDetail {
  public:
-  /// Sets the characters. Call it at first, and when one of them has other levels. The agents keep what is known of
-  /// them.
+  /// Sets the characters. Call it at first, and when the levels of a character change. The agents keep their
+  /// state.
   void set_characters(std::vector<LodCharacter> characters);
 
   /// Forgets every agent and makes room for `agents`. Time and turns go on.
@@ -77,30 +77,30 @@ class LevelOfDetail {
   /// Makes an agent, or all, due when next visible.
   void make_due(std::uint32_t agent) { state_.make_due(agent); }
   void make_all_due() { state_.make_all_due(); }
-  /// Forgets which palettes are shown, so that no agent blends from one or fades between bone levels.
+  /// Forgets which palettes are shown, so that no agent blends from a palette or fades between bone levels.
   void forget_shown();
 
   /// Decides for every agent, in up to `jobs` jobs. With a budget the first frame is decided twice, since only a
   /// decision counts what a tolerance costs.
   void select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs);
-  /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: its palette blends from
-  /// the one shown to the new one, over `look_ahead`.
+  /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: it blends from the
+  /// shown palette to the new one, over `look_ahead`.
   std::span<AgentUpdate> updates() { return updates_; }
-  /// Adds an agent that LodCrowd::left_out has, with all bones and for the pose of now.
+  /// Adds an agent of LodCrowd::left_out, with all bones and its present pose.
   AgentUpdate& update_also(std::uint32_t agent);
   /// Changes an update whose palette cannot be blended to: it is shown at once, and the agent is due again in the next
   /// frame.
   void show_at_once(AgentUpdate& update);
 
   /// Learns from the updates which palettes are shown, and from the limits the tolerance of the next frame.
-  /// `measured_error_pixels` is that of LodOutcome.
+  /// `measured_error_pixels` is LodOutcome's.
   void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
 
   const LodSelection& selection() const { return selection_; }
   /// Returns whether the agent was in view in the last selection. The answer holds until make_all_due().
   bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }
   bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }  ///< it has a palette
-  /// Returns what was decided at its last update; bone_step() says how far it has come.
+  /// Returns the decision at its last update; bone_step() says how far it has come.
   LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }
   const BoneStep& bone_step(std::uint32_t agent) const { return bone_steps_[agent]; }  ///< of its last update
   const LodChoices& choices() const { return choices_; }

@@ -119,7 +119,7 @@ struct LodState {
   void resize(std::size_t agents, LodSelection& selection);
   /// Makes each agent due when next visible.
   void make_all_due();
-  /// Makes an agent due when next visible, for the pose of that very frame, since its graph has changed.
+  /// Makes an agent due when next visible, for the pose of the same frame, since its graph has changed.
   void make_due(std::size_t agent) { is_called[agent] = 1; }
 };
 
@@ -143,13 +143,13 @@ struct LodFrame {
   bool stands_still = false;  ///< no time has passed since the frame before
 };
 
-/// Decides for every agent. An agent that comes into view or was made due is due at once, for the pose of this very
-/// frame, and again in the next frame in which time passes, from where it looks ahead. Interval and bone level change
+/// Decides for every agent. An agent that comes into view or was made due is due at once, for the pose of this frame,
+/// and again in the next frame in which time passes; from then on it looks ahead. Interval and bone level change
 /// at updates only. After a change the first update comes early, at a turn where `number % interval` equals `agent %
 /// interval`, so that all frames have about the same work. Allocates nothing. No agent's decision depends on another's.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
 
-/// Does the same with tiles of agents, in up to `jobs` jobs.
+/// Decides in tiles of agents, in up to `jobs` jobs.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs);
 
 }  // namespace throng::anim

@@ -46,7 +46,7 @@ class MotionLod {
   /// Returns nanoseconds of one update.
   std::uint32_t update_cost(std::size_t bone_level) const { return update_cost_[bone_level]; }
 
-  /// Adds to each tolerance what the agent costs at it. One pixel allows the agent `metres_a_pixel` of error.
+  /// Adds to each tolerance the cost of the agent at it. One pixel allows the agent `metres_a_pixel` of error.
   void add_cost(float metres_a_pixel, std::span<std::uint32_t, tolerance_steps> by_tolerance) const;
 
  private:

@@ -28,17 +28,17 @@ const char* name_of(BindingLimit limit);
 /// The outcome of the last frame.
 struct LodOutcome {
   CostByTolerance cost_by_tolerance{};
-  double nanoseconds = 0.0;                         ///< predicted, for all that was posed and is not exempt
-  double exempt_nanoseconds = 0.0;                  ///< the same for agents that came into view
+  double nanoseconds = 0.0;                         ///< predicted, for all posed agents that are not exempt
+  double exempt_nanoseconds = 0.0;                  ///< predicted, for agents that came into view
   std::optional<float> measured_error_pixels = {};  ///< p99 over the last frames; none: too little was measured
 };
 
 /// Sets LodRules::tolerance_pixels, frame by frame, so that the limits hold. It depends on outcomes alone, so a replay
-/// decides the same.
+/// decides alike.
 ///
 /// It learns slowly, for the limit on the error, the ratio of tolerance to error at which the measured error stays
 /// below the limit. It takes, for the budget, the least tolerance at which the predicted cost fits. The tolerance rises
-/// to that in one step and sinks to it slowly; within a band in between it stays. The larger of the two counts.
+/// to it in one step and sinks to it slowly; within a band in between it stays. The larger tolerance counts.
 class LodController {
  public:
   /// Forgets all that was learned. Call it before the first frame, and when the crowd starts again.

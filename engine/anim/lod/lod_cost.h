@@ -16,7 +16,7 @@ inline float tolerance_at(float step) { return least_tolerance_pixels * std::exp
 inline float step_of_tolerance(float pixels) { return steps_an_octave * std::log2(pixels / least_tolerance_pixels); }
 inline const float most_tolerance_pixels = tolerance_at(tolerance_steps - 1);
 
-/// The nanoseconds a frame, [step], that agents in view would cost in the long run at that tolerance. They descend.
+/// The nanoseconds a frame, [step], that agents in view would cost in the long run at each tolerance. They descend.
 using CostByTolerance = std::array<std::uint64_t, tolerance_steps>;
 
 /// The cost of one frame by the cost model, in nanoseconds of one PU, and the cost of other choices.

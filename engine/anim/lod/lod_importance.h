@@ -10,8 +10,8 @@
 
 namespace throng::anim {
 
-/// Decides which agents may show less error than others. The selected agent may show a quarter of it. An agent in a
-/// fade may show half of it, because its pose moves more than either clip does.
+/// Decides which agents may show less error than others. The selected agent may show a quarter of the error. An agent
+/// in a fade may show half of it, because its pose moves more than either clip does.
 class LodImportance {
  public:
   /// Forgets everything and makes room for `agents`.

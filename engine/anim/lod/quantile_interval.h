@@ -17,8 +17,8 @@ struct QuantileInterval {
   std::optional<float> high = {};  ///< nothing: there are too few samples to say
 };
 
-/// Returns the ranks between which the quantile of `part`, above 0 and below 1, of whatever the samples are drawn from
-/// lies with at least `confidence`, above 0 and below 1. Each side is missed with at most half of the rest. The number
+/// Returns the ranks between which the quantile of `part`, above 0 and below 1, of the samples' distribution lies with
+/// at least `confidence`, above 0 and below 1. Each side is missed with at most half of the rest. The number
 /// of samples below the quantile has a binomial distribution, whatever the distribution of the samples. Samples that
 /// depend on each other make the true confidence smaller.
 ///

@@ -8,11 +8,11 @@
 
 namespace throng::anim {
 
-/// Says whether the data keys of a clip are heard for others of its mix (`AgentMotion`).
+/// Says which clip of a mix delivers data keys that several clips share (`AgentMotion`).
 enum class StepVoice : unsigned char {
   own,     ///< its data keys are its own
   leads,   ///< it keeps step with others and delivers the keys that they share, with the weight of all
-  follows  ///< the clip that leads delivers the keys that they share
+  follows  ///< the leading clip delivers the keys that they share
 };
 
 /// A clip of a mix, and where it is at the clock.
@@ -20,13 +20,13 @@ struct MixedClip {
   int clip = 0;
   float weight = 1.0F;     ///< above 0; shares of the sum of all
   FineTicks position = 0;  ///< may lie outside of the clip, whole loops away
-  double speed = 1.0;      ///< with which it goes on until it is set again; negative: backwards
+  double speed = 1.0;      ///< at which it goes on until the next set(); negative: backwards
   StepVoice voice = StepVoice::own;
 };
 
-/// Plays the looping clips that its host gives, each at the weight and position given: the pose follows from what was
-/// set last and the time since. It is for motion that is a function of time, such as a recorded path, which one can
-/// look at in any order. A clip that stays in the mix keeps its player.
+/// Plays the looping clips that its host gives, each at its given weight and position: the pose follows from the last
+/// mix and the time since. It is for motion that is a function of time, such as a recorded path, whose times a host
+/// shows in any order. A clip that stays in the mix keeps its player.
 class ClipMixChannel final : public Channel {
  public:
   static constexpr std::size_t most = 5;

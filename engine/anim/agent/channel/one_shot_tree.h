@@ -8,7 +8,7 @@
 namespace throng::anim {
 
 /// One-shots that follow one another over a pose, as entities. Each `in` eases to the player of its shot, and `out`
-/// eases back to what is below.
+/// eases back to the pose below.
 ///
 ///     below ──── in ──── in ──── out
 ///               /       /       /
@@ -20,7 +20,7 @@ struct OneShotTree {
     int clip;        ///< index into the character's clips
     Ticks begins;    ///< by the clock
     Ticks ends;      ///< by the clock
-    Ticks faded_in;  ///< by the clock; from then on nothing that lies under it is seen
+    Ticks faded_in;  ///< by the clock; from then on nothing below it is seen
     Handle player;
     Handle in;  ///< invalid once the shot has faded in, or if it was not to
   };

@@ -14,27 +14,27 @@ struct OneShot {
   Ticks fade_in{};      ///< eases in from what is shown; 0 replaces it at once
   Ticks fade_out{};     ///< eases out so that the end of the clip is the end of the fade
   double speed = 1.0;   ///< multiple of the clip's own speed, not 0; negative: backwards, from the clip's end
-  bool queued = false;  ///< it waits for those before it, and eases in over the last of them
+  bool queued = false;  ///< it waits for the shots before it, and eases in over the last of them
 };
 
 /// A one-shot of a slot has ended.
 struct OneShotEnd {
   int clip = 0;
   Ticks time{};           ///< of the clock
-  bool finished = false;  ///< false: another one took its place, or the slot was stopped
+  bool finished = false;  ///< false: another shot took its place, or the slot was stopped
 };
 
-/// Plays one-shots over the channels before it, and plays nothing in between: then these alone are seen, and it costs
-/// nothing. Over nothing, a shot neither fades in nor out.
+/// Plays one-shots over the channels before it, and plays nothing in between: then only the channels before it are
+/// seen, and it costs nothing. Over nothing, a shot neither fades in nor out.
 ///
-/// A shot fades out before its end by itself. One that interrupts neither snaps nor waits: an inertialiser leaves
-/// behind what was shown. All that follows is known when it is asked for, so poses do not depend on when they are made.
+/// A shot fades out before its end by itself. A shot that interrupts neither snaps nor waits: an inertialiser leaves
+/// the shown pose behind. A request fixes all later changes, so poses do not depend on when an agent is posed.
 class SlotChannel final : public Channel {
  public:
   /// Asks for a shot; call it through `Agent::change`. Returns false if max_shots are playing and waiting already.
   /// A shot that the character cannot play is a misuse, which the next update reports and ignores.
   bool play(const OneShot& shot);
-  /// Returns whether the last update took all that it was asked for.
+  /// Returns whether the last update took all requests.
   bool took_all() const { return took_all_; }
   /// Ends all shots, playing and waiting, at once.
   void stop();

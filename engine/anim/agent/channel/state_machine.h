@@ -58,9 +58,9 @@ class StateMachine {
     bool holds(const Inputs& inputs) const;
   };
 
-  /// Errors, in a sentence that names the state, transition or input: a name that there is not or that is there twice;
+  /// Errors, in a sentence that names the state, transition or input: a name that is absent or is there twice;
   /// a number out of its range; a state that no transition leads to; states that lead to each other at once, forever;
-  /// too many of something.
+  /// too many inputs, states or transitions.
   static Result<std::shared_ptr<const StateMachine>> create(const MachineDescription& description,
                                                             const Character& character);
 

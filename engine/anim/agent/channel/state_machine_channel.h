@@ -10,9 +10,9 @@ namespace throng::anim {
 /// Plays a state machine: one state at a time, and a fade to it from the one before.
 ///
 /// The clock decides when a transition is taken, to the tick: at the end of a clip, after a time, or when an input was
-/// set. An agent that is updated late makes up for what it missed, each transition at its own time, so its poses do not
-/// depend on when it was updated. A transition that comes while a fade runs neither snaps nor waits: an inertialiser
-/// leaves behind what was shown.
+/// set. An agent that is updated late takes all missed transitions, each at its own time, so its poses do not depend on
+/// when it was updated. A transition that comes while a fade runs neither snaps nor waits: an inertialiser leaves the
+/// shown pose behind.
 ///
 ///     state ── fade ── inertialiser
 ///            /

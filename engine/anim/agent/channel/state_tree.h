@@ -19,7 +19,7 @@ class PlayedState {
   Handle root() const { return channel() == nullptr ? Handle{} : channel()->state(); }
   /// Gives the inputs to a blend space. Returns whether root(), or an entity that it reads, is another than before.
   bool follow(const EntityBuilder& build, const StateMachine::State& state, const StateMachine::Inputs& inputs);
-  /// Updates what is due. Returns as follow().
+  /// Updates the parts that are due. Returns as follow().
   bool update(const EntityBuilder& build);
   Ticks next_update() const { return channel() == nullptr ? never : channel()->next_update(); }
   void visit_handles(const std::function<void(Handle&)>& visit);

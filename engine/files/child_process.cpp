@@ -43,7 +43,7 @@ class Capture {
   int descriptor_;
 };
 
-/// Runs in the child. What the program says goes into `output` and `errors`; `reason` is where the number of an error
+/// Runs in the child. The program's output goes into `output` and `errors`; `reason` is where the number of an error
 /// goes if it cannot be started.
 [[noreturn]] void become_program(char* const* words, const char* folder, unsigned seconds, int output, int errors,
                                  int reason) {

@@ -9,7 +9,7 @@
 
 namespace throng {
 
-/// Holds what a program said until it ended, and how it ended.
+/// Holds the output of a program until its end, and how it ended.
 struct EndedChild {
   int status = -1;     ///< its exit status; 128 and more: the signal that ended it
   std::string output;  ///< what it wrote to standard output

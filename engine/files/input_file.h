@@ -42,7 +42,7 @@ class InputFile {
   InputFile(std::shared_ptr<void> handle, std::uint64_t size) : handle_(std::move(handle)), size_(size) {}
   static Result<InputFile> unless_pointer(InputFile file);
 
-  std::shared_ptr<void> handle_;  // what the system has for it; closes the file
+  std::shared_ptr<void> handle_;  // the system's handle; closes the file
   std::uint64_t size_;
 };
 

@@ -19,7 +19,7 @@ int close(int descriptor);
 void take_rights(int descriptor, const std::filesystem::path& from);
 /// Gives a file the name of another one, which it replaces.
 int replace(const std::filesystem::path& part, const std::filesystem::path& file);
-/// Returns the numbers of the errors which mean that the disk, or what the user may have of it, is full.
+/// Returns the numbers of the errors which mean that the disk, or the user's share of it, is full.
 std::span<const int> errors_of_a_full_disk();
 
 }  // namespace throng::output_calls

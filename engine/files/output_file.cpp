@@ -47,7 +47,7 @@ fs::path part_name(const fs::path& file, int number) {
   return file.parent_path() / name.append(part_ending);
 }
 
-/// Opens a new file for a part, whatever others have left there. Returns its descriptor, or -1.
+/// Opens a new file for a part, whatever file is left there. Returns its descriptor, or -1.
 int open_new(const fs::path& file, fs::path& part) {
   constexpr int most_tries = 1000;
   int descriptor = -1;
@@ -70,7 +70,7 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// Says that the disk is full, and what is missing where it is known.
+/// Says that the disk is full, and how much is missing where this is known.
 Error disk_is_full(const fs::path& file, std::uint64_t missing) {
   std::error_code error;
   const fs::path folder = file.parent_path();

@@ -18,10 +18,10 @@ namespace throng {
 /// straight. Errors are sentences that begin with the file's name.
 class OutputFile {
  public:
-  enum class Unfinished { removed, kept };  ///< what becomes of a part without commit(); an empty one goes
+  enum class Unfinished { removed, kept };  ///< the fate of a part without commit(); an empty part is removed
   enum class Sync { disk, system };         ///< whether commit() waits until the disk has the file
 
-  /// Begins a file. `expected` is the count of its bytes where it is known: a full disk is said with what is missing.
+  /// Begins a file. `expected` is the count of its bytes, if known: the error of a full disk then says what is missing.
   static Result<OutputFile> create(const std::filesystem::path& file, Unfinished unfinished = Unfinished::removed,
                                    std::uint64_t expected = 0);
   OutputFile(OutputFile&& other) noexcept;
@@ -45,7 +45,7 @@ class OutputFile {
   Status flush();
 
   std::filesystem::path file_, part_;
-  std::string pending_;  // what is not written yet
+  std::string pending_;  // bytes that are not written yet
   int descriptor_ = -1;  // -1 before it is open and after commit()
   Unfinished unfinished_;
   std::uint64_t expected_, written_ = 0;

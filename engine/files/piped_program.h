@@ -9,8 +9,8 @@
 
 namespace throng {
 
-/// A program that reads what we write, found in PATH and started without a shell. What it says is kept. Signals of the
-/// terminal do not reach it, so that Ctrl+C lets it finish what it has. It is ended with the object. This program
+/// A program that reads what we write, found in PATH and started without a shell. Its output is kept. Signals of the
+/// terminal do not reach it, so that Ctrl+C lets it finish its work. It is ended with the object. This program
 /// ignores SIGPIPE (ignore_signals_of_writers).
 class PipedProgram {
  public:
@@ -25,7 +25,7 @@ class PipedProgram {
   bool write(std::span<const std::byte> bytes);
   /// Tells the program that there is no more, and waits for its end. Returns its exit status; 128 and more: a signal.
   int finish();
-  /// Returns what it has said on its output and its errors, no more than the last megabyte.
+  /// Returns the text of its output and its errors, no more than the last megabyte.
   const std::string& said() const { return said_; }
 
  private:
@@ -33,8 +33,8 @@ class PipedProgram {
   void listen();
 
   int process_ = -1;  // -1: none that is to be waited for
-  int input_ = -1;    // what it reads
-  int output_ = -1;   // what it says
+  int input_ = -1;    // the program reads it
+  int output_ = -1;   // the program writes it
   std::string said_;
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-/// What this process is to its system, and what else the system knows of processes, variables and signals.
+/// This process as its system knows it, and the system's other processes, variables and signals.
 namespace throng {
 
 /// The descriptors that a process begins with.
@@ -15,7 +15,7 @@ int process_id();
 /// Returns whether no process has this number any longer.
 bool is_gone(int process);
 
-/// Returns whether a person sees what is written there.
+/// Returns whether a person sees the text that is written there.
 bool is_terminal(int descriptor);
 /// Returns whether this process may write a file, or make files in a folder. The number of the error is in errno.
 bool may_write(const std::filesystem::path& place);

@@ -11,7 +11,7 @@
 namespace throng {
 
 /// Reads a descriptor that may have nothing for long, and that stays the caller's. Another thread can end the wait.
-/// Errors are the ends of sentences that begin with the name of what is read: "it cannot be read: ...".
+/// Errors are the ends of sentences that begin with the name of the input: "it cannot be read: ...".
 class WaitingInput {
  public:
   explicit WaitingInput(int descriptor) : descriptor_(descriptor) {}

@@ -34,7 +34,7 @@ enum class Pattern : std::uint8_t {
 /// Says how a region takes light.
 enum class Fabric : std::uint8_t { cotton, denim, wool, satin, leather, nylon, skin, plastic };
 
-/// Tells the shaders what never changes about an agent. `shaders/agent_look.glsl` repeats the layout (std430).
+/// Tells the shaders the constant data of an agent. `shaders/agent_look.glsl` repeats the layout (std430).
 /// It is copied to the device when it changes, not in each frame.
 ///
 ///      0  tint of each region     RGB8, sRGB, red in the lowest byte; the highest byte has the pattern in bits 0-4 and
@@ -44,7 +44,7 @@ enum class Fabric : std::uint8_t { cotton, denim, wool, satin, leather, nylon, s
 ///                                 RGB8_SNORM in the low bytes
 ///     76  hair                    fullness and length: RG8_SNORM in the low bytes; 0 in both leaves the surface as
 ///                                 it is
-///     80  shade                   of what no region colours: RGB8_SNORM in the low bytes; 1 makes linear red, green
+///     80  shade                   outside of all regions: RGB8_SNORM in the low bytes; 1 makes linear red, green
 ///                                 or blue 1 + shade_reach times as bright, 0 leaves it as it is
 ///     84  face                    jaw (out), nose (forward), brow (forward and down), eyes (apart): RGBA8_SNORM
 struct AgentLook {

@@ -63,7 +63,7 @@ struct CrowdFrame {
   SceneLight light = {};
   SceneGround ground = {};
   float scenery_error_px = 1.0F;  ///< pixels that a coarser mesh of scenery is off at most
-  bool scenery = false;           ///< what Renderer::place_scenery() placed is drawn
+  bool scenery = false;           ///< the instances of Renderer::place_scenery() are drawn
   bool shadows = true;            ///< everything casts shadows on everything
   bool crowd_shade = true;        ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};    ///< each vertex shows as a colour how much it follows these; none: no vertex does

@@ -57,7 +57,7 @@ struct MaterialData {
   TextureData occlusion_texture;  ///< in red
   bool unlit = false;             ///< shows its base colour, whatever the light
   bool double_sided = false;
-  bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
+  bool blended = false;       ///< it is seen through as far as its alpha is below 1
   float alpha_cutoff = 0.0F;  ///< less alpha is not seen
 };
 
@@ -121,7 +121,7 @@ using PosedPalettes = std::vector<std::vector<glm::mat4x3>>;
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;       ///< piece 0, all of a character; agents without an outfit are drawn with it
   std::vector<BakedLodData> baked_lods;  ///< finest first, the first few are used; if empty, `parts` are simplified
-  std::vector<MeshPieceData> pieces;     ///< pieces 1, 2 ...: what agents with an outfit wear
+  std::vector<MeshPieceData> pieces;     ///< pieces 1, 2 ...: agents with an outfit wear them
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
   /// Maps, for each of 1 to 4 bone levels, a palette entry to the entry that a vertex reads at that level: itself where
@@ -131,7 +131,7 @@ struct CrowdMeshData {
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
   std::vector<MorphDeltaData> morph_deltas;      ///< ascending by vertex; empty: the surface does not morph
   PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them
-  float body_size = 1.0F;  ///< over a person's; what makes bodies differ (SurfaceVertex::shape) reaches as much farther
+  float body_size = 1.0F;  ///< over a person's; differences of bodies (SurfaceVertex::shape) reach as much farther
   std::vector<BoneEndData> bone_ends;  ///< joint and parent of each bone, for CrowdFrame::bones_as_lines; or empty
   /// A surface that pack_surface made of all this. Where it is given, LODs, poses and bone ends are not read.
   std::span<const std::byte> packed_surface;

@@ -59,7 +59,7 @@ inline constexpr int deep_steps = 257;
 NumberImage in_16_bits(const Image& image);
 Image in_8_bits(const NumberImage& image);
 
-/// Returns whether a file is a PNG of that size from its first byte to its last; what lies between is not looked at.
+/// Returns whether a file is a PNG of that size from its first byte to its last; it skips the bytes in between.
 bool is_whole_png(const std::filesystem::path& file, int width, int height);
 
 /// Writes the picture as a PNG that says `texts` of itself. `file` is whole or as it was.

@@ -9,7 +9,7 @@ class JobRunner {
   virtual ~JobRunner() = default;
 
   /// Calls job(context, index) for each index below `count`, once each, on any threads. Returns when all are done and
-  /// the caller sees what they wrote.
+  /// the caller sees their results.
   virtual void run(int count, void (*job)(void* context, int index), void* context) = 0;
 
   /// Returns how many jobs run at once, 1 or more. The renderer asks for no more of them.

@@ -29,7 +29,7 @@ struct LabelPicture {
   }
 };
 
-/// Holds what an instance covers of a picture that has nothing else in it.
+/// Holds the pixels that an instance covers in a picture with nothing else in it.
 struct BodyAlone {
   PixelBox box;
   std::uint64_t pixels = 0;

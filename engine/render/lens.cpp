@@ -37,7 +37,7 @@ glm::vec2 point_of_disc(int index, int count) {
   return radius * glm::vec2(std::cos(angle), std::sin(angle));
 }
 
-// A shift of the eye moves what is `focus` ahead by that over `focus`; the projection moves it back.
+// A shift of the eye turns the view of a point `focus` ahead by shift / focus; the projection moves it back.
 CameraView seen_through(const CameraView& view, const glm::vec2& aside, float focus) {
   CameraView seen = view;
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]);

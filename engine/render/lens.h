@@ -13,7 +13,7 @@ namespace throng::render {
 
 /// The lens of a camera whose film is 24 mm high.
 struct Lens {
-  float focus = 5.0F;     ///< metres ahead of the camera, above 0: what is sharp
+  float focus = 5.0F;     ///< metres ahead of the camera, above 0: points there are sharp
   float aperture = 1.4F;  ///< the f-number, above 0; the smaller, the more is blurred
   int points = 32;        ///< of the lens, from each of which a picture is drawn
 };
@@ -24,7 +24,7 @@ float radius_of(const Lens& lens, const CameraView& view);
 /// Returns point `index` of `count` on a disc of radius 1. The points lie evenly, each a golden angle from the last.
 glm::vec2 point_of_disc(int index, int count);
 
-/// Returns what is seen from beside the middle of a lens, `aside` metres to the right and up. What lies `focus` metres
+/// Returns the view from beside the middle of a lens, `aside` metres to the right and up. What lies `focus` metres
 /// ahead stays where it is in the picture.
 CameraView seen_through(const CameraView& view, const glm::vec2& aside, float focus);
 

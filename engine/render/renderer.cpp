@@ -15,7 +15,7 @@
 namespace throng::render {
 namespace {
 
-// Colours, depths, what is seen through, and the two sides of a split view.
+// Colours, depths, blended surfaces, and the two sides of a split view.
 std::uint64_t bytes_a_pixel(int samples) {
   constexpr std::uint64_t bytes_a_sample = 4 + 8 + 10, bytes_of_sides = 8, bytes_of_finished = 4;
   return bytes_a_sample * static_cast<std::uint64_t>(std::max(samples, 1)) + bytes_of_sides + bytes_of_finished;
@@ -208,7 +208,7 @@ DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   keep_to_part();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame, light_parts_);
-  // From near to far, as a rule: what is hidden then costs little on a processor.
+  // From near to far, as a rule: hidden surfaces then cost little on a processor.
   DrawCounts counts = crowd_.draw(frame, meshes_, palettes_);
   if (frame.scenery) add(counts, draw_scenery(frame, target.size()));
   add(counts, ground_.draw(frame.ground, target.size(), light_parts_));

@@ -47,7 +47,7 @@ struct RendererOptions {
   int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
   bool lights_at_vertices = false;  ///< sun and sky light scenery less exactly, and sooner where a processor draws
   std::optional<Lens> lens = {};    ///< unset: all is sharp; else each picture takes Lens::points times as long
-  std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
+  std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: all free memory
 };
 
 inline constexpr std::size_t most_characters = 256;  ///< the most in one picture
@@ -78,9 +78,9 @@ class Renderer {
   /// Gives the meshes of the loaded characters.
   std::span<const CrowdMesh> meshes() const { return meshes_; }
 
-  /// Replaces the meshes of scenery, and takes away what stood there. Errors: the device has no memory for them.
+  /// Replaces the meshes of scenery, and removes all instances. Errors: the device has no memory for them.
   Status load_scenery(std::span<const SceneryMeshData> meshes) { return scenery_.load(meshes); }
-  /// Replaces what stands around the crowd. SceneryInstance::mesh is an index into those meshes.
+  /// Replaces the instances of scenery. SceneryInstance::mesh is an index into these meshes.
   void place_scenery(std::span<const SceneryInstance> instances) { scenery_.place(instances); }
   /// Replaces the lamps that shine there at night.
   void place_lamps(std::span<const SceneryLamp> lamps) { lamps_.place(lamps); }
@@ -109,8 +109,8 @@ class Renderer {
   /// Labels each pixel of a frame that was uploaded with the agent there; scenery hides agents. Errors: the device has
   /// no memory for it.
   Status draw_labels(const CrowdFrame& frame, LabelPicture& labels);
-  /// Measures what each instance of a frame that was uploaded would cover if it were alone. boxes[instance] holds it.
-  /// Errors: those of draw_labels().
+  /// Measures the pixels that each instance of an uploaded frame would cover if it were alone. boxes[instance] holds
+  /// it. Errors: those of draw_labels().
   Status measure_bodies(const CrowdFrame& frame, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies);
 
   /// Draws scenes into a part of the picture alone from now on, and gives the rest an sRGB colour, red in the lowest
@@ -183,7 +183,7 @@ class Renderer {
   std::uint32_t light_parts_ = 0;  // of the picture that is drawn
   bool splits_ = false;            // two crowds are drawn into one picture
   std::optional<DrawnPart> part_;  // none: all of the picture is drawn
-  std::optional<Error> trouble_;   // what finish() tells
+  std::optional<Error> trouble_;   // finish() returns it
 };
 
 }  // namespace throng::render

@@ -6,7 +6,7 @@
 
 namespace throng::render {
 
-/// Says what the ground at y = 0 is made of.
+/// Describes the material of the ground at y = 0.
 enum class GroundStyle : std::uint32_t {
   paving,  ///< stone slabs everywhere
   street,  ///< asphalt along a closed route, kerbs, and slabs beyond

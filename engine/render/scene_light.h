@@ -9,7 +9,7 @@ struct SceneLight {
   float sun_elevation = 56.0F;  ///< degrees above the horizon, -90 to 90; below -2 the moon shines instead
   float sun_azimuth = 62.0F;    ///< degrees from +Z towards +X
   float clouds = 0.35F;         ///< the share of the sky that they cover, 0 to 1; at 1 the sun is behind them
-  float exposure = 0.0F;        ///< stops brighter than what suits the light
+  float exposure = 0.0F;        ///< stops brighter than suits the light
 
   friend bool operator==(const SceneLight&, const SceneLight&) = default;
 };

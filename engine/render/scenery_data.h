@@ -50,7 +50,7 @@ struct SceneryInstance {
 /// A lamp of a place, which shines at night.
 struct SceneryLamp {
   glm::vec3 position{0.0F};  ///< metres
-  glm::vec3 color{0.0F};     ///< linear: what a white surface one metre away that faces it reflects
+  glm::vec3 color{0.0F};     ///< linear: as a white surface reflects it that faces it at one metre
 };
 
 }  // namespace throng::render

@@ -6,7 +6,7 @@
 
 namespace throng::render {
 
-/// Sums up surfaces that are seen through, over the depths of a picture. What is nearer and opaque hides them.
+/// Sums up surfaces that are seen through, over the depths of a picture. Nearer opaque surfaces hide them.
 ///
 ///   sums    RGBA16F   colours and alphas, added up
 ///   behind  R16F      share of the picture that stays, multiplied

@@ -99,7 +99,7 @@ void ImageTarget::bind_overlay() const {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-// Mesa's software drivers ask how large the window is when a viewport is set while the window is what is drawn to.
+// Mesa's software drivers ask for the window's size when a viewport is set while the window is the target.
 void ImageTarget::copy_to_window(glm::ivec2 window_size) const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   glViewport(0, 0, window_size.x, window_size.y);

@@ -10,7 +10,7 @@
 
 namespace throng::render {
 
-/// Receives what is drawn, and takes it to the window or into an Image.
+/// Receives a drawn picture, and takes it to the window or into an Image.
 ///
 ///   multisampled sRGB + depth --resolve()--> sRGB pixels, one sample
 ///                                                         | the same bytes seen without conversion

@@ -49,7 +49,7 @@ SplitView part_of(const SplitView& split, glm::ivec2 picture, const PixelRect& d
 /// Returns "1280x720".
 std::string size_name(glm::ivec2 size);
 
-/// Says what a picture may take.
+/// The limits of a picture.
 struct TileLimits {
   glm::ivec2 longest{0};            ///< pixels of the sides of a tile
   std::uint64_t memory = 0;         ///< bytes that the machine has left

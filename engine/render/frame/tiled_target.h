@@ -24,7 +24,7 @@ class TiledTarget {
   /// Returns the target that each tile is drawn into. It holds the whole picture if that is not tiled.
   const ImageTarget& tile() const { return target_; }
 
-  /// Calls `draw` with the pixels of each tile in turn, and keeps what it drew into tile().
+  /// Calls `draw` with the pixels of each tile in turn, and keeps the pixels of tile().
   void draw_tiles(const auto& draw) {
     for (int tile = 0; tile < tiles_.count(); ++tile) {
       draw(tiles_.drawn(tile));

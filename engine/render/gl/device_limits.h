@@ -8,7 +8,7 @@ namespace throng::render::gl {
 
 /// The largest sizes that a device takes, as it says itself.
 struct DeviceLimits {
-  glm::ivec2 target{0};           ///< pixels of what is drawn into: textures, renderbuffers and viewports hold it
+  glm::ivec2 target{0};           ///< pixels of a target: textures, renderbuffers and viewports hold it
   int texture = 0;                ///< pixels of a side
   int samples = 0;                ///< a pixel, of colours and of depths
   std::size_t storage_block = 0;  ///< bytes

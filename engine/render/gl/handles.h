@@ -100,7 +100,7 @@ inline Texture create_texture(GLenum format, GLsizei width, GLsizei height, GLsi
   return Texture(id);
 }
 
-/// Makes a texture without pixels for what is drawn into, with as many samples a pixel as a target has: 0 or 4.
+/// Makes a texture to draw into, without pixels, with as many samples a pixel as a target has: 0 or 4.
 inline Texture create_target_texture(GLenum format, GLsizei width, GLsizei height, GLsizei samples) {
   if (samples == 0) return create_texture(format, width, height);
   GLuint id = 0;

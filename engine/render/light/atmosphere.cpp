@@ -112,7 +112,7 @@ glm::vec3 clearness(float radius, float rise) {
 }
 
 /// Walks along a ray from `radius`, and calls `scatter(air, radius, way)` at each step for the light that is scattered
-/// into it. Returns what arrives.
+/// into it. Returns the arriving light.
 glm::vec3 gather(float radius, float rise, float length, int steps, const auto& scatter) {
   glm::vec3 arriving(0.0F), clear(1.0F);
   float before = 0.0F;

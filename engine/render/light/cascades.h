@@ -52,7 +52,7 @@ SunAxes sun_axes(const glm::vec3& to_sun);
 std::array<Cascade, cascade_count> plan_cascades(const CameraView& camera, const SunAxes& axes,
                                                  const DepthRange& depths, int side);
 
-/// The cascades of a frame as what may cast shadows into them is held against: all of them at once, along the axes of
+/// The cascades of a frame as casters are tested against them: all of them at once, along the axes of
 /// the sun.
 struct CastLimits {
   std::array<float, cascade_count> x{}, y{}, z{};  ///< middles, [cascade]

@@ -17,7 +17,7 @@ constexpr float above_lamps = 1.6F;      // the ceiling over the height of the h
 
 float reach_of(const SceneryLamp& lamp) { return reach_of_height * std::max(lamp.position.y - breast, 0.5F); }
 
-/// Returns what a lamp of strength 1 gives at a distance along the ground. It ends at the lamp's reach.
+/// Returns the light of a lamp of strength 1 at a distance along the ground. It ends at the lamp's reach.
 float share_at(const SceneryLamp& lamp, float distance) {
   const float height = std::max(lamp.position.y - breast, 0.5F);
   const float left = 1.0F - std::pow(distance / reach_of(lamp), 2.0F);

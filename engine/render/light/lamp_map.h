@@ -13,13 +13,13 @@
 
 namespace throng::render {
 
-/// What lamps give to a white surface at breast height that faces upwards, seen from above.
+/// The light of lamps on a white surface at breast height that faces upwards, seen from above.
 struct LampLight {
   static constexpr int side = 512;  ///< pixels
 
   glm::vec2 corner{0.0F};         ///< x and z in metres
   float metres = 0.0F;            ///< of a side; 0: there are no lamps
-  float ceiling = 0.0F;           ///< metres: what is higher is lit no more
+  float ceiling = 0.0F;           ///< metres: higher points are not lit
   std::vector<glm::vec4> pixels;  ///< [row along z][column along x]
 };
 

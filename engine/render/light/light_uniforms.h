@@ -13,12 +13,12 @@ inline constexpr int sky_harmonics = 9;
 /// All light is linear and already exposed.
 ///
 ///      0  to the sun x y z, unit      night: 0 by day, 1 when windows and lamps are lit
-///     16  sun light r g b             what a white surface that faces the sun reflects
+///     16  sun light r g b             the light that a white surface that faces the sun reflects
 ///     32  sky harmonics               nine of r g b and nothing: a polynomial of the normal, which gives what a white
 ///                                     surface reflects of sky and ground
 ///    176  haze r g b                  where the sun is not; x of the unit way to the sun along the ground
 ///    192  haze at the sun r g b       is added to it towards the sun; z of that way
-///    208  clearing r g b              1 / metres: how fast haze takes the place of what is behind it
+///    208  clearing r g b              1 / metres: how fast haze hides the light behind it
 struct LightUniforms {
   glm::vec3 to_sun;
   float night;

@@ -14,7 +14,7 @@ class SkyLight {
   /// Binds the light; makes it anew if it changed since the last call, which takes some milliseconds.
   void bind(const SceneLight& light);
 
-  /// Returns what was bound last.
+  /// Returns the light that was bound last.
   const LightUniforms& uniforms() const { return uniforms_; }
 
  private:

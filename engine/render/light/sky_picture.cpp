@@ -26,7 +26,7 @@ constexpr float ground_albedo = 0.25F;
 constexpr glm::vec3 walls_albedo{0.54F, 0.45F, 0.35F};
 constexpr float least_roof = 0.20F, most_roof = 0.50F;
 constexpr float walls_share = 0.9F;
-constexpr float sky_on_walls = 0.28F;  // of what an open place receives, because walls stand opposite
+constexpr float sky_on_walls = 0.28F;  // of an open place's light, because walls stand opposite
 
 constexpr glm::vec3 clearing{3.4e-4F, 4.3e-4F, 5.6e-4F};  // 1 / metres
 constexpr float brightest_thick_haze = 1.0F;  // haze that is brighter would hide a crowd, so there is less of it
@@ -123,7 +123,7 @@ void SkyPicture::light_air(const SceneLight& light) {
     coarse_[pixel] = glm::vec4(air.radiance(sky_direction(place)), 1.0F);
     sky += glm::vec3(coarse_[pixel]);
   });
-  sky *= 2.0F / static_cast<float>(coarse_.size());  // about what a white surface reflects of it, times pi
+  sky *= 2.0F / static_cast<float>(coarse_.size());  // about the light that a white surface reflects of it, times pi
   const float key = luminance(air.sunlight()) * std::max(to_sun.y, 0.0F) + luminance(sky);
   constexpr float key_of_noon = 0.75F;
   const float adapted = std::min(std::pow(key_of_noon / std::max(key, 1e-6F), adaptation), brightest_adaptation);

@@ -28,7 +28,7 @@ class SkyPicture {
 
   const LightUniforms& uniforms() const { return uniforms_; }
 
-  /// Returns the map, [row][column], of sky_place; alpha is the share that clouds leave of what is behind them.
+  /// Returns the map, [row][column], of sky_place; alpha is the share that clouds leave of the light behind them.
   const std::vector<glm::vec4>& map() const { return map_; }
 
   /// Returns what a direction, unit, looks like from afar: the sky without the sun's disc, or the ground.
@@ -54,7 +54,7 @@ class SkyPicture {
   LightUniforms uniforms_{};
   std::vector<glm::vec4> coarse_;  // the map without clouds at first, then with them
   std::vector<glm::vec4> map_;
-  glm::vec3 cloud_sun_{0.0F};  // what the sun gives to clouds
+  glm::vec3 cloud_sun_{0.0F};  // the sun's light on clouds
   glm::vec3 ground_{0.0F};
   glm::vec3 walls_in_shade_{0.0F}, ground_in_shade_{0.0F};
   float town_ = 0.0F;  // the share of what is below the roofs that walls hide or keep the sun from

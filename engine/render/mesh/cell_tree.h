@@ -16,7 +16,7 @@ struct SurfaceCell {
   std::array<glm::vec3, 3> corners;  ///< positions
   std::array<glm::vec3, 3> weights;  ///< of the triangle's vertices
   std::uint32_t triangle = 0;
-  bool hides = true;  ///< false: what is behind it is seen through it
+  bool hides = true;  ///< false: it is seen through
 };
 
 /// Cuts triangles into cells whose edges are at most `longest_edge`, in metres.

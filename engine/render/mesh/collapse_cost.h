@@ -16,7 +16,7 @@ struct SkinInfluences {
   std::array<float, 4> weights;
 };
 
-/// Says what it costs to move a piece of surface to another of its points. One term counts how far the piece would lie
+/// Returns the cost of moving a piece of surface to another of its points. One term counts how far the piece would lie
 /// from its planes (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997). The other counts
 /// how differently joints would move it, which keeps a ring of vertices around each elbow and knee.
 class CollapseCost {
@@ -50,7 +50,7 @@ class CollapseCost {
   double influence_area_ = 0.0;
 };
 
-/// Says what it costs to paint a piece of surface in one colour: how far its own colours are from that one.
+/// Returns the cost of painting a piece of surface in one colour: how far its own colours are from that one.
 class ColorSpread {
  public:
   /// Adds the share of a triangle. Colours are as they are seen (PointLook::color).

@@ -11,7 +11,7 @@ enum class Coverage : unsigned char {
   blended   ///< as much of it as its alpha says
 };
 
-/// Returns what drawing needs to do about a material's alpha. Many files call materials blended or cut out whose alpha
+/// Returns how a material's alpha must be drawn. Many files call materials blended or cut out whose alpha
 /// is 1 everywhere; those are opaque, which is drawn fastest.
 Coverage coverage_of(const CrowdMeshData& data, int material);
 

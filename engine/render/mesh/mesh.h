@@ -49,7 +49,7 @@ class CrowdMesh {
   bool has_morphs() const { return static_cast<bool>(morph_entries_); }
 
   /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels, the
-  /// frames that unpack them, and what morphs do.
+  /// frames that unpack them, and the effects of morphs.
   void bind() const;
 
   /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.

@@ -25,7 +25,7 @@ namespace throng::render {
 /// surface. So a seam has the error by which it moved, and a lost eye an error of about half of its width.
 ///
 /// The error of a pose is the largest distance that as much of the surface exceeds as a square of that width covers.
-/// Smaller patches would not show. What cannot be seen in the first pose does not count: the skin under clothes, the
+/// Smaller patches would not show. Surfaces that are hidden in the first pose do not count: the skin under clothes, the
 /// inside of a mouth.
 ///
 /// Errors beyond an eighth of the surface's extent count as an eighth. Errors below a five-hundredth, which the samples

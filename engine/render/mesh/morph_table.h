@@ -9,7 +9,7 @@
 
 namespace throng::render {
 
-/// What a morph does to a vertex, as `shaders/morphs.glsl` reads it.
+/// The effect of a morph on a vertex, as `shaders/morphs.glsl` reads it.
 ///
 ///      0  morph             its place among the weights of the instance
 ///      4  position x y z    added to the vertex in the bind pose, times the weight

@@ -49,7 +49,7 @@ struct PackedSurfacePiece {
   std::uint32_t levels;
 };
 
-/// Changes with the sizes of what is in a packed surface. Raise the first number when its meaning changes alone.
+/// Changes with the sizes of the parts of a packed surface. Raise the first number when only a meaning changes.
 inline constexpr std::uint32_t packed_surface_layout =
     3U << 24U | sizeof(SurfaceVertex) << 16U | sizeof(MaterialRun) << 8U | sizeof(PackedSurfaceLod);
 

@@ -57,7 +57,7 @@ SurfaceVertex vertex_of(const MeshPartData& part, std::size_t i) {
   return vertex;
 }
 
-/// Holds the merged vertices and what building the surface needs to know of each.
+/// Holds the merged vertices, and the data of each that building the surface needs.
 struct Merged {
   std::vector<float> positions;
   std::vector<std::uint32_t> indices;
@@ -200,7 +200,7 @@ void append_lods(const std::vector<MeshLod>& lods, const Merged& merged, const C
   }
 }
 
-/// Returns what the levels of a piece are stated to be off; on faces too, where it lies on one.
+/// Returns the stated errors of the levels of a piece; on faces too, where the piece lies on a face.
 MeshError stated_error(float error, const Merged& merged) {
   const bool face_is_known = !merged.face.empty();
   const bool on_face = std::ranges::find(merged.face, 1) != merged.face.end();

@@ -48,7 +48,7 @@ static_assert(offsetof(SurfaceVertex, face) == 56);
 
 using TextureCoord = std::array<float, 2>;
 
-/// The coordinates u v at which a vertex reads what lies over the base colour.
+/// The coordinates u v at which a vertex reads the textures over the base colour.
 struct DetailCoords {
   TextureCoord emission{};
   TextureCoord metallic_roughness{};
@@ -84,7 +84,7 @@ struct SurfacePiece {
   std::size_t lod_count() const { return std::min(first_lod + runs_by_level.size(), largest_mesh_lod_count); }
 };
 
-/// Says which vertices and indices of a surface are what.
+/// Says to which part each vertex and index of a surface belongs.
 struct SurfaceParts {
   std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< of piece 0; at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;        ///< of piece 0

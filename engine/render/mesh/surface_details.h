@@ -5,9 +5,9 @@
 
 namespace throng::render {
 
-/// Appends what only some characters have: coordinates of textures that differ from those of the base colour, and
-/// tangents. `surface` has none yet. One a vertex is added, in the order of for_each_part(); none where no part
-/// has any.
+/// Appends details that only some characters have: coordinates of textures that differ from those of the base colour,
+/// and tangents. `surface` has none yet. One a vertex is added, in the order of for_each_part(); none where no part has
+/// any.
 void append_details(const CrowdMeshData& data, Surface& surface);
 
 }  // namespace throng::render

@@ -14,8 +14,8 @@ namespace {
 constexpr int largest_texture = 512;  // texels a side: 3 mm of a person's skin
 constexpr float alike = 0.2F;         // of a color's channel
 constexpr float full_color = 65535.0F;
-constexpr float least_seen = 0.1F;    // alpha of what is blended; less is as good as nothing
-constexpr float least_hiding = 0.9F;  // alpha of what is blended; more hides what is behind it
+constexpr float least_seen = 0.1F;    // alpha of blended surfaces; less is as good as nothing
+constexpr float least_hiding = 0.9F;  // alpha of blended surfaces; more hides all behind
 
 // A square root is near enough to the curve of sRGB, whose values textures have.
 glm::vec4 as_seen(const glm::vec4& linear) {

@@ -26,14 +26,14 @@ struct PointLook {
   std::uint8_t region = untinted_region;
   bool double_sided = false;
   bool cut_out = false;       ///< nothing is seen
-  bool seen_through = false;  ///< what is behind is seen, too
+  bool seen_through = false;  ///< surfaces behind it are seen, too
 };
 
 /// Returns whether a person can hardly tell the points apart by their colours.
 bool look_alike(const PointLook& a, const PointLook& b);
 
 /// The colours of a surface: of its vertices, materials and textures, which are read at a few millimetres' resolution.
-/// Adds what shines by itself to the base colour, as if the light were white.
+/// Adds the emitted light to the base colour, as if the light were white.
 class SurfacePaint {
  public:
   /// All parameters outlive the paint. `materials` has one a vertex.

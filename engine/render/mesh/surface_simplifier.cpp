@@ -149,7 +149,7 @@ void SurfaceSimplifier::propose_merges_around(std::uint32_t point) {
   }
 }
 
-/// Returns what it costs that each vertex of a point takes the colour of the one of the other point that is most like
+/// Returns the cost if each vertex of a point takes the colour of the vertex of the other point that is most like
 /// it.
 double SurfaceSimplifier::color_cost(const Point& from, const Point& into) const {
   if (painted_.empty()) return 0.0;

@@ -16,7 +16,7 @@ class BlendPass {
       : average_(shaders.load({"whole_picture.vert", "blended.frag"})),
         average_of_samples_(shaders.load({"whole_picture.vert", "blended_samples.frag"})) {}
 
-  /// Lets what is drawn from now on add to the sums. Opaque surfaces must be drawn before.
+  /// Lets later draws add to the sums. Opaque surfaces must be drawn before.
   void begin(const ImageTarget& picture);
 
   /// Mixes the average into the picture's scene, which is bound again.

@@ -50,7 +50,7 @@ DrawCounts BonePass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> me
     glUniform1f(opacity_of_bones, opacity);
     counts.draw_calls += draw_bones_of_runs(frame, meshes, palettes);
   };
-  draw_where(GL_LESS, hidden_bones);  // depth is reversed; what is seen goes over what is hidden
+  draw_where(GL_LESS, hidden_bones);  // depth is reversed; seen bones go over hidden bones
   draw_where(GL_GEQUAL, seen_bones);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);

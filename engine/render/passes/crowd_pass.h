@@ -36,7 +36,7 @@ class CrowdPass {
   /// Adds those parts to the sums of a BlendPass.
   DrawCounts draw_blended(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
-  /// Takes note of what all draws of a frame have in common. Call it before the others.
+  /// Sets the state that all draws of a frame share. Call it before them.
   /// `light` has the parts that the frame's light has (light_parts.h).
   void begin(const CrowdFrame& frame, std::uint32_t light);
 

@@ -43,7 +43,7 @@ void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const Crowd
   });
 }
 
-/// Makes a group of each material of the crowd, and one more of what is dressed.
+/// Makes a group of each material of the crowd, and one more of dressed batches.
 inline void compose_dressed_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
   draws.clear();
   for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {

@@ -62,7 +62,7 @@ DrawCounts GroundPass::draw_part(std::uint32_t switches, const SceneGround& grou
 DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_side) const {
   if (instance_count == 0) return {};
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);  // what stands nearer has no spots; depth is reversed
+  glDepthFunc(GL_GREATER);  // nearer things have no spots; depth is reversed
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);

@@ -6,7 +6,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-/// What differs between the versions of Dear ImGui that systems have, 1.86 to 1.92. Nothing else asks for a version.
+/// The differences between the versions of Dear ImGui that systems have, 1.86 to 1.92. Nothing else asks for one.
 namespace throng::render::imgui {
 
 #if IMGUI_VERSION_NUM >= 18700

@@ -62,7 +62,7 @@ class IndirectDraws {
   /// Draws one group with the program, page and vertices that are bound. Call upload() before.
   void draw(const Group& group) const;
 
-  /// Counts what was added. Groups without commands are not drawn and do not count. Call upload() before.
+  /// Counts the added commands. Groups without commands are not drawn and do not count. Call upload() before.
   DrawCounts counts() const;
 
  private:

@@ -21,7 +21,7 @@
 namespace throng::render {
 
 /// Draws numbers in place of colours: the agent at each pixel, and what each agent would cover if nothing hid it.
-/// There is one sample a pixel. What is seen through counts as solid from half of its alpha on. Frame data must be
+/// There is one sample a pixel. A blended surface counts as solid from an alpha of one half on. Frame data must be
 /// bound.
 class LabelPass {
  public:
@@ -41,8 +41,8 @@ class LabelPass {
   /// of the target is the last one there. Depths are as the device has them.
   void read(LabelPicture& picture, glm::ivec2 corner, glm::ivec2 size);
 
-  /// Measures what each instance of a frame covers in a picture of that size, inside of its box of `boxes`, which holds
-  /// it. The view of the whole picture must be bound. Errors: the device has no memory for it.
+  /// Measures the pixels that each instance of a frame covers in a picture of that size, inside of its box of `boxes`,
+  /// which holds it. The view of the whole picture must be bound. Errors: the device has no memory for it.
   Status measure(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
                  glm::ivec2 picture, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies);
 

@@ -50,7 +50,7 @@ void set_state() {
   glPolygonOffset(1.5F, 2.0F);
 }
 
-/// Says whether a run has batches that stand in for what its agents wear, and a texel hides the difference.
+/// Says whether a run has batches that stand in for its agents' pieces, and a texel hides the difference.
 bool stand_ins_suffice(std::span<const CrowdBatch> run, const CrowdMesh& mesh, float texel) {
   bool has_any = false;
   for (const CrowdBatch& batch : run) {

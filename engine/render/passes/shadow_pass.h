@@ -18,9 +18,9 @@
 
 namespace throng::render {
 
-/// Draws what the sun sees: a map of depths for each cascade, which shaders/shadows.glsl reads. Casters are drawn with
-/// meshes that are coarser than what is seen, as far as a texel hides it. Nothing casts a shadow where it is cut out or
-/// seen through.
+/// Draws the view of the sun: a map of depths for each cascade, which shaders/shadows.glsl reads. Casters are drawn
+/// with meshes that are coarser than the seen ones, as far as a texel hides it. Nothing casts a shadow where it is cut
+/// out or seen through.
 class ShadowPass {
  public:
   static constexpr int map_side = 2048;  ///< texels
@@ -38,7 +38,7 @@ class ShadowPass {
   };
 
   /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture.
-  /// `draw_others(cascade)` draws the depths of what casts shadows beside the crowd, and returns its counts.
+  /// `draw_others(cascade)` draws the depths of casters beside the crowd, and returns its counts.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
                   const Light& light, const auto& draw_others) {
     DrawCounts counts = draw_crowd(frame, meshes, palettes, light);

@@ -99,7 +99,7 @@ void SceneryPass::place(std::span<const SceneryInstance> instances) {
   chosen_.upload(order);  // makes room for as many as there are
 }
 
-// Makes the commands of the first `parts` parts for what was chosen, and binds what they read.
+// Makes the commands of the first `parts` parts for the chosen instances, and binds the buffers that they read.
 void SceneryPass::compose(std::uint32_t parts) {
   std::uint32_t end = 0;
   for (std::uint32_t part = 0; part < part_count; ++part) {

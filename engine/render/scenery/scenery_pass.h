@@ -22,8 +22,8 @@ namespace throng::render {
 /// Not with shadows or lamps.
 inline constexpr std::uint32_t scenery_lit_at_vertices = 1U << light_part_count;
 
-/// Draws what stands around a crowd, all of it with three calls: depths, what scatters light, and what mirrors too.
-/// Frame data and light must be bound.
+/// Draws all scenery around a crowd with three calls: depths, surfaces that scatter light, and surfaces that mirror
+/// too. Frame data and light must be bound.
 class SceneryPass {
  public:
   /// `shaders` must outlive the pass.
@@ -34,10 +34,10 @@ class SceneryPass {
   /// Replaces the instances. SceneryInstance::mesh is an index into the meshes.
   void place(std::span<const SceneryInstance> instances);
 
-  /// Draws what is in view, into the colours and depths that are bound. Allocates nothing.
+  /// Draws the scenery in view, into the colours and depths that are bound. Allocates nothing.
   /// `light` has the parts of the light (light_parts.h), and scenery_lit_at_vertices or not.
   DrawCounts draw(const CameraView& camera, float picture_height, std::uint32_t light);
-  /// Draws the depths of what draw() draws for the same view.
+  /// Draws the depths of the scenery that draw() draws for the same view.
   DrawCounts draw_depth_in_view(const CameraView& camera, float picture_height);
   /// Draws depths alone along parallel rays, with coarser meshes, into the target that is bound. Depth tests and
   /// offsets are the caller's. `texel_metres` is the size of a texel.

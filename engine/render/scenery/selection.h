@@ -17,7 +17,7 @@ namespace throng::render {
 
 /// A coarser mesh of scenery is off by at most so many pixels.
 inline constexpr float scenery_error_pixels = 1.0F;
-/// What is less than so many pixels long is not drawn.
+/// A thing of less than so many pixels is not drawn.
 inline constexpr float least_scenery_pixels = 1.0F;
 
 /// Instances in view are sorted into so many rings around the camera, each of which reaches 1.4 times as far as the one

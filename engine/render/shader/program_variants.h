@@ -9,7 +9,7 @@
 namespace throng::render {
 
 /// A program that is built once for each set of switches, which are macros that its files ask for (#ifdef). A processor
-/// that draws computes both sides of a branch, so what a picture does not need must not be in its program.
+/// that draws computes both sides of a branch, so code that a picture does not need must not be in its program.
 class ProgramVariants {
  public:
   /// Builds the variant without any switch. `shaders` must outlive this object.

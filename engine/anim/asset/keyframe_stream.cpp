@@ -166,7 +166,7 @@ class BlockLayout {
   std::vector<Part> parts_;
 };
 
-/// Everything in a stream but what follows from it.
+/// All parts of a stream that do not follow from others.
 struct StreamParts {
   std::vector<PendingEvent> pending;
   ValueTables values;

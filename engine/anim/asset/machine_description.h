@@ -7,7 +7,7 @@
 namespace throng::anim {
 
 /// A state machine as its author writes it: names and texts, of which none is checked yet. `StateMachine::create`
-/// (agent/channel/state_machine.h) checks them, and finds what they name.
+/// (agent/channel/state_machine.h) checks them, and finds the things that they name.
 struct MachineDescription {
   /// A number that the game sets. Conditions and blend spaces read it.
   struct Input {

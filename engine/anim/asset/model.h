@@ -66,9 +66,9 @@ struct Material {
   Texture base_color_texture;  ///< sRGB, linear alpha
   glm::vec3 emission{0.0F};    ///< linear, 1: as bright as white of the screen
   Texture emission_texture;    ///< sRGB
-  bool unlit = false;          ///< its base colour is what is seen, whatever the light
+  bool unlit = false;          ///< it shows its base colour, whatever the light
   bool double_sided = false;
-  bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
+  bool blended = false;       ///< it is seen through as far as its alpha is below 1
   float alpha_cutoff = 0.0F;  ///< less alpha is not seen; 0: opaque, unless `blended`
   float metallic = 1.0F;
   float roughness = 1.0F;
@@ -126,11 +126,11 @@ struct BakedMeshLod {
 /// A piece of what a character may wear or be made of. Each agent of a varied crowd wears some of them (app/wardrobe).
 struct ModelPart {
   std::string name;                    ///< of its node, behind the first `/`
-  std::string slot;                    ///< what it fills, as "top"; empty: it is always worn
+  std::string slot;                    ///< the slot that it fills, as "top"; empty: it is always worn
   std::string body;                    ///< the body that it fits, as "woman"; empty: all
   std::vector<std::string> covers;     ///< slots that are not drawn below it
   std::vector<std::string> keeps_out;  ///< slots that stay empty with it
-  std::vector<std::string> tags;       ///< what rules know it by, as "warm"
+  std::vector<std::string> tags;       ///< words for rules, as "warm"
   std::vector<SkinnedMesh> meshes;     ///< without morphs
   std::vector<BakedMeshLod> lods;      ///< finest first; may be empty
   double error = 0.0;                  ///< metres that a silhouette is off the outfit it stands for
@@ -169,8 +169,8 @@ struct ImportedFile {
   std::string file;
   std::vector<Model> models;            ///< at least one
   std::vector<std::string> animations;  ///< name of every animation of the file, by index
-  std::vector<std::string> repairs;     ///< one sentence each: what import found odd and mended
-  std::vector<std::string> notes;       ///< one sentence each: what was done to the models after import
+  std::vector<std::string> repairs;     ///< one sentence for each fault that import mended
+  std::vector<std::string> notes;       ///< one sentence for each change of the models after import
 };
 
 }  // namespace throng::anim

@@ -11,7 +11,7 @@
 namespace throng::anim {
 namespace {
 
-/// Says what is wrong, or is empty.
+/// Names the first fault, or is empty.
 using Fault = std::string;
 
 Fault fault_of_bone(const Skeleton& skeleton, std::size_t index) {
@@ -97,7 +97,7 @@ Fault fault_of_rotations(const Track<glm::quat>& track) {
   return {};
 }
 
-/// A rigid skeleton's state has no scale: what its clips say of it is one number a bone.
+/// A rigid skeleton's state has no scale: its clips give one number a bone for it.
 Fault fault_of_rigid_scales(const Track<glm::vec3>& track) {
   const std::size_t step = values_a_key(track.interpolation);
   for (std::size_t i = step / 2; i < track.values.size(); i += step) {

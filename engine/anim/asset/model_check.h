@@ -5,8 +5,8 @@
 
 namespace throng::anim {
 
-/// Checks that a model is what its types say: every index names something, lists that belong together are of one
-/// length, every number is finite, keys ascend. What import returns always is; a model that a host makes or changes may
+/// Checks that a model keeps the promises of its types: every index names something, lists that belong together are of
+/// one length, every number is finite, keys ascend. Imported models always do; a model that a host makes or changes may
 /// not be. Errors: the first fault, by the name of the bone, clip or mesh.
 Status check_model(const Model& model);
 

@@ -22,7 +22,7 @@ struct MorphCurve {
 using MorphCurves = std::vector<MorphCurve>;
 
 /// Makes the curves of a clip whose time 0 is `start` seconds of the file. Leaves out morphs that stay at 0, and keeps
-/// one key of what stands still.
+/// one key of a weight that stands still.
 MorphCurves bake_morph_curves(const Clip& clip, double start);
 
 /// Adds `share` times the weights at `time` to `weights`, which are those of the character's morphs from `first` on.

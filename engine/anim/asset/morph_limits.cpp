@@ -124,7 +124,7 @@ std::string left_out(const std::vector<Morph>& morphs, const std::vector<double>
          " are kept; left out: " + names;
 }
 
-/// Returns how much the rest pose enlarges what is at a vertex, at most.
+/// Returns how much the rest pose enlarges the surface at a vertex, at most.
 double largest_scale(const glm::dmat4& entry) {
   const glm::dmat3 linear(entry);
   return std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});

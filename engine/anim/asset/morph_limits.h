@@ -16,7 +16,7 @@ inline constexpr std::size_t most_morphs = 64;
 /// that one could see were left out, or nothing.
 std::string limit_morphs(Model& model, std::size_t most = most_morphs);
 
-/// Returns, for each morph, the bone that holds most of what it moves: a mask counts for it as it does there.
+/// Returns, for each morph, the bone that holds most of its vertices: a mask counts for the morph as at this bone.
 std::vector<int> morph_bones(const Model& model);
 
 /// Returns how far from where it is posed morphs can move a vertex at most, in metres.

@@ -56,7 +56,7 @@ RootMotion motion_at(const RootCurve& curve, FineTicks position) {
 /// Returns the chord of an arc of half that angle over the arc's length.
 double chord_share(double half) { return std::abs(half) < 1e-8 ? 1.0 : sine(half) / half; }
 
-/// Scales what lies over the ground, and not the climb.
+/// Scales the motion over the ground, and not the climb.
 glm::dvec3 scaled_on_ground(const glm::dvec3& v, double scale) { return {v.x * scale, v.y, v.z * scale}; }
 
 }  // namespace

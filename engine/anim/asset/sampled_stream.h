@@ -15,7 +15,7 @@ inline constexpr int quad_lanes = 4 * quad_bones;
 /// The most steps that lie between two rows.
 inline constexpr int most_steps_between_rows = 32;
 
-/// What a component of 1 is as int16.
+/// A component of 1 as int16.
 inline constexpr float quantised_one = 32767.0F;
 
 /// The crowd's stream: one relocatable read-only block (paper 1.3), which can be loaded with one read.

@@ -16,7 +16,7 @@ struct BoneOrder {
 /// Orders bones level by level, the coarsest level first, parents before children, depth-first inside a level.
 ///
 /// `parents` has each bone's parent, below the bone's own index, or -1.
-/// `importance` says, in any unit, what is lost when a bone and all below it follow its parent (see bone_importance).
+/// `importance` is the error, in any unit, when a bone and all below it follow its parent (see bone_importance).
 /// A parent counts as at least as important as its children.
 /// A level ends where importance falls most near the size that it aims at. Equally important bones, such as the fingers
 /// of a hand, are therefore kept or dropped together. Bones of no importance, such as the handles of a rig, go first.

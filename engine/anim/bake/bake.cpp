@@ -32,7 +32,7 @@ namespace {
 
 // These limits are meant for a person of 1.8 m and scale with the character.
 constexpr double surface_error = 0.0002;  // metres: the bound of sampled streams
-constexpr double still_share = 0.2;       // of the bound: what tracks that hardly move may take of it
+constexpr double still_share = 0.2;       // of the bound: for tracks that hardly move
 constexpr double hopeless_step = 4.0;     // times the bound: no sampled stream comes near to such a step
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
 

@@ -14,7 +14,7 @@
 namespace throng::anim {
 namespace {
 
-// Exporters round bind matrices. What they round away shows less than streams do.
+// Exporters round bind matrices. Their rounding shows less than the streams' errors.
 constexpr double same_position = 1e-4;  // of the skeleton's size
 constexpr double same_turn = 1e-4;      // radians
 constexpr double same_number = 1e-4;    // of a number, or of 1

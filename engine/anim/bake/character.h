@@ -44,7 +44,7 @@ struct BakedClip {
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
   double stance_speed = 0.0;          ///< metres a second of the foot that stands; 0: no strides, or the clip travels
   AlignedBytes keyframe_block;
-  double keyframe_error = 0.0;  ///< metres: what still tracks and a turn taken out may move the surface by at most
+  double keyframe_error = 0.0;  ///< metres by which still tracks and a turn taken out move the surface at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
   double sampled_rate = 0.0;    ///< Hz
   double sampled_error = 0.0;   ///< metres, the largest measured on the surface proxy, `keyframe_error` included
@@ -91,13 +91,13 @@ struct Character {
 /// Returns why a system cannot play this character, in one sentence that lives as long as the program; null if it can.
 const char* fault_of(const Character& character);
 
-/// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on what import accepted. A
+/// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on an imported model. A
 /// model that check_model() refuses is a misuse: the character that comes of it has no bones, and no system takes it.
 Character bake_character(const Model& model, const BakeOptions& options = {});
 
 /// Returns the character that bake_character would make of `model`, which is the model of `character` in another order
-/// of its bones. Takes what no order changes from `character` and does not bake clips again. Reads only those keys of
-/// `model` that keep_surveyed_keys keeps.
+/// of its bones. Takes the data that no order changes from `character` and does not bake clips again. Reads only those
+/// keys of `model` that keep_surveyed_keys keeps.
 Character reorder_character(const Character& character, const Model& model, const BoneOrder& order);
 
 /// Returns the speed, in metres a second, at which the ground must pass under a character that plays `clip`, so that

@@ -16,7 +16,7 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double turn_error = 0.00001;  // metres of a person: what turned keys may be off in between
+constexpr double turn_error = 0.00001;  // metres of a person: the error of turned keys in between
 constexpr double usual_rate = 30.0;     // Hz, of keys on no grid
 constexpr int finest = 8;               // keys for each of before
 

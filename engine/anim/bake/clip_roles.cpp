@@ -152,7 +152,7 @@ RoleClips roles_of_clips(std::span<const std::string> clip_names) {
   RoleClips clips{};
   const auto clip_of = [&clips](Role role) -> int& { return clips[static_cast<std::size_t>(role)]; };
   for (const RoleWords& role : vocabulary()) clip_of(role.role) = plainest(names, role);
-  for (const Role gait : {Role::jog, Role::run, Role::shuffle}) {  // what stands in for a walk is no other gait
+  for (const Role gait : {Role::jog, Role::run, Role::shuffle}) {  // a clip that stands in for a walk is no other gait
     if (clip_of(gait) == clip_of(Role::walk)) clip_of(gait) = no_clip;
   }
   return clips;

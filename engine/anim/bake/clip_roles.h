@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// What a clip is played for.
+/// The purpose of a clip.
 enum class ClipRole : std::uint8_t {
   stand,
   look_around,
@@ -36,7 +36,7 @@ enum class ClipRole : std::uint8_t {
   take_picture,
   lean,
   sit_on_step,
-  carry,  // from here on for an arm, over what the rest of the body does
+  carry,  // from here on for an arm, over the motion of the body
   hold_up,
   hold_phone,
   lead,

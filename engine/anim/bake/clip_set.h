@@ -8,7 +8,7 @@
 namespace throng::anim {
 
 // Clips come and go as values: a character is never changed, and these functions make another one of it. Each may run
-// on any thread, while others play what it is given. A clip keeps its place, which is its number, as long as it is
+// on any thread, while crowds play its arguments. A clip keeps its place, which is its number, as long as it is
 // there. A place that is left is empty until a clip is added, and its generation tells the two apart.
 
 /// Returns the character `base` with the clips of `more`, which has the same skeleton (bake/bone_match.h) but may have
@@ -27,7 +27,7 @@ namespace throng::anim {
 Result<Character> with_clips(const std::shared_ptr<const Character>& base, std::shared_ptr<const Character> more);
 
 /// Returns the character `from` where the place of a clip is empty. Streams of the other clips are lent, as above, and
-/// what was measured stays, so bounds may be wider than needed. Errors: there is no such clip, or it is the last one.
+/// measured values stay, so bounds may be wider than needed. Errors: there is no such clip, or it is the last one.
 Result<Character> without_clip(const std::shared_ptr<const Character>& from, int clip);
 
 }  // namespace throng::anim

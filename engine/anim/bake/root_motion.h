@@ -28,7 +28,7 @@ RootCurve find_root_motion(const Skeleton& skeleton, const StateClip& clip, doub
 void take_root_motion(const Skeleton& skeleton, StateClip& clip, const glm::dvec3& travel);
 
 /// Returns the clip without the motion of a curve that turns. Root bones get linear keys, `step` seconds apart. `start`
-/// is the file's time at the curve's start. What rotates between keys while it turns is off by a little.
+/// is the file's time at the curve's start. A bone that rotates between keys while the root turns is off by a little.
 Clip without_root_motion(const Skeleton& skeleton, const Clip& clip, const RootCurve& curve, double start, double step);
 
 /// Returns the travel that was taken out of the tracks of a clip in place of such keys: 0 for curves that turn.

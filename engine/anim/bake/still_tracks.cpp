@@ -31,7 +31,7 @@ double farthest_from_first(const StateTrack& track) {
   return farthest;
 }
 
-/// Returns the pose of the first keys, but with every bone as large as it ever is: what a small scale hides at first
+/// Returns the pose of the first keys, but with every bone as large as it ever is: motion that a small scale hides
 /// may turn when it is large.
 StateClip at_its_largest(const StateClip& clip) {
   StateClip large{.duration = Ticks{}, .components = clip.components, .constants = clip.constants, .tracks = {}};

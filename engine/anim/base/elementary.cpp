@@ -16,7 +16,7 @@ double polynomial(const std::array<double, count>& terms, double x) {
   return sum;
 }
 
-/// Quarter turns, and what an angle has beyond them: an eighth of a turn at most, as a double and what it rounds away.
+/// Quarter turns, and the rest of an angle: an eighth of a turn at most, as a double and its rounding error.
 struct Reduced {
   int quarters = 0;
   double rest = 0.0;
@@ -42,7 +42,7 @@ Reduced reduced(double angle) {
   return {.quarters = static_cast<int>(quarters), .rest = rest, .below = nearly - rest + lost};
 }
 
-/// Taylor's series, to what a double holds. The sum of `x` and `below` is an eighth of a turn at most.
+/// Taylor's series, to the precision of a double. The sum of `x` and `below` is an eighth of a turn at most.
 double short_sine(double x, double below) {
   static constexpr std::array terms{
       -1.0 / 6.0,        1.0 / 120.0,        -1.0 / 5040.0,          1.0 / 362880.0,
@@ -130,7 +130,7 @@ double cube_root(double value) {
   int exponent = 0;
   double part = std::frexp(std::abs(value), &exponent);
   for (; exponent % 3 != 0; ++exponent) part *= 0.5;
-  double root = 0.46 + 0.57 * part;  // off by less than 7%, and Newton's steps square what it is off
+  double root = 0.46 + 0.57 * part;  // off by less than 7%, and Newton's steps square the error
   for (int i = 0; i < 5; ++i) root -= (root - part / (root * root)) / 3.0;
   return std::copysign(std::ldexp(root, exponent / 3), value);
 }

@@ -11,7 +11,7 @@ constexpr std::uint64_t mix_bits(std::uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
-/// Chains `next` to the hash of what came before it. The order matters.
+/// Chains `next` to the hash of all values before it. The order matters.
 constexpr std::uint64_t chain_hash(std::uint64_t before, std::uint64_t next) {
   return mix_bits(before * 0x9e3779b97f4a7c15ULL + next + 1);
 }

@@ -27,7 +27,7 @@ class MisuseListener {
   std::string reason_;
 };
 
-/// Tells the hook of a misuse. Returns false, which is what a call that was ignored returns.
+/// Tells the hook of a misuse. Returns false, as an ignored call does.
 bool report_misuse(const Misuse& misuse);
 
 /// Tells the hook of a misuse, and returns it as the error of the call.

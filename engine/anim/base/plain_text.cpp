@@ -42,7 +42,7 @@ struct Range {
   char32_t first, last;
 };
 
-/// Controls, marks of direction, and what is invisible, of Unicode 15. The joiners U+200C and U+200D are not among
+/// Controls, marks of direction, and invisible characters, of Unicode 15. The joiners U+200C and U+200D are not among
 /// them, because scripts and emoji need them.
 constexpr std::array unsafe{Range{0x00, 0x1F},     Range{0x7F, 0x9F},     Range{0xAD, 0xAD},
                             Range{0x61C, 0x61C},   Range{0x180E, 0x180E}, Range{0x200B, 0x200B},

@@ -6,8 +6,8 @@
 namespace throng::anim {
 
 /// Returns a text from a file or a command line as one line that every terminal, window and log shows as it stands.
-/// Line ends and tabs become spaces. U+FFFD replaces control characters, what turns the direction of writing, what is
-/// invisible, and bytes that are no UTF-8.
+/// Line ends and tabs become spaces. U+FFFD replaces control characters, marks that turn the direction of writing, what
+/// is invisible, and bytes that are no UTF-8.
 std::string plain_text(std::string_view text);
 
 /// Returns plain_text of a name, in quotation marks.

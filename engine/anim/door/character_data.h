@@ -31,7 +31,7 @@ struct CharacterData {
   std::shared_ptr<const CharacterBody> body;
 };
 
-/// Makes a character of a model that stands in its place, and of what was baked from it.
+/// Makes a character of a model that stands in its place, and of the model's baked data.
 Character make_character(anim::Model model, anim::Character baked, bool keep_meshes);
 
 }  // namespace throng::detail

@@ -30,7 +30,7 @@ struct CrowdCharacter {
   std::unique_ptr<OwnKinds> kinds;
 };
 
-/// The inside of a Crowd: an AnimationSystem, and what the door adds to it.
+/// The inside of a Crowd: an AnimationSystem, and the door's own data.
 struct CrowdParts {
   std::vector<CrowdCharacter>
       characters;  // [number] an empty one where no character has the number. They outlive the system.

@@ -130,7 +130,7 @@ struct EntityKind {
   std::size_t (*private_bytes_for)(int bone_count, int components) = nullptr;
   /// Its transforms are its own state from update to update, so its blocks are resident under every schedule.
   bool keeps_transforms = false;
-  /// Moves what the private part keeps of each bone to its new index (reorder_lanes.h), between updates. Null: it keeps
+  /// Moves the private part's values of each bone to its new index (reorder_lanes.h), between updates. Null: it keeps
   /// nothing by bone.
   void (*reorder_bones)(std::byte* block, const EntityLayout& layout, std::span<const int> places) = nullptr;
   std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
@@ -151,10 +151,10 @@ struct EntityKind {
   int whole_pose_work = 1;  ///< time of pose_whole as a multiple of a gaze's (CostModel::post_process)
   /// Quads whose positions it changes. Others have the positions of its only source. General skeletons ignore this.
   std::uint64_t displaced_quads = ~std::uint64_t{0};
-  /// Does what pose_whole does for up to widest_strip characters at once, to the same bits whatever the others are.
+  /// Does pose_whole for up to widest_strip characters at once. A character's bits do not depend on the others.
   /// Null: pose_whole is called for each.
   void (*pose_strip)(const PosedEntities& all) = nullptr;
-  /// Does what pose_packet does for up to widest_strip characters at once, in place.
+  /// Does pose_packet for up to widest_strip characters at once, in place.
   void (*pose_packets)(const PacketsJob& job) = nullptr;
 
   const void* resource = nullptr;  ///< read-only data of the kind for this skeleton, which outlives the pools

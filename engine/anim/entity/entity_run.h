@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// One source of each entity of a run. Their states lie in even steps, what they show lies side by side.
+/// One source of each entity of a run. Their states lie in even steps, their shown clips side by side.
 struct SourceRow {
   const std::byte* first;
   std::size_t stride;       ///< bytes to the source of the next entity; 0: all entities read the same source
@@ -58,7 +58,7 @@ using ShowClips = ShownClips (*)(const EntityInStore& entity, const SourcesInSto
 
 /// Makes an EntityKind::advance of a function that advances one entity. `show`, for kinds whose pose may be clips
 /// alone, returns the clips that pose_packet would show. Both are template arguments, so that the compiler inlines
-/// them: a call takes as long as what they do.
+/// them: a call takes as long as their work.
 template <AdvanceEntity advance, ShowClips show = nullptr>
 void advance_each(const EntityRun& shared) {
   const EntityRun run = shared;  // a copy, since the compiler reads the original again after every store

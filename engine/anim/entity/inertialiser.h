@@ -27,7 +27,7 @@ struct alignas(64) Inertialiser {
   Ticks since_capture;         // 104
   float half_life;             // 112  seconds in which an offset halves
   float old_half_life;         // 116  half-life of the old offset, which decays until a new one is captured
-  Capture capture;             // 120  what the next update does
+  Capture capture;             // 120  the work of the next update
   std::uint16_t settled;       // 124  1 between the two updates of a capture, in which the old offset does not decay
   std::uint16_t captured;      // 126  packets that have offsets; a finer level that comes later has more packets
 };

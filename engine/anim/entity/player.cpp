@@ -54,7 +54,7 @@ void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, dou
   }
 }
 
-/// Resets what every update changes in a state: its delta time and its velocities.
+/// Resets the parts of a state that every update changes: its delta time and its velocities.
 void clear_motion(AnimationStateHeader& state) {
   constexpr std::size_t bytes = sizeof(state) - identity_bytes;
   std::memset(reinterpret_cast<std::byte*>(&state) + identity_bytes, 0, bytes);

@@ -11,7 +11,7 @@ namespace throng::anim {
 
 /// A place on a skeleton to which something is attached: a sword in a hand, a camera on a head.
 struct SocketPlace {
-  JointChain chain;                        ///< its tip is the joint that carries what is attached
+  JointChain chain;                        ///< its tip is the joint that carries the attachment
   glm::quat bind{1.0F, 0.0F, 0.0F, 0.0F};  ///< rotation of that joint in the bind pose, model space
   JointMotion offset{};                    ///< from the joint to the attachment, in the joint's own frame
 };

@@ -19,7 +19,7 @@ using anim::Interpolation;
 using anim::Track;
 
 constexpr std::size_t bytes_a_channel = 512;  // beside its keys
-constexpr float largest_weight = 1e4F;        // what is beyond would move a surface out of sight
+constexpr float largest_weight = 1e4F;        // a larger one would move a surface out of sight
 
 /// The keys of a sampler, before their property is known.
 struct Keys {

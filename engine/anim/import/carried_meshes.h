@@ -13,7 +13,7 @@ namespace throng::import {
 ///
 /// A mesh belongs to the skeleton whose parts hang below the same nodes, else to the nearest, but only if it lies
 /// beside that skeleton's body in the rest pose and is not much larger. Anything else is the scenery of a whole scene,
-/// which a crowd of characters must not carry along; a repair names what is left out.
+/// which a crowd of characters must not carry along; a repair names it.
 std::vector<std::vector<int>> find_carried_meshes(Document& document, const NodeTree& tree,
                                                   const std::vector<FileSkin>& skins,
                                                   const std::vector<std::vector<int>>& groups);

@@ -31,7 +31,7 @@ struct MeshLodNode {
   double error = 0.0;  ///< metres
 };
 
-/// Holds what a node says of the part that it draws (see json_document.h).
+/// Holds a node's extras about the part that it draws (see json_document.h).
 struct PartNode {
   std::string slot, body;
   std::vector<std::string> covers, keeps_out, tags;

@@ -16,7 +16,7 @@ inline constexpr std::size_t bytes_of_tangents = 16 * sizeof(double);
 /// 3.7.2.1: without normals flat normals, and no tangents of the file).
 void shade_flat(anim::SkinnedMesh& mesh);
 
-/// Says of each palette entry whether it mirrors what it moves in the rest pose.
+/// Says of each palette entry whether it mirrors its vertices in the rest pose.
 std::vector<bool> mirrored_entries(const anim::Skeleton& skeleton);
 
 /// Turns the triangles over that the palette mirrors, so that their front is counter-clockwise once they are drawn.

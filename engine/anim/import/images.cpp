@@ -31,7 +31,7 @@ void scale_into(std::uint64_t share, anim::Image& image, const std::string& name
                     " pixels, because the images of its file would take too much memory; --memory-limit allows more");
 }
 
-/// Decodes within what the account allows, and charges it with the pixels.
+/// Decodes within the account's limit, and charges the account with the pixels.
 anim::Result<anim::Image> decode_within_account(Document& document, Bytes bytes, const std::string& name) {
   MemoryAccount& memory = *document.memory;
   const std::uint64_t budget = memory.decoder_memory();
@@ -54,7 +54,7 @@ anim::Image image_of(const anim::Result<anim::Image>& decoded) {
   return *decoded;
 }
 
-/// The bytes of an image, and what stands for them: it is equal for images with equal bytes.
+/// The bytes of an image, and their place, which is equal for images that share them.
 struct EncodedImage {
   std::string place;
   std::filesystem::path file;  ///< where they are read; none for a data URI

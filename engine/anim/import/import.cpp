@@ -92,7 +92,7 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
   return file;
 }
 
-/// Makes an error of one line, whatever names the file holds.
+/// Makes an error of one line of any names of the file.
 anim::Error error_of(const std::string& path, const std::string& reason) {
   return {anim::plain_text(path + ": " + reason)};
 }

@@ -9,7 +9,7 @@
 namespace throng::import {
 
 struct ImportOptions {
-  bool strict = false;  ///< refuses what would be repaired or left out, and links that lead out of the model's folder
+  bool strict = false;             ///< refuses repairs and omissions, and links that lead out of the model's folder
   std::uint64_t memory_limit = 0;  ///< bytes that it may hold at a time; 0: as memory/memory_account.h says
 };
 
@@ -17,8 +17,8 @@ struct ImportOptions {
 /// the object and what to do.
 /// Reads files only below the model's own folder, and where symbolic links in it lead.
 /// Names and messages are plain text (plain_text.h), whatever the file holds.
-/// Never throws, crashes or hangs on any input. What would hold more than 64 MB and four times the files is refused
-/// before it is taken. Images may hold 1 GB besides, into which they are scaled down, and JSON 256 MB
+/// Never throws, crashes or hangs on any input. More memory than 64 MB and four times the files is refused before
+/// it is taken. Images may hold 1 GB besides, into which they are scaled down, and JSON 256 MB
 /// (memory/README.md).
 anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 

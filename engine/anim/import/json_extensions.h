@@ -8,11 +8,11 @@
 namespace throng::import {
 
 /// Refuses a document that requires an extension without which its shape or motion would be another one. An extension
-/// that changes only how light falls on it, or what import does not read, is taken, and `repairs` says so.
+/// that changes only how light falls on it, or parts that import does not read, is taken and reported in `repairs`.
 /// Throws Refusal.
 void check_required_extensions(const nlohmann::json& document, std::vector<std::string>& repairs);
 
-/// Leaves out what only an extension that import does not know can say, where the file does not require it: channels
+/// Leaves out values that only an extension unknown to import explains, if the file does not require it: channels
 /// whose path (KHR_animation_pointer) or interpolation is none of glTF's, and alpha modes. `repairs` names each.
 /// Values that no extension explains stay, and check_json refuses them. Does not throw: `document` may hold anything.
 void leave_out_unknown_values(nlohmann::json& document, std::vector<std::string>& repairs);

@@ -26,7 +26,7 @@ std::string number_text(double number) {
 
 /// A rotation of length 0 stays, and is refused later.
 void normalise_rotation(json& node, const std::string& name, std::vector<std::string>& repairs) {
-  constexpr double tolerance = 5e-3;  // what rounding to three digits is off by
+  constexpr double tolerance = 5e-3;  // the error of rounding to three digits
   const auto rotation = node.find("rotation");
   if (rotation == node.end()) return;
   double largest = 0.0, squares = 0.0;

@@ -34,7 +34,7 @@ class MaterialCollector {
 
   const anim::Material& at(int material) const { return materials_[static_cast<std::size_t>(material)]; }
 
-  /// Returns what the textures of a material of the model read, by anim::Texture::coords.
+  /// Returns the coordinates that a material's textures read, by anim::Texture::coords.
   std::span<const CoordsSource> coords(int material) const { return coords_[static_cast<std::size_t>(material)]; }
 
   std::vector<anim::Material> take_materials() { return std::move(materials_); }

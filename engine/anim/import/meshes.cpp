@@ -93,7 +93,7 @@ class MeshReader {
     return part;
   }
 
-  /// Makes what no part is a part that is always worn, and adds the first part of each slot to the meshes.
+  /// Makes meshes outside of parts a part that is always worn, and adds the first part of each slot to the meshes.
   static void add_first_parts(Surfaces& surfaces) {
     std::set<std::string> filled;
     const std::string body = surfaces.parts.front().body;
@@ -223,7 +223,7 @@ class MeshReader {
     }
   }
 
-  /// Returns what it keeps.
+  /// Returns the bytes that it keeps.
   std::uint64_t add(anim::SkinnedMesh result, Influences influences, int mesh, const std::string& name) {
     if (result.indices.empty()) return 0;
     result.name = document_.gltf.meshes[static_cast<std::size_t>(mesh)].name;

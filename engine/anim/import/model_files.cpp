@@ -27,7 +27,7 @@ std::string in_quotes(std::string_view uri) {
   return quoted + '"';
 }
 
-/// A way to read a uri as a file's name, and what is odd about it.
+/// A way to read a uri as a file's name, and its oddity.
 struct Reading {
   std::string name;
   std::string oddity;
@@ -73,7 +73,7 @@ bool has_scheme(std::string_view uri) {
                              [](unsigned char c) { return std::isalnum(c) != 0 || c == '+' || c == '.' || c == '-'; });
 }
 
-/// Refuses names that lead out of a folder, whatever lies there.
+/// Refuses names that lead out of a folder, even where a file is there.
 void check_name(const std::string& name, const std::string& shown) {
   if (name.find('\0') != std::string::npos) throw Refusal("its uri holds a zero byte; rename the file");
   if (equal_without_case(name.substr(0, 4), "http")) {
@@ -166,7 +166,7 @@ std::optional<Found> find_by_reading(const std::vector<fs::path>& folders, const
   return std::nullopt;
 }
 
-/// Says what stands where the file should be.
+/// Names the thing in the place of the file.
 [[noreturn]] void refuse_missing(const std::vector<fs::path>& folders, const std::string& name) {
   for (const fs::path& folder : folders) {
     std::error_code error;

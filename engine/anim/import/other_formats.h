@@ -7,8 +7,8 @@
 
 namespace throng::import {
 
-/// Returns what a file that is no glTF is, and the way to a glTF, as the end of a sentence: "it is an FBX file; ...".
-/// The first bytes decide, and the ending of the name where they say nothing. Empty where neither is known.
+/// Names the format of a file that is no glTF, and the way to a glTF, as the end of a sentence: "it is an FBX file;
+/// ...". The first bytes decide, and the ending of the name where they say nothing. Empty where neither is known.
 std::string describe_other_format(std::span<const std::byte> bytes, const std::filesystem::path& path);
 
 }  // namespace throng::import

@@ -13,7 +13,7 @@ namespace {
 /// Leaves room for the products that posing makes of two such numbers.
 constexpr double furthest = 1e18;
 
-/// The most that a node's transform moves and stretches what hangs below it.
+/// The most that a node's transform moves and stretches the nodes below it.
 struct Reach {
   double distance = 0.0;
   double stretch = 1.0;

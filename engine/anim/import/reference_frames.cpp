@@ -25,7 +25,7 @@ struct RigidCandidate {
 };
 
 // Exporters of 32-bit floats are off by less (4e-5 in the worst of twenty characters), and no scale is so small
-// on purpose. shows_the_same then measures what the rounding really changes.
+// on purpose. shows_the_same then measures the real effect of the rounding.
 constexpr double rounding = 1e-4;
 constexpr double scale_key_rounding = 2e-5;
 

@@ -284,7 +284,7 @@ std::vector<FileSkin> skin_animated_nodes(const Document& document, const NodeTr
   }
   const auto parent_of = [&](std::size_t node) { return tree.parents[node]; };
   leads = moves;
-  for (std::size_t i = nodes; i-- > 0;) {  // what has a moving node below it
+  for (std::size_t i = nodes; i-- > 0;) {  // a node with a moving node below it
     const auto node = static_cast<std::size_t>(tree.parents_first[i]);
     if (leads[node] && parent_of(node) >= 0) leads[static_cast<std::size_t>(parent_of(node))] = true;
   }

@@ -24,8 +24,8 @@ struct MetallicRoughness {
   float roughness = 1.0F;
 };
 
-/// Returns what looks the same, as far as light goes: diffuse and mirrored light are kept where a dielectric that
-/// mirrors 4%, a metal, or a mixture of them has such (Khronos, "Specular-Glossiness to Metallic-Roughness").
+/// Returns the point that looks alike, as far as light goes: diffuse and mirrored light are kept where a dielectric
+/// that mirrors 4%, a metal, or a mixture of them has such (Khronos, "Specular-Glossiness to Metallic-Roughness").
 MetallicRoughness to_metallic_roughness(const SpecularGlossiness& point);
 
 /// Two images of the same size. They replace the image of diffuse colour and that of specular colour and glossiness.

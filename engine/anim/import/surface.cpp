@@ -138,7 +138,7 @@ class SurfaceReader {
     }
   }
 
-  /// Keeps what a target does to those vertices that it moves. Most targets move few. Returns what they take in a
+  /// Keeps the deltas of the vertices that a target moves. Most targets move few. Returns what they take in a
   /// vector that grows.
   std::uint64_t keep_deltas(std::uint32_t morph, const std::vector<glm::vec3>& offsets,
                             const std::vector<glm::vec3>& turns) {
@@ -234,7 +234,7 @@ class SurfaceReader {
     }
   }
 
-  /// Reads what an instance may vary. Drawing stores it in bytes, so values are clamped to -1..1.
+  /// Reads the attributes by which instances vary. Drawing stores it in bytes, so values are clamped to -1..1.
   void read_variations() {
     mesh_.shapes = read_attribute<glm::vec3>("_SHAPE", TINYGLTF_TYPE_VEC3, float_or_small);
     for (glm::vec3& shape : mesh_.shapes) shape = glm::clamp(shape, -1.0F, 1.0F);

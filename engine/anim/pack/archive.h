@@ -115,7 +115,7 @@ class PackWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads tables back. Bytes that end early, or counts that are too large for them, leave what is read empty, and fail.
+/// Reads tables back. Bytes that end early, or counts that are too large for them, leave the value empty, and fail.
 class PackReader {
  public:
   /// `section` begins at a multiple of anim::block_alignment; `lender` keeps it.

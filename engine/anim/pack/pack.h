@@ -18,7 +18,7 @@
 
 namespace throng::pack {
 
-/// Holds what was done to a model before it was baked, in this order: it was turned forward (anim::face_forward),
+/// Holds the changes of a model before it was baked, in this order: it was turned forward (anim::face_forward),
 /// placed and, where a person chose another order of its bones, reordered.
 struct Preparation {
   anim::GuessedPlacement placement;
@@ -59,7 +59,7 @@ bool is_pack(const std::string& path);
 /// Says where the bytes of a pack lie while it is used.
 enum class PackBytes : unsigned char {
   mapped,  ///< in the file; another program replaces it by renaming a file to its name, and ends this one if it cuts it
-  copied   ///< in memory of their own, whatever becomes of the file
+  copied   ///< in memory of their own; the file may change
 };
 
 /// Everything that baking makes of the models of one or several files, in one file. Its bytes stay where they are as
@@ -67,8 +67,8 @@ enum class PackBytes : unsigned char {
 class Pack {
  public:
   /// Opens a pack and checks every byte of it. The error is one sentence with the file and what to do: it is cut short
-  /// or damaged, or another version or another machine made it. A pack is trusted as a program is: what was made to
-  /// deceive, with a checksum that fits, is not found out.
+  /// or damaged, or another version or another machine made it. A pack is trusted as a program is: a pack that was made
+  /// to deceive, with a checksum that fits, is not found out.
   static anim::Result<Pack> open(const std::string& path, PackBytes bytes = PackBytes::mapped);
 
   std::size_t file_count() const { return files_.size(); }
@@ -80,7 +80,7 @@ class Pack {
 
   /// Returns a baked character, ready to play. Its streams lie in the pack.
   anim::Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
-  /// Returns a baked character, with what was done to its model.
+  /// Returns a baked character, with the changes of its model.
   anim::Result<BakedModel> baked(std::size_t file, std::size_t model) const;
   /// Returns the model that a character was baked from: with its size, its place and its order of bones, and those keys
   /// alone that anim::keep_surveyed_keys keeps. Its texels lie in the pack.

@@ -63,7 +63,7 @@ constexpr std::size_t block_after(std::size_t size) {
   return (size + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment;
 }
 
-/// Raise it when what bytes mean changes while their layout stays.
+/// Raise it when the meaning of bytes changes while their layout stays.
 inline constexpr std::uint32_t pack_version = 3;
 
 /// Returns the XXH3 of bytes that follow others, whose checksum `before` is.
@@ -85,7 +85,7 @@ std::vector<std::byte> join_sections(std::span<const SectionBytes> sections, std
 bool begins_a_pack(std::string_view bytes);
 
 /// Checks every byte of a pack, and returns the table of its sections, which lie within it. `pack` is 64-byte aligned.
-/// The error says what is wrong with it and what to do, without its name.
+/// The error names its fault and what to do, without its name.
 anim::Result<std::span<const Section>> check_sections(std::span<const std::byte> pack, std::uint64_t layout);
 
 }  // namespace throng::pack

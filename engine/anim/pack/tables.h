@@ -71,7 +71,7 @@ void describe(Archive& archive, T& clip) {
           clip.curves);
 }
 
-// These functions describe skins, surfaces and what they show.
+// These functions describe skins, surfaces, their images and materials.
 
 template <typename Archive, Same<anim::Skin> T>
 void describe(Archive& archive, T& skin) {

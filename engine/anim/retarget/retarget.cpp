@@ -14,7 +14,7 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double longest_step = 1.0 / 30.0;  // seconds between keys: what is solved in between is not linear
+constexpr double longest_step = 1.0 / 30.0;  // seconds between keys: solved poses in between are not linear
 
 /// Adds the times of a track, and for each step of it the instant before.
 template <typename Value>

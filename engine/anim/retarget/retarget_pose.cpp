@@ -53,7 +53,7 @@ class PoseRetargeter {
   }
 
  private:
-  /// What a bone is to be in model space; what is not wanted follows from the bone above.
+  /// The wanted motion of a bone in model space; the rest follows from the bone above.
   struct Wanted {
     std::optional<glm::dquat> rotation;
     std::optional<glm::dvec3> place;

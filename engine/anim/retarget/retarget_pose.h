@@ -9,7 +9,7 @@
 namespace throng::anim {
 
 /// Poses a skeleton as `source`, a pose of the other skeleton of the plan, is posed. `locals` has one a bone: on entry
-/// the rest transforms, on return the pose. A bone that follows no bone keeps what it has.
+/// the rest transforms, on return the pose. A bone that follows no bone keeps its rest transform.
 void retarget_pose(const RetargetPlan& plan, const Skeleton& skeleton, const BodyPose& source,
                    std::span<StateTransform> locals);
 

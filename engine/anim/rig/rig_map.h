@@ -15,8 +15,8 @@ struct RigMap {
   int at(BodyRole role) const { return bones[index_of(role)]; }
 };
 
-/// Finds the parts of a skeleton. What the file or a person says (Bone::role) counts as it is. The limbs say the rest,
-/// and names alone where a limb is incomplete. `chest` is the bone that carries both arms, unless said otherwise.
+/// Finds the parts of a skeleton. A role of the file or of a person (Bone::role) counts as it is. The limbs say the
+/// rest, and names alone where a limb is incomplete. `chest` is the bone that carries both arms, unless said otherwise.
 RigMap find_rig(const Skeleton& skeleton);
 
 }  // namespace throng::anim

@@ -74,7 +74,7 @@ LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDe
           .scratch_bytes = std::max(EntityTasks::scratch_bytes, PaletteTasks::scratch_bytes(context, width))};
 }
 
-// The tile is as wide as the largest skeleton allows; under `fused` others get what fits beside, down to one character.
+// The tile is as wide as the largest skeleton allows; under `fused` others get as many characters as fit, at least 1.
 LocalStorePlan plan_for_width(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width) {
   const auto bones = [](const UpdateContext& context) { return context.assets.bone_count; };
   const auto largest = std::ranges::max_element(contexts, {}, bones);
@@ -134,7 +134,7 @@ Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts,
     // Of usual graphs, too, where most of the store is still left to scratch.
     if (most_strips * plan.all_fetch_bytes() <= size / 4) plan.fetch_bytes *= most_strips;
   }
-  // Held strips are as wide as scratch allows, so they have what is left.
+  // Held strips are as wide as scratch allows, so they get the rest.
   plan.scratch_bytes = (size - plan.all_fetch_bytes()) / 64 * 64;
   return plan;
 }

@@ -57,7 +57,7 @@ bool PuThreads::start(int pu) {
 
 PuThreads::~PuThreads() {
   if (!are_here()) {
-    // What names a thread of another process can neither be joined nor destroyed.
+    // The handle of another process's thread can neither be joined nor destroyed.
     for (std::thread& thread : threads_) std::construct_at(&thread);
     return;
   }
@@ -80,7 +80,7 @@ void PuThreads::run(int count, Job job) {
   running_.store(static_cast<std::uint32_t>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   wake_sleepers(round_);
-  // If memory runs out here, the others still work on what would be taken away.
+  // If memory runs out here, the others still work on data that would be taken away.
   struct AllDone {
     ~AllDone() { threads.wait_for_all(); }
     const PuThreads& threads;

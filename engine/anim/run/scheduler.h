@@ -24,7 +24,7 @@ struct ScheduleOptions {
   int pus = 1;
   CostModel cost{};
   StorePolicy stores = StorePolicy::prefetched;
-  Tracing trace = Tracing::on;                              ///< what each PU does is recorded, span by span
+  Tracing trace = Tracing::on;                              ///< the work of each PU is recorded, span by span
   BlockChanges block_changes = BlockChanges::written_back;  ///< only for `fused`; `levels` writes all back
 };
 
@@ -65,7 +65,7 @@ class Scheduler {
   /// Makes room for so many agents, so that update() does not allocate.
   void reserve(std::size_t agents);
 
-  /// Sets what traces keep, and makes room for updates of so many agents.
+  /// Sets the detail of traces, and makes room for updates of so many agents.
   void record_trace(Tracing tracing, std::size_t agents);
 
   /// Sets how palettes are written from the next update on.

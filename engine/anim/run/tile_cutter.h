@@ -13,7 +13,7 @@
 
 namespace throng::anim {
 
-/// Cuts the work of a frame into tiles, and tiles into shares for PUs, by what they are predicted to cost (paper 3.2).
+/// Cuts the work of a frame into tiles, and tiles into shares for PUs, by their predicted cost (paper 3.2).
 class TileCutter {
  public:
   /// Makes room for so many agents, so that cut() does not allocate.

@@ -39,7 +39,7 @@ struct RestBox {
 struct Room {
   glm::dvec3 size{0.0};  ///< of its poses, on average
   glm::dvec3 middle{0.0};
-  double lowest = 0.0;  ///< of what stands: the median over its poses, for a toe may dip below the ground for a moment
+  double lowest = 0.0;  ///< of standing points: the median over poses, for a toe may dip below the ground for a moment
   double top = -std::numeric_limits<double>::infinity();
 };
 
@@ -144,7 +144,7 @@ class ExtentSurvey {
   const Model& model_;
   glm::dquat upright_;
   SurfacePoints points_;
-  std::vector<bool> stands_;  // [point] it belongs to what the character stands on
+  std::vector<bool> stands_;  // [point] the character stands on it
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-inline constexpr double tall_person = 1.8;  ///< metres: what is chosen for people is meant for this height
+inline constexpr double tall_person = 1.8;  ///< metres: constants for people are meant for this height
 
 /// The room that a model takes in its file, measured over the poses of its clips, or in its rest pose where it has no
 /// clips. Units are the file's; +Y is up.

@@ -15,11 +15,11 @@ enum class UpAxis : unsigned char { x, y, z, minus_x, minus_y, minus_z };
 /// reaches below it.
 enum class GroundRule : unsigned char { guess, file, feet };
 
-/// Says what becomes of a size that a file probably has. `kept` leaves it. `among_people` brings a model that is too
+/// Says how the probable size of a file is changed. `kept` leaves it. `among_people` brings a model that is too
 /// small or too large for a place that is made for people to a size that fits there.
 enum class SizeRule : unsigned char { kept, among_people };
 
-/// Holds what a person asks about a model's size and place. The rest is guessed.
+/// Holds a person's wishes for a model's size and place. The rest is guessed.
 struct PlacementChoice {
   std::optional<double> scale = std::nullopt;  ///< metres a unit of the file, above 0
   UpAxis up = UpAxis::y;
@@ -33,12 +33,12 @@ struct GuessedPlacement {
   Placement placement;
   double height = 0.0;                  ///< metres; 0 for a model without extent
   bool is_plain = true;                 ///< the file is in metres and stands on its origin, so that nothing was changed
-  PlacementChoice choice{};             ///< what was asked for
+  PlacementChoice choice{};             ///< the person's wishes
   std::optional<ModelExtent> extent{};  ///< in units of the file, turned upright; none for a model without extent
   std::string reasons{};  ///< one sentence for people, plain or not: "1.76 m tall: taken as centimetres, ..."
 };
 
-/// These sizes fit among people, in metres: the height of what stands upright, the largest side of anything else.
+/// These sizes fit among people, in metres: the height of an upright model, the largest side of any other.
 inline constexpr double least_among_people = 0.25, tallest_among_people = 3.0, longest_among_people = 4.0;
 
 /// Returns the metres a unit of the file that a model of that size, in units of its file, is taken to have.

@@ -6,7 +6,7 @@ using namespace throng::c;  // NOLINT: functions of C have no namespace
 
 throng_crowd* throng_crowd_create(const throng_character* character, uint32_t pus, uint32_t hashes) {
   if (is_missing(character, "throng_crowd_create")) return nullptr;
-  constexpr std::uint32_t too_many = 1'000'000;  // whatever is more would not fit the option
+  constexpr std::uint32_t too_many = 1'000'000;  // more would not fit the option
   Result<Crowd> made =
       Crowd::create(character->own, {.pus = static_cast<int>(std::min(pus, too_many)), .hash = hashes != 0});
   if (made) return make<throng_crowd>(std::move(*made));

@@ -41,7 +41,7 @@ class HeadReader {
     throw Refusal("its Draco mesh has a number that does not end");
   }
 
-  /// Skips entries by name, and what is nested below them.
+  /// Skips entries by name, and the entries nested below them.
   void skip_metadata(int depth) {
     if (depth > max_metadata_depth) throw Refusal("the metadata of its Draco mesh are nested too deep");
     for (std::uint64_t left = number(); left > 0; --left) {

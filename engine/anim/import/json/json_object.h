@@ -55,7 +55,7 @@ class JsonObject {
   /// Returns the members of an object; none where there is no object.
   std::span<const Json::Member> members(std::string_view key) const;
 
-  /// Complains that the member must be what is expected.
+  /// Complains that the member must be `expected`.
   void wrong(std::string_view key, std::string_view expected) const;
   /// Complains with this end of a sentence.
   void complain(std::string_view what) const;

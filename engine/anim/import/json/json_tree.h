@@ -63,7 +63,7 @@ class JsonTreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       return tree.size();
     }
   }
-  // A parent keeps its place while its children are built: nothing is added to what is around it meanwhile.
+  // A parent keeps its place while its children are built: nothing is added to its own parent meanwhile.
   Tree& place(Tree value) {
     if (parents_.empty()) return root_ = std::move(value);
     Tree& parent = *parents_.back();

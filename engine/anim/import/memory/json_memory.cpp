@@ -3,7 +3,7 @@
 namespace throng::import {
 namespace {
 
-// These are bytes, with what the heap adds.
+// These are bytes, with the heap's overhead.
 constexpr std::uint64_t an_object = 64;
 constexpr std::uint64_t an_array = 48;
 constexpr std::uint64_t a_member = 112;   // a node of a tree, with a short key and a value

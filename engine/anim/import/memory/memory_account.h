@@ -10,7 +10,7 @@ namespace throng::import {
 inline constexpr std::uint64_t basic_memory = 64'000'000;  ///< bytes, however small the file is
 inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of the files that it names
 
-// Images and JSON are packed far more densely than all else. What they take up to here does not count; a flat PNG of
+// Images and JSON are packed far more densely than all else. Their memory up to here does not count; a flat PNG of
 // 4096 pixels squared takes 67 MB, and may have 15 KB.
 inline constexpr std::uint64_t most_free_image_memory = 1'000'000'000;  ///< bytes of pixels, all images together
 inline constexpr std::uint64_t most_decoder_memory = 1'000'000'000;     ///< bytes, of one image at a time
@@ -28,7 +28,7 @@ class MemoryRefusal : public std::runtime_error {
 /// Counts the bytes that one import holds. Code that takes memory on a file's word charges it here first.
 class MemoryAccount {
  public:
-  /// `limit` is in bytes. 0 stands for basic_memory and what the files allow, and then images and JSON count as above.
+  /// `limit` is in bytes. 0 stands for basic_memory and the files' share, and then images and JSON count as above.
   explicit MemoryAccount(std::uint64_t limit = 0);
 
   /// Counts the bytes of a file, which may allow more. Call it once a file, before it is read. Throws MemoryRefusal.
@@ -38,23 +38,23 @@ class MemoryAccount {
   void charge(std::uint64_t bytes, const std::string& object);
   void release(std::uint64_t bytes) { held_ -= bytes; }
 
-  /// Counts bytes that stay to the end, whatever scope is open. Throws MemoryRefusal likewise.
+  /// Counts bytes that stay to the end, in any scope. Throws MemoryRefusal likewise.
   void charge_for_good(std::uint64_t bytes, const std::string& object);
 
   /// Returns how many bytes the pixels of an image may keep that is the first of `images`, so that each has its share.
   std::uint64_t image_share(std::uint64_t encoded, std::size_t images) const;
   /// Returns how many bytes the decoder of an image may hold for a while, the pixels among them.
   std::uint64_t decoder_memory() const;
-  /// Counts what decoders made, whether or not it is kept. Throws MemoryRefusal where images made too much before.
+  /// Counts decoded pixels, kept or not. Throws MemoryRefusal where earlier images had too many.
   void count_decoded(std::uint64_t bytes, const std::string& object);
-  /// Counts the pixels of an image, which stay to the end. What is left of the allowance of images is taken first.
+  /// Counts the pixels of an image, which stay to the end. The rest of the images' allowance is taken first.
   /// Throws MemoryRefusal.
   void charge_for_image(std::uint64_t bytes, const std::string& object);
 
-  /// Returns what JSON of so many bytes may take without being counted.
+  /// Returns the bytes that JSON of so many bytes may take without being counted.
   std::uint64_t json_allowance(std::uint64_t text) const;
 
-  std::uint64_t held() const { return held_; }  ///< without what was charged for good
+  std::uint64_t held() const { return held_; }  ///< without the bytes that were charged for good
   std::uint64_t left() const { return held_ + for_good_ < limit_ ? limit_ - held_ - for_good_ : 0; }
 
   /// Refuses an object that needs so many bytes, and may take `free` more than are left.
@@ -68,7 +68,7 @@ class MemoryAccount {
   std::uint64_t decoded_ = 0;
 };
 
-/// Gives back what is charged while it lives, but for what is kept.
+/// Gives back the bytes that are charged while it lives, except kept bytes.
 class MemoryScope {
  public:
   explicit MemoryScope(MemoryAccount& account) : account_(account), rest_(account.held()) {}
@@ -83,7 +83,7 @@ class MemoryScope {
 
  private:
   MemoryAccount& account_;
-  std::uint64_t rest_;  // what stays held
+  std::uint64_t rest_;  // bytes that stay held
 };
 
 }  // namespace throng::import

@@ -23,16 +23,16 @@ std::uint64_t bytes_of(const anim::Track<Value>& track) {
 std::uint64_t bytes_of(const anim::SkinnedMesh& mesh);
 
 // The next two return twice as much, because import copies a skeleton to try whether it is rigid.
-/// Returns what a skeleton takes in vectors that grow; `meshes` are those without skin that it carries.
+/// Returns the bytes of a skeleton in vectors that grow; `meshes` are the meshes without skin that it carries.
 std::uint64_t skeleton_memory(std::uint64_t bones, std::uint64_t meshes);
-/// Returns what a skin takes, with its entries of the palette.
+/// Returns the bytes of a skin, with its entries of the palette.
 std::uint64_t skin_memory(std::uint64_t joints);
 
-/// Returns what a clip takes beside its tracks.
+/// Returns the bytes of a clip beside its tracks.
 std::uint64_t clip_memory(const std::string& name, const std::vector<anim::NamedDataKey>& data_keys,
                           const std::vector<anim::NamedCurve>& curves);
 
-/// Returns what a mesh without normals may take once each of its corners has a vertex of its own, with what is needed
+/// Returns the most bytes of a mesh without normals once each of its corners has a vertex of its own, with all bytes
 /// on the way.
 std::uint64_t flat_mesh_memory(const anim::SkinnedMesh& mesh);
 

@@ -14,9 +14,9 @@ struct OverBudget {
   std::uint64_t bytes = 0;
 };
 
-/// Decodes an image by what its bytes are, PNG, JPEG or WebP, whatever its name says. The decoder holds no more than
-/// `budget` bytes at a time, the pixels among them, and no more than an image of such sides needs. The error is a part
-/// of a sentence: "its WebP does not decode". Throws OverBudget.
+/// Decodes an image by the format of its bytes, PNG, JPEG or WebP, whatever its name says. The decoder holds no more
+/// than `budget` bytes at a time, the pixels among them, and no more than an image of such sides needs. The error is a
+/// part of a sentence: "its WebP does not decode". Throws OverBudget.
 anim::Result<anim::Image> decode_image(std::span<const std::byte> bytes, std::uint64_t budget);
 
 // decode_image() calls one of these.

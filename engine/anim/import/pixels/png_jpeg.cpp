@@ -15,7 +15,7 @@ namespace {
 struct DecoderHeap {
   std::uint64_t budget = 0;
   std::uint64_t held = 0;
-  std::uint64_t refused = 0;  ///< what it would have held when it was refused; 0: it never was
+  std::uint64_t refused = 0;  ///< the bytes with the refused block; 0: no block was refused
 };
 
 thread_local DecoderHeap* decoder_heap = nullptr;  // none: pixels are freed long after their image was decoded

@@ -11,9 +11,9 @@ namespace throng::anim {
 namespace {
 
 constexpr float shortest_chain = 1e-6F;         // metres
-constexpr float straight_within = 1e-3F;        // of the chain's length: what lies no farther from a line is on it
+constexpr float straight_within = 1e-3F;        // of the chain's length: a joint no farther from a line is on it
 constexpr float bend_of_straight = 0.02F;       // of a bone's length
-constexpr glm::vec3 any_way{0.0F, 1.0F, 0.0F};  // of what has no length
+constexpr glm::vec3 any_way{0.0F, 1.0F, 0.0F};  // of a vector without length
 
 /// The joints from the first that turns to the end, model space.
 class Solver {

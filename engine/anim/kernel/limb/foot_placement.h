@@ -22,7 +22,7 @@ inline constexpr int most_leg_quads = 64;  ///< quads (pose.h) that the bones of
 /// A share of the leg's length: the pelvis is lowered before a leg is straighter than that.
 inline constexpr float knee_reserve = 0.02F;
 
-/// A share of the leg's length: a lock lowers the pelvis by no more than this below what the ground asks. Where the
+/// A share of the leg's length: a lock lowers the pelvis by no more than this below the ground's drop. Where the
 /// host says when feet stand, it knows how long, and a lock may ask for more.
 inline constexpr float lock_reserve = 0.012F, told_lock_reserve = 0.035F;
 

@@ -42,7 +42,7 @@ Result<LookAtRig> make_look_at_rig(const Skeleton& skeleton, std::span<const Loo
                                    const glm::vec3& forward = {0.0F, 0.0F, 1.0F},
                                    const glm::vec3& eyes_from_head = glm::vec3(0.0F));
 
-/// The limits of looking in radians, seen from what carries the first joint. Pitch is from 0 to below pi/2, yaw from 0
+/// The limits of looking in radians, seen from the first joint's parent. Pitch is from 0 to below pi/2, yaw from 0
 /// to below pi.
 struct alignas(16) LookAtLimits {
   float yaw = 1.3F;
@@ -60,7 +60,7 @@ bool is_valid(const LookAtLimits& limits);
 struct alignas(16) LookAtState {
   DampedValue yaw;         ///< to the left is positive
   DampedValue pitch;       ///< up is positive
-  glm::vec3 eyes{0.0F};    ///< metres, where the last update left them, seen from what carries the first joint
+  glm::vec3 eyes{0.0F};    ///< metres, where the last update left them, seen from the first joint's parent
   float remaining = 0.0F;  ///< from the gaze to the target after the last update (0 to pi); 0 where nothing was turned
   bool started = false;
 };

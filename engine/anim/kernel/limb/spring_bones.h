@@ -47,7 +47,7 @@ inline constexpr float longest_spring_seconds = 0.5F;
 struct SpringBonesJob {
   const SpringRig* rig = nullptr;
   SpringBody* body = nullptr;
-  std::span<JointMotion> carriers;     ///< [chains, then colliders]: what carried them at the last update, world space
+  std::span<JointMotion> carriers;     ///< [chains, then colliders]: their carriers at the last update, world space
   std::span<SpringJointState> joints;  ///< [rig->joints]
   PoseView pose;
   float seconds = 0.0F;  ///< since the last frame, not negative

@@ -80,7 +80,7 @@ glm::dvec3 origin_of(const Skeleton& skeleton, int bone) {
   return bone < 0 ? glm::dvec3(0.0) : skeleton.references[static_cast<std::size_t>(bone)].origin;
 }
 
-/// The box of packed positions, over the power of two above what joints at rest take.
+/// The box of packed positions, over the power of two above the box of joints at rest.
 constexpr int packed_box_octaves = 4;
 
 float joint_step(const Skeleton& skeleton) {
@@ -118,7 +118,7 @@ void copy_matrices(const Skeleton& skeleton, HierarchyProgram& program) {
   for (const PaletteEntry& entry : skeleton.palette) append_rows(entry.post, program.posts);
 }
 
-/// The rank of every palette entry by the node of its bone: the same whatever order the bones are in.
+/// The rank of every palette entry by the node of its bone: it does not depend on the order of bones.
 std::vector<std::int16_t> ranks_by_node(const Skeleton& skeleton) {
   std::vector<std::size_t> order(skeleton.palette.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -49,7 +49,7 @@ glm::dmat4 still_local(const Skeleton& skeleton, const std::vector<float>& still
 
 struct Carried {
   int bone;         // that is there at the level
-  glm::dmat4 post;  // of what the bone carries; see PlacedJoint
+  glm::dmat4 post;  // see PlacedJoint
 };
 
 /// `still` is the still pose of a skeleton that is not rigid.

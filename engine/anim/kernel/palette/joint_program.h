@@ -27,7 +27,7 @@ struct PlacedJoint {
   float rows[3][4];     ///< post, 3x4 row-major; rigid: its translation is from the bone's origin
   float rotation[4];    ///< rigid: that of `post`, of length 1 / root of two
   float scale = 1.0F;   ///< rigid: that of `post`
-  std::int32_t at = 0;  ///< floats from the beginning of what is written
+  std::int32_t at = 0;  ///< floats from the beginning of an agent's output
   bool turns = false;   ///< `post` is more than a translation
   bool moves = false;   ///< the translation is not zero
 };
@@ -44,7 +44,7 @@ struct JointProgram {
   std::vector<PlacedJoint> joints;          ///< by the steps that carry them
   std::vector<std::int16_t> carriers;       ///< the steps that carry joints, ascending
   std::vector<std::int32_t> first_carrier;  ///< [packet of the skeleton, and one more]
-  std::size_t bytes = 0;                    ///< of what is written for an agent
+  std::size_t bytes = 0;                    ///< of an agent's output
 
   bool needs(int packet) const {
     const auto at = static_cast<std::size_t>(packet);

@@ -66,7 +66,7 @@ class PaletteDestination {
  public:
   PaletteDestination() = default;
   explicit PaletteDestination(std::byte* memory) : memory_(memory) {}
-  // Implicit, as pointers are to what they point to.
+  // Implicit, as pointers convert.
   PaletteDestination(std::nullptr_t) {}
   PaletteDestination(PaletteMatrix* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
   PaletteDestination(PackedPaletteEntry* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}

@@ -34,7 +34,7 @@ HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride
 template <class V>
 struct RigidMotion : JointMotion<V> {  ///< rotations of length root_of_two
   static constexpr int palette_rows = matrix_rows;
-  static constexpr bool turns_as_quaternion = true;  // has what a JointTransform says
+  static constexpr bool turns_as_quaternion = true;  // has the parts of a JointTransform
   Matrices<V> matrix;
 };
 

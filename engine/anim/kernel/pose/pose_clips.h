@@ -8,7 +8,7 @@
 namespace throng::anim {
 
 /// Pose clips: makes one packet of characters of a strip straight from their clips, one or a blend of two. The result
-/// is to the bit what SampleJob and then BlendJob give.
+/// has the bits of SampleJob and then BlendJob.
 struct ClipMoment {
   const SampledStream* stream = nullptr;
   SamplePoint point;

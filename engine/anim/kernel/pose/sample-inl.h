@@ -112,7 +112,7 @@ HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
 }
 
 /// Interpolates the rows of a packet whose rotations move. sampled_to_unit brings the result to unit length. Lanes
-/// that the rows do not store get what lies behind in memory; with_identity_behind replaces it.
+/// that the rows do not store get the bytes behind them; with_identity_behind replaces it.
 HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);

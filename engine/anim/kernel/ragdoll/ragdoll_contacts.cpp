@@ -7,7 +7,7 @@ namespace {
 
 /// Cloth on ground.
 constexpr float ground_friction = 0.7F;
-/// What starts below the ground comes out this fast, so that it is not thrown: metres a second.
+/// A body that starts below the ground comes out this fast, so that it is not thrown: metres a second.
 constexpr float ground_recovery_speed = 1.0F;
 /// Share of its turning that a body on the ground loses, a second: flesh does not roll as a capsule does.
 constexpr float rolling_friction = 5.0F;

@@ -6,7 +6,7 @@
 namespace throng::anim {
 namespace {
 
-/// What is outside its limits, because an animation left it there or a fall bent it, goes back by this share and this
+/// A joint outside its limits, because an animation left it there or a fall bent it, goes back by this share and this
 /// many radians a second; all at once, it would be thrown back.
 constexpr float recovery_rate = 20.0F;
 constexpr float limit_recovery_speed = 3.0F;
@@ -133,7 +133,7 @@ class JointSolver {
   const RagdollBody& body(std::size_t index) const { return step_.rig.bodies[index]; }
   RagdollBodyState& state(std::size_t index) const { return step_.bodies[index]; }
 
-  /// What turns the child against the parent by this much.
+  /// The torque that turns the child against the parent by this much.
   glm::vec3 pair_torque(const glm::vec3& turning) const {
     const float size = glm::length(turning);
     if (size < 1e-9F) return glm::vec3(0.0F);

@@ -12,7 +12,7 @@ namespace throng::anim {
 /// The clips that the characters of a strip show, for the kernel that poses all of them, packet by packet.
 class ClipStrip {
  public:
-  /// Begins a strip. `shown` is [character], where callers write what each shows before they add it.
+  /// Begins a strip. `shown` is [character], where callers write a character's clips before they add it.
   void begin(std::span<ShownClips> shown) {
     shown_ = shown;
     clip_count_ = 0;

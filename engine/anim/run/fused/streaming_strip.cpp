@@ -45,7 +45,7 @@ void compose_packets(const Strip& strip, const StripPoses& poses, int packet) {
 
 }  // namespace
 
-// What all packets need is looked up before the first: kernels leave nothing else in L1.
+// Data that all packets need is looked up before the first: kernels leave nothing else in L1.
 void pose_streaming(const Strip& strip, const StripPoses& poses, StripPalettes& palettes, CopyEngine& engine) {
   const EntityAssets& assets = strip.context().assets;
   const auto pose_clips = assets.kernels->pose_clips;

@@ -20,7 +20,7 @@ class TailRounds {
   std::size_t bytes() const;
 
   /// Sorts the tails of these runs into rounds and leaves their cursors at the end. The rounds of steps that need whole
-  /// poses, and of what comes before them, are first.
+  /// poses, and the entities before them, are first.
   void sort(const Strip& strip, std::span<ComposedRun> composed);
 
   std::size_t count() const { return round_count_; }

@@ -17,9 +17,9 @@
 namespace throng::anim {
 
 /// The `fused` schedule: a task runs the whole graphs of the characters of a tile, from players to palettes, in one
-/// stay in the local store. Here is what becomes of a tile, in this order, and why.
+/// stay in the local store. Here are the steps of a tile, in this order, and why.
 ///
-/// 1. *Fetch* (tile_copies.h). Of each block comes what the updates of its kind read: for a player that shows a clip
+/// 1. *Fetch* (tile_copies.h). Of each block come the bytes that its updates read: for a player that shows a clip
 ///    one line of 64 bytes. The poses of players and blenders are transient and never leave the store. That is why this
 ///    schedule moves a fraction of what `levels` moves. With double buffering the next tile is fetched while this one
 ///    is computed, so fetch() may touch nothing but its own fetch buffer and its own list of origins.

@@ -22,7 +22,7 @@ class TileCopies {
  public:
   TileCopies(TileLists& lists, BlockChanges changes) : lists_(&lists), changes_(changes) {}
 
-  /// Queues what the entities of the tile read.
+  /// Queues the blocks that the entities of the tile read.
   void fetch(const TileInStore& tile, int buffer, CopyEngine& engine);
   /// Queues the sources that no agent of the tile owns; they lie behind all others.
   static void fetch_shared(const TileInStore& tile, const SharedSources& shared, CopyEngine& engine);

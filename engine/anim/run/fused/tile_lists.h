@@ -13,7 +13,7 @@ namespace throng::anim {
 
 /// The clips that each entity of a tile shows.
 struct ShownBySteps {
-  std::span<ShownClips> entities;  ///< [own step][character]; what the last step shows is in `last` instead
+  std::span<ShownClips> entities;  ///< [own step][character]; the clips of the last step are in `last` instead
   std::span<ShownClips> last;      ///< [character]
 
   std::span<ShownClips> row(std::size_t own_step, const AgentRun& run) const {

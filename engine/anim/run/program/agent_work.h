@@ -44,7 +44,7 @@ struct UpdateContext {
   std::span<const float> still_pose{};  ///< asset/still_pose.h
   std::span<std::uint64_t> hashes{};    ///< [agent] out: the sum of its palette's entry hashes; or empty
   const Skeleton* locals_of = nullptr;  ///< not null: destinations get local transforms of its bones, not palettes
-  std::span<const JointProgram> joint_programs{};   ///< [level] what is written beside palettes; or empty
+  std::span<const JointProgram> joint_programs{};   ///< [level] the joints beside palettes; or empty
   std::span<const PaletteDestination> joints_to{};  ///< [agent] where it is written; or empty
 
   int bones(int level) const { return level_bone_counts[static_cast<std::size_t>(level)]; }

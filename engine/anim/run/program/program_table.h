@@ -17,7 +17,7 @@ class ProgramTable {
 
   /// Returns memory to write a program in.
   PoseProgram& draft() { return draft_; }
-  /// Returns the program that is equal to what was written. Keeps what was written if there was none.
+  /// Returns the program that is equal to the written one. Keeps the written program if there was none.
   const PoseProgram& same_as_draft();
   std::size_t size() const { return hashes_.size(); }
 

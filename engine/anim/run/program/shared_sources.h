@@ -19,7 +19,7 @@ class SharedSources {
     for (const AgentRun& run : tile) add(*run.program);
   }
 
-  /// Adds what the program reads. Returns false if the list has no room for all of it; then the list is of no use.
+  /// Adds a program's shared sources. Returns false if the list has no room for all of them; then it is of no use.
   bool add(const PoseProgram& program) {
     if (program.needs.shared == 0) return true;
     for (const PoseStep& step : program.steps) {

@@ -31,7 +31,7 @@ void for_each_shared(const PoseProgram& program, Visit&& visit) {
   }
 }
 
-/// A step of a character in the local store: its block, if the character owns it, and what is prepared for it.
+/// A step of a character in the local store: its block, if the character owns it, and its prepared data.
 struct StepCursor {
   std::size_t step = 0;
   std::byte* block = nullptr;

@@ -31,13 +31,13 @@ class WorkOrder {
   /// Makes room for so many agents, so that sort() does not allocate.
   void reserve(std::size_t agents);
 
-  /// Sorts what is given, which stays where it is until the next call. A crowd of one group, which is common, is not
+  /// Sorts the given work, which stays where it is until the next call. A crowd of one group, which is common, is not
   /// copied.
   void sort(const WorkInRuns& given);
 
   std::span<const AgentWork> work() const { return ordered_.work; }
   std::span<const WorkRun> runs() const { return ordered_.runs; }
-  /// Returns the nanoseconds that all of it is predicted to take, without what tiles add.
+  /// Returns the predicted nanoseconds of all work, without the tiles' own.
   double predicted() const;
 
  private:

@@ -36,7 +36,7 @@ class CopyEngine {
   /// its destinations until their bytes have arrived. Bytes that never arrive stay closed.
   void fetch(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped, .inward = true}); }
   void write_back(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped}); }
-  /// Moves a row at once, while it lies in a near cache. It is counted with what is queued.
+  /// Moves a row at once, while it lies in a near cache. It is counted with the queued rows.
   void write_back_now(const BlockRow& row, std::size_t skipped);
   /// Queues one block.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
@@ -46,15 +46,15 @@ class CopyEngine {
     push({.row = {.local = const_cast<std::byte*>(local), .size = size}, .only = main_memory});
   }
 
-  /// Cuts what is queued into `slices` about equal parts of whole rows, one for each advance(). A part is asked for one
+  /// Cuts the queue into `slices` about equal parts of whole rows, one for each advance(). A part is asked for one
   /// advance() before its own, so that it comes near while kernels compute. Blocks that go out are moved part by part,
   /// and blocks that come in with the last part. `trace` gets each part of some tasks.
   void spread_over(int slices, Trace* trace = nullptr);
   void advance();
-  /// Moves all that is left, and returns what was queued since the last finish().
+  /// Moves the rest of the queue, and returns the counts of all rows since the last finish().
   CopyCounts finish();
 
-  /// Returns what was moved since the last call.
+  /// Returns the counts of moved rows since the last call.
   CopyCounts take_counts();
 
   struct Transfer {

@@ -23,10 +23,10 @@ TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& 
 
 /// Runs tasks through the local store. A kind of task must offer:
 ///   next()                          the next task of this PU, if any
-///   fetch(task, buffer, engine)     queues what it reads
+///   fetch(task, buffer, engine)     queues the blocks that it reads
 ///   copy_points(task)               how often compute() calls engine.advance()
 ///   compute(task, buffer, engine)
-///   write_back(task, buffer, engine) queues what it changed and compute() has not written back
+///   write_back(task, buffer, engine) queues changed blocks that compute() has not written back
 ///   content(task)                   the agents that it is for
 template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {

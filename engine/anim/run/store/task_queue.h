@@ -11,7 +11,7 @@
 namespace throng::anim {
 
 /// Hands tasks 0, 1, 2, ... to a number of PUs. Each begins with a share of its own, the same tasks frame after frame,
-/// so that it finds in its caches what it left there, and then helps the others. It takes many tasks at once while many
+/// so that it finds its data in its caches, and then helps the others. It takes many tasks at once while many
 /// are left, and one by one at the end: an atomic operation waits until all that was stored has left the core, which
 /// takes long for palettes that are streamed to memory.
 class TaskQueue {
@@ -57,7 +57,7 @@ class TaskQueue {
     int end = 0;
   };
 
-  /// Takes no more than half of what is left for each PU. Returns no tasks if there are no more.
+  /// Takes no more than half of the tasks that are left for each PU. Returns no tasks if there are no more.
   Tasks take_some(int pu) {
     int of = pu;
     for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {

@@ -21,7 +21,7 @@ ModelScratch ModelScratch::carve(ScratchCarver& carver, int width, const UpdateC
     return carver.carve<float>(slot_floats * static_cast<std::size_t>(slots));
   };
   const int for_joints = joint_slots(context), for_palettes = context.hierarchy->slot_count;
-  // Matrices are made on the walk that writes joints, so both share what it remembers.
+  // Matrices are made on the walk that writes joints, so both share its memory.
   const bool share = context.palette_format == PaletteFormat::matrices;
   ModelScratch scratch;
   if (with_local) scratch.local = carver.carve<float>(lanes * context.packet_floats());

@@ -89,7 +89,7 @@ struct UpdateTime {
 enum class Tracing : std::uint8_t {
   off,
   on,          ///< tasks too short to be timed one by one share a compute span, copies included: costs under 1%
-  every_task,  ///< a span for each part of each task, whatever that costs
+  every_task,  ///< a span for each part of each task, at any cost
 };
 
 /// The spans of one PU in an update, without gaps: each begins where the one before it ended. They lie in memory set
@@ -142,7 +142,7 @@ class Trace {
     last_ = now;
   }
 
-  /// Ends a span that is never joined with others, for what happens once for many tasks.
+  /// Ends a span that is never joined with others, for work that is done once for many tasks.
   void close_alone(TraceSpan::Kind kind, const CopyCounts& copied, const TaskContent& content) {
     const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
     if (joined_tasks_ > 0) close_joined();

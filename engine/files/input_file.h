@@ -49,7 +49,7 @@ class InputFile {
 /// Returns all bytes of a file. Errors: those of InputFile, and it has more than `most` bytes.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std::string_view wanted, std::size_t most);
 
-/// Does the same with a text.
+/// Reads a file as a text; otherwise as read_file().
 Result<std::string> read_text(const std::filesystem::path& path, std::string_view wanted, std::size_t most);
 
 /// Maps all of a file.

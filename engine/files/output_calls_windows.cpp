@@ -30,7 +30,7 @@ int sync(int descriptor) { return _commit(descriptor); }
 
 int close(int descriptor) { return _close(descriptor); }
 
-void take_rights(int, const std::filesystem::path&) {}  // a new file has those of its folder
+void take_rights(int, const std::filesystem::path&) {}  // a new file has its folder's rights
 
 int replace(const std::filesystem::path& part, const std::filesystem::path& file) {
   std::error_code error;

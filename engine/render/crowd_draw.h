@@ -59,7 +59,7 @@ struct CrowdFrame {
   std::span<const SceneLine> lines = {};         ///< drawn over the crowd, faintly where something is before them
   std::span<const SceneLine> ground_lines = {};  ///< drawn where nothing is before them
   std::span<const float> morph_weights = {};     ///< of instances whose records say where theirs are
-  float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
+  float distance_scale = 1.0F;  ///< the scene's distances over usual ones among people; haze is thinner by it
   SceneLight light = {};
   SceneGround ground = {};
   float scenery_error_px = 1.0F;  ///< pixels that a coarser mesh of scenery is off at most

@@ -72,7 +72,7 @@ class Renderer {
   /// CrowdMesh::create, and of the shaders that morphs need, and that the device has no memory for them; then the
   /// former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
-  /// Does the same where some meshes are there already, each for one character.
+  /// Replaces the characters where some meshes are there already, each for one character.
   Status load_characters(std::span<const CharacterToLoad> characters);
 
   /// Gives the meshes of the loaded characters.

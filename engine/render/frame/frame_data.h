@@ -27,7 +27,7 @@ enum StorageBinding : unsigned {
   cells_binding = 9,
   looks_binding = 10
 };
-/// The texture units of the light, which are the same in every program; materials have those before.
+/// The texture units of the light, which are the same in every program; materials have the units before.
 enum LightUnit : unsigned {
   shadow_maps_unit = 8,
   sky_unit = 9,
@@ -92,7 +92,7 @@ class FrameData {
   std::size_t counted_ = 0;               // of all_
   bool draws_lists_ = false;
   gl::GrowingBuffer<AgentLook> looks_;
-  std::uint64_t looks_number_ = 0;  // of those that were copied last; 0: none were
+  std::uint64_t looks_number_ = 0;  // of the looks that were copied last; 0: none were
   std::size_t turn_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace throng::render {
 
-/// Receives pictures of any size. One that is larger than a target may be is drawn in tiles, one after the other into
+/// Receives pictures of any size. A picture that is larger than any target is drawn in tiles, one after the other into
 /// the same target, and put together in memory.
 class TiledTarget {
  public:
@@ -32,7 +32,7 @@ class TiledTarget {
     }
   }
 
-  /// Does the same over the finished pixels of the last picture.
+  /// Draws tiles over the finished pixels of the last picture.
   void draw_tiles_over(const auto& draw) {
     for (int tile = 0; tile < tiles_.count(); ++tile) {
       if (is_tiled()) target_.write(image_, tiles_.shown(tile));

@@ -29,7 +29,7 @@ struct Ball {
   float radius = 0.0F;
 };
 
-/// Returns the smallest ball around a slice of the frustum. `slope` is that of the frustum's edges.
+/// Returns the smallest ball around a slice of the frustum. `slope` is the slope of the frustum's edges.
 Ball ball_around(float from, float to, float slope) {
   const float squared = slope * slope;
   if (squared * (from + to) >= to - from) return {to, to * slope};

@@ -12,7 +12,7 @@ enum class Coverage : unsigned char {
 };
 
 /// Returns how a material's alpha must be drawn. Many files call materials blended or cut out whose alpha
-/// is 1 everywhere; those are opaque, which is drawn fastest.
+/// is 1 everywhere; such materials are opaque, which is drawn fastest.
 Coverage coverage_of(const CrowdMeshData& data, int material);
 
 }  // namespace throng::render

@@ -52,14 +52,14 @@ class CrowdMesh {
   /// frames that unpack them, and the effects of morphs.
   void bind() const;
 
-  /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.
+  /// Counts the vertices of the full surface, which come first in the vertex array; vertices of baked mesh LODs follow.
   std::uint32_t vertex_count() const { return parts_.vertex_count; }
 
   /// These two functions name the ends of the bones' lines, two a bone, which come last.
   std::uint32_t first_bone_end() const { return parts_.first_bone_end; }
   std::uint32_t bone_end_count() const { return parts_.bone_end_count; }
   /// Gives a radius, in metres of an agent of scale 1, around the place where an agent stands that holds its surface,
-  /// stretched as far as poses stretch it: that of piece 0, or of any piece.
+  /// stretched as far as poses stretch it: of piece 0, or of any piece.
   float reach(bool of_any_piece) const { return of_any_piece ? reach_of_pieces_ : reach_; }
 
   /// Gives the longest side of the box around them at rest, in metres; 0 without bones.

@@ -14,7 +14,7 @@
 
 namespace throng::render {
 
-/// Measures how far the picture of a coarser mesh is from that of the full one, in metres.
+/// Measures how far the picture of a coarser mesh is from the picture of the full one, in metres.
 ///
 /// Each sample of one surface is paired with the point of the other that is the closest in all poses at once. This is
 /// done both ways, so that neither a lost spike nor a new one is missed. The distance of a pair is measured in all

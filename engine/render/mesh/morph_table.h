@@ -22,7 +22,7 @@ struct MorphEntry {
 static_assert(sizeof(MorphEntry) == 28);
 static_assert(offsetof(MorphEntry, normal) == 16);
 
-/// The entries of each vertex, one after the other: those of vertex v are `entries` from firsts[v] to firsts[v + 1].
+/// The entries of each vertex, one after the other: vertex v has `entries` from firsts[v] to firsts[v + 1].
 struct MorphTable {
   std::vector<std::uint32_t> firsts;  ///< one more than vertices
   std::vector<MorphEntry> entries;

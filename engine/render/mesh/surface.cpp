@@ -67,7 +67,7 @@ struct Merged {
   std::vector<glm::vec3> colors;                ///< one a vertex, as seen; or empty, before they are needed
   std::vector<std::uint8_t> face;               ///< one a vertex, 1 on a face; or empty: no face is known
   std::vector<SkinInfluences> influences;       ///< one a vertex
-  std::vector<PaletteEntries> palette_entries;  ///< at level 0; including those of the bone ends
+  std::vector<PaletteEntries> palette_entries;  ///< at level 0; including the bone ends' entries
 };
 
 /// Returns whether bones of a face move the vertex more than others do.

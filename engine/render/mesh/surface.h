@@ -80,7 +80,7 @@ struct SurfacePiece {
   std::size_t level_at(std::size_t lod) const {
     return std::min(lod - std::min<std::size_t>(lod, first_lod), runs_by_level.size() - 1);
   }
-  /// Counts the mesh LODs up to the one that its coarsest level stands for.
+  /// Counts the mesh LODs up to the LOD that its coarsest level stands for.
   std::size_t lod_count() const { return std::min(first_lod + runs_by_level.size(), largest_mesh_lod_count); }
 };
 

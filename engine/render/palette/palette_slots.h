@@ -86,7 +86,7 @@ class PaletteSlots {
   struct Page {
     PalettePage memory;
     std::uint32_t next_line = 0;                           ///< no slot was ever handed out from here on
-    std::uint32_t lines_in_use = 0;                        ///< including those of retired slots
+    std::uint32_t lines_in_use = 0;                        ///< including lines of retired slots
     std::vector<std::vector<std::uint32_t>> free_by_size;  ///< first lines of free slots, one list a size
     /// A bit by first line: the slot there is acquired. It has the same lines each time, since slots are never cut.
     std::vector<std::uint64_t> acquired;

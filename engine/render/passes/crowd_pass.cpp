@@ -10,12 +10,12 @@
 namespace throng::render {
 namespace {
 
-/// Locations of uniforms of materials, after those that every program of the crowd has.
+/// Locations of uniforms of materials, after the locations that every program of the crowd has.
 enum Location : GLint { emission_location = 3, unlit_location = 4, factors_location = 6 };
 
 enum Unit : GLuint { base_color_unit, emission_unit, metallic_roughness_unit, normal_unit, occlusion_unit, unit_count };
 
-// Switches of the crowd, after those of the light; the last two are of crowd.frag alone.
+// Switches of the crowd, after the light's; the last two are of crowd.frag alone.
 constexpr std::uint32_t debug_colors_bit = 1U << light_part_count, textured_bit = 2U << light_part_count,
                         dressed_bit = 4U << light_part_count;
 

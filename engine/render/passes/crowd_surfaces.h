@@ -18,7 +18,7 @@ inline bool is_dressed(const CrowdBatch& batch, std::size_t first_plain_lod) {
   return batch.piece != 0 && batch.mesh_lod < first_plain_lod;
 }
 
-/// Adds the commands of a group, which has begun: those of all batches that are seen and `are_wanted`.
+/// Adds the commands of a group, which has begun: of all batches that are seen and `are_wanted`.
 void add_commands(std::span<const CrowdBatch> run, const CrowdMesh& mesh, int material, IndirectDraws& draws,
                   const auto& are_wanted) {
   for (const CrowdBatch& batch : run) {

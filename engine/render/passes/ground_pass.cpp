@@ -9,7 +9,7 @@ constexpr GLint sun_side_location = 0;
 constexpr GLint pixels_location = 0, half_sides_location = 1, below_horizon_location = 2;
 constexpr GLsizei corners_of_a_part = 4;
 
-// Switches of ground.frag, after those of the light.
+// Switches of ground.frag, after the light's.
 constexpr std::uint32_t street_bit = 1U << light_part_count, pitch_bit = 2U << light_part_count,
                         fields_bit = 4U << light_part_count;
 

@@ -37,7 +37,7 @@ class ShadowPass {
     bool in_turns = false;   ///< the cascades far away are drawn in every second and fourth frame only
   };
 
-  /// Draws the maps of the frame that was uploaded last. Its camera is that of the whole picture.
+  /// Draws the maps of the frame that was uploaded last. Its camera is the whole picture's.
   /// `draw_others(cascade)` draws the depths of casters beside the crowd, and returns its counts.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes,
                   const Light& light, const auto& draw_others) {

@@ -35,7 +35,7 @@ class ShaderLibrary {
   /// Gives the first error of load().
   const Status& status() const { return status_; }
 
-  /// Builds every program again from disk, and returns the first error. One that fails keeps its last good build.
+  /// Builds every program again from disk, and returns the first error. A program that fails keeps its last good build.
   Status reload();
   /// Returns whether a file of the folder was saved, added or removed since the programs were built last. It reads the
   /// folder, so a few calls a second are enough.

@@ -38,8 +38,8 @@ class Characters {
 
   /// Takes the same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame
   /// boundary; agents go on where they are. `places` has the new index of each bone. If kinds of entities point at
-  /// rigs, the host reorders those before (CharacterRigs::reorder_bones). Older snapshots cannot be restored. Errors:
-  /// bones move while selections or lists of joints depend on them, or the local store is too small; then
+  /// rigs, the host reorders the rigs before (CharacterRigs::reorder_bones). Older snapshots cannot be restored.
+  /// Errors: bones move while selections or lists of joints depend on them, or the local store is too small; then
   /// nothing has changed.
   Status replace(CharacterId character, std::shared_ptr<const Character> reordered, std::span<const int> places);
 

@@ -8,7 +8,7 @@ namespace throng::anim {
 /// Tells where an attachment is: a sword in a hand, a camera on a head. Add it after the processes that move the joint.
 class SocketProcess final : public OneEntityProcess<Socket> {
  public:
-  /// `kind` is that of socket_kind, added to the system. `place` is an index of its SocketPlaces.
+  /// `kind` is socket_kind's, added to the system. `place` is an index of its SocketPlaces.
   SocketProcess(EntityPools::Kind kind, std::uint32_t place) : OneEntityProcess(kind), place_(place) {}
 
   /// Returns the motion at the agent's last update, in model space. If its bone level lacked a joint of the chain, the

@@ -164,7 +164,7 @@ class Encoder {
     return ranges[static_cast<std::size_t>(packet * packet_quads + quad)];
   }
 
-  /// Rotations lie before positions, and those before scales.
+  /// Rotations lie before positions, and positions before scales.
   void place_groups() {
     for (int packet = 0; packet < rows_.packets(); ++packet) {
       SampledPacket& of = header(packet);

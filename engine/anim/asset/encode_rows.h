@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// Makes a SampledStream of rows. `duration` is that of the clip.
+/// Makes a SampledStream of rows. `duration` is the clip's.
 AlignedBytes encode_rows(const SampledRows& rows, Ticks duration);
 
 }  // namespace throng::anim

@@ -53,7 +53,7 @@ double phase(FineTicks position, FineTicks length) {
 
 FineTicks wrapped(FineTicks position, FineTicks length) { return position - whole_loops(position, length) * length; }
 
-// Several rotations agree where steps repeat, as in left right left right. This takes the one that shifts phases least.
+// Several rotations agree where steps repeat, as in left right left right. This takes the rotation of least shift.
 std::size_t best_turn(const Markers& a, FineTicks a_length, const Markers& b, FineTicks b_length) {
   std::size_t best = b.count;
   double least = std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@ struct MarkedClip {
   Ticks duration{};               ///< above 0
 };
 
-/// Maps the positions of one looping clip, the leader, to those of another, so that the markers of both come at the
+/// Maps the positions of one looping clip, the leader, to positions of another, so that the markers of both come at the
 /// same time. Between two markers the map is linear. Markers are the data keys whose names both clips have. Where their
 /// names do not follow each other in the same order, where two fall on one moment, or where there are none or more
 /// than `most_markers`, the map goes by the phase of the loop alone. It allocates nothing.

@@ -104,7 +104,7 @@ void add_morph_weights(const MorphCurves& curves, Ticks time, float share, std::
     const std::size_t columns = curve.morphs.size();
     const auto row = [&](std::size_t index) { return curve.weights.data() + index * columns; };
     for (std::size_t i = 0; i < columns; ++i) {
-      const std::size_t place = std::size_t{curve.morphs[i]} - first;  // huge for those before the first
+      const std::size_t place = std::size_t{curve.morphs[i]} - first;  // huge for morphs before the first
       if (place >= weights.size()) continue;
       float weight = shares.from_share * row(shares.from)[i] + shares.to_share * row(shares.to)[i];
       weight += shares.from_slope * row(shares.from_tangent)[i] + shares.to_slope * row(shares.to_tangent)[i];

@@ -25,7 +25,7 @@ using MorphCurves = std::vector<MorphCurve>;
 /// one key of a weight that stands still.
 MorphCurves bake_morph_curves(const Clip& clip, double start);
 
-/// Adds `share` times the weights at `time` to `weights`, which are those of the character's morphs from `first` on.
+/// Adds `share` times the weights at `time` to `weights`, one for each of the character's morphs from `first` on.
 /// The curves of other morphs are left out.
 void add_morph_weights(const MorphCurves& curves, Ticks time, float share, std::span<float> weights,
                        std::uint32_t first = 0);

@@ -19,7 +19,7 @@ struct ReferencePose {
 /// Returns the value of a track at `seconds` (glTF 2.0, appendix C). Before the first key and after the last, the
 /// nearest key holds. The track has keys.
 glm::dvec3 sample_track(const Track<glm::vec3>& track, double seconds);
-/// Does the same for rotations; the result is unit. LINEAR is spherical, over the shorter arc, between normalised keys.
+/// Returns a unit rotation in the same way. LINEAR is spherical, over the shorter arc, between normalised keys.
 glm::dquat sample_track(const Track<glm::quat>& track, double seconds);
 
 /// Returns the local transform of a bone without a clip.

@@ -71,7 +71,7 @@ struct Skeleton {
 
 inline constexpr int max_bones = 1024;
 
-/// Counts the palette entries that a level needs: those whose bone is below `bone_count`.
+/// Counts the palette entries that a level needs: entries whose bone is below `bone_count`.
 int palette_count_for_bones(const Skeleton& skeleton, int bone_count);
 
 /// Returns the bone itself, or its nearest ancestor below `bone_count`, which a dropped bone follows.

@@ -18,7 +18,7 @@ namespace {
 
 using Frames = std::vector<BoneFrame>;
 
-// Metres are those of a person of 1.8 m.
+// Metres are for a person of 1.8 m.
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double closed = 0.005;
 constexpr double near_enough = 0.03;

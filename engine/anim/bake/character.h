@@ -62,7 +62,7 @@ struct BakedClip {
 
 struct BakeOptions {
   bool take_root_motion = true;  ///< remove travel, turn and climb of the root from the pose (off for `pose`)
-  /// Time 0 is the file's, not that of the clip's first key, and tracks that hardly move keep their keys (for `pose`).
+  /// Time 0 is the file's, not the first key's, and tracks that hardly move keep their keys (for `pose`).
   bool as_in_the_file = false;
   /// Is called after each baked clip with the number of baked clips and of all clips. Any thread that bakes calls it,
   /// one at a time. Null: no call.

@@ -20,7 +20,7 @@ namespace throng::anim {
 ///
 /// Names of data keys and curves keep their index in `base`, and new ones follow. Bounds and the errors of levels cover
 /// all clips. Where the surface of `more` is another one, bounds are wider than needed, and the errors of skipped
-/// frames are those of that surface. Clips keep the weights of morphs if `more` has the same morphs, which are known by
+/// frames are that surface's. Clips keep the weights of morphs if `more` has the same morphs, which are known by
 /// their number, their bones and their reach; else they move none.
 ///
 /// Errors: the skeleton is another one, a clip has the name of a clip that is there, or a character cannot be played.

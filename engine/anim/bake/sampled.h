@@ -10,7 +10,7 @@ namespace throng::anim {
 struct SampledBake {
   AlignedBytes block;  ///< null if no rate keeps to the bound, or the clip is too long for any
   double rate = 0.0;   ///< Hz
-  double error = 0.0;  ///< metres; without a block at most that of the best rate, infinite if none was tried
+  double error = 0.0;  ///< metres; without a block at most the best rate's, infinite if none was tried
   Rounding rounding = Rounding::nearest;
 };
 

@@ -16,7 +16,7 @@ struct SkipError {
   static constexpr std::array<int, 4> spans{2, 4, 8, 16};
 
   /// The error if skipped frames lie on the straight line between two posed ones (smooth skipping). It grows about as
-  /// the square of the span. It is that of a walking person until it is measured.
+  /// the square of the span. It is a walking person's until it is measured.
   std::array<float, spans.size()> blended{0.0018F, 0.007F, 0.028F, 0.1F};
   /// The error if skipped frames show the last posed one.
   std::array<float, spans.size()> held{0.03F, 0.088F, 0.18F, 0.3F};

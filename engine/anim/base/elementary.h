@@ -9,7 +9,7 @@ namespace throng::anim {
 // in one way: sums, products, quotients and square roots. Libraries of C and GLM, which calls them, round sines each in
 // their own way, and a pose that depends on one differs from system to system (tests/house forbids them).
 
-/// At most 0.57 units in the last place off: evaluated in doubles, rounded once. The polynomials are those of degree 7
+/// At most 0.57 units in the last place off: evaluated in doubles, rounded once. The polynomials are of degree 7
 /// and 8 that come nearest to sin(x) / x and cos(x) within an eighth of a turn.
 float sine(float angle);
 float cosine(float angle);

@@ -11,7 +11,7 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/kernel/limb/joint_chain.h"
 
-/// The numbers of the door as those of the library, and back.
+/// Converts the door's numbers to the library's, and back.
 namespace throng::detail {
 
 inline glm::vec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }

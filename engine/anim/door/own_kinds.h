@@ -32,9 +32,9 @@ class OwnKinds {
   /// Returns the kind of a rig. Errors: the character has no such rig, or no more kinds can be added.
   Result<Kind> rig(anim::EntityType type);
   Result<std::uint32_t> limb(Limb limb) const;
-  /// Returns the kind of a chain, the same for the same bones.
+  /// Returns the kind of a chain, one kind for the same bones.
   Result<Kind> chain(const ChainReach& settings);
-  /// Returns the kind of springs, the same for the same chains and colliders.
+  /// Returns the kind of springs, one kind for the same chains and colliders.
   Result<Kind> springs(const Springs& settings);
 
   /// A socket: its kind, and its place among the sockets of that kind.

@@ -23,7 +23,7 @@ inline constexpr std::size_t max_elements_without_view = std::size_t{1} << 20U;
 /// not ascend (glTF 2.0, 5.1.3) become a repair. Throws Refusal.
 void check_accessors(Document& document);
 
-/// Lists component types, TINYGLTF_COMPONENT_TYPE_...; here those that several properties accept.
+/// Lists component types, TINYGLTF_COMPONENT_TYPE_...; here the types that several properties accept.
 using Components = std::initializer_list<int>;
 inline constexpr Components float_alone = {TINYGLTF_COMPONENT_TYPE_FLOAT};
 inline constexpr Components any_unsigned = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
@@ -49,7 +49,7 @@ struct AccessorRule {
 std::vector<float> read_floats(const Document& document, int accessor, const AccessorRule& rule,
                                std::size_t limit = SIZE_MAX);
 
-/// Does the same for unsigned integers.
+/// Reads unsigned integers in the same way.
 std::vector<std::uint32_t> read_integers(const Document& document, int accessor, const AccessorRule& rule);
 
 bool all_finite(std::span<const float> values);

@@ -12,7 +12,7 @@
 
 namespace throng::import {
 
-/// The bytes of every buffer view. `storage` owns those that are not part of the file itself.
+/// The bytes of every buffer view. `storage` owns views that are not part of the file itself.
 struct BufferViews {
   std::vector<std::vector<std::byte>> storage;
   std::vector<std::span<const std::byte>> views;

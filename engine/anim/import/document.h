@@ -52,7 +52,7 @@ struct Document {
   std::vector<std::vector<anim::NamedDataKey>> data_keys;           ///< by animation, as the file has them
   std::vector<std::vector<anim::NamedCurve>> curves;                ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;                  ///< by node, as the file has them
-  std::map<int, PartNode> parts;                                    ///< by node, of those that are parts
+  std::map<int, PartNode> parts;                                    ///< by node, of nodes that are parts
   std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
   std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;

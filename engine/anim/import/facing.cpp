@@ -50,7 +50,7 @@ void pick_deltas(std::vector<anim::MorphDelta>& deltas, const std::vector<std::u
   }
 }
 
-/// Replaces the vertices by copies of those that `sources` names; leaves normals and indices.
+/// Replaces the vertices by copies of the vertices that `sources` names; leaves normals and indices.
 void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& sources) {
   pick(mesh.positions, sources);
   for (auto& coords : mesh.texture_coords) pick(coords, sources);

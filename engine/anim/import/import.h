@@ -25,8 +25,8 @@ anim::Result<anim::ImportedFile> import_file(const std::string& path, const Impo
 /// Imports as import_file() does, but accepts a file without skins, which has animations and no models.
 anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options = {});
 
-/// Does the same, but makes a skeleton of the animated nodes, and of all above and below them, where the file has no
-/// skin. Its bind pose is the rest pose. So a file that holds clips alone has a model.
+/// Imports as import_file() does, but makes a skeleton of the animated nodes, and of all nodes above and below them,
+/// where the file has no skin. Its bind pose is the rest pose. So a file that holds clips alone has a model.
 anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace throng::import

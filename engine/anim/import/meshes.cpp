@@ -72,7 +72,7 @@ class MeshReader {
     return parts;
   }
 
-  /// Takes the meshes that were read last for those of a part.
+  /// Takes the meshes that were read last as a part's.
   anim::ModelPart read_part(int node) {
     const PartNode& said = document_.parts.at(node);
     const std::string& name = source(node).name;

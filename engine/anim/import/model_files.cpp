@@ -43,7 +43,7 @@ bool has_stray_percent(std::string_view uri) {
   return false;
 }
 
-/// Returns the readings of a uri, the one that RFC 3986 demands first.
+/// Returns the readings of a uri, the reading of RFC 3986 first.
 std::vector<Reading> readings_of(std::string_view uri) {
   std::vector<Reading> readings;
   const auto add = [&](std::string name, const char* oddity) {

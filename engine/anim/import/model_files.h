@@ -33,7 +33,7 @@ class ModelFiles {
                               MemoryAccount& memory);
 
  private:
-  std::set<std::filesystem::path> counted_;  // those whose size the account knows
+  std::set<std::filesystem::path> counted_;  // files whose size the account knows
   std::vector<std::filesystem::path> folders_;
   bool strict_;
 };

@@ -133,7 +133,7 @@ class RigidMaker {
     return as_matrix(skeleton_.references[bone]) * skin.inverse_binds[root];
   }
 
-  /// Makes the joint's bind pose its frame. Its scale must be that of the rest pose.
+  /// Makes the joint's bind pose its frame. Its scale must be the rest pose's.
   bool place(const Skin& skin, std::size_t joint) {
     const auto bone = static_cast<std::size_t>(skin.bones[joint]);
     if (placed_[bone]) return true;
@@ -151,7 +151,7 @@ class RigidMaker {
   std::vector<bool> placed_;
 };
 
-/// Compares the palette of one skin by the definition with that of a rigid skeleton.
+/// Compares the palette of one skin by the definition with a rigid skeleton's palette.
 class PaletteComparison {
  public:
   void add(const glm::dmat4& expected, const glm::dmat4& shown) {

@@ -203,7 +203,7 @@ class SkeletonBuilder {
     }
   }
 
-  /// Takes the tracks of joints, which no other skeleton has, and copies those of nodes above.
+  /// Takes the tracks of joints, which no other skeleton has, and copies the tracks of nodes above.
   void add_clips(const NodeSet& joints) {
     for (std::size_t index = 0; index < animations_.size(); ++index) {
       Animation& animation = animations_[index];

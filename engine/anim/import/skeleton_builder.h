@@ -48,11 +48,11 @@ struct BuiltSkeleton {
   std::vector<AttachedMesh> attached;
 };
 
-/// Builds a skeleton that carries the meshes without skin below its joints, and those of the nodes `carried`. Bones are
-/// the joints of the skins, and every animated node between or above them or those meshes. Nodes in between that never
-/// move become Bone::prefix. Meshes that nothing moves hang on one bone more, the scene. set_reference_frames sets
-/// references and palette. Moves the tracks of joints out of `animations`. Throws Refusal where there are more than
-/// anim::max_bones.
+/// Builds a skeleton that carries the meshes without skin below its joints, and the meshes of the nodes `carried`.
+/// Bones are the joints of the skins, and every animated node between or above them or those meshes. Nodes in between
+/// that never move become Bone::prefix. Meshes that nothing moves hang on one bone more, the scene.
+/// set_reference_frames sets references and palette. Moves the tracks of joints out of `animations`. Throws Refusal
+/// where there are more than anim::max_bones.
 BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, std::vector<Animation>& animations,
                              const std::vector<FileSkin>& skins, const std::vector<int>& group,
                              const std::vector<int>& carried);

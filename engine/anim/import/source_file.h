@@ -22,7 +22,7 @@ FileParts split_file(std::span<const std::byte> bytes, const std::filesystem::pa
 /// The largest file that is read, in bytes.
 inline constexpr std::size_t max_file_size = std::size_t{1} << 30U;
 
-/// Returns all bytes of a model's file, or of one that it names. Throws Refusal.
+/// Returns all bytes of a model's file, or of a file that it names. Throws Refusal.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 
 }  // namespace throng::import

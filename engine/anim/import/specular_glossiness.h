@@ -28,7 +28,7 @@ struct MetallicRoughness {
 /// that mirrors 4%, a metal, or a mixture of them has such (Khronos, "Specular-Glossiness to Metallic-Roughness").
 MetallicRoughness to_metallic_roughness(const SpecularGlossiness& point);
 
-/// Two images of the same size. They replace the image of diffuse colour and that of specular colour and glossiness.
+/// Two images of the same size. They replace the images of diffuse colour, and of specular colour and glossiness.
 struct MetallicRoughnessImages {
   anim::Image base_color;          ///< sRGB, alpha of the diffuse colour
   anim::Image metallic_roughness;  ///< linear, roughness in green, metallic in blue

@@ -97,7 +97,7 @@ class SurfaceReader {
     return values;
   }
 
-  /// Adds each target times its weight at rest (glTF 2.0, 3.7.2.2), and keeps those that are animated. The others are
+  /// Adds each target times its weight at rest (glTF 2.0, 3.7.2.2), and keeps animated targets. The others are
   /// not decoded.
   void add_morph_targets(const MorphsOfMesh& morphs) {
     const std::span<const double> weights = morphs.rest_weights;

@@ -21,7 +21,7 @@ struct MorphsOfMesh {
 };
 
 /// Reads positions, normals, tangents, colours, texture coordinates, tint regions, triangles and material of a
-/// primitive, adds its morph targets by their weights at rest, keeps those that are animated as deltas, and moves all
+/// primitive, adds its morph targets by their weights at rest, keeps animated targets as deltas, and moves all
 /// of it by `placement`. Leaves influences empty, and normals where the file has none. Mends and reports NaN positions.
 /// Throws Refusal, for infinite positions too.
 anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const MorphsOfMesh& morphs,

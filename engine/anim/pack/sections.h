@@ -77,7 +77,7 @@ struct SectionBytes {
   std::span<const std::byte> bytes;
 };
 
-/// Returns a pack of these sections. `layout` is that of their tables.
+/// Returns a pack of these sections. `layout` is the layout of their tables.
 std::vector<std::byte> join_sections(std::span<const SectionBytes> sections, std::uint64_t layout,
                                      std::uint32_t version = pack_version);
 

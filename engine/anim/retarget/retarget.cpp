@@ -114,7 +114,7 @@ RetargetedClip Retargeter::retarget(const Clip& clip) const {
   RetargetedClip result{.clip = {}, .as_it_was = clip.tracks.empty() || keys_fit(from_, to_, match_, clip), .lost = {}};
   result.lost = lost_bones(from_, match_, clip);
   result.clip = result.as_it_was ? copied(clip, match_) : posed_again(from_, to_, plan_, clip);
-  result.clip.morph_tracks.clear();  // their morphs are those of another surface
+  result.clip.morph_tracks.clear();  // their morphs belong to another surface
   if (!to_.rigid) return result;
   for (BoneTracks& tracks : result.clip.tracks) tracks.scale = {};  // a rigid skeleton has no moving scales
   std::erase_if(result.clip.tracks,

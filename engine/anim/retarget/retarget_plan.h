@@ -13,7 +13,7 @@
 
 namespace throng::anim {
 
-/// A bone that follows another: its rotation is turn * (that of the source) * from_source, model space.
+/// A bone that follows another: its rotation is turn * source's rotation * from_source, model space.
 struct FollowedBone {
   int source = -1;                               ///< bone of the other skeleton; -1: the bone keeps its rest transform
   glm::dquat from_source{1.0, 0.0, 0.0, 0.0};    ///< through both reference poses

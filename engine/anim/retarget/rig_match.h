@@ -19,9 +19,9 @@ struct RigMatch {
   bool follows(int source) const;
 };
 
-/// Matches the bones of `to` with those of `from`: by the parts of the body that both have, then by names. Names are
-/// equal after their last colon and whatever their case ("mixamorig:Spine" is "spine"); a name that several bones have
-/// matches none.
+/// Matches the bones of `to` with the bones of `from`: by the parts of the body that both have, then by names. Names
+/// are equal after their last colon and whatever their case ("mixamorig:Spine" is "spine"); a name that several bones
+/// have matches none.
 RigMatch match_rigs(const Skeleton& from, const Skeleton& to);
 
 /// Says whether the keys of a clip of `from` fit `to` as they are: bones that follow have the same parents, and the

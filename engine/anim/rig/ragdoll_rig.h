@@ -51,7 +51,7 @@ struct RagdollBody {
 /// One bone of the way from one body's bone down to the next.
 struct RagdollLink {
   int bone = 0;
-  glm::vec3 offset{0.0F};  ///< from its parent's origin in the bind pose; for a root, from that of model space
+  glm::vec3 offset{0.0F};  ///< from its parent's origin in the bind pose; for a root, from model space's origin
 };
 
 /// Everything that a rag-doll knows of a skeleton. Read-only; built at load, once the bones have their final order.

@@ -23,7 +23,7 @@ struct SpringOptions {
   float stiffness = 80.0F;               ///< per second squared: pulls a bone back to its pose
   float damping = 6.0F;                  ///< per second: slows a bone relative to the joint that carries it
   float drag = 1.0F;                     ///< per second: slows it relative to the air
-  glm::vec3 gravity{0.0F, -3.0F, 0.0F};  ///< metres per second squared, world: the part that the pose has not
+  glm::vec3 gravity{0.0F, -3.0F, 0.0F};  ///< metres per second squared, world: beyond the pose's
   float radius = 0.02F;                  ///< metres that the end of each bone keeps from colliders and the ground
 };
 

@@ -26,7 +26,7 @@ class PuThreads final : public Executor {
   void run(int count, Job job) override;
   /// Returns whether this process has the threads.
   bool are_here() const;
-  /// Returns how many PUs there are: fewer than asked for where the system had no more threads.
+  /// Returns how many PUs there are: fewer than requested where the system had no more threads.
   int pus() const { return static_cast<int>(threads_.size()) + 1; }
 
  private:

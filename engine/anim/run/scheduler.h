@@ -28,7 +28,7 @@ struct ScheduleOptions {
   BlockChanges block_changes = BlockChanges::written_back;  ///< only for `fused`; `levels` writes all back
 };
 
-/// Poses the agents of a frame (paper 2.2.3, 2.2.5, 3.2). Here is what an update does, in this order, and why.
+/// Poses the agents of a frame (paper 2.2.3, 2.2.5, 3.2). Here are the steps of an update, in this order, and why.
 ///
 /// 1. *Guard the pools* (base/guard.h). Under the address sanitizer all blocks are poisoned until the update is over.
 ///    The copy engine alone reaches them, so a kernel that reads main memory instead of its local store is caught.
@@ -59,7 +59,7 @@ struct ScheduleOptions {
 /// task. Memory is set aside between frames, by reserve() and set_plan().
 class Scheduler {
  public:
-  /// Makes the PUs. `palette_entries` are those of the largest skeleton.
+  /// Makes the PUs. `palette_entries` is the count of the largest skeleton.
   Scheduler(const ScheduleOptions& options, std::size_t palette_entries);
 
   /// Makes room for so many agents, so that update() does not allocate.

@@ -124,7 +124,7 @@ double TileCutter::add_overheads(std::span<const UpdateContext> contexts, std::s
   return total;
 }
 
-// Cuts a tile in two behind so many agents; `overhead` is that of a strip.
+// Cuts a tile in two behind so many agents; `overhead` is a strip's.
 void TileCutter::divide(std::size_t tile, std::uint32_t kept, double overhead) {
   Tile& left = tiles_[tile];
   const double agent = (static_cast<double>(left.cost) - left.strips() * overhead) / left.count;

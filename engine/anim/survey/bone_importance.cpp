@@ -20,7 +20,7 @@ std::vector<int> first_entries(const Skeleton& skeleton) {
   return first;
 }
 
-/// Visits the bones that carry a point, from the one that holds it up to a root.
+/// Visits the bones that carry a point, from the bone that holds it up to a root.
 template <typename Visit>
 void for_each_bone_above(const Skeleton& skeleton, int bone, Visit&& visit) {
   for (; bone >= 0; bone = skeleton.bones[static_cast<std::size_t>(bone)].parent) visit(static_cast<std::size_t>(bone));

@@ -28,7 +28,7 @@ class BoundsSurvey {
   /// baking takes out of a loop of it.
   double reach(const Clip& clip, const glm::dvec3& travel) const;
 
-  /// Returns the bounds of a model whose clips reach so far; those of the rest pose for a model without clips.
+  /// Returns the bounds of a model whose clips reach so far; of its rest pose, if it has no clips.
   CharacterBounds bounds(const std::vector<double>& reaches) const;
 
  private:

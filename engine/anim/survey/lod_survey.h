@@ -30,7 +30,7 @@ glm::dvec3 skinned(const LodPoint& point, std::span<const glm::dmat4> palette);
 /// A clip has 16 poses; fewer, down to 2, where there are more than 16 clips.
 void visit_surveyed_poses(const Model& model, const std::function<void(std::span<const glm::dmat4> palette)>& visit);
 
-/// Frees all keys of the clips but those that visit_surveyed_poses reads, which then finds the same poses to the bit.
+/// Frees all keys of the clips but keys that visit_surveyed_poses reads, which then finds the same poses to the bit.
 void keep_surveyed_keys(Model& model);
 
 /// Returns the value that 99 of 100 do not exceed (nearest rank); 0 for no values.

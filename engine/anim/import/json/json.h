@@ -22,7 +22,7 @@ namespace throng {
 inline constexpr std::size_t most_json_depth = 64;
 inline constexpr std::size_t most_json_bytes = std::size_t{16} << 20U;
 inline constexpr std::size_t most_json_values = std::size_t{1} << 20U;
-inline constexpr std::size_t most_json_members = 1000;  // each is looked for among those before it
+inline constexpr std::size_t most_json_members = 1000;  // each is looked for among the members before it
 
 template <class T>
 concept JsonNumber = std::is_arithmetic_v<T>;

@@ -22,8 +22,8 @@ namespace throng::import {
 ///                        {"from": "jump", "to": "move", "at_end": true, "fade": 0.2} ]
 ///     }
 ///
-/// MachineDescription says what each member means; those with a default may be left out. "by" and "at" are one of each,
-/// or an array of two. The error is a sentence with the object and the key. Only names are left to be checked, by
+/// MachineDescription says what each member means; members with a default may be left out. "by" and "at" are one of
+/// each, or an array of two. The error is a sentence with the object and the key. Only names are left to be checked, by
 /// StateMachine::create.
 anim::Result<anim::MachineDescription> read_machine(std::string_view text);
 

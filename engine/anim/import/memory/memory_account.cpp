@@ -12,7 +12,7 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return b > most - a ? most
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a != 0 && b > most / a ? most : a * b; }
 
-/// Returns "268.4 MB", in the unit of the limits that people give and read, which is not that of size_text().
+/// Returns "268.4 MB", in the unit of the limits that people give and read, which is not size_text()'s.
 std::string told(std::uint64_t bytes) {
   constexpr std::uint64_t million = 1'000'000;
   if (bytes < million) return std::to_string(bytes) + " bytes";

@@ -97,9 +97,9 @@ class Crowd {
   Result<CharacterId> add(const Character& character);
   /// Errors: agents play it, or it is the only one.
   Result<Done> remove(CharacterId character);
-  /// Takes a character with other clips, which was made of the one that it replaces (Character::with_clips, without),
-  /// between frames. Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips
-  /// that they know. Errors: an agent plays a clip that leaves (during a fade away from it too, and after an
+  /// Takes a character with other clips, which was made of the character that it replaces (Character::with_clips,
+  /// without), between frames. Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep
+  /// the clips that they know. Errors: an agent plays a clip that leaves (during a fade away from it too, and after an
   /// interrupted fade until it is posed twice), or has it in a blend space or state machine. A place goes from one clip
   /// to another at once. A local store of a fixed size is too small. Then nothing has changed.
   Result<Done> replace(CharacterId character, const Character& with_other_clips);

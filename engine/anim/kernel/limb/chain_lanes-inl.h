@@ -44,7 +44,7 @@ struct ChainLanes {
   void find(const JointChain& chain, Pose& pose) {
     for (int joint = 0; joint < chain.count; ++joint) bones[joint] = pose.place_of(chain.bones.data()[joint]);
   }
-  /// Poses the joints from `first` on; those before it are posed already.
+  /// Poses the joints from `first` on; joints before it are posed already.
   template <class Pose>
   HWY_INLINE void pose_from(D d, int first, const JointChain& chain, const Pose& pose) {
     JointMotions<hn::Vec<D>> motion = first == 0 ? no_motion(d) : motions[first - 1];

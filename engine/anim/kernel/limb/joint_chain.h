@@ -76,7 +76,7 @@ Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
 /// Returns whether the pose has all bones of the chain. Levels of detail drop the ends of limbs.
 inline bool is_within(const JointChain& chain, const PoseView& pose) { return chain.bone_end() <= pose.bone_count; }
 
-/// Poses the joints from `first` on; those before it stay as they were posed before. `motions` has at least chain.count
+/// Poses the joints from `first` on; joints before it keep their motion. `motions` has at least chain.count
 /// elements. The pose's rotations are unit to a thousandth.
 /// M are rotations from the bind pose, X positions, q' and d the state (ReferenceFrame), and p is the parent:
 ///     M = M_p * q',   X = X_p + M_p * (offset + d)

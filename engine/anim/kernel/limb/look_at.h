@@ -53,7 +53,7 @@ struct alignas(16) LookAtLimits {
 
 bool is_valid(const LookAtLimits& limits);
 
-/// The direction of look that an entity keeps, in radians. A new one starts with that of the pose.
+/// The direction of look that an entity keeps, in radians. A new entity starts with the pose's.
 ///
 ///      0      8       16         28          32
 ///     [ yaw | pitch | eyes x y z | remaining | started, padding ]

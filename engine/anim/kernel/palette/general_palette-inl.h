@@ -121,7 +121,7 @@ inline int first_entry_from(const HierarchyProgram& program, int begin, int end)
 
 /// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`:
 ///     global = parent's global * prefix * T * R * S,   entry = global * post
-/// `beside` is told of each bone.
+/// `beside` is called for each bone.
 template <int width, class D, class Beside>
 HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end, Beside beside) {
   constexpr int lanes = lane_count<D>;

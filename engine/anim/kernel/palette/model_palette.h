@@ -16,7 +16,7 @@ inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` a
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;
-  int bone_count = 0;              ///< bones of the level; those at and above it are not touched
+  int bone_count = 0;              ///< bones of the level; bones at and above it are not touched
   int width = widest_strip;        ///< 1, 2, 4, 8 or 16
   int characters = widest_strip;   ///< 1 to width; further lanes are computed from garbage-free input, not written
   const float* local = nullptr;    ///< [width][components][16]

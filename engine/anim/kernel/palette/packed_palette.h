@@ -20,7 +20,7 @@ enum class PaletteFormat : std::uint8_t {
 ///     word 2   joint x, low 11 of y     21 bits each, signed, in units of PackingFrame::step
 ///     word 3   high 10 of y, joint z    z takes the upper 22
 ///
-/// It has the joint's place and not that of model space's origin, so that an error of the rotation is seen at the
+/// It has the place of the joint and not of model space's origin, so that an error of the rotation is seen at the
 /// length of a limb and not at the height of a person. Its twin on the device is shaders/palette/packed_palette.glsl.
 struct PackedPaletteEntry {
   std::uint32_t words[4];

@@ -131,8 +131,8 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
   store(d, motion, job.carry + lane, width);
 }
 
-/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`. `beside` is told of each
-/// bone.
+/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`. `beside` is called for
+/// each bone.
 template <template <class> class MotionOf, int width, class D, class Beside>
 HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end, Beside beside) {
   constexpr int lanes = lane_count<D>;

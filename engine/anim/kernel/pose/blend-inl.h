@@ -43,7 +43,7 @@ HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const
   return blended;
 }
 
-/// A bone of weight 0 keeps the bits of `from`, and one of weight 1 takes those of `to`, so a mask leaves all other
+/// A bone of weight 0 has the bits of `from`, and one of weight 1 the bits of `to`, so a mask leaves all other
 /// bones untouched.
 template <class V, class M>
 struct MaskedLanes {

@@ -5,7 +5,7 @@
 namespace throng::anim {
 
 /// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
-/// scales linear. Under bone weights, a bone of w = 0 keeps the bits of `from` and one of w = 1 takes those of `to`.
+/// scales linear. Under bone weights, a bone of w = 0 has the bits of `from` and one of w = 1 the bits of `to`.
 /// `out` may be `from` or `to`.
 struct BlendJob {
   const float* from = nullptr;          ///< [components][16]

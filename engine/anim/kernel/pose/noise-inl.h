@@ -18,7 +18,7 @@ HWY_INLINE VU folded(VU bits) {
   return hn::Xor(bits, hn::ShiftRight<16>(bits));
 }
 
-/// A value from -2^31 to 2^31 whose highest bits are those below `from_top`.
+/// A value from -2^31 to 2^31 whose highest bits are the bits below `from_top`.
 template <int from_top, class D, class V = hn::Vec<D>>
 HWY_INLINE V value_in_bits(D d, hn::Vec<hn::RebindToSigned<D>> bits) {
   return hn::ConvertTo(d, hn::ShiftLeft<from_top>(bits));

@@ -45,7 +45,7 @@ struct ShakenBones {
 struct NoiseJob {
   std::span<const ShakenBones> characters;
   int packet = 0;      ///< number of the packet that these 16 bones are
-  int bone_count = 0;  ///< bones of the whole pose; those at and above it keep their bits
+  int bone_count = 0;  ///< bones of the whole pose; bones at and above it keep their bits
   int components = rigid_components;
 };
 bool is_valid(const NoiseJob& job);

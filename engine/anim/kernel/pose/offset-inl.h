@@ -72,7 +72,7 @@ HWY_INLINE Vectors<V> decayed_offsets(D d, const OffsetApplyJob& job, int at) {
           hn::MulAdd(velocity.z, seconds, hn::Mul(offset.z, left))};
 }
 
-/// An offset of 0 keeps the bits, also those of -0.
+/// An offset of 0 keeps the bits, also of -0.
 template <class D, class V>
 HWY_INLINE V moved(D d, V from, V by) {
   return hn::IfThenElse(hn::Eq(by, hn::Zero(d)), from, hn::Add(from, by));

@@ -19,7 +19,7 @@ struct ShownClips {
   float fraction = 0.0F;                ///< share of `blended`, above 0 and below 1
 };
 struct PoseClipsJob {
-  std::span<const ShownClips> characters;  ///< at most widest_strip; those without a clip keep their bits
+  std::span<const ShownClips> characters;  ///< at most widest_strip; characters without a clip keep their bits
   int packet = 0;
   int components = rigid_components;
   QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, neither read nor written

@@ -141,7 +141,7 @@ HWY_INLINE Floats factor_to_unit(const SampledPacket& packet, const Quaternions<
   return factor;
 }
 
-/// Puts the identity into the lanes that the rows of a packet do not store. The first lane is that of `bone`.
+/// Puts the identity into the lanes that the rows of a packet do not store. The first lane belongs to `bone`.
 HWY_INLINE Quaternions<Floats> with_identity_behind(const SampledPacket& packet, int bone,
                                                     const Quaternions<Floats>& q) {
   const BoneLanes d;

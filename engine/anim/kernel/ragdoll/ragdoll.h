@@ -31,7 +31,7 @@ struct RagdollBodyState {
 
 /// The whole state between two frames, in plain bytes that may be copied and moved.
 struct RagdollState {
-  RagdollBodyState bodies[max_ragdoll_bodies];  ///< those at and above the rig's count are not used
+  RagdollBodyState bodies[max_ragdoll_bodies];  ///< states at and above the rig's count are not used
   Ticks unspent{};                              ///< time given but not yet simulated, below a step
   std::int32_t quiet_steps = 0;                 ///< steps in a row with almost no movement
   std::int32_t asleep = 0;                      ///< 1: nothing moves until a push or wake_ragdoll

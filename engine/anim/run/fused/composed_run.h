@@ -17,7 +17,7 @@ struct ComposedRun {
   StepCursor head;               ///< the first step of the first character
   StepCursor tail;               ///< the first step of its tail that no round has yet
   std::size_t base = no_base;    ///< the step that the kernel for clips poses, or no_base
-  bool tail_over_clips = false;  ///< nothing but steps of the tail is posed over the base
+  bool tail_over_clips = false;  ///< only steps of the tail are posed over the base
   std::uint64_t wanted = 0;      ///< bit i: step i is posed, or is the base; of use where there is more than a tail
 
   const PoseProgram& program() const { return *characters.program; }

@@ -11,8 +11,8 @@
 
 namespace throng::anim {
 
-/// The tails of the programs of a strip, in rounds. The steps of a tail read the step before and nothing else, and
-/// change the pose where it lies. A round has entities of one layout, each of another character; one call poses them.
+/// The tails of the programs of a strip, in rounds. A step of a tail reads only the step before it, and changes
+/// the pose where it lies. A round has entities of one layout, each of another character; one call poses them.
 class TailRounds {
  public:
   /// Makes room for as many entities as a tile has blocks. Allocates.
@@ -34,7 +34,7 @@ class TailRounds {
 
   /// Poses the rounds of whole poses, on the packets that are held. `first` is the pose of the first character.
   void pose_whole(const Strip& strip, const PoseView& first) const;
-  /// Poses one packet: in all rounds if it is streamed, and in those after the whole poses if it is held.
+  /// Poses one packet: in all rounds if it is streamed, and in the rounds after the whole poses if it is held.
   void pose_packet(const Strip& strip, const PoseView& first, int packet) const;
 
  private:

@@ -45,7 +45,7 @@ struct UpdateContext {
   std::span<std::uint64_t> hashes{};    ///< [agent] out: the sum of its palette's entry hashes; or empty
   const Skeleton* locals_of = nullptr;  ///< not null: destinations get local transforms of its bones, not palettes
   std::span<const JointProgram> joint_programs{};   ///< [level] the joints beside palettes; or empty
-  std::span<const PaletteDestination> joints_to{};  ///< [agent] where it is written; or empty
+  std::span<const PaletteDestination> joints_to{};  ///< [agent] the place for its joints; or empty
 
   int bones(int level) const { return level_bone_counts[static_cast<std::size_t>(level)]; }
   int packets(int level) const { return packets_for(bones(level)); }

@@ -64,7 +64,7 @@ struct PoseProgram {
   std::uint32_t blocks_before_tail = 0;    ///< bytes of its own blocks before the tail
   std::uint32_t prepared_before_tail = 0;  ///< bytes that are prepared for these blocks
   StoreNeeds needs;
-  ProgramParts parts;  ///< its own parts; shared ones are paid for once a frame
+  ProgramParts parts;  ///< its own parts; shared parts are paid for once a frame
 
   friend bool operator==(const PoseProgram&, const PoseProgram&) = default;
 };
@@ -91,10 +91,10 @@ static_assert(sizeof(PoseGraph) == 4 * sizeof(void*), "what a frame reads of eve
 /// The bit that owners of graphs of shared entities have. Owners without it are agents.
 inline constexpr std::uint32_t shared_owner = 1U << 31;
 
-/// Flattens what `root` reads. Gives each entity of `owner` its priority: the lowest of its sources' minus one; players
-/// have the highest. Shared entities of another owner are read as they are. Reuses the graph's memory. Errors: a handle
-/// to nothing, a cycle, an entity of another owner that is not shared, an entity that reads more than max_sources, more
-/// than max_steps entities, or more than max_depth below each other; then the graph is as it was.
+/// Flattens the graph below `root`. Gives each entity of `owner` its priority: the lowest of its sources' minus one;
+/// players have the highest. Shared entities of another owner are read as they are. Reuses the graph's memory. Errors:
+/// a handle to nothing, a cycle, an entity of another owner that is not shared, an entity that reads more than
+/// max_sources, more than max_steps entities, or more than max_depth below each other; then the graph is as it was.
 Status compile_graph(EntityPools& pools, Handle root, std::uint32_t owner, ProgramTable& programs, PoseGraph& graph);
 
 }  // namespace throng::anim

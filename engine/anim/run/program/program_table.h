@@ -10,7 +10,7 @@ namespace throng::anim {
 
 /// The programs of one skeleton, each once, however many agents run it. A crowd has few graphs that look different, so
 /// a frame finds programs in L1. Two graphs look alike if they have the same program. Programs stay until the table
-/// goes. A new one seldom allocates, since graphs change in the frame.
+/// goes. A new program seldom allocates, since graphs change in the frame.
 class ProgramTable {
  public:
   ProgramTable();

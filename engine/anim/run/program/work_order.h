@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// Agents that follow each other, have one skeleton, bone level and program, and cost the same.
+/// Agents that follow each other, and have one skeleton, bone level, program and cost.
 struct WorkRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -25,7 +25,7 @@ struct WorkInRuns {
 
 /// The work of a frame in the order in which tiles are cut from it (paper 3.2). A group is of one skeleton and bone
 /// level, held or streaming. Groups whose agents cost most are first, and within a group the dearest agents. Agents
-/// that cost the same stay in their order.
+/// of equal cost stay in their order.
 class WorkOrder {
  public:
   /// Makes room for so many agents, so that sort() does not allocate.

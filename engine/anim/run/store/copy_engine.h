@@ -63,7 +63,7 @@ class CopyEngine {
     std::size_t size;
     bool inward;  ///< to the local store
   };
-  /// Returns what was queued since the last finish(). For tests: it allocates.
+  /// Returns the transfers queued since the last finish(). For tests: it allocates.
   std::vector<Transfer> queued() const;
 
  private:

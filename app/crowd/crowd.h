@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -16,11 +15,11 @@
 #include "app/crowd/followers.h"
 #include "app/crowd/layout.h"
 #include "app/crowd/minds.h"
+#include "app/crowd/parade.h"
+#include "app/crowd/stadium.h"
 #include "app/crowd/steering/gathered.h"
 #include "app/crowd/walkers.h"
-#include "app/live/live_crowd.h"
 #include "app/settings/settings.h"
-#include "app/trajectory/track_clock.h"
 #include "engine/anim/base/executor.h"
 #include "engine/anim/base/units.h"
 
@@ -34,17 +33,13 @@ inline Variety variety_of(const Tuning& tuning) {
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {
   anim::Ticks now{};
-  std::vector<anim::Ticks> behind;      ///< [marcher] how late it is at its places
-  std::vector<anim::Ticks> next_waves;  ///< [stander] when the wave is there; empty: there is no wave
+  CrowdPlaces places;
   CrowdMinds minds;
-  CrowdWalkers walkers;
-  std::vector<glm::vec3> positions;
-  std::vector<Heading> headings;
-  std::vector<float> speeds, playback_speeds;
-  TrackClock track_clock;            ///< of followers
-  std::vector<std::uint8_t> absent;  ///< [agent] 1: it is not there; empty: everybody is
+  CrowdWalkers walkers;  ///< the first agents: they walk where they like
+  Marchers marchers;     ///< the agents after them, in rank and file; all others stay
+  Wave wave;
+  std::optional<FollowedTracks> tracks;  ///< none in scenes without a file
 };
-using CrowdMoment = std::optional<CrowdState>;
 
 /// Decides who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents,
 /// seed, the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the
@@ -80,106 +75,69 @@ class Crowd {
   std::optional<ClipRequest> hold(std::uint32_t agent);
   /// Lets an agent go on that was held. A marcher catches up with its place in the file.
   std::optional<ClipRequest> release(std::uint32_t agent);
-  bool holds(std::uint32_t agent) const { return state_.minds.holds(agent); }
 
-  /// Copies all that changes.
-  void remember(CrowdMoment& into) const { into = state_; }
+  /// Takes people who follow tracks to another time, at a frame boundary.
+  void go_to(const TrackClock& clock);
+  /// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
+  void take(const LiveStep& step, anim::Executor& executor, int jobs);
+
+  /// Returns all that changes, to be kept and put back.
+  const CrowdState& state() const { return state_; }
   /// Puts a copy back; the crowd goes on as it did then, to the bit. The moment must be of this crowd.
-  void go_back_to(const CrowdMoment& moment);
+  void go_back_to(const CrowdState& moment);
 
   /// Returns the roles that the scene was laid out for: common_roles() of the characters as they were then.
   const CharacterRoles& laid_out_for() const { return laid_out_for_; }
+  const CrowdCast& cast() const { return cast_; }
+  /// Returns how agents look; who dresses them changes it.
+  CrowdLooks& looks() { return looks_; }
+  const CrowdLooks& looks() const { return looks_; }
+  /// Returns what agents have in mind and do; who puts things into their hands changes it.
+  CrowdMinds& minds() { return state_.minds; }
+  const CrowdMinds& minds() const { return state_.minds; }
+  const CrowdWalkers& walkers() const { return state_.walkers; }
+  const Marchers& marchers() const { return state_.marchers; }
+  /// Returns the recorded crowd that agents follow; null in scenes without a file.
+  const FollowedTracks* tracks() const { return state_.tracks ? &*state_.tracks : nullptr; }
 
-  std::size_t size() const { return state_.positions.size(); }
-  std::span<const glm::vec3> positions() const { return state_.positions; }  ///< metres, between the feet
-  std::span<const Heading> headings() const { return state_.headings; }
-  std::span<const float> scales() const { return looks_.scales; }  ///< 0.7 to 1.3
-  std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
-  std::span<const float> speeds() const { return state_.speeds; }  ///< metres a second over the ground
+  std::size_t size() const { return state_.places.positions.size(); }
+  std::span<const glm::vec3> positions() const { return state_.places.positions; }  ///< metres, between the feet
+  std::span<const Heading> headings() const { return state_.places.headings; }
+  std::span<const float> speeds() const { return state_.places.speeds; }  ///< metres a second over the ground
   /// Returns the speeds at which the shown clips play. A gait plays at 0.4 to 1.7, so that feet do not slide; other
   /// clips play at 0.9 to 1.1. They change from frame to frame.
-  std::span<const float> playback_speeds() const { return state_.playback_speeds; }
-  std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
+  std::span<const float> playback_speeds() const { return state_.places.playback_speeds; }
+  std::span<const float> scales() const { return looks_.scales; }               ///< 0.7 to 1.3
   std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among the characters
-  std::span<const Tints> tints() const { return looks_.tints; }
-  /// Returns what drawing reads of everybody's looks.
-  const CrowdLooks& looks() const { return looks_; }
-  std::span<const Role> roles() const { return state_.minds.roles(); }
-  std::span<const Habit> habits() const { return state_.minds.habits(); }
-  std::span<const int> clips() const {
-    return state_.minds.clips();
-  }  ///< index, or no_clip for a character that has none
-
-  std::span<const Lane> lanes() const { return state_.walkers.lanes(); }
-  std::size_t walkers() const { return state_.walkers.count(); }  ///< the first agents: they walk where they like
-  std::size_t marchers() const { return marchers_.size(); }       ///< those after them: rank and file; all others stay
 
  private:
-  friend glm::vec3 middle_of(const Crowd& crowd);
-  friend const Followers* followers_of(const Crowd& crowd);
-  friend void give(Crowd& crowd, std::vector<Held> things) { crowd.state_.minds.give(std::move(things)); }
-  friend std::span<const Held> things_of(const Crowd& crowd) { return crowd.state_.minds.things(); }
-  friend const TrackClock& track_clock_of(const Crowd& crowd);
-  friend void set_track_clock(Crowd& crowd, const TrackClock& clock);
-  friend void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
-  friend std::span<const std::uint8_t> absent_of(const Crowd& crowd);
-  friend bool is_child(const Crowd& crowd, std::size_t agent);
-  friend std::uint32_t company_of(const Crowd& crowd, std::size_t marcher) { return crowd.marchers_[marcher].company; }
-  friend void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
-                   std::vector<std::uint16_t> in_hand);
   Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::span<const CharacterRoles> characters,
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
   void place(const CrowdLayout& layout);
-  void expect_wave(const CrowdLayout& layout);
-  void lead_wave();
+  std::size_t first_stander() const { return walkers().count() + marchers().count(); }
   void follow_walkers(anim::Executor& executor, int jobs);
-  void march(anim::Ticks dt);
-  void march_at(double speed);
-  void decide(anim::Executor& executor, int jobs);
-  void turn_standers(anim::Ticks dt, anim::Executor& executor, int jobs);
-  void turn_stander(std::size_t agent, anim::Ticks dt);
-  double marching_time(std::size_t marcher, anim::Ticks dt);
-  void match_playback(std::size_t agent);
-  void follow(const TrackSource& tracks, std::uint32_t seed);
   void follow_tracks(anim::Executor& executor, int jobs);
-  void follow_track(std::size_t agent);
+  void march(anim::Ticks dt);
+  void decide(anim::Executor& executor, int jobs);
+  void turn_stander(std::size_t agent, anim::Ticks dt);
+  void match_playback(std::size_t agent);
 
   CharacterRoles laid_out_for_;
   CrowdCast cast_;
-  Lane route_;
-  std::vector<MarcherStart> marchers_;
   CrowdLooks looks_;
   CrowdState state_;
   Gathered<std::uint32_t> due_;  // agents that go over to another role in this frame
-  anim::Ticks wave_period_{};
-  std::optional<Followers> followers_;
 };
 
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
 
-/// Returns the number of the company in which somebody marches, counted from 0 at the head of a parade.
-std::uint32_t company_of(const Crowd& crowd, std::size_t marcher);
+/// Returns [agent] 1 for agents that are not there now; empty where all are.
+inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) {
+  return crowd.tracks() != nullptr ? crowd.tracks()->absent() : std::span<const std::uint8_t>();
+}
 
-/// Puts things into everybody's hands, [agent]; empty: nothing. It decides what they do from then on.
-void give(Crowd& crowd, std::vector<Held> things);
-/// Returns [agent] what everybody holds; empty: nothing.
-std::span<const Held> things_of(const Crowd& crowd);
-
-/// Returns the people of a recorded crowd; null in the other scenes.
-inline const Followers* followers_of(const Crowd& crowd) { return crowd.followers_ ? &*crowd.followers_ : nullptr; }
-/// Returns the time of the recorded crowd.
-inline const TrackClock& track_clock_of(const Crowd& crowd) { return crowd.state_.track_clock; }
-/// Takes a recorded crowd to another time, at a frame boundary.
-void set_track_clock(Crowd& crowd, const TrackClock& clock);
-/// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
-void take_live_step(Crowd& crowd, const LiveStep& step, anim::Executor& executor, int jobs);
 /// Returns whether the body of an agent is that of a child.
 bool is_child(const Crowd& crowd, std::size_t agent);
-/// Dresses everybody: how they look, and the pieces of their character's mesh that they wear.
-void wear(Crowd& crowd, std::vector<render::AgentLook> looks, std::vector<render::Outfit> outfits,
-          std::vector<std::uint16_t> in_hand = {});
-/// Returns [agent] 1 for people who are not there now; empty where everybody is.
-inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) { return crowd.state_.absent; }
 
 }  // namespace throng::app

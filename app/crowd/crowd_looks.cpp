@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -121,6 +122,15 @@ std::optional<ClothesPattern> pattern_of(const CrowdLayout& layout, Scene scene,
 }
 
 }  // namespace
+
+void CrowdLooks::wear(std::vector<render::AgentLook> new_looks, std::vector<render::Outfit> new_outfits,
+                      std::vector<std::uint16_t> new_in_hand) {
+  assert(new_looks.size() == drawn.size() && new_outfits.size() == drawn.size());
+  drawn = std::move(new_looks);
+  outfits = std::move(new_outfits);
+  in_hand = std::move(new_in_hand);
+  number = render::new_looks_number();
+}
 
 std::vector<Habit> habits_of(const CrowdLayout& layout) {
   std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);

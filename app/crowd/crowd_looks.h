@@ -11,7 +11,7 @@
 
 namespace throng::app {
 
-/// The properties of each agent that never change.
+/// How each agent looks and moves apart from the others, [agent].
 struct CrowdLooks {
   std::vector<float> scales;         ///< 0.9 to 1.1, times the size of the body
   std::vector<std::uint8_t> bodies;  ///< index among CharacterRoles::bodies; 0 without any
@@ -25,6 +25,10 @@ struct CrowdLooks {
   std::vector<render::Outfit> outfits;   ///< of a character that has pieces; empty: no agent wears any
   std::vector<std::uint16_t> in_hand;    ///< piece of an outfit, or no_piece; drawn while it is in the hand
   std::uint64_t number = 0;              ///< of `drawn`: no other crowd has it
+
+  /// Dresses all agents: how they look, the pieces of their character's mesh that they wear, and `in_hand`.
+  void wear(std::vector<render::AgentLook> new_looks, std::vector<render::Outfit> new_outfits,
+            std::vector<std::uint16_t> new_in_hand = {});
 };
 
 /// Returns [agent] the habit of each agent of a layout.

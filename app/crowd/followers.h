@@ -8,12 +8,18 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/crowd/cast.h"
+#include "app/crowd/layout.h"
+#include "app/crowd/minds.h"
 #include "app/crowd/stride_plane.h"
 #include "app/crowd/talks.h"
 #include "app/crowd/track_steps.h"
+#include "app/live/live_crowd.h"
 #include "app/trajectory/ground_bounds.h"
 #include "app/trajectory/presence.h"
+#include "app/trajectory/track_clock.h"
 #include "app/trajectory/trajectories.h"
+#include "engine/anim/base/executor.h"
 
 namespace throng::app {
 
@@ -62,6 +68,31 @@ class Followers {
   std::vector<TrackSteps> steps_;               // [agent]
   Talks talks_;
   GroundBounds bounds_;
+};
+
+/// The tracks of a recorded crowd that agents follow, at the time of a clock. Copies share the people.
+class FollowedTracks {
+ public:
+  /// `scales` has one element an agent; agents whose height the file tells take theirs from it.
+  FollowedTracks(const TrackSource& source, const CrowdCast& cast, std::span<float> scales, std::uint32_t seed);
+
+  const Followers& people() const { return *people_; }
+  const TrackClock& clock() const { return clock_; }
+  /// Returns [agent] 1 for people who are not there now.
+  std::span<const std::uint8_t> absent() const { return absent_; }
+
+  void set_clock(const TrackClock& clock) { clock_ = clock; }
+  void advance(anim::Ticks dt) { app::advance(clock_, anim::to_seconds(dt)); }
+  /// Takes the rows that came of a live crowd, and the scales of the people that they change. `jobs` run at once.
+  void take(const LiveStep& step, const CrowdCast& cast, std::span<float> scales, anim::Executor& executor, int jobs);
+  /// Puts agents where their people are now; an agent that is not there keeps its place. `jobs` run at once.
+  void place(const CrowdCast& cast, std::span<const float> scales, CrowdPlaces& places, CrowdMinds& minds,
+             anim::Executor& executor, int jobs);
+
+ private:
+  std::shared_ptr<Followers> people_;
+  TrackClock clock_;
+  std::vector<std::uint8_t> absent_;
 };
 
 }  // namespace throng::app

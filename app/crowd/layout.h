@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "app/character/roles.h"
 #include "app/crowd/company.h"
@@ -52,6 +53,14 @@ struct CrowdLayout {
   std::vector<Obstacle> obstacles;  ///< ground that no agent walks on
   double wave_seconds = 0.0;        ///< time that a wave of cheering takes to come round; 0: there is none
   double wave_begins = 2.0;         ///< seconds
+};
+
+/// The place of each agent of a crowd, and its speed, [agent].
+struct CrowdPlaces {
+  std::vector<glm::vec3> positions;  ///< metres, between the feet
+  std::vector<Heading> headings;
+  std::vector<float> speeds;           ///< metres a second over the ground
+  std::vector<float> playback_speeds;  ///< of the clip that is shown
 };
 
 /// Returns the side, in metres, of the square about the origin that the plaza of this many agents fills. Where clothes

@@ -22,6 +22,7 @@ constexpr double spectator_row = 0.95;
 constexpr double share_of_marchers = 0.6;
 constexpr std::size_t ranks_in_company = 8;
 constexpr double road_a_marching_metre = 1.6;  // of route, so that companies have road between them
+constexpr int slowness_to_catch_up = 4;        // a marcher that is behind makes up one second in so many
 constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 struct Formation {
@@ -136,6 +137,46 @@ LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double s
   const glm::dvec2 forward(static_cast<double>(place.heading.sine), static_cast<double>(place.heading.cosine));
   place.position += marcher.offset * route.direction * glm::dvec2(forward.y, -forward.x);
   return place;
+}
+
+void Marchers::begin(CrowdPlaces& places) const {
+  for (std::size_t agent = first_; const MarcherStart& start : starts_) {
+    const LanePlace place = marcher_place(route_, start, 0.0);
+    places.positions[agent] = {place.position.x, 0.0, place.position.y};
+    places.headings[agent] = place.heading;
+    places.speeds[agent++] = static_cast<float>(route_.speed);
+  }
+}
+
+double Marchers::marching_time(std::size_t marcher, anim::Ticks dt, anim::Ticks now, bool is_held) {
+  anim::Ticks& behind = behind_[marcher];
+  if (is_held) {
+    behind += dt;
+  } else {
+    behind = std::max(anim::Ticks{}, behind - dt / slowness_to_catch_up);
+  }
+  return anim::to_seconds(now - behind);
+}
+
+void Marchers::advance(anim::Ticks dt, anim::Ticks now, const CrowdMinds& minds, CrowdPlaces& places) {
+  for (std::size_t marcher = 0; marcher < count(); ++marcher) {
+    const std::size_t agent = first_ + marcher;
+    const double time = marching_time(marcher, dt, now, minds.holds(agent));
+    const LanePlace place = marcher_place(route_, starts_[marcher], time);
+    const glm::vec3 position(place.position.x, 0.0, place.position.y);
+    places.speeds[agent] = static_cast<float>(static_cast<double>(glm::distance(position, places.positions[agent])) /
+                                              anim::to_seconds(dt));
+    places.positions[agent] = position;
+    places.headings[agent] = place.heading;
+  }
+}
+
+// Each marcher stays where it is. Its start moves instead, since a place follows from start, speed and time.
+void Marchers::take_speed(double speed, anim::Ticks now) {
+  for (std::size_t marcher = 0; marcher < count(); ++marcher) {
+    starts_[marcher].distance += (route_.speed - speed) * anim::to_seconds(now - behind_[marcher]);
+  }
+  route_.speed = speed;
 }
 
 double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles) {

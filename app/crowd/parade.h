@@ -1,6 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "app/crowd/layout.h"
+#include "app/crowd/minds.h"
+#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -15,6 +21,32 @@ LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double s
 /// Returns the phase of the walk clip, 0 to below 1, that a marcher starts with, so that all of its file and rank are
 /// in step.
 double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles);
+
+/// Agents that march in rank and file along a route. They are the agents after the walkers of a crowd.
+class Marchers {
+ public:
+  explicit Marchers(const CrowdLayout& layout)
+      : first_(layout.walkers.size()), route_(layout.route), starts_(layout.marchers), behind_(starts_.size()) {}
+
+  std::size_t count() const { return starts_.size(); }
+  /// Returns the number of the company of a marcher, counted from 0 at the head of a parade.
+  std::uint32_t company(std::size_t marcher) const { return starts_[marcher].company; }
+
+  /// Puts the marchers where they begin.
+  void begin(CrowdPlaces& places) const;
+  /// Moves the marchers by `dt`, which is above 0, to `now`. An agent that is held stays, and makes up for it later.
+  void advance(anim::Ticks dt, anim::Ticks now, const CrowdMinds& minds, CrowdPlaces& places);
+  /// Lets the marchers go on at another speed, in metres a second, from where they are `now`.
+  void take_speed(double speed, anim::Ticks now);
+
+ private:
+  double marching_time(std::size_t marcher, anim::Ticks dt, anim::Ticks now, bool is_held);
+
+  std::size_t first_;  // agent
+  Lane route_;
+  std::vector<MarcherStart> starts_;
+  std::vector<anim::Ticks> behind_;  // [marcher] how late it is at its places
+};
 
 /// The size of a parade, in metres.
 struct ParadeSize {

@@ -21,6 +21,8 @@ constexpr std::size_t agents_an_athlete = 14;
 constexpr std::size_t most_athletes = 60;
 constexpr double wave_speed = 11.0;  // metres a second
 constexpr double least_wave_seconds = 9.0;
+constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
+constexpr double wave_unevenness = 0.25;  // seconds
 
 std::size_t tier_count(std::size_t agents) {
   return static_cast<std::size_t>(std::max(1L, std::lround(std::sqrt(static_cast<double>(agents)) / 4.5)));
@@ -115,6 +117,29 @@ StadiumSize stadium_size(std::size_t agents, const CharacterRoles& roles) {
   const auto tiers = static_cast<double>(tier_count(agents));
   return {tier.core.x + tier.corner_radius, tier.core.y + tier.corner_radius, tiers * tier_pitch * roles.spacing(),
           tiers * tier_rise * roles.spacing()};
+}
+
+Wave::Wave(const CrowdLayout& layout, CrowdMinds& minds)
+    : first_stander_(layout.walkers.size() + layout.marchers.size()), period_(anim::to_ticks(layout.wave_seconds)) {
+  const anim::Ticks first_wave = anim::to_ticks(layout.wave_begins);
+  for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
+    const auto unevenness = static_cast<double>(minds.whim(first_stander_ + stander).between(-1.0F, 1.0F));
+    const double after = layout.standers[stander].round * layout.wave_seconds + wave_unevenness * unevenness;
+    next_.push_back(first_wave + anim::to_ticks(after));
+  }
+}
+
+// Seen from afar, the wave runs round.
+void Wave::advance(anim::Ticks now, const CrowdCast& cast, CrowdMinds& minds) {
+  for (std::size_t stander = 0; stander < next_.size(); ++stander) {
+    if (now < next_[stander]) continue;
+    const anim::Ticks late = (now - next_[stander]) % period_;
+    next_[stander] = now - late + period_;
+    const std::size_t agent = first_stander_ + stander;
+    if (minds.habits()[agent] == Habit::act) continue;
+    const Role up = cast.of(agent).playable(Role::cheer) ? Role::cheer : Role::stand;
+    if (late < up_in_wave) minds.interrupt(agent, up, now - late + up_in_wave);
+  }
 }
 
 }  // namespace throng::app

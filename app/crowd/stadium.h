@@ -1,6 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include "app/crowd/cast.h"
 #include "app/crowd/layout.h"
+#include "app/crowd/minds.h"
+#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -18,6 +24,22 @@ struct StadiumTier {
 std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles& roles);
 /// Returns the place of the feet before a seat, facing the field.
 LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat);
+
+/// A wave of cheering that goes round the standers of a crowd again and again.
+class Wave {
+ public:
+  Wave() = default;  ///< there is no wave
+  /// Expects the wave of `layout`. How unevenly standers rise is drawn from their whims.
+  Wave(const CrowdLayout& layout, CrowdMinds& minds);
+
+  /// Lets the agents that the front has reached rise and cheer.
+  void advance(anim::Ticks now, const CrowdCast& cast, CrowdMinds& minds);
+
+ private:
+  std::size_t first_stander_ = 0;  // agent
+  anim::Ticks period_{};
+  std::vector<anim::Ticks> next_;  // [stander] when the wave is there
+};
 
 /// The size of a stadium, in metres.
 struct StadiumSize {

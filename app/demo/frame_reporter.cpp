@@ -215,8 +215,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
 }
 
 void FrameReporter::add_moment(const Stage& stage) {
-  const bool is_recorded = followers_of(stage.crowd()) != nullptr;
-  report_.seconds = is_recorded ? track_clock_of(stage.crowd()).seconds : anim::to_seconds(stage.system().clock());
+  const bool is_recorded = stage.crowd().tracks() != nullptr;
+  report_.seconds = is_recorded ? stage.crowd().tracks()->clock().seconds : anim::to_seconds(stage.system().clock());
   report_.people = report_.agents - static_cast<int>(std::ranges::count(absent_of(stage.crowd()), 1));
 }
 
@@ -254,9 +254,9 @@ void FrameReporter::add_error(const Stage& stage) {
 void FrameReporter::add_tracks(const Stage& stage) {
   const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
   // Nobody can go to another time of rows that still come.
-  if (followers_of(stage.crowd()) == nullptr || all->is_live) return report_.tracks.reset();
+  if (stage.crowd().tracks() == nullptr || all->is_live) return report_.tracks.reset();
   const bool is_counted = report_.tracks && tracks_ == all;
-  report_.tracks = {.clock = track_clock_of(stage.crowd()),
+  report_.tracks = {.clock = stage.crowd().tracks()->clock(),
                     .people = is_counted ? report_.tracks->people : std::make_shared<const PeopleOverTime>(*all)};
   tracks_ = all;
 }

@@ -9,7 +9,7 @@ void SelectionLog::begin(const Stage& stage, const SelectionReport& selected) {
   agent_ = selected.agent;
   crowd_ = stage.animated().number();
   seen_until_ = stage.system().clock();
-  clip_ = stage.crowd().clips()[agent_];
+  clip_ = stage.crowd().minds().clips()[agent_];
   history_.clear();
   events_.clear();
 }
@@ -31,7 +31,7 @@ void SelectionLog::note_data_keys(const Stage& stage) {
 }
 
 void SelectionLog::note_clip(const Stage& stage) {
-  const int clip = stage.crowd().clips()[agent_];
+  const int clip = stage.crowd().minds().clips()[agent_];
   if (clip == clip_) return;
   clip_ = clip;
   if (clip == no_clip) return;

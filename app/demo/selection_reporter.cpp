@@ -83,8 +83,8 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
   const Crowd& crowd = stage.crowd();
   const glm::vec3& position = crowd.positions()[agent];
   SelectionReport report{.agent = agent,
-                         .role = crowd.roles()[agent],
-                         .habit = crowd.habits()[agent],
+                         .role = crowd.minds().roles()[agent],
+                         .habit = crowd.minds().habits()[agent],
                          .posture = posture_of(stage.animated().fallen(), agent),
                          .x = position.x,
                          .y = position.y,

@@ -19,8 +19,8 @@ float speed_of(const Followers& followers, std::size_t agent, double seconds, do
 }
 
 void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {
-  const Followers* const recorded = followers_of(crowd);
-  const double seconds = track_clock_of(crowd).seconds;
+  const FollowedTracks* const tracks = crowd.tracks();
+  const double seconds = tracks != nullptr ? tracks->clock().seconds : 0.0;
   const std::span<const std::uint8_t> absent = absent_of(crowd);
   const auto measure_each = [&](const auto& measure) {  // of a recorded crowd; an absent person may have no row
     visit_in_tiles(crowd.size(), executor, jobs,
@@ -29,20 +29,21 @@ void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executo
   values_.resize(crowd.size());
   switch (tuning.debug_view) {
     case DebugView::speed:
-      if (recorded == nullptr) {
+      if (tracks == nullptr) {
         values_.assign(crowd.speeds().begin(), crowd.speeds().end());
       } else {
-        measure_each([&](std::size_t agent) { return speed_of(*recorded, agent, seconds); });
+        measure_each([&](std::size_t agent) { return speed_of(tracks->people(), agent, seconds); });
       }
       break;
     case DebugView::density:
       take_densities(crowd, tuning.density_cut_off, executor, jobs);
       break;
     case DebugView::presence:
-      if (recorded == nullptr) {
+      if (tracks == nullptr) {
         std::ranges::fill(values_, unknown);
       } else {
-        measure_each([&](std::size_t agent) { return static_cast<float>(seconds - recorded->presence(agent).first); });
+        measure_each(
+            [&](std::size_t agent) { return static_cast<float>(seconds - tracks->people().presence(agent).first); });
       }
       break;
     default:
@@ -51,8 +52,8 @@ void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executo
 }
 
 void CrowdMeasures::take_densities(const Crowd& crowd, float cut_off, anim::Executor& executor, int jobs) {
-  const Followers* const recorded = followers_of(crowd);
-  const std::shared_ptr<const Trajectories> file = recorded != nullptr ? recorded->file() : nullptr;
+  const FollowedTracks* const tracks = crowd.tracks();
+  const std::shared_ptr<const Trajectories> file = tracks != nullptr ? tracks->people().file() : nullptr;
   if (file != area_of_) {
     area_ = file != nullptr ? WalkableArea(file->plan) : WalkableArea();
     area_of_ = file;

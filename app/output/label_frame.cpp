@@ -52,8 +52,8 @@ PixelBox box_of_sphere(const LabelCamera& camera, glm::ivec2 size, const glm::ve
 }  // namespace
 
 std::string id_of_agent(const Stage& stage, std::uint32_t agent) {
-  const Followers* const recorded = followers_of(stage.crowd());
-  return recorded != nullptr ? recorded->trajectories().persons[agent].id : std::to_string(agent);
+  const FollowedTracks* const tracks = stage.crowd().tracks();
+  return tracks != nullptr ? tracks->people().trajectories().persons[agent].id : std::to_string(agent);
 }
 
 LabelCamera::LabelCamera(const render::CameraView& view, glm::ivec2 size) {
@@ -80,7 +80,7 @@ anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
   frame_.seconds = anim::to_seconds(show.stage().system().clock());
   const Crowd& crowd = show.stage().crowd();
   frame_.file_seconds.reset();
-  if (followers_of(crowd) != nullptr) frame_.file_seconds = track_clock_of(crowd).seconds;
+  if (crowd.tracks() != nullptr) frame_.file_seconds = crowd.tracks()->clock().seconds;
   frame_.size = {show.width, show.height};
   frame_.camera = LabelCamera(render::view_of(show.camera, aspect), frame_.size);
   find_seen_parts(show.stage().crowd().size());
@@ -140,9 +140,9 @@ LabelledPerson LabelMaker::person(const Stage& stage, const render::InstanceReco
   person.agent = agent;
   person.id = id_of_agent(stage, agent);
   person.character = stage.crowd().characters()[agent];
-  const Role role = stage.crowd().roles()[agent];
+  const Role role = stage.crowd().minds().roles()[agent];
   person.role = role == Role::other ? "other" : role_names.at(index_of(role));
-  const int clip = stage.crowd().clips()[agent];
+  const int clip = stage.crowd().minds().clips()[agent];
   if (clip != no_clip) person.clip = stage.character_of(agent).clip_names[static_cast<std::size_t>(clip)];
   person.position = {record.position[0], record.position[1], record.position[2]};
   person.heading = std::atan2(record.heading_sine, record.heading_cosine);

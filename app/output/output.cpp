@@ -38,12 +38,11 @@ anim::Status check_output(const OutputOptions& options) {
 }
 
 int frames_of_run(const DemoOptions& options, const Show& show) {
-  const Crowd& crowd = show.stage().crowd();
-  const Followers* const recorded = followers_of(crowd);
-  const bool goes_on_to_its_end = recorded != nullptr && options.output.any();
+  const FollowedTracks* const tracks = show.stage().crowd().tracks();
+  const bool goes_on_to_its_end = tracks != nullptr && options.output.any();
   if (!options.frames_given && show.live() != nullptr) return 0;
   if (options.frames_given || !goes_on_to_its_end) return options.frames;
-  const TrackClock& clock = track_clock_of(crowd);
+  const TrackClock& clock = tracks->clock();
   const double left = clock.rate < 0.0 ? clock.seconds - clock.first : clock.last - clock.seconds;
   const double frames = std::ceil(left / std::abs(clock.rate) / options.dt.value_or(usual_frame_seconds));
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));

@@ -14,15 +14,15 @@ namespace throng::app {
 namespace {
 
 bool is_live(const Stage& stage) {
-  const Followers* const followers = followers_of(stage.crowd());
-  return followers != nullptr && followers->trajectories().is_live;
+  const FollowedTracks* const tracks = stage.crowd().tracks();
+  return tracks != nullptr && tracks->people().trajectories().is_live;
 }
 
 }  // namespace
 
 std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect) {
-  if (const Followers* const followers = followers_of(stage.crowd())) {
-    return track_cameras(*followers, static_cast<float>(stage.crowd().laid_out_for().height), aspect);
+  if (const FollowedTracks* const tracks = stage.crowd().tracks()) {
+    return track_cameras(tracks->people(), static_cast<float>(stage.crowd().laid_out_for().height), aspect);
   }
   return scene_cameras(stage.tuning().scene, static_cast<std::size_t>(stage.tuning().agents),
                        common_roles(roles_of(stage.characters())), stage.tuning().clothes);
@@ -53,7 +53,7 @@ render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& came
 // It goes back smoothly, for somebody may come from far away.
 render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& camera) {
   constexpr double seconds_to_go = 1.2;
-  const GroundBounds& bounds = followers_of(stage.crowd())->bounds();
+  const GroundBounds& bounds = stage.crowd().tracks()->people().bounds();
   if (bounds != live_bounds_) {
     const auto cameras = cameras_of(stage);
     const NamedCamera* const named = find_camera(cameras, live_name_);

@@ -75,8 +75,8 @@ render::Camera framed(const render::Camera& camera, std::span<const FramedBox> b
 }
 
 std::vector<FramedBox> boxes_of(const Stage& stage) {
-  if (const Followers* const followers = followers_of(stage.crowd())) {
-    return {box_of(*followers, static_cast<float>(stage.crowd().laid_out_for().height))};
+  if (const FollowedTracks* const tracks = stage.crowd().tracks()) {
+    return {box_of(tracks->people(), static_cast<float>(stage.crowd().laid_out_for().height))};
   }
   std::vector<FramedBox> boxes;
   const auto agents = static_cast<std::uint32_t>(stage.crowd().size());

@@ -40,15 +40,15 @@ std::optional<std::uint32_t> person_of(const Trajectories& all, const std::strin
 // A file says where somebody begins and ends.
 std::optional<FollowCamera::Pose> FollowCamera::pose_of(const Stage& stage, std::uint32_t agent) {
   const Crowd& crowd = stage.crowd();
-  const Followers* const followers = followers_of(crowd);
-  if (followers == nullptr) {
+  const FollowedTracks* const tracks = crowd.tracks();
+  if (tracks == nullptr) {
     const Heading heading = crowd.headings()[agent];
     return Pose{crowd.positions()[agent], std::atan2(heading.sine, heading.cosine)};
   }
-  const Trajectories& all = followers->trajectories();
-  const double seconds = track_clock_of(crowd).seconds;
-  if (all.persons[agent].rows.empty() || (all.is_live && !followers->is_there(agent, seconds))) return {};
-  return Pose{followers->position(agent, seconds), followers->step(agent, seconds).heading};
+  const Trajectories& all = tracks->people().trajectories();
+  const double seconds = tracks->clock().seconds;
+  if (all.persons[agent].rows.empty() || (all.is_live && !tracks->people().is_there(agent, seconds))) return {};
+  return Pose{tracks->people().position(agent, seconds), tracks->people().step(agent, seconds).heading};
 }
 
 render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose) const {
@@ -62,9 +62,9 @@ render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose) const 
 }
 
 void FollowCamera::find_by_id(const Stage& stage) {
-  const Followers* const followers = followers_of(stage.crowd());
-  if (id_.empty() || followers == nullptr) return;
-  const Trajectories& all = followers->trajectories();
+  const FollowedTracks* const tracks = stage.crowd().tracks();
+  if (id_.empty() || tracks == nullptr) return;
+  const Trajectories& all = tracks->people().trajectories();
   if (!agent_ || all.persons[*agent_].id != id_) agent_ = person_of(all, id_);
 }
 

@@ -16,22 +16,22 @@ constexpr double between_looks = 0.1, most_looks = 200'000.0;       // seconds; 
 }  // namespace
 
 void PathInView::add(SceneLines& lines, const Stage& stage) {
-  const Followers* const followers = followers_of(stage.crowd());
-  if (followers == nullptr || !stage.selected()) return;
+  const FollowedTracks* const tracks = stage.crowd().tracks();
+  if (tracks == nullptr || !stage.selected()) return;
   const bool is_known = crowd_ == stage.animated().number() && agent_ == stage.selected();
-  if (!is_known || followers->trajectories().is_live) {
+  if (!is_known || tracks->people().trajectories().is_live) {
     crowd_ = stage.animated().number();
     agent_ = *stage.selected();
-    find(*followers, agent_);
+    find(tracks->people(), agent_);
   }
-  const double now = track_clock_of(stage.crowd()).seconds;
+  const double now = tracks->clock().seconds;
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     const Point &from = points_[i], &to = points_[i + 1];
     if (now <= from.seconds || now >= to.seconds) {
       lines.push_back({from.place, to.place, now >= to.seconds ? walked : to_come});
       continue;
     }
-    const glm::vec3 here = followers->position(agent_, now) + glm::vec3(0.0F, over_ground, 0.0F);
+    const glm::vec3 here = tracks->people().position(agent_, now) + glm::vec3(0.0F, over_ground, 0.0F);
     lines.push_back({from.place, here, walked});
     lines.push_back({here, to.place, to_come});
   }

@@ -36,7 +36,7 @@ bool Show::has_rows_for(anim::Ticks step, std::chrono::milliseconds most) {
 bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
   const Trajectories* const all = trajectories_of(*stage_).get();
   if (all == nullptr || all->is_live) return true;
-  TrackClock clock = track_clock_of(stage_->crowd());
+  TrackClock clock = stage_->crowd().tracks()->clock();
   const TrajectoryOptions& asked = options.trajectories;
   const auto has = [clock](double seconds) { return seconds >= clock.first && seconds <= clock.last; };
   const auto refuse = [&](const std::string& option) {
@@ -71,7 +71,7 @@ anim::Status Show::replace_trajectories(std::shared_ptr<const Trajectories> traj
     return exchanged;
   }
   live_.reset();
-  TrackClock clock = track_clock_of(stage_->crowd());
+  TrackClock clock = stage_->crowd().tracks()->clock();
   clock.repeats = true;
   set_track_clock(*stage_, clock);
   camera = guide.begin_scene(*stage_);

@@ -277,7 +277,7 @@ anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tunin
   auto stage =
       Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(), std::move(trajectories));
   if (!stage) return stage.error();
-  if (same_tracks) set_track_clock(**stage, track_clock_of(stage_->crowd()));
+  if (same_tracks) set_track_clock(**stage, stage_->crowd().tracks()->clock());
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   viewer_.reset();
@@ -360,7 +360,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
   // Any moment of a recorded crowd is there at once, and nobody knows those of a live one again.
-  const bool has_clock_of_its_own = followers_of(stage_->crowd()) != nullptr;
+  const bool has_clock_of_its_own = stage_->crowd().tracks() != nullptr;
   if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);

@@ -15,7 +15,7 @@ void ThresholdsInView::pick_clip(const Stage& stage) {
     agents_[i].assign(stage.characters()[i].character->clips.size() + 1, 0);
   }
   for (const anim::VisibleAgent& seen : stage.selection().visible) {
-    ++agents_[crowd.characters()[seen.agent]][static_cast<std::size_t>(crowd.clips()[seen.agent]) + 1];
+    ++agents_[crowd.characters()[seen.agent]][static_cast<std::size_t>(crowd.minds().clips()[seen.agent]) + 1];
   }
   const auto place = static_cast<std::size_t>(clip_) + 1;
   const bool is_known = character_ < agents_.size() && place < agents_[character_].size();

@@ -139,17 +139,17 @@ void Trails::draw(SceneLines& lines, const View& view, std::uint32_t color) cons
 }
 
 void Trails::add(SceneLines& lines, const Stage& stage, const render::Camera& camera, glm::ivec2 picture) {
-  const Followers* const followers = followers_of(stage.crowd());
-  if (followers == nullptr || !make_room(stage)) return;
-  const double seconds = track_clock_of(stage.crowd()).seconds;
+  const FollowedTracks* const tracks = stage.crowd().tracks();
+  if (tracks == nullptr || !make_room(stage)) return;
+  const double seconds = tracks->clock().seconds;
   const glm::vec2 size(picture);
   const View view{.planes = render::frustum_planes(render::view_of(camera, size.x / size.y)),
                   .camera = camera.position,
                   .metres_a_pixel = 1.0F / render::pixels_tall(camera, size.y, 1.0F, 1.0F)};
-  for (std::size_t agent = 0; agent < followers->count(); ++agent) {
+  for (std::size_t agent = 0; agent < tracks->people().count(); ++agent) {
     if (absent_of(stage.crowd())[agent] != 0) continue;
-    keep_up(*followers, agent, seconds);
-    gather(*followers, agent, seconds);
+    keep_up(tracks->people(), agent, seconds);
+    gather(tracks->people(), agent, seconds);
     const std::uint32_t of_view = debug_color(stage.tuning(), {.measure = measures_of(stage).of(agent)});
     draw(lines, view, agent == stage.selected() ? selected_color : color_scale(stage.tuning()) ? of_view : plain_color);
   }

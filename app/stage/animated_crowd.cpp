@@ -100,7 +100,8 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
     return;
   }
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    play(agent, crowd_->clips()[agent], anim::Ticks{}, static_cast<double>(crowd_->start_phases()[agent]));
+    play(agent, crowd_->minds().clips()[agent], anim::Ticks{},
+         static_cast<double>(crowd_->looks().start_phases[agent]));
   }
   if (tuning.scene == Scene::film) {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
@@ -109,7 +110,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSou
 }
 
 void give_things(AnimatedCrowd& animated, std::vector<Held> things) {
-  give(*animated.crowd_, std::move(things));
+  animated.crowd_->minds().give(std::move(things));
   animated.held_arms_->reset(*animated.crowd_);
   animated.joined_hands_->reset(*animated.crowd_);
 }
@@ -133,7 +134,7 @@ void AnimatedCrowd::take_roles() {
   let_go_of_clip();
   for (const ClipRequest& request : crowd_->take_roles(roles_of(characters_))) {
     change_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)),
-                static_cast<double>(crowd_->start_phases()[request.agent]));
+                static_cast<double>(crowd_->looks().start_phases[request.agent]));
   }
   ++number_;
 }
@@ -152,10 +153,11 @@ void AnimatedCrowd::move(anim::Ticks delta) {
 // Agents that walk go at their own pace from frame to frame, and their feet with them.
 void AnimatedCrowd::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
-  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  const std::size_t movers = crowd_->walkers().count() + crowd_->marchers().count();
   const auto pick = [&](std::size_t i, anim::AgentSpeed& listed) {
     const auto agent = static_cast<std::uint32_t>(i);
-    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) return false;
+    if (speeds[agent] == played_speeds_[agent] || crowd_->minds().clips()[agent] == no_clip || holds_clip(agent))
+      return false;
     listed = {.agent = {agent}, .speed = speeds[agent]};
     played_speeds_[agent] = speeds[agent];
     return true;
@@ -209,7 +211,7 @@ void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
 void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning) {
   if (!tuning.wardrobe) return;
   DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
-  wear(*animated.crowd_, std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
+  animated.crowd_->looks().wear(std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
   give_things(animated, std::move(dressed.things));
 }
 

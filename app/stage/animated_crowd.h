@@ -122,6 +122,7 @@ class AnimatedCrowd {
 
   anim::AnimationSystem& system() { return *system_; }
   const anim::AnimationSystem& system() const { return *system_; }
+  Crowd& crowd() { return *crowd_; }
   const Crowd& crowd() const { return *crowd_; }
   /// Returns the camera of the cut scene; null in the other scenes.
   const CutScene* cut_scene() const { return cut_scene_.get(); }
@@ -141,7 +142,7 @@ class AnimatedCrowd {
   anim::Status open(const anim::SystemOptions& options);
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
   bool follows_a_script(std::uint32_t agent) const {
-    return crowd_->habits()[agent] == Habit::act || crowd_->habits()[agent] == Habit::follow;
+    return crowd_->minds().habits()[agent] == Habit::act || crowd_->minds().habits()[agent] == Habit::follow;
   }
   bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
   void play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
@@ -181,13 +182,11 @@ void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> vi
 const HeldArms& held_arms_of(const AnimatedCrowd& animated);
 
 /// Takes a recorded crowd to another time, at a frame boundary.
-inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) {
-  set_track_clock(*animated.crowd_, clock);
-}
+inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) { animated.crowd_->go_to(clock); }
 
 /// Takes the rows that came of a live crowd. Call it before move().
 inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) {
-  take_live_step(*animated.crowd_, step, animated.system_->executor(), animated.system_->options().pus);
+  animated.crowd_->take(step, animated.system_->executor(), animated.system_->options().pus);
 }
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);

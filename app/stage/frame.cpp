@@ -70,11 +70,13 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 void Stage::move(anim::Ticks delta) {
   StopWatch watch;
   moving_ = delta > anim::Ticks{};
-  const double seconds = track_clock_of(crowd()).seconds;
+  const FollowedTracks* const tracks = crowd().tracks();
+  const double seconds = tracks != nullptr ? tracks->clock().seconds : 0.0;
   animated_->move(delta);
-  const TrackClock& clock = track_clock_of(crowd());
-  if ((clock.seconds - seconds) * clock.rate < 0.0) jump();  // the part begins anew
-  if (followers_of(crowd()) != nullptr) track_clock_ = clock;
+  if (tracks != nullptr) {
+    track_clock_ = tracks->clock();
+    if ((track_clock_->seconds - seconds) * track_clock_->rate < 0.0) jump();  // the part begins anew
+  }
   times_.crowd_ms = watch.lap();
 }
 
@@ -109,7 +111,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   lod_.select({.positions = crowd().positions(),
                .scales = crowd().scales(),
                .character_of = crowd().characters(),
-               .clips = crowd().clips(),
+               .clips = crowd().minds().clips(),
                .left_out = animated_->left_out(),
                .absent = absent_of(crowd())},
               lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);

@@ -18,7 +18,7 @@ constexpr double push_height = 0.75;        // of the character's, where it is m
 }  // namespace
 
 float AnimatedCrowd::clip_seconds(std::uint32_t agent) const {
-  const int clip = holds_clip(agent) ? held_clip_->clip : crowd_->clips()[agent];
+  const int clip = holds_clip(agent) ? held_clip_->clip : crowd_->minds().clips()[agent];
   if (clip == no_clip) return 0;
   const anim::Character& character = *character_of(agent).character;
   return static_cast<float>(anim::to_seconds(character.clips[static_cast<std::size_t>(clip)].duration));
@@ -28,7 +28,7 @@ void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
   if (follows_a_script(agent) || fallen_->phase(agent) != FallenAgents::Phase::standing) return;
   if (!holds_clip(agent)) {
     let_go_of_clip();
-    held_clip_ = {.agent = agent, .clip = crowd_->clips()[agent]};
+    held_clip_ = {.agent = agent, .clip = crowd_->minds().clips()[agent]};
     crowd_->hold(agent);
   }
   if (held_clip_->clip == no_clip) return;
@@ -45,7 +45,7 @@ void AnimatedCrowd::let_go_of_clip() {
   const std::uint32_t agent = held_clip_->agent;
   held_clip_.reset();
   crowd_->release(agent);
-  change_clip(agent, crowd_->clips()[agent], anim::to_ticks(fade_after_holding));
+  change_clip(agent, crowd_->minds().clips()[agent], anim::to_ticks(fade_after_holding));
 }
 
 bool AnimatedCrowd::can_fall(std::uint32_t agent) const { return fallen_->possible(agent) && !follows_a_script(agent); }
@@ -64,7 +64,7 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
                       heading.sine * direction.x + heading.cosine * direction.z);
   const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
-  const bool stood = !crowd_->holds(agent);
+  const bool stood = !crowd_->minds().holds(agent);
   if (stood) change_clip(crowd_->hold(agent));
   const auto chest = static_cast<float>(push_height * character.character->bounds.height);
   anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
@@ -106,7 +106,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.crowd_number = number_;
   into.clock = system_->clock();
   system_->snapshot(into.system);
-  crowd_->remember(into.crowd);
+  into.crowd = crowd_->state();
   into.cut_scene = cut_scene_ ? std::optional(cut_scene_->moment()) : std::nullopt;
   into.fallen = *fallen_;
   into.feet = feet_->moment();
@@ -118,7 +118,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
 anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   if (moment.crowd_number != number_) return anim::Error{"that moment is of another crowd"};
   if (anim::Status restored = system_->restore(moment.system); !restored) return restored;
-  crowd_->go_back_to(moment.crowd);
+  crowd_->go_back_to(*moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);

@@ -78,7 +78,7 @@ void HeldArms::reset(const Crowd& crowd) {
   arm_of_.assign(crowd.size(), none);
   arms_.clear();
   shown_.clear();
-  const std::span<const Held> things = things_of(crowd);
+  const std::span<const Held> things = crowd.minds().things();
   for (std::uint32_t agent = 0; agent < things.size(); ++agent) give(crowd, agent, things[agent]);
   shown_.reserve(arms_.size());
 }
@@ -137,7 +137,7 @@ bool HeldArms::goes_on(std::uint32_t agent) {
 
 void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> near, std::span<const std::uint8_t> away) {
   const std::uint32_t before = frame_++;
-  const std::span<const Held> things = things_of(crowd);
+  const std::span<const Held> things = crowd.minds().things();
   for (const anim::VisibleAgent& seen : near) {
     const std::uint32_t agent = seen.agent;
     if (arm_of_[agent] == none) continue;
@@ -146,7 +146,7 @@ void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> near
     if (!was_near && seen.pixels_tall < pixels_to_begin) continue;
     arm.near_in = frame_;
     const bool is_away = !away.empty() && away[agent] != 0;
-    if (!is_away && arm_lies_over(things[agent], crowd.roles()[agent])) {
+    if (!is_away && arm_lies_over(things[agent], crowd.minds().roles()[agent])) {
       turn_on(agent, arm, !was_near);
     } else {
       turn_off(agent, arm);

@@ -42,7 +42,8 @@ class HeldArms {
   /// its character has no clip of an arm that could.
   bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
     if (agent >= arm_of_.size() || arm_of_[agent] == none) return true;
-    return arms_[arm_of_[agent]].near_in == frame_ && is_in_hand(things_of(crowd)[agent], crowd.roles()[agent]);
+    return arms_[arm_of_[agent]].near_in == frame_ &&
+           is_in_hand(crowd.minds().things()[agent], crowd.minds().roles()[agent]);
   }
   /// Returns whether the arm of an agent holds something now, over what the whole body does.
   bool holds(std::uint32_t agent) const {

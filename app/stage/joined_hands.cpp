@@ -135,7 +135,7 @@ void JoinedHands::reset(const Crowd& crowd) {
   pairs_.clear();
   lent_.reset(crowd.size());
   away_.assign(crowd.size(), 0);
-  const std::span<const Held> things = things_of(crowd);
+  const std::span<const Held> things = crowd.minds().things();
   for (std::uint32_t agent = 1; agent < things.size(); ++agent) {
     if (things[agent] != Held::grown_up || things[agent - 1] != Held::child) continue;
     const std::uint8_t grown_up = crowd.characters()[agent - 1], child = crowd.characters()[agent];

@@ -19,7 +19,7 @@ struct StageMoment {
   std::uint64_t crowd_number = 0;  ///< AnimatedCrowd::number; the moment cannot be put back into another crowd
   anim::Ticks clock{};
   anim::SystemSnapshot system;
-  CrowdMoment crowd;
+  std::optional<CrowdState> crowd;
   std::optional<CutScene::Moment> cut_scene;
   std::optional<FallenAgents> fallen;
   PlacedFeet::Moment feet;

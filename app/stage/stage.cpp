@@ -194,9 +194,9 @@ void Stage::restart() {
 void Stage::populate(AnimatedCrowd::Clocks clocks) {
   animated_->populate(tuning_, clocks, track_source(trajectories_, characters_));
   dress(*animated_, clothing_, tuning_);
-  if (followers_of(crowd()) != nullptr) {
+  if (crowd().tracks() != nullptr) {
     if (track_clock_) set_track_clock(*animated_, *track_clock_);
-    track_clock_ = track_clock_of(crowd());
+    track_clock_ = crowd().tracks()->clock();
   }
   selected_.reset();
   exact_.reset(crowd().size(), frame_);
@@ -228,7 +228,7 @@ void set_track_clock(Stage& stage, const TrackClock& clock) {
 }
 
 void take_live_step(Stage& stage, const LiveStep& step) {
-  if (followers_of(stage.crowd()) != nullptr) take_live_step(*stage.animated_, step);
+  if (stage.crowd().tracks() != nullptr) take_live_step(*stage.animated_, step);
 }
 
 void Stage::select(std::optional<std::uint32_t> agent) {

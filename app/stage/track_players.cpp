@@ -29,12 +29,12 @@ TrackSource track_source(std::shared_ptr<const Trajectories> trajectories,
 TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
                            std::span<const CharacterSource> characters)
     : system_(&system), crowd_(&crowd), characters_(characters), planted_(crowd.size()) {
-  const Followers& followers = *followers_of(crowd);
+  const Followers& followers = crowd.tracks()->people();
   for (std::size_t i = 0; i < characters.size(); ++i) {
     stances_.emplace_back(*characters[i].character, followers.plane_of_character(i));
   }
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    const FollowedMix mix = mix_of(agent, track_clock_of(crowd).seconds, {});
+    const FollowedMix mix = mix_of(agent, crowd.tracks()->clock().seconds, {});
     [[maybe_unused]] const auto added =
         system.agent(agent).add_channel(std::make_unique<anim::ClipMixChannel>(mix.clips()));
     assert(added && "clips of roles are those of the character");
@@ -42,8 +42,8 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
 }
 
 FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const {
-  const Followers& followers = *followers_of(*crowd_);
-  const TrackClock& clock = track_clock_of(*crowd_);
+  const Followers& followers = crowd_->tracks()->people();
+  const TrackClock& clock = crowd_->tracks()->clock();
   const std::size_t character = crowd_->characters()[agent];
   const CharacterSource& source = characters_[character];
   TrackStep step = followers.step(agent, seconds);
@@ -62,8 +62,8 @@ std::array<float, person_legs> TrackPlayers::planted_at(std::uint32_t agent, dou
 }
 
 std::optional<TrackPlayers::Gaze> TrackPlayers::gaze(std::uint32_t agent) const {
-  const Followers& followers = *followers_of(*crowd_);
-  const double seconds = track_clock_of(*crowd_).seconds;
+  const Followers& followers = crowd_->tracks()->people();
+  const double seconds = crowd_->tracks()->clock().seconds;
   const TalkMoment talk = followers.talk(agent, seconds);
   if (talk.looks <= 0.0F) return std::nullopt;
   constexpr float eyes = 0.93F;  // of a person's height
@@ -77,7 +77,7 @@ std::optional<TrackPlayers::Gaze> TrackPlayers::gaze(std::uint32_t agent) const 
 }
 
 void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
-  TrackClock clock = track_clock_of(*crowd_);
+  TrackClock clock = crowd_->tracks()->clock();
   advance(clock, anim::to_seconds(ahead));
   const FollowedMix mix = mix_of(agent, clock.seconds, ahead);
   planted_[agent] = mix.planted;

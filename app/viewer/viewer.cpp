@@ -32,7 +32,7 @@ std::optional<std::uint32_t> first_agent_of(const Crowd& crowd, std::size_t char
 // The clip that is asked for, else the agent's, else the one to stand with, else the first.
 int first_clip(const Stage& stage, const ViewRequest& request) {
   const CharacterSource& source = stage.characters()[request.character];
-  const int of_agent = request.agent ? stage.crowd().clips()[*request.agent] : no_clip;
+  const int of_agent = request.agent ? stage.crowd().minds().clips()[*request.agent] : no_clip;
   const int of_preview = request.preview ? request.preview->clip : no_clip;
   for (const int clip : {request.clip.value_or(no_clip), of_preview, of_agent, source.roles.clip(Role::stand)}) {
     if (has_clip(*source.character, clip)) return clip;

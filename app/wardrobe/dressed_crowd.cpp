@@ -88,7 +88,7 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
   std::vector<std::uint32_t> groups;
   const std::span<const glm::vec3> places = crowd.positions();
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
-    const bool stands = agent > crowd.walkers() + crowd.marchers();
+    const bool stands = agent > crowd.walkers().count() + crowd.marchers().count();
     const bool joins = stands && glm::distance(places[agent], places[agent - 1]) < same_group;
     groups.push_back(joins ? groups.back() : agent);
   }
@@ -98,8 +98,9 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
 /// A grown-up with a child at the left leads it by the hand.
 std::vector<Held> hands_of(const Crowd& crowd) {
   std::vector<Held> hands(crowd.size());
-  for (std::size_t walker = 1; walker < crowd.walkers(); ++walker) {
-    const bool is_first = crowd.habits()[walker] == Habit::accompany && crowd.habits()[walker - 1] != Habit::accompany;
+  for (std::size_t walker = 1; walker < crowd.walkers().count(); ++walker) {
+    const bool is_first =
+        crowd.minds().habits()[walker] == Habit::accompany && crowd.minds().habits()[walker - 1] != Habit::accompany;
     if (!is_first || !is_child(crowd, walker)) continue;
     hands[walker - 1] = Held::child;
     hands[walker] = Held::grown_up;
@@ -122,8 +123,9 @@ std::uint32_t team_of(const glm::vec3& place) { return place.x < 0.0F ? 0 : 1; }
 
 /// A marcher dresses with its company.
 void fall_in(const Crowd& crowd, Person& person) {
-  person.marches = person.agent >= crowd.walkers() && person.agent < crowd.walkers() + crowd.marchers();
-  if (person.marches) person.group = person.team = company_of(crowd, person.agent - crowd.walkers());
+  person.marches =
+      person.agent >= crowd.walkers().count() && person.agent < crowd.walkers().count() + crowd.marchers().count();
+  if (person.marches) person.group = person.team = crowd.marchers().company(person.agent - crowd.walkers().count());
 }
 
 void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
@@ -167,15 +169,15 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
                   .group = groups[agent],
                   .team = team_of(crowd.positions()[agent]),
                   .hand_is_taken = dressed.things[agent] != Held::nothing,
-                  .brings = crowd.habits()[agent] == Habit::photograph ? "camera" : ""};
+                  .brings = crowd.minds().habits()[agent] == Habit::photograph ? "camera" : ""};
     fall_in(crowd, person);
     Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
-    if (takes_no_pushchair(crowd.habits()[agent]) && has_pushchair(worn)) {
+    if (takes_no_pushchair(crowd.minds().habits()[agent]) && has_pushchair(worn)) {
       person.hand_is_taken = true;
       worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
     }
     lookalikes.add(worn, agent);
-    if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.tints()[agent]);
+    if (tuning.clothes == Clothes::pattern) wear_pattern(dressed.looks[agent], crowd.looks().tints[agent]);
     give_face(dressed.looks[agent], agent, tuning.seed, is_child(crowd, agent));
     if (worn.style->old) {
       turn_gray(dressed.looks[agent], agent, tuning.seed);

@@ -32,9 +32,9 @@ ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, std::vector<ani
       crowd_(tuning.scene, static_cast<std::size_t>(tuning.agents), tuning.seed, character.roles),
       plays_(crowd_.size()) {
   for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
-    const auto clip = static_cast<std::size_t>(crowd_.clips()[agent]);
+    const auto clip = static_cast<std::size_t>(crowd_.minds().clips()[agent]);
     const double seconds = anim::to_seconds(character.character->clips[clip].duration);
-    const double start = static_cast<double>(crowd_.start_phases()[agent]) * seconds;
+    const double start = static_cast<double>(crowd_.looks().start_phases[agent]) * seconds;
     plays_[agent].push_back(
         {.clip = clip, .stretches = {{.position = start, .speed = speed_of(static_cast<std::uint32_t>(agent))}}});
   }
@@ -50,7 +50,7 @@ void ReferenceCrowd::advance(anim::Ticks delta) {
                                      .fade = anim::to_ticks(static_cast<double>(request.fade_seconds)),
                                      .stretches = {{.since = clock_, .speed = speed_of(request.agent)}}});
   }
-  for (std::uint32_t mover = 0; mover < crowd_.walkers() + crowd_.marchers(); ++mover) keep_pace(mover);
+  for (std::uint32_t mover = 0; mover < crowd_.walkers().count() + crowd_.marchers().count(); ++mover) keep_pace(mover);
 }
 
 // The newest clip of an agent plays at the speed that its feet have now; clips that fade out keep their speed.

@@ -53,16 +53,16 @@ TEST(CrowdCast, IsTheSameForTheSameSeedAndAnotherForAnother) {
 TEST(CrowdCast, OnlyThoseWhoCanWalkAreWalkers) {
   const std::vector characters = {statue(), person()};
   const Crowd crowd(Scene::plaza, 300, 1, characters);
-  ASSERT_GT(crowd.walkers(), 0U);
-  EXPECT_THAT(crowd.characters().first(crowd.walkers()), Each(1));
-  EXPECT_GT(members_of(crowd.characters().subspan(crowd.walkers()))[0], 0);
+  ASSERT_GT(crowd.walkers().count(), 0U);
+  EXPECT_THAT(crowd.characters().first(crowd.walkers().count()), Each(1));
+  EXPECT_GT(members_of(crowd.characters().subspan(crowd.walkers().count()))[0], 0);
 }
 
 TEST(CrowdCast, ThoseWhoMarchInStepAreOfOneCharacter) {
   const std::vector characters = {statue(), person(), giant()};
   const Crowd crowd(Scene::parade, 300, 1, characters);
-  ASSERT_GT(crowd.marchers(), 0U);
-  EXPECT_THAT(crowd.characters().subspan(crowd.walkers(), crowd.marchers()), Each(1));
+  ASSERT_GT(crowd.marchers().count(), 0U);
+  EXPECT_THAT(crowd.characters().subspan(crowd.walkers().count(), crowd.marchers().count()), Each(1));
 }
 
 TEST(CrowdCast, EverybodyPlaysClipsOfTheirOwnAndWalksAtTheirOwnSpeed) {
@@ -76,7 +76,7 @@ TEST(CrowdCast, EverybodyPlaysClipsOfTheirOwnAndWalksAtTheirOwnSpeed) {
     }
   }
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    EXPECT_EQ(crowd.clips()[agent] >= 100, crowd.characters()[agent] == 1) << agent;
+    EXPECT_EQ(crowd.minds().clips()[agent] >= 100, crowd.characters()[agent] == 1) << agent;
   }
 }
 
@@ -88,7 +88,8 @@ TEST(CrowdCast, KeepsItsDistanceByTheWidest) {
     for (std::size_t a = 0; a < crowd.size(); ++a) {
       for (std::size_t b = a + 1; b < crowd.size(); ++b) {
         const float apart = glm::distance(crowd.positions()[a], crowd.positions()[b]);
-        ASSERT_GT(apart, 0.8F * (crowd.radii()[a] + crowd.radii()[b])) << a << ", " << b << ", frame " << frame;
+        ASSERT_GT(apart, 0.8F * (crowd.looks().radii[a] + crowd.looks().radii[b]))
+            << a << ", " << b << ", frame " << frame;
       }
     }
   }

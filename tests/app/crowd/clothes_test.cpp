@@ -122,9 +122,9 @@ TEST(ClothesPattern, LeavesSkinAndHairAndAFewPeopleAsTheyAre) {
   int alike = 0;
   for (std::size_t agent = 0; agent < own.size(); ++agent) {
     EXPECT_EQ(own.positions()[agent], dressed.positions()[agent]);
-    EXPECT_EQ(own.tints()[agent][0], dressed.tints()[agent][0]) << "skin";
-    EXPECT_EQ(own.tints()[agent][1], dressed.tints()[agent][1]) << "hair";
-    if (own.tints()[agent][2] == dressed.tints()[agent][2]) ++alike;
+    EXPECT_EQ(own.looks().tints[agent][0], dressed.looks().tints[agent][0]) << "skin";
+    EXPECT_EQ(own.looks().tints[agent][1], dressed.looks().tints[agent][1]) << "hair";
+    if (own.looks().tints[agent][2] == dressed.looks().tints[agent][2]) ++alike;
   }
   EXPECT_GT(alike, 20);
   EXPECT_LT(alike, 120);
@@ -135,7 +135,7 @@ TEST(ClothesPattern, IsOfEveryScene) {
     for (const std::size_t agents : {1U, 60U}) {
       const std::vector<CharacterRoles> people{person()};
       const Crowd crowd(scene, agents, 1, people, pattern);
-      EXPECT_EQ(crowd.tints().size(), agents);
+      EXPECT_EQ(crowd.looks().tints.size(), agents);
     }
   }
 }

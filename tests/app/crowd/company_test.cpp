@@ -34,14 +34,14 @@ class CompanyOfAPlaza : public testing::Test {
 
   std::vector<std::size_t> followers() const {
     std::vector<std::size_t> all;
-    for (std::size_t walker = 0; walker < crowd_.walkers(); ++walker) {
-      if (crowd_.habits()[walker] == Habit::accompany) all.push_back(walker);
+    for (std::size_t walker = 0; walker < crowd_.walkers().count(); ++walker) {
+      if (crowd_.minds().habits()[walker] == Habit::accompany) all.push_back(walker);
     }
     return all;
   }
   /// Leaders come right before their company.
   std::size_t leader_of(std::size_t follower) const {
-    while (crowd_.habits()[follower] == Habit::accompany) --follower;
+    while (crowd_.minds().habits()[follower] == Habit::accompany) --follower;
     return follower;
   }
   float distance_to_leader(std::size_t follower) const {
@@ -53,7 +53,7 @@ class CompanyOfAPlaza : public testing::Test {
 };
 
 TEST_F(CompanyOfAPlaza, WalksBesideItsLeader) {
-  ASSERT_GT(followers().size(), crowd_.walkers() / 6);
+  ASSERT_GT(followers().size(), crowd_.walkers().count() / 6);
   std::size_t looks = 0, beside = 0;
   for (int i = 0; i < 60 * 30; ++i) {
     crowd_.advance(frame);
@@ -71,7 +71,8 @@ TEST_F(CompanyOfAPlaza, GoesTheSameWayWhicheverTileComesFirst) {
   int compared = 0;
   for (std::uint32_t seed = 1; seed < 100 && compared < 4; ++seed) {
     Crowd one(Scene::plaza, 400, seed, std::span(&roles_, 1), {.bodies = true});
-    const bool is_cut = one.walkers() > SharedTiles::tile && one.habits()[SharedTiles::tile] == Habit::accompany;
+    const bool is_cut =
+        one.walkers().count() > SharedTiles::tile && one.minds().habits()[SharedTiles::tile] == Habit::accompany;
     if (!is_cut) continue;
     ++compared;
     Crowd other(Scene::plaza, 400, seed, std::span(&roles_, 1), {.bodies = true});
@@ -126,8 +127,8 @@ TEST_F(CompanyOfAPlaza, HasChildrenBesideGrownUpsAlone) {
     if (crowd_.looks().bodies[agent] != 1) continue;
     ++children;
     ASSERT_GT(agent, 0U);
-    if (agent < crowd_.walkers()) {
-      EXPECT_EQ(crowd_.habits()[agent], Habit::accompany);
+    if (agent < crowd_.walkers().count()) {
+      EXPECT_EQ(crowd_.minds().habits()[agent], Habit::accompany);
     }
     EXPECT_EQ(crowd_.looks().bodies[agent - 1], 0) << "a grown-up stands or walks beside it";
     EXPECT_LT(glm::distance(crowd_.positions()[agent], crowd_.positions()[agent - 1]), 2.5F);
@@ -141,7 +142,7 @@ TEST_F(CompanyOfAPlaza, MeetsNobody) {
     if (i % 60 != 0) continue;
     for (const std::size_t follower : followers()) {
       const std::size_t leader = leader_of(follower);
-      const float radii = crowd_.radii()[follower] + crowd_.radii()[leader];
+      const float radii = crowd_.looks().radii[follower] + crowd_.looks().radii[leader];
       EXPECT_GT(distance_to_leader(follower), 0.8F * radii);
     }
   }
@@ -149,7 +150,7 @@ TEST_F(CompanyOfAPlaza, MeetsNobody) {
 
 TEST(Company, IsKeptByNobodyWhereThereAreNoBodies) {
   const Crowd crowd(Scene::plaza, 300, 1, person());
-  EXPECT_EQ(std::ranges::count(crowd.habits(), Habit::accompany), 0);
+  EXPECT_EQ(std::ranges::count(crowd.minds().habits(), Habit::accompany), 0);
 }
 
 }  // namespace

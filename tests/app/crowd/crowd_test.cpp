@@ -40,8 +40,8 @@ TEST(Crowd, IsTheSameForTheSameSceneAgentsAndSeed) {
     }
   }
   EXPECT_TRUE(same_places(one, two));
-  EXPECT_TRUE(std::ranges::equal(one.tints(), two.tints()));
-  EXPECT_TRUE(std::ranges::equal(one.start_phases(), two.start_phases()));
+  EXPECT_TRUE(std::ranges::equal(one.looks().tints, two.looks().tints));
+  EXPECT_TRUE(std::ranges::equal(one.looks().start_phases, two.looks().start_phases));
 }
 
 TEST(Crowd, MarchersAreWhereTheClockSaysHoweverItWasReached) {
@@ -54,21 +54,21 @@ TEST(Crowd, MarchersAreWhereTheClockSaysHoweverItWasReached) {
 TEST(Crowd, AnotherSeedIsAnotherCrowd) {
   const Crowd one(Scene::plaza, 100, 1, person()), two(Scene::plaza, 100, 2, person());
   EXPECT_FALSE(same_places(one, two));
-  EXPECT_FALSE(std::ranges::equal(one.tints(), two.tints()));
-  EXPECT_FALSE(std::ranges::equal(one.start_phases(), two.start_phases()));
+  EXPECT_FALSE(std::ranges::equal(one.looks().tints, two.looks().tints));
+  EXPECT_FALSE(std::ranges::equal(one.looks().start_phases, two.looks().start_phases));
 }
 
 TEST(Crowd, StandersKeepTheirDistance) {
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
     const Crowd crowd(Scene::plaza, 5000, seed, person());
-    EXPECT_GE(least_distance(crowd, crowd.walkers(), crowd.size()), 0.7F);
+    EXPECT_GE(least_distance(crowd, crowd.walkers().count(), crowd.size()), 0.7F);
   }
 }
 
 TEST(Crowd, SomeRestAndSomeActFromTheStart) {
   for (const Scene scene : {Scene::plaza, Scene::grid}) {
     const Crowd crowd(scene, 300, 1, person());
-    const auto standing = crowd.roles().subspan(crowd.walkers());
+    const auto standing = crowd.minds().roles().subspan(crowd.walkers().count());
     const auto resting = static_cast<std::size_t>(std::ranges::count(standing, Role::stand));
     EXPECT_GT(resting, standing.size() / 2);
     EXPECT_LT(resting, standing.size() * 9 / 10);
@@ -77,7 +77,8 @@ TEST(Crowd, SomeRestAndSomeActFromTheStart) {
 
 // Metres a second that the shown clip's feet go over the ground without sticking to it.
 double sliding_of(const Crowd& crowd, std::size_t agent, const glm::vec3& step) {
-  const double stride = person().ground_speed(crowd.roles()[agent]) * static_cast<double>(crowd.scales()[agent]) *
+  const double stride = person().ground_speed(crowd.minds().roles()[agent]) *
+                        static_cast<double>(crowd.scales()[agent]) *
                         static_cast<double>(crowd.playback_speeds()[agent]);
   const Heading heading = crowd.headings()[agent];
   const double x = 60.0 * static_cast<double>(step.x) - stride * static_cast<double>(heading.sine);
@@ -119,16 +120,16 @@ TEST(Crowd, OnlyWalkersMove) {
   const std::vector<glm::vec3> before(crowd.positions().begin(), crowd.positions().end());
   crowd.advance(frame);
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    EXPECT_EQ(crowd.positions()[agent] != before[agent], agent < crowd.walkers());
-    EXPECT_EQ(crowd.roles()[agent] == Role::walk, agent < crowd.walkers());
+    EXPECT_EQ(crowd.positions()[agent] != before[agent], agent < crowd.walkers().count());
+    EXPECT_EQ(crowd.minds().roles()[agent] == Role::walk, agent < crowd.walkers().count());
   }
 }
 
 TEST(Crowd, LanesAreClosed) {
   const Crowd crowd(Scene::plaza, 1000, 1, person());
-  ASSERT_GT(crowd.lanes().size(), 3U);
+  ASSERT_GT(crowd.walkers().lanes().size(), 3U);
   std::set<double> directions;
-  for (const Lane& lane : crowd.lanes()) {
+  for (const Lane& lane : crowd.walkers().lanes()) {
     const double length = lane.length();
     directions.insert(lane.direction);
     for (int part = 0; part < 20; ++part) {
@@ -144,18 +145,18 @@ TEST(Crowd, LanesAreClosed) {
 
 TEST(Crowd, EveryoneStaysWithinTheRangesOfLooksAndPace) {
   const Crowd crowd(Scene::plaza, 2000, 1, person());
-  std::set<Tints> looks(crowd.tints().begin(), crowd.tints().end());
+  std::set<Tints> looks(crowd.looks().tints.begin(), crowd.looks().tints.end());
   EXPECT_GT(looks.size(), 1900U);
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     EXPECT_GE(crowd.scales()[agent], 0.9F);
     EXPECT_LE(crowd.scales()[agent], 1.08F);
     EXPECT_GE(crowd.playback_speeds()[agent], 0.8999F);
     EXPECT_LE(crowd.playback_speeds()[agent], 1.1001F);
-    EXPECT_FLOAT_EQ(crowd.radii()[agent], 0.3F * crowd.scales()[agent]);
-    EXPECT_LT(crowd.start_phases()[agent], 1.0F);
+    EXPECT_FLOAT_EQ(crowd.looks().radii[agent], 0.3F * crowd.scales()[agent]);
+    EXPECT_LT(crowd.looks().start_phases[agent], 1.0F);
     const Heading heading = crowd.headings()[agent];
     EXPECT_NEAR(heading.cosine * heading.cosine + heading.sine * heading.sine, 1.0F, 1e-5F);
-    for (const std::uint32_t tint : crowd.tints()[agent]) EXPECT_EQ(tint >> 24U, 0xFFU);
+    for (const std::uint32_t tint : crowd.looks().tints[agent]) EXPECT_EQ(tint >> 24U, 0xFFU);
   }
 }
 
@@ -165,7 +166,7 @@ TEST(Crowd, SitsDownAndStandsUpByTheClipsForThat) {
   character.stand_up = {21, 1.8};
   Crowd crowd(Scene::stadium, 200, 1, character);
   const int seat = character.clip(Role::sit);
-  std::vector<int> shown(crowd.clips().begin(), crowd.clips().end());
+  std::vector<int> shown(crowd.minds().clips().begin(), crowd.minds().clips().end());
   std::set<int> passages;
   for (int i = 0; i < 60 * 60; ++i) {
     for (const ClipRequest& request : crowd.advance(frame)) {
@@ -196,7 +197,7 @@ bool are_twins(const Crowd& crowd, std::size_t a, std::size_t b) {
   return near(crowd.scales()[a] * 1.8F, crowd.scales()[b] * 1.8F, 0.01F) && near(one.build, other.build, 0.15F) &&
          near(one.frame, other.frame, 0.2F) && near(one.posture, other.posture, 0.2F) &&
          near(one.fullness, other.fullness, 0.3F) && near(one.length, other.length, 0.3F) &&
-         std::ranges::equal(crowd.tints()[a], crowd.tints()[b], alike);
+         std::ranges::equal(crowd.looks().tints[a], crowd.looks().tints[b], alike);
 }
 
 TEST(Crowd, OfAThousandShowsNoTwinBesideATwin) {
@@ -214,7 +215,7 @@ TEST(Crowd, OfAThousandShowsNoTwinBesideATwin) {
 
 TEST(Crowd, EveryRequestNamesAClipThatTheCharacterHasAndIsNotPlayingAlready) {
   Crowd crowd(Scene::plaza, 500, 1, person());
-  std::vector<int> clips(crowd.clips().begin(), crowd.clips().end());
+  std::vector<int> clips(crowd.minds().clips().begin(), crowd.minds().clips().end());
   std::set<Role> asked;
   for (int i = 0; i < 60 * 30; ++i) {
     for (const ClipRequest& request : crowd.advance(frame)) {
@@ -227,7 +228,7 @@ TEST(Crowd, EveryRequestNamesAClipThatTheCharacterHasAndIsNotPlayingAlready) {
       asked.insert(request.role);
     }
   }
-  EXPECT_TRUE(std::ranges::equal(crowd.clips(), clips));
+  EXPECT_TRUE(std::ranges::equal(crowd.minds().clips(), clips));
   EXPECT_EQ(asked, (std::set<Role>{Role::stand, Role::look_around, Role::walk, Role::jog, Role::run, Role::wave,
                                    Role::cheer, Role::clap, Role::sit}))
       << "some sit on benches";
@@ -236,10 +237,10 @@ TEST(Crowd, EveryRequestNamesAClipThatTheCharacterHasAndIsNotPlayingAlready) {
 TEST(Crowd, WithoutAWalkNobodyWalks) {
   CharacterRoles statue = person();
   statue.clips[index_of(Role::walk)] = no_clip;
-  EXPECT_EQ(Crowd(Scene::plaza, 100, 1, statue).walkers(), 0U);
+  EXPECT_EQ(Crowd(Scene::plaza, 100, 1, statue).walkers().count(), 0U);
   CharacterRoles treadmill = person();
   treadmill.walk_speed = 0.0;
-  EXPECT_EQ(Crowd(Scene::plaza, 100, 1, treadmill).walkers(), 0U);
+  EXPECT_EQ(Crowd(Scene::plaza, 100, 1, treadmill).walkers().count(), 0U);
 }
 
 TEST(Crowd, WithoutAJogOrARunEveryoneWalks) {
@@ -255,16 +256,17 @@ TEST(Crowd, WithoutAJogOrARunEveryoneWalks) {
 TEST(Crowd, WithNothingButAWalkWalkersGoOnForEver) {
   Crowd crowd(Scene::plaza, 100, 1, character_with({Role::walk}));
   for (int i = 0; i < 60 * 30; ++i) {
-    for (const ClipRequest& request : crowd.advance(frame)) ASSERT_GE(request.agent, crowd.walkers());
+    for (const ClipRequest& request : crowd.advance(frame)) ASSERT_GE(request.agent, crowd.walkers().count());
   }
-  for (std::size_t walker = 0; walker < crowd.walkers(); ++walker) EXPECT_EQ(crowd.roles()[walker], Role::walk);
+  for (std::size_t walker = 0; walker < crowd.walkers().count(); ++walker)
+    EXPECT_EQ(crowd.minds().roles()[walker], Role::walk);
 }
 
 TEST(Crowd, WithoutAnIdleStandersTakeTurnsInWhatThereIs) {
   CharacterRoles roles;
   roles.others = {4, 7, 9};
   Crowd crowd(Scene::plaza, 30, 1, roles);
-  EXPECT_EQ(std::set<int>(crowd.clips().begin(), crowd.clips().end()), (std::set<int>{4, 7, 9}));
+  EXPECT_EQ(std::set<int>(crowd.minds().clips().begin(), crowd.minds().clips().end()), (std::set<int>{4, 7, 9}));
   std::size_t requests = 0;
   for (int i = 0; i < 60 * 20; ++i) {
     for (const ClipRequest& request : crowd.advance(frame)) {
@@ -295,8 +297,8 @@ TEST(Crowd, WithOneClipOrNoneNothingIsAsked) {
   CharacterRoles lone;
   lone.others = {0};
   Crowd one(Scene::plaza, 20, 1, lone), none(Scene::plaza, 20, 1, CharacterRoles{});
-  EXPECT_EQ(one.clips()[5], 0);
-  EXPECT_EQ(none.clips()[5], no_clip);
+  EXPECT_EQ(one.minds().clips()[5], 0);
+  EXPECT_EQ(none.minds().clips()[5], no_clip);
   for (int i = 0; i < 60 * 20; ++i) {
     EXPECT_TRUE(one.advance(frame).empty());
     EXPECT_TRUE(none.advance(frame).empty());
@@ -307,7 +309,7 @@ TEST(Crowd, ALargerCharacterTakesMoreRoom) {
   CharacterRoles giant = person();
   giant.height = 18.0;
   const Crowd crowd(Scene::plaza, 100, 1, giant);
-  EXPECT_GE(least_distance(crowd, crowd.walkers(), crowd.size()), 7.0F);
+  EXPECT_GE(least_distance(crowd, crowd.walkers().count(), crowd.size()), 7.0F);
 }
 
 TEST(Crowd, AnyNumberFindsItsPlace) {
@@ -324,7 +326,7 @@ TEST(Crowd, AnyNumberFindsItsPlace) {
 
 TEST(Crowd, TheGridStandsInRowsThatFaceForward) {
   const Crowd crowd(Scene::grid, 17, 1, person());
-  EXPECT_EQ(crowd.walkers(), 0U);
+  EXPECT_EQ(crowd.walkers().count(), 0U);
   EXPECT_EQ(crowd.positions()[0], glm::vec3(-3.0F, 0.0F, 0.0F));
   EXPECT_EQ(crowd.positions()[4], glm::vec3(3.0F, 0.0F, 0.0F));
   EXPECT_EQ(crowd.positions()[16], glm::vec3(-1.5F, 0.0F, -4.5F));

@@ -28,7 +28,7 @@ class GatheringsOfAPlaza : public testing::Test {
   std::vector<std::size_t> all_of(Habit habit) const {
     std::vector<std::size_t> all;
     for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
-      if (crowd_.habits()[agent] == habit) all.push_back(agent);
+      if (crowd_.minds().habits()[agent] == habit) all.push_back(agent);
     }
     return all;
   }
@@ -41,8 +41,8 @@ TEST_F(GatheringsOfAPlaza, FaceWhoTakesThePicture) {
   ASSERT_GT(all_of(Habit::pose).size(), 8U);
   for (const std::size_t agent : all_of(Habit::pose)) {
     std::size_t camera = agent;
-    while (crowd_.habits()[camera] == Habit::pose) --camera;
-    ASSERT_EQ(crowd_.habits()[camera], Habit::photograph);
+    while (crowd_.minds().habits()[camera] == Habit::pose) --camera;
+    ASSERT_EQ(crowd_.minds().habits()[camera], Habit::photograph);
     EXPECT_TRUE(looks_at(agent, camera));
     EXPECT_TRUE(looks_at(camera, agent));
     const float away = glm::distance(place_of(agent), place_of(camera));
@@ -54,16 +54,16 @@ TEST_F(GatheringsOfAPlaza, FaceWhoTakesThePicture) {
 TEST_F(GatheringsOfAPlaza, BeginWithTheCameraUp) {
   ASSERT_GT(all_of(Habit::photograph).size(), 8U);
   for (const std::size_t agent : all_of(Habit::photograph)) {
-    EXPECT_TRUE(crowd_.roles()[agent] == Role::take_picture || crowd_.roles()[agent] == Role::stand ||
-                crowd_.roles()[agent] == Role::look_around);
+    EXPECT_TRUE(crowd_.minds().roles()[agent] == Role::take_picture || crowd_.minds().roles()[agent] == Role::stand ||
+                crowd_.minds().roles()[agent] == Role::look_around);
   }
 }
 
 TEST_F(GatheringsOfAPlaza, StandFarEnoughFromEachOther) {
-  for (std::size_t agent = crowd_.walkers(); agent < crowd_.size(); ++agent) {
-    const Habit habit = crowd_.habits()[agent];
+  for (std::size_t agent = crowd_.walkers().count(); agent < crowd_.size(); ++agent) {
+    const Habit habit = crowd_.minds().habits()[agent];
     if (habit != Habit::pose && habit != Habit::photograph && habit != Habit::wait) continue;
-    for (std::size_t other = crowd_.walkers(); other < crowd_.size(); ++other) {
+    for (std::size_t other = crowd_.walkers().count(); other < crowd_.size(); ++other) {
       if (other == agent) continue;
       EXPECT_GT(glm::distance(place_of(agent), place_of(other)), 0.4F) << agent << ' ' << other;
     }
@@ -75,8 +75,8 @@ TEST_F(GatheringsOfAPlaza, LetWhoIsAloneWaitAndNotApplaud) {
   for (int i = 0; i < 600; ++i) {
     crowd_.advance(anim::ticks_per_second / 10);
     for (const std::size_t agent : all_of(Habit::wait)) {
-      EXPECT_NE(crowd_.roles()[agent], Role::cheer);
-      EXPECT_NE(crowd_.roles()[agent], Role::clap);
+      EXPECT_NE(crowd_.minds().roles()[agent], Role::cheer);
+      EXPECT_NE(crowd_.minds().roles()[agent], Role::clap);
     }
   }
 }
@@ -85,13 +85,13 @@ TEST(Gatherings, OfSomebodyWithoutThatClipStand) {
   CharacterRoles roles = person();
   roles.bodies = {{.share = 1, .size = 1.0}};
   const Crowd crowd(Scene::plaza, 1000, 1, std::span(&roles, 1), {.bodies = true});
-  EXPECT_EQ(std::ranges::count(crowd.roles(), Role::other), 0);
+  EXPECT_EQ(std::ranges::count(crowd.minds().roles(), Role::other), 0);
 }
 
 TEST(Gatherings, AreNotOfACrowdWithoutAWardrobe) {
   const Crowd crowd(Scene::plaza, 1000, 1, person_with_camera());
   for (const Habit habit : {Habit::pose, Habit::photograph, Habit::wait, Habit::lean, Habit::sit_low}) {
-    EXPECT_EQ(std::ranges::count(crowd.habits(), habit), 0);
+    EXPECT_EQ(std::ranges::count(crowd.minds().habits(), habit), 0);
   }
 }
 

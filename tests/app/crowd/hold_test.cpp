@@ -16,7 +16,8 @@ bool asks(std::span<const ClipRequest> requests, std::uint32_t agent) {
 }
 
 std::uint32_t first_that_walks(const Crowd& crowd) {
-  return static_cast<std::uint32_t>(std::ranges::find(crowd.roles(), Role::walk) - crowd.roles().begin());
+  return static_cast<std::uint32_t>(std::ranges::find(crowd.minds().roles(), Role::walk) -
+                                    crowd.minds().roles().begin());
 }
 
 TEST(HeldAgent, StaysWhereItIsAndDoesNothing) {
@@ -42,20 +43,20 @@ TEST(HeldAgent, StopsWalkingAtOnce) {
   ASSERT_TRUE(stops);
   EXPECT_EQ(stops->agent, walker);
   EXPECT_EQ(stops->clip, static_cast<int>(index_of(Role::stand)));
-  EXPECT_EQ(crowd.roles()[walker], Role::stand);
+  EXPECT_EQ(crowd.minds().roles()[walker], Role::stand);
   EXPECT_FALSE(crowd.hold(walker)) << "it stands already";
 }
 
 TEST(HeldAgent, IsInTheWayOfOthers) {
   Crowd crowd(Scene::plaza, 400, 1, person());
-  for (std::uint32_t agent = 0; agent < crowd.walkers(); agent += 5) crowd.hold(agent);
+  for (std::uint32_t agent = 0; agent < crowd.walkers().count(); agent += 5) crowd.hold(agent);
   for (int i = 0; i < 1200; ++i) {
     crowd.advance(frame);
-    for (std::uint32_t held = 0; held < crowd.walkers(); held += 5) {
-      for (std::uint32_t other = 0; other < crowd.walkers(); ++other) {
+    for (std::uint32_t held = 0; held < crowd.walkers().count(); held += 5) {
+      for (std::uint32_t other = 0; other < crowd.walkers().count(); ++other) {
         if (other == held) continue;
         const float apart = glm::distance(crowd.positions()[held], crowd.positions()[other]);
-        ASSERT_GT(apart, 0.8F * (crowd.radii()[held] + crowd.radii()[other]));
+        ASSERT_GT(apart, 0.8F * (crowd.looks().radii[held] + crowd.looks().radii[other]));
       }
     }
   }
@@ -68,7 +69,7 @@ TEST(HeldAgent, WalksOnWhenItIsLetGo) {
   for (int i = 0; i < 300; ++i) crowd.advance(frame);
   const glm::vec3 lay_at = crowd.positions()[walker];
   EXPECT_TRUE(crowd.release(walker));
-  EXPECT_FALSE(crowd.holds(walker));
+  EXPECT_FALSE(crowd.minds().holds(walker));
   float farthest = 0.0F;
   for (int i = 0; i < 3600; ++i) {
     crowd.advance(frame);
@@ -79,7 +80,7 @@ TEST(HeldAgent, WalksOnWhenItIsLetGo) {
 
 TEST(HeldAgent, CatchesUpWithItsFileAndNeverJumps) {
   Crowd crowd(Scene::parade, 200, 1, person()), undisturbed(Scene::parade, 200, 1, person());
-  const auto marcher = static_cast<std::uint32_t>(crowd.walkers());
+  const auto marcher = static_cast<std::uint32_t>(crowd.walkers().count());
   crowd.hold(marcher);
   glm::vec3 before = crowd.positions()[marcher];
   for (int i = 0; i < 60 * 60; ++i) {

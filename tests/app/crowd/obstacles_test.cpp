@@ -85,9 +85,9 @@ TEST(Obstacles, PeopleSitOnBenches) {
   for (int i = 0; i < 1800; ++i) {
     crowd.advance(frame);
     for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-      if (crowd.habits()[agent] != Habit::rest) continue;
-      sit += crowd.roles()[agent] == Role::sit;
-      got_up += crowd.roles()[agent] == Role::look_around;
+      if (crowd.minds().habits()[agent] != Habit::rest) continue;
+      sit += crowd.minds().roles()[agent] == Role::sit;
+      got_up += crowd.minds().roles()[agent] == Role::look_around;
     }
   }
   EXPECT_GT(sit, got_up);

@@ -33,7 +33,7 @@ TEST(OtherRoles, AreTakenByThoseWhoPlayThemAndByNobodyElse) {
   for (const Scene scene : scenes) {
     Crowd crowd(scene, 200, 1, person());
     pass(crowd, 200);
-    const std::vector<int> before(crowd.clips().begin(), crowd.clips().end());
+    const std::vector<int> before(crowd.minds().clips().begin(), crowd.minds().clips().end());
     const std::vector<glm::vec3> stood = places(crowd);
     const CharacterRoles roles = with_another_walk(1.3);
     const auto requests = crowd.take_roles({&roles, 1});
@@ -42,7 +42,7 @@ TEST(OtherRoles, AreTakenByThoseWhoPlayThemAndByNobodyElse) {
     for (const ClipRequest& request : requests) EXPECT_EQ(request.clip, other_walk);
     for (std::size_t agent = 0; agent < before.size(); ++agent) {
       const bool walks = before[agent] == person().clip(Role::walk);
-      EXPECT_EQ(crowd.clips()[agent], walks ? other_walk : before[agent]);
+      EXPECT_EQ(crowd.minds().clips()[agent], walks ? other_walk : before[agent]);
     }
     EXPECT_EQ(places(crowd), stood);
   }
@@ -60,8 +60,8 @@ TEST(OtherRoles, OfAnotherSpeedMakeNobodyJump) {
       EXPECT_LT(glm::distance(crowd.positions()[agent], before[agent]), 0.2F) << agent;
     }
     pass(crowd, 600);
-    if (crowd.marchers() == 0) continue;
-    EXPECT_NEAR(crowd.speeds()[crowd.walkers()], 2.0F, 0.3F) << "the ranks march at the new pace";
+    if (crowd.marchers().count() == 0) continue;
+    EXPECT_NEAR(crowd.speeds()[crowd.walkers().count()], 2.0F, 0.3F) << "the ranks march at the new pace";
   }
 }
 
@@ -72,7 +72,7 @@ TEST(OtherRoles, LeaveWhoCanNoLongerDoSomethingToStand) {
   for (const Role role : {Role::wave, Role::clap, Role::cheer, Role::look_around})
     still.clips[index_of(role)] = no_clip;
   crowd.take_roles({&still, 1});
-  for (const int clip : crowd.clips()) EXPECT_EQ(clip, still.clip(Role::stand));
+  for (const int clip : crowd.minds().clips()) EXPECT_EQ(clip, still.clip(Role::stand));
 }
 
 TEST(OtherRoles, GiveClipsToThoseWhoHadNone) {
@@ -82,17 +82,17 @@ TEST(OtherRoles, GiveClipsToThoseWhoHadNone) {
   const CharacterRoles stands = character_with({Role::stand});
   EXPECT_EQ(crowd.take_roles({&stands, 1}).size(), crowd.size());
   pass(crowd, 600);
-  for (const int clip : crowd.clips()) EXPECT_EQ(clip, stands.clip(Role::stand));
+  for (const int clip : crowd.minds().clips()) EXPECT_EQ(clip, stands.clip(Role::stand));
 }
 
 TEST(OtherRoles, AndBackAreTheSameClips) {
   Crowd crowd(Scene::plaza, 200, 1, person());
   pass(crowd, 300);
-  const std::vector<int> before(crowd.clips().begin(), crowd.clips().end());
+  const std::vector<int> before(crowd.minds().clips().begin(), crowd.minds().clips().end());
   const CharacterRoles other = with_another_walk(1.0), own = person();
   crowd.take_roles({&other, 1});
   crowd.take_roles({&own, 1});
-  EXPECT_TRUE(std::ranges::equal(crowd.clips(), before));
+  EXPECT_TRUE(std::ranges::equal(crowd.minds().clips(), before));
 }
 
 }  // namespace

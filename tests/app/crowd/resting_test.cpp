@@ -21,7 +21,7 @@ CharacterRoles person_who_rests() {
 }
 
 std::size_t how_many(const Crowd& crowd, Habit habit) {
-  return static_cast<std::size_t>(std::ranges::count(crowd.habits(), habit));
+  return static_cast<std::size_t>(std::ranges::count(crowd.minds().habits(), habit));
 }
 
 TEST(Resting, IsDoneAtTrunksKiosksRimsAndStepsOfAPlaza) {
@@ -34,11 +34,11 @@ TEST(Resting, IsDoneAtTrunksKiosksRimsAndStepsOfAPlaza) {
   EXPECT_GT(how_many(crowd, Habit::rest), how_many(before, Habit::rest) + 3) << "on the rim of the fountain";
   EXPECT_LT(how_many(crowd, Habit::lean) + how_many(crowd, Habit::sit_low), 100U) << "most people stand";
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    if (crowd.habits()[agent] == Habit::lean) {
-      EXPECT_TRUE(crowd.roles()[agent] == Role::lean || crowd.roles()[agent] == Role::look_around);
+    if (crowd.minds().habits()[agent] == Habit::lean) {
+      EXPECT_TRUE(crowd.minds().roles()[agent] == Role::lean || crowd.minds().roles()[agent] == Role::look_around);
     }
-    if (crowd.habits()[agent] == Habit::sit_low) {
-      EXPECT_EQ(crowd.roles()[agent], Role::sit_on_step);
+    if (crowd.minds().habits()[agent] == Habit::sit_low) {
+      EXPECT_EQ(crowd.minds().roles()[agent], Role::sit_on_step);
     }
   }
 }
@@ -48,10 +48,10 @@ TEST(Resting, GoesOnWhereItBegan) {
   Crowd crowd(Scene::plaza, 400, 2, std::span(&roles, 1), {.bodies = true});
   const std::vector<glm::vec3> places(crowd.positions().begin(), crowd.positions().end());
   for (int i = 0; i < 600; ++i) crowd.advance(anim::ticks_per_second / 20);
-  for (std::size_t agent = crowd.walkers(); agent < crowd.size(); ++agent) {
+  for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
     EXPECT_EQ(crowd.positions()[agent], places[agent]);
-    if (crowd.habits()[agent] == Habit::sit_low) {
-      EXPECT_EQ(crowd.roles()[agent], Role::sit_on_step);
+    if (crowd.minds().habits()[agent] == Habit::sit_low) {
+      EXPECT_EQ(crowd.minds().roles()[agent], Role::sit_on_step);
     }
   }
 }
@@ -60,10 +60,10 @@ TEST(Resting, HasRoomBesideEverybodyElse) {
   const CharacterRoles roles = person_who_rests();
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
     const Crowd crowd(Scene::plaza, 1000, seed, std::span(&roles, 1), {.bodies = true});
-    for (std::size_t agent = crowd.walkers(); agent < crowd.size(); ++agent) {
-      const Habit habit = crowd.habits()[agent];
+    for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
+      const Habit habit = crowd.minds().habits()[agent];
       if (habit != Habit::lean && habit != Habit::sit_low) continue;
-      for (std::size_t other = crowd.walkers(); other < crowd.size(); ++other) {
+      for (std::size_t other = crowd.walkers().count(); other < crowd.size(); ++other) {
         if (other == agent) continue;
         EXPECT_GT(glm::distance(crowd.positions()[agent], crowd.positions()[other]), 0.45F) << agent << ' ' << other;
       }

@@ -32,7 +32,7 @@ float least_share_of_radii_between(const Crowd& crowd) {
     const glm::vec2 here = on_ground(crowd.positions()[agent]);
     for (std::size_t other = agent + 1; other < crowd.size(); ++other) {
       const glm::vec2 apart = on_ground(crowd.positions()[other]) - here;
-      const float radii = crowd.radii()[agent] + crowd.radii()[other];
+      const float radii = crowd.looks().radii[agent] + crowd.looks().radii[other];
       least = std::min(least, glm::dot(apart, apart) / (radii * radii));
     }
   }
@@ -62,7 +62,7 @@ TEST_P(EveryScene, IsTheSameToTheLastBitForAnyNumberOfJobs) {
   EXPECT_TRUE(std::ranges::equal(alone.positions(), by_two.positions()));
   EXPECT_TRUE(std::ranges::equal(alone.positions(), by_five.positions()));
   EXPECT_TRUE(std::ranges::equal(alone.playback_speeds(), by_five.playback_speeds()));
-  EXPECT_TRUE(std::ranges::equal(alone.clips(), by_five.clips()));
+  EXPECT_TRUE(std::ranges::equal(alone.minds().clips(), by_five.minds().clips()));
 }
 
 TEST_P(EveryScene, TakesAnyNumberAnyStepAndAnyCharacter) {
@@ -93,7 +93,7 @@ TEST(Plaza, PeopleWalkStopLookAroundWaveAndRun) {
   std::set<Role> walkers_did;
   for (int i = 0; i < 60 * 40; ++i) {
     for (const ClipRequest& request : crowd.advance(frame)) {
-      if (request.agent < crowd.walkers()) walkers_did.insert(request.role);
+      if (request.agent < crowd.walkers().count()) walkers_did.insert(request.role);
     }
   }
   EXPECT_EQ(walkers_did,
@@ -103,7 +103,7 @@ TEST(Plaza, PeopleWalkStopLookAroundWaveAndRun) {
 TEST(Plaza, HardlyAnybodyIsHemmedIn) {
   Crowd crowd(Scene::plaza, 1000, 1, person());
   for (int i = 0; i < 60 * 60; ++i) crowd.advance(frame);
-  std::vector<float> walked(crowd.walkers(), 0.0F);
+  std::vector<float> walked(crowd.walkers().count(), 0.0F);
   for (int i = 0; i < 60 * 60; ++i) {
     crowd.advance(frame);
     for (std::size_t walker = 0; walker < walked.size(); ++walker) walked[walker] += crowd.speeds()[walker] / 60.0F;
@@ -116,18 +116,18 @@ TEST(Plaza, HardlyAnybodyIsHemmedIn) {
 TEST(Parade, RanksStayInStepOnTheStraights) {
   const CharacterRoles marcher = person();
   Crowd crowd(Scene::parade, 500, 1, marcher);
-  ASSERT_GT(crowd.marchers(), 250U);
-  std::vector<double> phases(crowd.start_phases().begin(), crowd.start_phases().end());
+  ASSERT_GT(crowd.marchers().count(), 250U);
+  std::vector<double> phases(crowd.looks().start_phases.begin(), crowd.looks().start_phases.end());
   const ParadeSize size = parade_size(500, marcher);
   for (int i = 0; i < 3600; ++i) {
     crowd.advance(frame);
-    for (std::size_t agent = crowd.walkers(); agent < crowd.marchers(); ++agent) {
+    for (std::size_t agent = crowd.walkers().count(); agent < crowd.marchers().count(); ++agent) {
       phases[agent] += static_cast<double>(crowd.playback_speeds()[agent]) / 60.0 / marcher.walk_seconds;
     }
   }
   double widest = 0.0;
   int compared = 0;
-  for (std::size_t agent = 0; agent + 1 < crowd.marchers(); ++agent) {
+  for (std::size_t agent = 0; agent + 1 < crowd.marchers().count(); ++agent) {
     const glm::vec3 here = crowd.positions()[agent], beside = crowd.positions()[agent + 1];
     const bool same_rank = std::abs(here.x - beside.x) < 0.1F && glm::distance(here, beside) < 2.0F;
     if (!same_rank || std::abs(static_cast<double>(here.x)) > size.half_length - 1.0) continue;
@@ -141,8 +141,8 @@ TEST(Parade, RanksStayInStepOnTheStraights) {
 
 TEST(Parade, SpectatorsLineTheRouteAndFaceIt) {
   const Crowd crowd(Scene::parade, 500, 1, person());
-  for (std::size_t agent = crowd.marchers(); agent < crowd.size(); ++agent) {
-    EXPECT_EQ(crowd.habits()[agent], Habit::watch);
+  for (std::size_t agent = crowd.marchers().count(); agent < crowd.size(); ++agent) {
+    EXPECT_EQ(crowd.minds().habits()[agent], Habit::watch);
     const glm::vec3 position = crowd.positions()[agent];
     const Heading heading = crowd.headings()[agent];
     const Lane route{{0.0, 0.0}, {parade_size(500, person()).half_length, 0.0}, parade_size(500, person()).radius};
@@ -156,8 +156,8 @@ TEST(Stadium, TheWaveRunsRound) {
   Crowd crowd(Scene::stadium, 500, 1, person());
   const auto angle_of_the_cheering = [&] {  // of their middle, seen from the field
     glm::vec2 middle(0.0F);
-    for (std::size_t agent = crowd.walkers(); agent < crowd.size(); ++agent) {
-      if (crowd.roles()[agent] == Role::cheer) middle += glm::normalize(on_ground(crowd.positions()[agent]));
+    for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
+      if (crowd.minds().roles()[agent] == Role::cheer) middle += glm::normalize(on_ground(crowd.positions()[agent]));
     }
     return std::atan2(middle.y, middle.x);
   };
@@ -174,7 +174,7 @@ TEST(Stadium, TheWaveRunsRound) {
 
 TEST(Stadium, SeatsFaceTheField) {
   const Crowd crowd(Scene::stadium, 500, 1, person());
-  for (std::size_t agent = crowd.walkers(); agent < crowd.size(); ++agent) {
+  for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
     const Heading heading = crowd.headings()[agent];
     EXPECT_LT(glm::dot(on_ground(crowd.positions()[agent]), glm::vec2(heading.sine, heading.cosine)), 0.0F);
   }

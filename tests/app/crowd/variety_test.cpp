@@ -74,7 +74,7 @@ TEST(Variety, HasLooksToDrawWhoseNumberNoOtherCrowdHas) {
   ASSERT_EQ(one.looks().drawn.size(), one.size());
   for (std::size_t agent = 0; agent < one.size(); ++agent) {
     const render::AgentLook& look = one.looks().drawn[agent];
-    EXPECT_EQ(look.tints[2], one.tints()[agent][2] & 0xFFFFFFU) << "in plain cotton";
+    EXPECT_EQ(look.tints[2], one.looks().tints[agent][2] & 0xFFFFFFU) << "in plain cotton";
     EXPECT_EQ(look.shape, one.looks().variants[agent].shape());
     EXPECT_EQ(look.hair, one.looks().variants[agent].hair());
   }
@@ -96,7 +96,7 @@ TEST(Variety, LeavesTheFirstOfEachPaintedCharacterAsItsFileHasIt) {
 TEST(Variety, OfCharactersWithTintRegionsIsInTheirClothes) {
   const Crowd crowd = crowd_of(person());
   EXPECT_THAT(crowd.looks().shades, Each(0U));
-  EXPECT_NE(crowd.tints()[0], crowd.tints()[1]);
+  EXPECT_NE(crowd.looks().tints[0], crowd.looks().tints[1]);
 }
 
 TEST(Variety, OffMakesAllOfOneCharacterAlike) {
@@ -104,7 +104,7 @@ TEST(Variety, OffMakesAllOfOneCharacterAlike) {
     const Crowd crowd = crowd_of(character, 1, {.differs = false});
     EXPECT_THAT(crowd.scales(), Each(1.0F));
     EXPECT_THAT(crowd.looks().shades, Each(0U));
-    EXPECT_THAT(crowd.tints(), Each(crowd.tints()[0]));
+    EXPECT_THAT(crowd.looks().tints, Each(crowd.looks().tints[0]));
     EXPECT_THAT(crowd.looks().variants, Each(Variant()));
   }
 }
@@ -126,7 +126,7 @@ TEST(Variety, InSizeIsAsMuchAsWanted) {
 TEST(Variety, InColoursIsAsMuchAsWanted) {
   EXPECT_THAT(crowd_of(painted(), 1, {.tint = 0.0F}).looks().shades, Each(0U));
   const Crowd alike = crowd_of(person(), 1, {.tint = 0.0F});
-  EXPECT_THAT(alike.tints(), Each(alike.tints()[0]));
+  EXPECT_THAT(alike.looks().tints, Each(alike.looks().tints[0]));
   EXPECT_NE(alike.looks().variants[0], alike.looks().variants[1]) << "shapes differ as before";
   const Crowd full = crowd_of(painted()), half = crowd_of(painted(), 1, {.tint = 0.5F});
   for (std::size_t agent = 0; agent < full.size(); ++agent) {
@@ -144,8 +144,9 @@ TEST(Variety, OfColoursDoesNotChangeSizesAndTheOtherWayRound) {
 
 TEST(Variety, EntersTheSpeedSoThatFeetDoNotSlide) {
   const Crowd crowd = crowd_of(painted());
-  for (std::size_t walker = 0; walker < crowd.walkers(); ++walker) {
-    const double stride = person().ground_speed(crowd.roles()[walker]) * static_cast<double>(crowd.scales()[walker]) *
+  for (std::size_t walker = 0; walker < crowd.walkers().count(); ++walker) {
+    const double stride = person().ground_speed(crowd.minds().roles()[walker]) *
+                          static_cast<double>(crowd.scales()[walker]) *
                           static_cast<double>(crowd.playback_speeds()[walker]);
     EXPECT_NEAR(stride, static_cast<double>(crowd.speeds()[walker]), 1e-4) << walker;
   }
@@ -157,8 +158,8 @@ TEST(Variety, OfOneCharacterChangesNothingOfAnother) {
   for (std::size_t agent = 0; agent < one.size(); ++agent) {
     if (one.characters()[agent] != 0) continue;
     EXPECT_EQ(one.scales()[agent], other.scales()[agent]);
-    EXPECT_EQ(one.tints()[agent], other.tints()[agent]);
-    EXPECT_EQ(one.start_phases()[agent], other.start_phases()[agent]);
+    EXPECT_EQ(one.looks().tints[agent], other.looks().tints[agent]);
+    EXPECT_EQ(one.looks().start_phases[agent], other.looks().start_phases[agent]);
   }
 }
 

@@ -60,7 +60,7 @@ TEST_F(ReportedPerson, StepsLeftAndRightInTurnAsTheLegsGo) {
     EXPECT_GT(step, 0.3);
     EXPECT_LT(step, 0.9);
   }
-  const Followers& followers = *followers_of(show_->stage().crowd());
+  const Followers& followers = show_->stage().crowd().tracks()->people();
   const double cycles = followers.step(0, 20.0).cycles - followers.step(0, 0.0).cycles;
   EXPECT_NEAR(static_cast<double>(person->footfalls.size()), 2.0 * cycles, 1.5);
 }

@@ -39,9 +39,9 @@ class MeasuredCrowd : public testing::Test {
 
   CrowdMeasures taken(DebugView view, double seconds) {
     Crowd crowd(Scene::tracks, 2, 1, std::span(&roles_, 1), {}, tracks_);
-    TrackClock clock = track_clock_of(crowd);
+    TrackClock clock = crowd.tracks()->clock();
     clock.seconds = seconds;
-    set_track_clock(crowd, clock);
+    crowd.go_to(clock);
     return taken_of(crowd, view);
   }
   CrowdMeasures taken_of(const Crowd& crowd, DebugView view) {

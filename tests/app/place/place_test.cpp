@@ -201,7 +201,7 @@ TEST(Places, TiersAreBelowEverySeat) {
     const auto blocks = standing(place, [](Prop prop) { return prop == Prop::seat_block; });
     const auto seats = standing(place, [](Prop prop) { return prop == Prop::seat; });
     const Crowd crowd(Scene::stadium, agents, 1, person());
-    for (std::size_t agent = crowd.walkers(); agent < crowd.size(); ++agent) {
+    for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
       const glm::vec3 feet = crowd.positions()[agent];
       const Heading heading = crowd.headings()[agent];
       const glm::vec3 seat = feet - 0.39F * glm::vec3(heading.sine, 0.0F, heading.cosine);

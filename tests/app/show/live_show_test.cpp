@@ -67,15 +67,15 @@ TEST_F(LiveShow, IsThatOfTheSameRowsInAFile) {
     recorded->animate(sixtieth);
     animate(*show);
     const Crowd &crowd = show->stage().crowd(), &other = recorded->stage().crowd();
-    ASSERT_NEAR(track_clock_of(crowd).seconds, track_clock_of(other).seconds, 1e-6);
+    ASSERT_NEAR(crowd.tracks()->clock().seconds, other.tracks()->clock().seconds, 1e-6);
     for (std::uint32_t agent = 0; agent < crowd.size(); ++agent) {
       ASSERT_EQ(absent_of(crowd)[agent], absent_of(other)[agent]) << agent << " in frame " << frames;
       if (absent_of(crowd)[agent] != 0) continue;
       ++seen;
       ASSERT_LT(glm::distance(crowd.positions()[agent] + moved, other.positions()[agent]), 1e-3F);
-      const double seconds = track_clock_of(crowd).seconds;
-      const TrackStep step = followers_of(crowd)->step(agent, seconds);
-      const TrackStep step_of_file = followers_of(other)->step(agent, seconds);
+      const double seconds = crowd.tracks()->clock().seconds;
+      const TrackStep step = crowd.tracks()->people().step(agent, seconds);
+      const TrackStep step_of_file = other.tracks()->people().step(agent, seconds);
       turned = std::max(turned, std::abs(std::remainder(step.heading - step_of_file.heading, 6.2831853)));
       strode = std::max(strode, std::abs(std::remainder(step.cycles - step_of_file.cycles, 256.0)));
     }
@@ -105,10 +105,10 @@ TEST_F(LiveShow, HasItsWallsAboutTheFirstRow) {
 TEST_F(LiveShow, GoesOnWithOtherCharactersAndOtherValues) {
   const auto show = live("--agents 5", circles());
   for (int frame = 0; frame < 60; ++frame) animate(*show);
-  const double before = track_clock_of(show->stage().crowd()).seconds;
+  const double before = show->stage().crowd().tracks()->clock().seconds;
   test::change(*show, [](Tuning& tuning) { tuning.seed = 7; });
   animate(*show);
-  EXPECT_NEAR(track_clock_of(show->stage().crowd()).seconds, before + 1.0 / 60.0, 1e-6);
+  EXPECT_NEAR(show->stage().crowd().tracks()->clock().seconds, before + 1.0 / 60.0, 1e-6);
   EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
 }
 
@@ -119,7 +119,7 @@ TEST_F(LiveShow, KnowsWhenSomebodyCame) {
     text += std::string(row < 250 ? "ann" : "bob") + "," + std::to_string(0.1 * row) + ",1,2\n";
   }
   const auto show = live("--agents 1", text);
-  const auto came_at = [&] { return followers_of(show->stage().crowd())->presence(0).first; };
+  const auto came_at = [&] { return show->stage().crowd().tracks()->people().presence(0).first; };
   for (int frame = 0; frame < 1400; ++frame) animate(*show);
   EXPECT_EQ(came_at(), 0.0);
   while (!is_over(*show)) animate(*show);

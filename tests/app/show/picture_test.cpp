@@ -78,7 +78,7 @@ class PictureInTiles : public testing::Test {
       if (all_have_silhouettes || agent % 3 != 0) outfit.silhouette = static_cast<std::uint16_t>(13 + agent % 4);
     }
     const auto looks = stage_->crowd().looks().drawn;
-    wear(const_cast<Crowd&>(stage_->crowd()), looks, std::move(outfits));  // NOLINT(*-const-cast)
+    stage_->animated().crowd().looks().wear(looks, std::move(outfits));
     for (std::size_t each = 0; each < 2; ++each) {
       std::vector<render::MeshError> errors(1);
       while (errors.size() < render::largest_mesh_lod_count) {

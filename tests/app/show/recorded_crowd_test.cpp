@@ -39,21 +39,21 @@ TEST(ReplacedTrajectories, TakeThePlaceOfEverybodyAndOfEachOther) {
     show->animate(sixtieth);
     EXPECT_EQ(show->stage().tuning().scene, Scene::tracks);
     EXPECT_EQ(show->stage().crowd().size(), static_cast<std::size_t>(count));
-    EXPECT_TRUE(track_clock_of(show->stage().crowd()).repeats);
+    EXPECT_TRUE(show->stage().crowd().tracks()->clock().repeats);
     EXPECT_THAT(show->notice, HasSubstr(std::to_string(count) + " people"));
   }
   test::change(*show, [](Tuning& tuning) { tuning.scene = Scene::plaza; });
-  EXPECT_EQ(followers_of(show->stage().crowd()), nullptr);
+  EXPECT_EQ(show->stage().crowd().tracks(), nullptr);
 }
 
 TEST(ReplacedTrajectories, GoOnAtTheirMomentWithOtherCharacters) {
   const auto show = show_of(demo("--agents 12"));
   ASSERT_TRUE(show->replace_trajectories(people(7)));
   for (int frame = 0; frame < 60; ++frame) show->animate(sixtieth);
-  const TrackClock before = track_clock_of(show->stage().crowd());
+  const TrackClock before = show->stage().crowd().tracks()->clock();
   const std::string model = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
   ASSERT_TRUE(show->take(LoadModels{{model}}));
-  EXPECT_EQ(track_clock_of(show->stage().crowd()), before);
+  EXPECT_EQ(show->stage().crowd().tracks()->clock(), before);
 }
 
 using ReplacedWhileRecording = test::TemporaryFolder;

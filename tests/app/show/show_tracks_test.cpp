@@ -28,7 +28,7 @@ class ShowOfTracks : public test::TemporaryFolder {
     StartError error;
     return Show::create(options(more), error) == nullptr ? error.message : "";
   }
-  static const TrackClock& clock(const Show& show) { return track_clock_of(show.stage().crowd()); }
+  static const TrackClock& clock(const Show& show) { return show.stage().crowd().tracks()->clock(); }
 
   const std::filesystem::path walk_ = folder_ / "walk.csv";
 };

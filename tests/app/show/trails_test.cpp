@@ -50,7 +50,7 @@ class TrailsOfTwo : public testing::Test {
   SceneLines lines_at(double seconds) { return lines_at(seconds, trails_); }
   SceneLines lines_at(double seconds, Trails& trails) {
     EXPECT_TRUE(stage_->apply(tuning_));
-    TrackClock clock = track_clock_of(stage_->crowd());
+    TrackClock clock = stage_->crowd().tracks()->clock();
     clock.seconds = seconds;
     set_track_clock(*stage_, clock);
     stage_->move({});
@@ -60,7 +60,7 @@ class TrailsOfTwo : public testing::Test {
     return lines;
   }
   glm::vec3 place(std::size_t agent, double seconds) const {
-    return followers_of(stage_->crowd())->position(agent, seconds);
+    return stage_->crowd().tracks()->people().position(agent, seconds);
   }
   static float length_of(const SceneLines& lines) {
     float length = 0.0F;

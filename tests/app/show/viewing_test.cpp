@@ -43,7 +43,7 @@ TEST(ViewedCharacterOfACrowd, IsShownInTheClipOfTheSelectedAgent) {
   animate(*show, 5);
   EXPECT_TRUE(show->take(Select{3}));
   ASSERT_TRUE(take(ViewSelected{}, *show));
-  EXPECT_EQ(show->viewer()->settings().clip, show->stage().crowd().clips()[3]);
+  EXPECT_EQ(show->viewer()->settings().clip, show->stage().crowd().minds().clips()[3]);
 }
 
 TEST(ViewedCharacterOfACrowd, IsNoneWhereNoAgentIsSelected) {

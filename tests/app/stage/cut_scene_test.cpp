@@ -98,7 +98,7 @@ TEST_F(CutSceneOnStage, TheCameraSeesTheActorComeAndThenFollowsTheBalloon) {
 
 TEST_F(CutSceneOnStage, EverybodyCheersWhenTheBalloonIsLetGo) {
   pass_until(release_seconds + 1.2);
-  const auto roles = stage_->crowd().roles().subspan(2);
+  const auto roles = stage_->crowd().minds().roles().subspan(2);
   EXPECT_EQ(std::ranges::count(roles, Role::cheer), static_cast<std::ptrdiff_t>(roles.size()));
 }
 

@@ -70,7 +70,7 @@ TEST_F(PushedOnStage, FallsLiesTwoSecondsAndGetsUp) {
   EXPECT_NEAR(pass_until([&] { return phase(agent) == Phase::recovering; }), 120, 1);
   EXPECT_EQ(stage_->crowd().positions()[agent], place) << "until it stands it stays there";
   EXPECT_LE(pass_until([&] { return phase(agent) == Phase::standing; }), 62);
-  EXPECT_FALSE(stage_->crowd().holds(agent));
+  EXPECT_FALSE(stage_->crowd().minds().holds(agent));
   EXPECT_EQ(blocks("rag-doll"), 0U);
 }
 
@@ -153,7 +153,7 @@ TEST_F(PushedOnStage, IsLeftStandingWhereTheStoreHasNoRoomForARagDoll) {
   const anim::Status pushed = stage_->animated().push_over(3, {0.0F, 0.0F, -1.0F});
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos) << pushed.error().message;
-  EXPECT_FALSE(stage_->crowd().holds(3));
+  EXPECT_FALSE(stage_->crowd().minds().holds(3));
   pass(60);
 }
 

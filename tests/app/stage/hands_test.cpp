@@ -55,7 +55,7 @@ TEST_F(StageInHands, WhoIsLetGoPlaysOn) {
   pass(5);
   stage_->animated().let_go_of_clip();
   EXPECT_FALSE(stage_->animated().held_clip());
-  EXPECT_FALSE(stage_->crowd().holds(2));
+  EXPECT_FALSE(stage_->crowd().minds().holds(2));
   pass(60);
   const float then = position_in_clip(2);
   pass(3);

@@ -81,7 +81,7 @@ TEST_F(HeldArmsTest, HoldAFistUpWhileSomebodyWalks) {
   give(Held::umbrella);
   pass(60);
   for (const anim::VisibleAgent& agent : stage_->selection().visible) {
-    if (stage_->crowd().roles()[agent.agent] == Role::sit) continue;
+    if (stage_->crowd().minds().roles()[agent.agent] == Role::sit) continue;
     EXPECT_GT(height_of(agent.agent, glm::vec3(0)), 1.0F) << agent.agent;
   }
 }
@@ -96,7 +96,7 @@ TEST_F(HeldArmsTest, SetAStickOnTheGroundWithEverySecondStep) {
   for (int i = 0; i < 120; ++i) {
     pass(1);
     for (const anim::VisibleAgent& agent : stage_->selection().visible) {
-      if (stage_->crowd().roles()[agent.agent] != Role::walk) continue;
+      if (stage_->crowd().minds().roles()[agent.agent] != Role::walk) continue;
       const float height = height_of(agent.agent, tip);
       on_the_ground += std::abs(height) < 0.025F ? 1 : 0;
       lifted += height > 0.04F ? 1 : 0;

@@ -54,13 +54,13 @@ TEST_F(OtherRolesOnAStage, MoveNobodyAndChangeNoPoseOfThoseWhoDoNotPlayThem) {
   pass(*changed, 1);
   pass(*never, 1);
   int same = 0, other = 0;
-  for (std::size_t agent = changed->crowd().walkers(); agent < before.size(); ++agent) {
-    if (changed->crowd().clips()[agent] != never->crowd().clips()[agent]) continue;
+  for (std::size_t agent = changed->crowd().walkers().count(); agent < before.size(); ++agent) {
+    if (changed->crowd().minds().clips()[agent] != never->crowd().minds().clips()[agent]) continue;
     EXPECT_EQ(changed->animated().agent_hashes()[agent], never->animated().agent_hashes()[agent]) << agent;
     ++same;
   }
-  for (std::size_t agent = 0; agent < changed->crowd().walkers(); ++agent) {
-    other += changed->crowd().clips()[agent] != never->crowd().clips()[agent] ? 1 : 0;
+  for (std::size_t agent = 0; agent < changed->crowd().walkers().count(); ++agent) {
+    other += changed->crowd().minds().clips()[agent] != never->crowd().minds().clips()[agent] ? 1 : 0;
   }
   EXPECT_GT(same, 5);
   EXPECT_GT(other, 5);
@@ -72,7 +72,7 @@ TEST_F(OtherRolesOnAStage, PlaceEverybodyAnewWhereNobodyWalksAnyMore) {
   RoleClips still = stage->people().front().roles.clips;
   for (const Role gait : {Role::walk, Role::jog, Role::run}) still[index_of(gait)] = no_clip;
   stage->set_roles(0, still);
-  EXPECT_EQ(stage->crowd().walkers(), 0U);
+  EXPECT_EQ(stage->crowd().walkers().count(), 0U);
   pass(*stage, 2);
 }
 

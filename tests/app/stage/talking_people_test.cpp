@@ -56,7 +56,7 @@ class TalkingPeople : public TracksStage {
     const anim::PaletteMatrix& matrix = pages_->palette(stage_->shown().pose(agent).to)[head_entry_];
     return std::atan2(static_cast<double>(matrix.rows[0][2]), static_cast<double>(matrix.rows[2][2]));
   }
-  TalkMoment talk(std::uint32_t agent) const { return followers_of(stage_->crowd())->talk(agent, seconds()); }
+  TalkMoment talk(std::uint32_t agent) const { return stage_->crowd().tracks()->people().talk(agent, seconds()); }
 
   std::size_t head_entry_ = 0;
   std::unique_ptr<PosedFeet> feet_;

@@ -131,7 +131,7 @@ TEST_F(TrackPlayers, AMomentIsTheSameHoweverOneCameThere) {
 
 TEST_F(TrackPlayers, TheCrowdGoesBackwards) {
   go_to(6.0);
-  TrackClock clock = track_clock_of(stage_->crowd());
+  TrackClock clock = stage_->crowd().tracks()->clock();
   clock.rate = -1.0;
   set_track_clock(*stage_, clock);
   pass(60);
@@ -176,7 +176,7 @@ TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
 }
 
 TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
-  TrackClock part = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  TrackClock part = with_part(stage_->crowd().tracks()->clock(), 2.0, 6.0);
   part.repeats = true;
   part.seconds = 5.5;
   set_track_clock(*stage_, part);
@@ -191,7 +191,7 @@ TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
 }
 
 TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
-  TrackClock asked = with_part(track_clock_of(stage_->crowd()), 2.0, 6.0);
+  TrackClock asked = with_part(stage_->crowd().tracks()->clock(), 2.0, 6.0);
   asked.rate = -0.5;
   asked.repeats = true;
   set_track_clock(*stage_, asked);
@@ -201,9 +201,9 @@ TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
   pass(5);
   other.scene = Scene::tracks;
   ASSERT_TRUE(stage_->apply(other));
-  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
+  EXPECT_EQ(stage_->crowd().tracks()->clock(), asked);
   stage_->set_roles(0, stage_->characters()[0].roles.clips);
-  EXPECT_EQ(track_clock_of(stage_->crowd()), asked);
+  EXPECT_EQ(stage_->crowd().tracks()->clock(), asked);
 }
 
 TEST_F(TrackPlayers, TheSceneNeedsAFile) {

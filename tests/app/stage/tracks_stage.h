@@ -35,9 +35,9 @@ class TracksStage : public testing::Test {
       stage_->pose(camera_, 1280, 720, step, stage_->frame());
     }
   }
-  double seconds() const { return track_clock_of(stage_->crowd()).seconds; }
+  double seconds() const { return stage_->crowd().tracks()->clock().seconds; }
   void go_to(double seconds) {
-    TrackClock clock = track_clock_of(stage_->crowd());
+    TrackClock clock = stage_->crowd().tracks()->clock();
     clock.seconds = seconds;
     set_track_clock(*stage_, clock);
   }

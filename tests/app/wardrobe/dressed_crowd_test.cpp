@@ -118,7 +118,7 @@ TEST_F(DressedCrowdTest, GivesCamerasToWhoTakesPicturesAndNoPushchairsToWhoSits)
   const DressedCrowd dressed = dress_crowd(crowd, std::span(&clothing_, 1), tuning);
   int cameras = 0, seated = 0;
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    const Habit habit = crowd.habits()[agent];
+    const Habit habit = crowd.minds().habits()[agent];
     if (habit == Habit::photograph) {
       EXPECT_EQ(dressed.things[agent], Held::camera);
       ++cameras;
@@ -207,8 +207,8 @@ TEST_F(DressedCrowdTest, DressesTheCompaniesOfAParadeAlikeAndEachInItsWay) {
   const Crowd crowd = crowd_of(tuning);
   const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
   std::map<std::uint32_t, std::set<std::set<std::string>>> clothes_of;
-  for (std::size_t marcher = 0; marcher < crowd.marchers(); ++marcher) {
-    clothes_of[company_of(crowd, marcher)].insert(clothes(dressed, crowd.walkers() + marcher));
+  for (std::size_t marcher = 0; marcher < crowd.marchers().count(); ++marcher) {
+    clothes_of[crowd.marchers().company(marcher)].insert(clothes(dressed, crowd.walkers().count() + marcher));
   }
   ASSERT_GT(clothes_of.size(), 6U);
   std::set<std::set<std::set<std::string>>> ways;

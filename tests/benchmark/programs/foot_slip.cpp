@@ -47,7 +47,7 @@ bool print_slips(const char* name, CharacterSource source, bool placed_feet, con
   characters.push_back(std::move(source));
   auto stage = Stage::create(std::move(characters), tuning, pages, 0, asked.crowd);
   if (!stage) return std::fprintf(stderr, "%s\n", stage.error().message.c_str()), false;
-  TrackClock clock = track_clock_of((*stage)->crowd());
+  TrackClock clock = (*stage)->crowd().tracks()->clock();
   clock.seconds += asked.start;
   set_track_clock(**stage, clock);
   const render::Camera everywhere{

@@ -63,7 +63,7 @@ class Subject {
       outfits[agent].silhouette = static_cast<std::uint16_t>(101 + agent % 12);
     }
     const std::vector<render::AgentLook> looks = stage_->crowd().looks().drawn;
-    wear(const_cast<Crowd&>(stage_->crowd()), looks, std::move(outfits));  // NOLINT(*-const-cast)
+    stage_->animated().crowd().looks().wear(looks, std::move(outfits));
     compose();
   }
   void compose() { picture_.compose(*stage_); }

@@ -42,10 +42,10 @@ TEST(Shares, AreExactInEveryScene) {
 TEST(Shares, AreExactForEachKindOfPlace) {
   const std::vector cast{of_share(3), of_share(2), of_share(1), of_share(2, character_with({Role::stand}))};
   const Crowd crowd(Scene::plaza, 600, 5, cast);
-  const auto walkers = static_cast<double>(crowd.walkers()), others = 600.0 - walkers;
-  ASSERT_GT(crowd.walkers(), 100U);
-  const auto walking = members(crowd.characters().first(crowd.walkers()), 4);
-  const auto standing = members(crowd.characters().subspan(crowd.walkers()), 4);
+  const auto walkers = static_cast<double>(crowd.walkers().count()), others = 600.0 - walkers;
+  ASSERT_GT(crowd.walkers().count(), 100U);
+  const auto walking = members(crowd.characters().first(crowd.walkers().count()), 4);
+  const auto standing = members(crowd.characters().subspan(crowd.walkers().count()), 4);
   const std::array shares{3.0, 2.0, 1.0, 2.0};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(static_cast<double>(walking[i]), i < 3 ? walkers * shares[i] / 6.0 : 0.0, 1.0) << i;

@@ -63,7 +63,7 @@ void TrackedPersonReporter::begin(const Stage& stage, std::uint32_t agent) {
 }
 
 void TrackedPersonReporter::find_footfalls(const Stage& stage) {
-  const TrackPlayers& players = *track_players_of(stage.animated());
+  const TrackPlayers& players = *stage.animated().details().track_players();
   std::array<float, person_legs> before = players.planted_at(agent_, searched_);
   for (int look = 0; look < looks_a_frame && searched_ < person_->presence.last; ++look) {
     const double next = std::min(searched_ + between_looks, person_->presence.last);

@@ -12,7 +12,7 @@ namespace {
 glm::vec3 middle_of_interest(const Stage& stage) {
   const std::optional<std::uint32_t> agent = stage.selected();
   if (!agent) return middle_of(stage.crowd());
-  const UprightBody body = stage.animated().body_of(*agent);
+  const UprightBody body = body_of(stage, *agent);
   return body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
 }
 

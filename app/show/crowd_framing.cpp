@@ -82,7 +82,7 @@ std::vector<FramedBox> boxes_of(const Stage& stage) {
   const auto agents = static_cast<std::uint32_t>(stage.crowd().size());
   boxes.reserve(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    const UprightBody body = stage.animated().body_of(agent);
+    const UprightBody body = body_of(stage, agent);
     const anim::CharacterBounds& bounds = stage.character_of(agent).character->bounds;
     const float reach = stage.crowd().scales()[agent] * static_cast<float>(bounds.reach);
     const glm::vec3 beside(reach, 0.0F, reach), up(0.0F, 0.5F * body.height + reach, 0.0F);

@@ -52,7 +52,7 @@ std::optional<FollowCamera::Pose> FollowCamera::pose_of(const Stage& stage, std:
 }
 
 render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose) const {
-  const float tall = stage.animated().body_of(*agent_).height;
+  const float tall = body_of(stage, *agent_).height;
   const glm::vec3 ahead(std::sin(pose.heading), 0.0F, std::cos(pose.heading));
   render::Camera camera;
   camera.position = pose.place - distance * tall * ahead + glm::vec3(0.0F, height * tall, 0.0F);

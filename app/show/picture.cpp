@@ -69,7 +69,7 @@ struct Picture::Frame {
   std::uint32_t put_away_by(std::uint32_t agent) const {
     const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
     const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_piece ||
-                       held_arms_of(stage.animated()).shows_thing(stage.crowd(), agent);
+                       stage.animated().details().held_arms().shows_thing(stage.crowd(), agent);
     return shows ? render::Outfit::no_piece : in_hand[agent];
   }
 };

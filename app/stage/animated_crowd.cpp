@@ -40,20 +40,15 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
   if (!camera) return camera.error();
   film_camera_ = camera->number;
-  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet, gazes, limbs;
+  std::vector<anim::RigKinds> kinds;
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
     rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
-    const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
-    ragdolls.push_back(kinds.ragdoll);
-    feet.push_back(kinds.foot_placement);
-    gazes.push_back(kinds.look_at);
-    limbs.push_back(kinds.limbs);
+    kinds.push_back(rigs_.back()->add_to(*system_, character));
+    ragdolls.push_back(kinds.back().ragdoll);
   }
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
-  feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
-  gazes_ = std::make_unique<Gazes>(std::move(gazes), *system_);
-  held_arms_ = std::make_unique<HeldArms>(characters_, *system_);
-  joined_hands_ = std::make_unique<JoinedHands>(characters_, rigs_, std::move(limbs), *system_);
+  details_ = std::make_unique<BodyDetails>(characters_, rigs_, kinds, *system_);
   return anim::Done{};
 }
 
@@ -74,59 +69,39 @@ anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const Reordered
   return replaced;
 }
 
-void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, const TrackSource& tracks) {
+void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, std::span<const Clothing> clothing,
+                             const TrackSource& tracks) {
   const auto agents = static_cast<std::size_t>(tuning.agents);
   crowd_ =
       std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_), variety_of(tuning), tracks);
   ++number_;
   held_clip_.reset();
-  held_arms_->reset(*crowd_);
-  joined_hands_->reset(*crowd_);
-  fallen_->reset();
-  mark_fallen();
-  feet_->reset(agents);
-  gazes_->reset(tuning.scene == Scene::tracks ? agents : 0);
+  details_->reset(*crowd_);
+  fallen_->reset(agents);
   system_->set_agent_count(0);
   if (clocks == Clocks::begin_anew) system_->restart();
   cut_scene_.reset();
-  track_players_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
   new_speeds_.set_aside(agents);
-  near_.set_aside(agents);
-  if (tuning.scene == Scene::tracks) {
-    track_players_ = std::make_unique<TrackPlayers>(*system_, *crowd_, characters_);
-    if (event_sums_) event_sums_->reset(agents);
-    return;
-  }
-  for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    play(agent, crowd_->minds().clips()[agent], anim::Ticks{},
-         static_cast<double>(crowd_->looks().start_phases[agent]));
+  if (crowd_->tracks() != nullptr) {
+    details_->follow_tracks();
+  } else {
+    for (std::uint32_t agent = 0; agent < agents; ++agent) {
+      play(agent, crowd_->minds().clips()[agent], anim::Ticks{},
+           static_cast<double>(crowd_->looks().start_phases[agent]));
+    }
   }
   if (tuning.scene == Scene::film) {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   if (event_sums_) event_sums_->reset(agents);
+  if (tuning.wardrobe) dress(clothing, tuning);
 }
 
-void give_things(AnimatedCrowd& animated, std::vector<Held> things) {
-  animated.crowd_->minds().give(std::move(things));
-  animated.held_arms_->reset(*animated.crowd_);
-  animated.joined_hands_->reset(*animated.crowd_);
-}
-
-void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible) {
-  if (animated.held_arms_->empty()) return;
-  anim::AnimationSystem& system = *animated.system_;
-  static_assert(JoinedHands::pixels_to_go_on >= HeldArms::pixels_to_go_on);
-  const auto is_near = [visible](std::size_t i, anim::VisibleAgent& listed) {
-    listed = visible[i];
-    return visible[i].pixels_tall >= HeldArms::pixels_to_go_on;
-  };
-  const auto near = animated.near_.gather(visible.size(), system.executor(), system.options().pus, is_near);
-  animated.joined_hands_->find(*animated.crowd_, near);
-  animated.held_arms_->show(*animated.crowd_, near, animated.joined_hands_->away());
-  animated.joined_hands_->join(*animated.held_arms_);
+void AnimatedCrowd::give(std::vector<Held> things) {
+  crowd_->minds().give(std::move(things));
+  details_->find_things();
 }
 
 // Many take the same clip at once, so each begins where it would have begun with it.
@@ -165,26 +140,6 @@ void AnimatedCrowd::match_playback() {
   set_speeds(*system_, new_speeds_.gather(movers, system_->executor(), system_->options().pus, pick));
 }
 
-void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {
-  if (stand && track_players_) {
-    feet_->place(*crowd_, agent, is_shown, track_players_->planted(agent));
-    turn_head(agent);
-  } else if (stand) {
-    feet_->place(*crowd_, agent, is_shown);
-  } else {
-    feet_->let_go(agent);
-    if (track_players_) gazes_->look_away(agent);
-  }
-}
-
-void AnimatedCrowd::turn_head(std::uint32_t agent) {
-  if (const auto gaze = track_players_->gaze(agent)) {
-    gazes_->look(agent, gaze->target, gaze->share);
-  } else {
-    gazes_->look_away(agent);
-  }
-}
-
 void AnimatedCrowd::play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const bool plays = clip != no_clip;
   const int index = plays ? clip : 0;
@@ -208,11 +163,10 @@ void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
   if (request) change_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)));
 }
 
-void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning) {
-  if (!tuning.wardrobe) return;
-  DressedCrowd dressed = dress_crowd(*animated.crowd_, clothing, tuning);
-  animated.crowd_->looks().wear(std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
-  give_things(animated, std::move(dressed.things));
+void AnimatedCrowd::dress(std::span<const Clothing> clothing, const Tuning& tuning) {
+  DressedCrowd dressed = dress_crowd(*crowd_, clothing, tuning);
+  crowd_->looks().wear(std::move(dressed.looks), std::move(dressed.outfits), std::move(dressed.in_hand));
+  give(std::move(dressed.things));
 }
 
 }  // namespace throng::app

@@ -6,22 +6,16 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
 #include "app/crowd/steering/gathered.h"
 #include "app/settings/settings.h"
+#include "app/stage/body_details.h"
 #include "app/stage/cut_scene.h"
 #include "app/stage/event_sums.h"
 #include "app/stage/fallen_agents.h"
-#include "app/stage/gazes.h"
-#include "app/stage/held_arms.h"
-#include "app/stage/joined_hands.h"
-#include "app/stage/picking.h"
-#include "app/stage/placed_feet.h"
-#include "app/stage/track_players.h"
 #include "app/wardrobe/clothing.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
@@ -31,8 +25,8 @@ namespace throng::app {
 
 struct StageMoment;
 
-/// A crowd and the animation system that it plays in. It knows where agents walk, what they play and which of them have
-/// fallen, and it does to them what a person asks for by hand. It tells level of detail when an agent changes clip.
+/// A crowd and the animation system that it plays in: agents of the system play what the crowd asks for, and what a
+/// person asks for by hand. It tells level of detail when an agent changes clip.
 class AnimatedCrowd {
  public:
   /// Makes a crowd without agents; populate() adds them. `characters` and `lod` outlive the crowd. Errors: those of
@@ -48,8 +42,12 @@ class AnimatedCrowd {
   anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
-  /// Makes the crowd of the tuning's scene anew. The scene `tracks` needs its people.
-  void populate(const Tuning& tuning, Clocks clocks, const TrackSource& tracks = {});
+  /// Makes the crowd of the tuning's scene anew. The scene `tracks` needs its people. `clothing` has one element a
+  /// character; agents are dressed as its rules say where the tuning asks for it.
+  void populate(const Tuning& tuning, Clocks clocks, std::span<const Clothing> clothing,
+                const TrackSource& tracks = {});
+  /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
+  void give(std::vector<Held> things);
 
   /// Lets everybody go on where they are, by the clips that the roles of the characters have now. Each character can
   /// walk as before.
@@ -57,23 +55,9 @@ class AnimatedCrowd {
 
   /// Advances every clock; the crowd walks on and asks for clips.
   void move(anim::Ticks delta);
-  /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Where they stand, the agent
-  /// turns its head to whom it talks to. Call it before an update; feet stand only in an update for the pose of now.
-  void place_feet(std::uint32_t agent, bool stand, bool is_shown);
-  /// Takes foot placement and gazes from agents that no longer need them, or that are not in `visible`. Feet that had
-  /// it come down anew. Call it before an update.
-  void take_back_lent(std::span<const anim::VisibleAgent> visible) {
-    joined_hands_->take_back(visible);  // the last to be lent
-    gazes_->take_back(visible);         // a gaze comes after the feet
-    feet_->take_back(visible);
-  }
-  /// Sets what somebody of a recorded crowd plays in the first of these updates. It asks the caches for who comes after
-  /// that. Call it before place_feet().
-  void follow_track(std::span<const anim::AgentUpdate> updates) {
-    if (!track_players_) return;
-    if (updates.size() > 1) std::as_const(*system_).agent(updates[1].agent.number).prefetch();
-    track_players_->set(updates[0].agent.number, updates[0].look_ahead);
-  }
+  /// Returns what agents do beyond these clips.
+  BodyDetails& details() { return *details_; }
+  const BodyDetails& details() const { return *details_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
@@ -82,8 +66,6 @@ class AnimatedCrowd {
   anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
   bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
-  /// Returns the agents that have fallen, as LodCrowd::left_out takes them.
-  std::span<const std::uint8_t> left_out() const { return left_out_; }
 
   struct HeldClip {
     std::uint32_t agent = 0;
@@ -126,17 +108,8 @@ class AnimatedCrowd {
   const Crowd& crowd() const { return *crowd_; }
   /// Returns the camera of the cut scene; null in the other scenes.
   const CutScene* cut_scene() const { return cut_scene_.get(); }
-  /// Returns the cylinder around the agent, as wide as its body without the arms.
-  UprightBody body_of(std::uint32_t agent) const;
 
  private:
-  friend void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock);
-  friend void give_things(AnimatedCrowd& animated, std::vector<Held> things);
-  friend void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible);
-  friend const HeldArms& held_arms_of(const AnimatedCrowd& animated) { return *animated.held_arms_; }
-  friend const TrackPlayers* track_players_of(const AnimatedCrowd& animated) { return animated.track_players_.get(); }
-  friend void take_live_step(AnimatedCrowd& animated, const LiveStep& step);
-  friend void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning);
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
   anim::Status open(const anim::SystemOptions& options);
@@ -149,8 +122,7 @@ class AnimatedCrowd {
   void change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase = 0.0);
   void change_clip(const std::optional<ClipRequest>& request);
   void match_playback();
-  void turn_head(std::uint32_t agent);
-  void mark_fallen();
+  void dress(std::span<const Clothing> clothing, const Tuning& tuning);
 
   std::span<const CharacterSource> characters_;
   anim::LevelOfDetail* lod_;
@@ -158,43 +130,19 @@ class AnimatedCrowd {
   std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
-  std::unique_ptr<PlacedFeet> feet_;
-  std::unique_ptr<Gazes> gazes_;
-  std::unique_ptr<HeldArms> held_arms_;
-  std::unique_ptr<JoinedHands> joined_hands_;
+  std::unique_ptr<BodyDetails> details_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
-  std::unique_ptr<CutScene> cut_scene_;          // null in the other scenes
-  std::unique_ptr<TrackPlayers> track_players_;  // the same
-  std::vector<float> played_speeds_;             // of each agent's clip, as the system was told
-  Gathered<anim::AgentSpeed> new_speeds_;        // of this frame
-  Gathered<anim::VisibleAgent> near_;            // those in view whose arms can be seen
-  std::vector<std::uint8_t> left_out_;           // [agent] 1: is one of fallen_
+  std::unique_ptr<CutScene> cut_scene_;    // null in the other scenes
+  std::vector<float> played_speeds_;       // of each agent's clip, as the system was told
+  Gathered<anim::AgentSpeed> new_speeds_;  // of this frame
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };
-
-/// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
-void give_things(AnimatedCrowd& animated, std::vector<Held> things);
-/// Lets arms hold their things where these can be seen, and hands join. Call it before an update.
-void hold_things(AnimatedCrowd& animated, std::span<const anim::VisibleAgent> visible);
-/// Returns the arms that hold something.
-const HeldArms& held_arms_of(const AnimatedCrowd& animated);
-
-/// Takes a recorded crowd to another time, at a frame boundary.
-inline void set_track_clock(AnimatedCrowd& animated, const TrackClock& clock) { animated.crowd_->go_to(clock); }
-
-/// Takes the rows that came of a live crowd. Call it before move().
-inline void take_live_step(AnimatedCrowd& animated, const LiveStep& step) {
-  animated.crowd_->take(step, animated.system_->executor(), animated.system_->options().pus);
-}
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);
 
 /// Returns the options with as many PUs as the machine has cores, where their number is 0.
 anim::SystemOptions on_this_machine(anim::SystemOptions options);
-
-/// Dresses everybody as rules say, if the tuning asks for it. `clothing` has one a character.
-void dress(AnimatedCrowd& animated, std::span<const Clothing> clothing, const Tuning& tuning);
 
 }  // namespace throng::app

@@ -29,6 +29,7 @@ anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, c
   const auto found = std::ranges::find(fallen_, agent, &Fallen::agent);
   Fallen& fallen = found == fallen_.end() ? fallen_.emplace_back() : *found;
   fallen = {.agent = agent, .pushed_at = system_->clock()};
+  left_out_[agent] = 1;
   return anim::Done{};
 }
 
@@ -53,6 +54,7 @@ std::span<const std::uint32_t> FallenAgents::advance() {
     }
     if (phase(fallen.agent) == Phase::standing) risen_.push_back(fallen.agent);
   }
+  for (const std::uint32_t agent : risen_) left_out_[agent] = 0;
   std::erase_if(fallen_, [this](const Fallen& fallen) { return phase(fallen.agent) == Phase::standing; });
   return risen_;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -40,13 +41,16 @@ class FallenAgents {
   /// call. Call it after each update of the system.
   std::span<const std::uint32_t> advance();
 
-  /// Forgets all agents; call it when they were made anew.
-  void reset() {
+  /// Forgets all agents and makes room for `agents`; call it when they are made anew.
+  void reset(std::size_t agents) {
     fallen_.clear();
     processes_.clear();
+    left_out_.assign(agents, 0);
   }
 
   std::span<const Fallen> fallen() const { return fallen_; }
+  /// Returns the agents that have fallen as LodCrowd::left_out takes them.
+  std::span<const std::uint8_t> left_out() const { return left_out_; }
   Phase phase(std::uint32_t agent) const;
   /// Returns whether the agent lies and does not move.
   bool at_rest(std::uint32_t agent) const;
@@ -69,6 +73,7 @@ class FallenAgents {
   std::vector<Fallen> fallen_;
   std::vector<Process> processes_;
   std::vector<std::uint32_t> risen_;
+  std::vector<std::uint8_t> left_out_;  // [agent] 1: is one of fallen_
 };
 
 }  // namespace throng::app

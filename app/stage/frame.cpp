@@ -112,7 +112,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                .scales = crowd().scales(),
                .character_of = crowd().characters(),
                .clips = crowd().minds().clips(),
-               .left_out = animated_->left_out(),
+               .left_out = animated_->fallen().left_out(),
                .absent = absent_of(crowd())},
               lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);
   mesh_choice_.choose(selection().visible, crowd().characters(), mesh_lods_, tuning_, animated_->system().executor(),
@@ -129,17 +129,17 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > anim::Ticks{};
-    animated_->follow_track(updates.subspan(i));
+    animated_->details().follow_track(updates.subspan(i));
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);
     const bool on_a_new_page = shown_.pose(agent).to_time == now();
     if (!ahead || !on_a_new_page) continue;
     lod_.show_at_once(update);
-    animated_->follow_track(updates.subspan(i, 1));  // for the pose of now
+    animated_->details().follow_track(updates.subspan(i, 1));  // for the pose of now
   }
-  if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_lent(selection().visible);
-  hold_things(*animated_, selection().visible);
+  if (tuning_.lod.rule != anim::LodRule::off) animated_->details().take_back(selection().visible);
+  animated_->details().hold_things(selection().visible);
   pose_fallen(last_frame);
   animated_->system().update(lod_.updates());
   measure(camera, size);
@@ -195,7 +195,7 @@ void Stage::place_feet(const anim::AgentUpdate& update, bool near_by) {
   const bool everyone = tuning_.lod.rule == anim::LodRule::off;
   const anim::LodChoice choice = lod_.choice(update.agent.number);
   const bool stand = tuning_.placed_feet && choice.bone_level == 0 && (everyone || (near_by && choice.interval == 1));
-  animated_->place_feet(update.agent.number, stand, shown_.pose(update.agent.number).shown());
+  animated_->details().place_feet(update.agent.number, stand, shown_.pose(update.agent.number).shown());
 }
 
 // Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.

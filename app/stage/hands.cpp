@@ -69,37 +69,11 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const auto chest = static_cast<float>(push_height * character.character->bounds.height);
   anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) change_clip(crowd_->release(agent));
-  mark_fallen();
   return pushed;
 }
 
 void AnimatedCrowd::let_fallen_get_up() {
-  const std::span<const std::uint32_t> risen = fallen_->advance();
-  for (const std::uint32_t agent : risen) change_clip(crowd_->release(agent));
-  if (!risen.empty()) mark_fallen();
-}
-
-void AnimatedCrowd::mark_fallen() {
-  left_out_.assign(crowd_->size(), 0);
-  for (const FallenAgents::Fallen& fallen : fallen_->fallen()) left_out_[fallen.agent] = 1;
-}
-
-// An agent that lies is as long as it was tall, in any direction.
-UprightBody AnimatedCrowd::body_of(std::uint32_t agent) const {
-  const float scale = crowd_->scales()[agent];
-  const anim::CharacterBounds& bounds = character_of(agent).character->bounds;
-  const float height = static_cast<float>(bounds.height) * scale;
-  const float radius = static_cast<float>(bounds.body_radius) * scale;
-  UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
-  const std::optional<glm::vec3> hips = fallen_->hips(agent);
-  if (!hips || hips->y * scale > height / 4.0F) return body;
-  const Heading heading = crowd_->headings()[agent];
-  const glm::vec2 aside(heading.cosine * hips->x + heading.sine * hips->z,
-                        heading.cosine * hips->z - heading.sine * hips->x);
-  body.foot += scale * glm::vec3(aside.x, 0.0F, aside.y);
-  body.radius = height / 2.0F;
-  body.height = height / 4.0F;
-  return body;
+  for (const std::uint32_t agent : fallen_->advance()) change_clip(crowd_->release(agent));
 }
 
 void AnimatedCrowd::remember(StageMoment& into) const {
@@ -109,9 +83,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.crowd = crowd_->state();
   into.cut_scene = cut_scene_ ? std::optional(cut_scene_->moment()) : std::nullopt;
   into.fallen = *fallen_;
-  into.feet = feet_->moment();
-  into.gazes = gazes_->moment();
-  into.joined_hands = joined_hands_->moment();
+  details_->remember(into.details);
   into.played_speeds = played_speeds_;
 }
 
@@ -121,12 +93,8 @@ anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   crowd_->go_back_to(*moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
-  feet_->go_back_to(moment.feet);
-  gazes_->go_back_to(moment.gazes);
-  joined_hands_->go_back_to(moment.joined_hands);
-  held_arms_->find_shown();
+  details_->go_back_to(moment.details);
   played_speeds_ = moment.played_speeds;
-  mark_fallen();
   held_clip_.reset();
   return anim::Done{};
 }

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "app/crowd/crowd.h"
+#include "app/stage/body_details.h"
 #include "app/stage/cut_scene.h"
 #include "app/stage/fallen_agents.h"
-#include "app/stage/gazes.h"
-#include "app/stage/joined_hands.h"
-#include "app/stage/placed_feet.h"
 #include "engine/anim/agent/system_snapshot.h"
 
 namespace throng::app {
@@ -22,9 +20,7 @@ struct StageMoment {
   std::optional<CrowdState> crowd;
   std::optional<CutScene::Moment> cut_scene;
   std::optional<FallenAgents> fallen;
-  PlacedFeet::Moment feet;
-  Gazes::Moment gazes;
-  JoinedHands::Moment joined_hands;
+  BodyDetails::Moment details;
   std::vector<float> played_speeds;
 };
 

@@ -192,10 +192,9 @@ void Stage::restart() {
 }
 
 void Stage::populate(AnimatedCrowd::Clocks clocks) {
-  animated_->populate(tuning_, clocks, track_source(trajectories_, characters_));
-  dress(*animated_, clothing_, tuning_);
+  animated_->populate(tuning_, clocks, clothing_, track_source(trajectories_, characters_));
   if (crowd().tracks() != nullptr) {
-    if (track_clock_) set_track_clock(*animated_, *track_clock_);
+    if (track_clock_) animated_->crowd().go_to(*track_clock_);
     track_clock_ = crowd().tracks()->clock();
   }
   selected_.reset();
@@ -218,17 +217,18 @@ void Stage::forget_what_is_shown() {
 // Nobody flies or slides from where they were: everybody is posed at once, and feet come down anew.
 void Stage::jump() {
   forget_what_is_shown();
-  animated_->take_back_lent({});
+  animated_->details().take_back({});
 }
 
 void set_track_clock(Stage& stage, const TrackClock& clock) {
-  set_track_clock(*stage.animated_, clock);
+  stage.animated_->crowd().go_to(clock);
   stage.track_clock_ = clock;
   stage.jump();
 }
 
 void take_live_step(Stage& stage, const LiveStep& step) {
-  if (stage.crowd().tracks() != nullptr) take_live_step(*stage.animated_, step);
+  if (stage.crowd().tracks() == nullptr) return;
+  stage.animated_->crowd().take(step, stage.animated_->system().executor(), stage.system().options().pus);
 }
 
 void Stage::select(std::optional<std::uint32_t> agent) {
@@ -243,11 +243,30 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   return gone;
 }
 
+// An agent that lies is as long as it was tall, in any direction.
+UprightBody body_of(const Stage& stage, std::uint32_t agent) {
+  const Crowd& crowd = stage.crowd();
+  const float scale = crowd.scales()[agent];
+  const anim::CharacterBounds& bounds = stage.character_of(agent).character->bounds;
+  const float height = static_cast<float>(bounds.height) * scale;
+  const float radius = static_cast<float>(bounds.body_radius) * scale;
+  UprightBody body{.agent = agent, .foot = crowd.positions()[agent], .radius = radius, .height = height};
+  const std::optional<glm::vec3> hips = stage.animated().fallen().hips(agent);
+  if (!hips || hips->y * scale > height / 4.0F) return body;
+  const Heading heading = crowd.headings()[agent];
+  const glm::vec2 aside(heading.cosine * hips->x + heading.sine * hips->z,
+                        heading.cosine * hips->z - heading.sine * hips->x);
+  body.foot += scale * glm::vec3(aside.x, 0.0F, aside.y);
+  body.radius = height / 2.0F;
+  body.height = height / 4.0F;
+  return body;
+}
+
 std::vector<UprightBody> bodies_in_view(const Stage& stage) {
   std::vector<UprightBody> bodies;
   bodies.reserve(stage.selection().visible.size());
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
-    UprightBody& body = bodies.emplace_back(stage.animated().body_of(agent.agent));
+    UprightBody& body = bodies.emplace_back(body_of(stage, agent.agent));
     body.radius = std::max(body.radius, least_clicked_radius);
   }
   return bodies;

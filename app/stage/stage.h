@@ -16,6 +16,7 @@
 #include "app/settings/settings.h"
 #include "app/stage/animated_crowd.h"
 #include "app/stage/kept_joints.h"
+#include "app/stage/picking.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/render/camera.h"
 #include "engine/render/instance_record.h"
@@ -183,6 +184,8 @@ anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules
 /// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);
 
+/// Returns the cylinder around the agent, as wide as its body without the arms.
+UprightBody body_of(const Stage& stage, std::uint32_t agent);
 /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
 

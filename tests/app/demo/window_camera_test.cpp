@@ -125,7 +125,7 @@ TEST_F(CameraOfAWindow, TurnsAboutTheCrowdOrTheSelectedAgent) {
   EXPECT_LT(camera_.camera().yaw, yaw);
 
   EXPECT_TRUE(show_->take(Select{7}));
-  const UprightBody body = show_->stage().animated().body_of(7);
+  const UprightBody body = body_of(show_->stage(), 7);
   const glm::vec3 chest = body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
   const float from_agent = distance_to(chest);
   camera_.steer(*show_, dragging(MouseButton::left, true), {}, 0);

@@ -28,8 +28,8 @@ class HeldArmsTest : public test::WatchedStage {
           .system = {.pus = 2, .hash = true}});
   }
 
-  void give(Held thing) { give_things(stage_->animated(), std::vector<Held>(people, thing)); }
-  std::size_t shown() const { return held_arms_of(stage_->animated()).shown(); }
+  void give(Held thing) { stage_->animated().give(std::vector<Held>(people, thing)); }
+  std::size_t shown() const { return stage_->animated().details().held_arms().shown(); }
 
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
     return test::height_in_hand(*stage_, agent, at_rest);

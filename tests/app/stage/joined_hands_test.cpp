@@ -100,7 +100,7 @@ TEST_F(JoinedHandsTest, MeetPalmToPalmWhileTheirOwnersWalkAndStand) {
       const auto& crowd = stage_->crowd();
       if (glm::distance(crowd.positions()[child], crowd.positions()[child - 1]) > 0.9F) continue;  // lost each other
       ++beside;
-      const HeldArms& arms = held_arms_of(stage_->animated());
+      const HeldArms& arms = stage_->animated().details().held_arms();
       if (!arms.holds(child) || !arms.holds(child - 1)) continue;
       ++held;
       standing += crowd.speeds()[child] < 0.1F ? 1 : 0;

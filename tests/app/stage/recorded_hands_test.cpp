@@ -49,9 +49,7 @@ class RecordedHands : public TracksStage {
     open({.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = pus, .hash = true}});
     EXPECT_TRUE(keep_joints(*stage_));
   }
-  void give(Held thing) {
-    give_things(stage_->animated(), std::vector<Held>(people_who_walk + people_who_stand, thing));
-  }
+  void give(Held thing) { stage_->animated().give(std::vector<Held>(people_who_walk + people_who_stand, thing)); }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
 
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
@@ -64,7 +62,7 @@ TEST_F(RecordedHands, HoldUmbrellasUpWhoeverWalksOrStands) {
   pass(30);
   for (std::uint32_t agent = 0; agent < people_who_walk + people_who_stand; ++agent) {
     EXPECT_GT(height_of(agent, glm::vec3(0)), 1.0F) << agent;
-    EXPECT_TRUE(held_arms_of(stage_->animated()).shows_thing(stage_->crowd(), agent));
+    EXPECT_TRUE(stage_->animated().details().held_arms().shows_thing(stage_->crowd(), agent));
   }
 }
 

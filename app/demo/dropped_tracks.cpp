@@ -53,7 +53,7 @@ anim::Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::st
 bool DroppedTracks::takes(const std::vector<std::string>& files, WindowSession& session) {
   const Stage& stage = session.show.stage();
   const auto asked =
-      tracks_to_read(files, stage.tuning().scene == Scene::tracks ? trajectories_of(stage)->file : std::string());
+      tracks_to_read(files, stage.tuning().scene == Scene::tracks ? stage.trajectories()->file : std::string());
   if (!asked) return session.messages().say(asked.error().message, Message::Kind::refused), true;
   if (!*asked) return false;
   next_ = **asked;

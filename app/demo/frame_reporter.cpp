@@ -231,18 +231,18 @@ void FrameReporter::add_cast(const Stage& stage) {
 }
 
 void FrameReporter::add_level_of_detail(const Stage& stage) {
-  report_.visible = static_cast<int>(stage.selection().visible.size());
+  report_.visible = static_cast<int>(stage.posed().selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().lod.largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
-  report_.lod = stage.level_of_detail().figures();
-  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+  report_.lod = stage.posed().level_of_detail().figures();
+  for (const anim::VisibleAgent& agent : stage.posed().selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
 }
 
 void FrameReporter::add_error(const Stage& stage) {
-  const ErrorMeter& meter = stage.error_meter();
+  const ErrorMeter& meter = stage.posed().error_meter();
   report_.error.figures = meter.figures();
   report_.error.intervals = meter.intervals();
   report_.error.p99_history.assign(meter.history().p99().begin(), meter.history().p99().end());
@@ -252,7 +252,7 @@ void FrameReporter::add_error(const Stage& stage) {
 }
 
 void FrameReporter::add_tracks(const Stage& stage) {
-  const std::shared_ptr<const Trajectories>& all = trajectories_of(stage);
+  const std::shared_ptr<const Trajectories>& all = stage.trajectories();
   // Nobody can go to another time of rows that still come.
   if (stage.crowd().tracks() == nullptr || all->is_live) return report_.tracks.reset();
   const bool is_counted = report_.tracks && tracks_ == all;
@@ -265,7 +265,8 @@ void FrameReporter::add_tracks(const Stage& stage) {
 void FrameReporter::add_heads(const Stage& stage) {
   report_.heads.clear();
   if (!stage.tuning().inspection.figures_above_heads) return;
-  std::vector<anim::VisibleAgent> near(stage.selection().visible.begin(), stage.selection().visible.end());
+  std::vector<anim::VisibleAgent> near(stage.posed().selection().visible.begin(),
+                                       stage.posed().selection().visible.end());
   const auto shown = near.begin() + static_cast<std::ptrdiff_t>(std::min(near.size(), most_heads));
   std::ranges::partial_sort(near, shown, std::ranges::greater(), &anim::VisibleAgent::pixels_tall);
   for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) add_head(stage, agent);

@@ -64,13 +64,13 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
 }
 
 void add_level_of_detail(const Stage& stage, SelectionReport& report) {
-  const std::span<const anim::VisibleAgent> visible = stage.selection().visible;
+  const std::span<const anim::VisibleAgent> visible = stage.posed().selection().visible;
   const auto found = std::ranges::lower_bound(visible, report.agent, {}, &anim::VisibleAgent::agent);
   if (found == visible.end() || found->agent != report.agent) return;
   report.visible = true;
   report.interval = report.posture == Posture::upright ? found->interval : 1;
-  report.mesh_lod = mesh_choice_of(stage).lods()[static_cast<std::size_t>(found - visible.begin())];
-  report.bone_level = stage.shown().pose(report.agent).to_level;
+  report.mesh_lod = stage.posed().mesh_choice().lods()[static_cast<std::size_t>(found - visible.begin())];
+  report.bone_level = stage.posed().shown().pose(report.agent).to_level;
   const anim::Skeleton& skeleton = stage.character_of(report.agent).character->skeleton;
   report.bones = skeleton.level_bone_counts[static_cast<std::size_t>(report.bone_level)];
 }

@@ -37,7 +37,7 @@ void add_speeds(const Followers& followers, std::uint32_t agent, TrackedPerson& 
 }  // namespace
 
 std::shared_ptr<const TrackedPerson> TrackedPersonReporter::report(const Stage& stage) {
-  const bool is_recorded = stage.crowd().tracks() != nullptr && !trajectories_of(stage)->is_live;
+  const bool is_recorded = stage.crowd().tracks() != nullptr && !stage.trajectories()->is_live;
   if (!stage.selected() || !is_recorded) return person_ = nullptr;
   const bool is_same = person_ != nullptr && agent_ == stage.selected() && crowd_ == stage.animated().number();
   if (!is_same) begin(stage, *stage.selected());

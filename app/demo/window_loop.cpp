@@ -166,7 +166,7 @@ class WindowLoop {
     if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd), Overlay::panel_color());
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
       // A person can take back what was too much, but for the first picture.
-      if (session_.show.stage().frame() <= 1) failed_ = drawn, done_ = true;
+      if (session_.show.stage().posed().frame() <= 1) failed_ = drawn, done_ = true;
     }
     renderer().draw_overlay(*overlay_.draw_data());
     renderer().present();

@@ -6,11 +6,11 @@ namespace throng::app {
 
 void RunFigures::add_update(const Stage& stage, Clock::time_point start, double milliseconds) {
   times_.animation_ms = milliseconds;
-  times_.stage = times_of(stage);
+  times_.stage = stage.times();
   if (timeline_) {
-    const ErrorMeter& meter = stage.error_meter();
+    const ErrorMeter& meter = stage.posed().error_meter();
     timeline_->add_update(stage.system(), start,
-                          {.frame = stage.frame(),
+                          {.frame = stage.posed().frame(),
                            .agents_updated = stage.system().figures().report().agents_updated,
                            .update_ms = milliseconds,
                            .error_p99_px = meter.figures().p99,

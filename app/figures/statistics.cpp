@@ -142,9 +142,9 @@ void Statistics::add_report(const Stage& stage) {
   stream_bytes_ += stage.system().figures().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
-  agents_demoted_ += mesh_choice_of(stage).figures().demoted;
-  triangle_budget_.add(mesh_choice_of(stage).figures().budget_held);
-  lod_.add(stage.level_of_detail().figures());
+  agents_demoted_ += stage.posed().mesh_choice().figures().demoted;
+  triangle_budget_.add(stage.posed().mesh_choice().figures().budget_held);
+  lod_.add(stage.posed().level_of_detail().figures());
 }
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
@@ -179,7 +179,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
-  add_error(json, stage.error_meter());
+  add_error(json, stage.posed().error_meter());
   add_level_of_detail(json, lod_, stage.tuning());
   add_events(json, stage.animated().event_sums());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);

@@ -164,7 +164,8 @@ void LabelMaker::add_boxes(const SeenPart& seen, const render::BodyAlone& body, 
 
 void LabelMaker::add_points(const Stage& stage, const render::InstanceRecord& record, LabelledPerson& person) const {
   const anim::Character& character = *stage.character_of(record.agent).character;
-  const auto joints = joints_of(stage).of(record.agent, static_cast<std::size_t>(character.skeleton.bone_count()));
+  const auto joints =
+      stage.posed().joints().of(record.agent, static_cast<std::size_t>(character.skeleton.bone_count()));
   const float height = record.scale * static_cast<float>(character.bounds.height);
   for (const anim::PaletteMatrix& joint : joints) {
     person.joints.push_back(point(record, carried_by(joint, glm::vec3(0.0F)), height));

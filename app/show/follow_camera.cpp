@@ -93,7 +93,7 @@ render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& cam
 }
 
 anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name) {
-  const Trajectories* const all = stage.tuning().scene == Scene::tracks ? trajectories_of(stage).get() : nullptr;
+  const Trajectories* const all = stage.tuning().scene == Scene::tracks ? stage.trajectories().get() : nullptr;
   if (const auto person = all != nullptr && !all->is_live ? person_of(*all, name) : std::nullopt) {
     return FollowCamera(*person);
   }

@@ -27,7 +27,7 @@ namespace {
 // The limit that a person set, not the tolerance that follows what is measured from frame to frame, so that the same
 // values export the same; but the tolerance where a budget decides, since nobody set that.
 float exported_tolerance(const Stage& stage) {
-  const anim::LodFigures& figures = stage.level_of_detail().figures();
+  const anim::LodFigures& figures = stage.posed().level_of_detail().figures();
   const bool budget_decides =
       figures.binding == anim::BindingLimit::budget || figures.binding == anim::BindingLimit::both_miss;
   const float limit = pose_error_limit(stage.tuning().error_px > 0.0F ? stage.tuning() : Tuning());

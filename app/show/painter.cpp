@@ -173,7 +173,7 @@ void Painter::follow_outfits(Stage& stage) {
       shares.push_back(shares_of(level.error, stage.characters()[i].character->bounds.height));
       triangles.push_back(level.triangles);
     }
-    stage.mesh_lods().set(i, std::move(shares), std::move(triangles));
+    stage.posed().mesh_lods().set(i, std::move(shares), std::move(triangles));
   }
 }
 
@@ -184,9 +184,9 @@ std::vector<MeshLevel> Painter::mesh_levels(std::size_t character) const {
 }
 
 std::uint64_t Painter::completed_frame(const Stage& stage) {
-  if (renderer_ == nullptr) return stage.frame();
+  if (renderer_ == nullptr) return stage.posed().frame();
   const std::uint64_t drawn = renderer_->fences().poll();
-  return renderer_->fences().frames_in_flight() == 0 ? stage.frame() : drawn;
+  return renderer_->fences().frames_in_flight() == 0 ? stage.posed().frame() : drawn;
 }
 
 render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) {
@@ -208,8 +208,8 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
       .looks_number = stage.crowd().looks().number,
       .drawn = picture.drawn(),
       .runs = picture.runs(),
-      .first_plain_lod = stage.mesh_lods().first_below(stage.tuning(), stage.people().size(), least_dressed_pixels,
-                                                       render::first_silhouette_lod),
+      .first_plain_lod = stage.posed().mesh_lods().first_below(stage.tuning(), stage.people().size(),
+                                                               least_dressed_pixels, render::first_silhouette_lod),
       .jobs = &jobs_};
   light_as_tuned(stage.tuning(), frame);
   return frame;
@@ -235,7 +235,7 @@ anim::Status Painter::upload(Stage& stage, const PaintedView& view) {
     renderer_->upload(crowd_frame(stage, view, picture_));
     return anim::Done{};
   }
-  stage.pose_exactly();
+  stage.posed().pose_exactly(stage.animated());
   exact_picture_.compose(stage, Poses::exact);
   return anim::Done{};
 }
@@ -265,7 +265,7 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
       if (device_timer_) device_timer_->begin();
       draw_counts_ = draw_pictures(stage, view);
       if (device_timer_) device_timer_->end();
-      renderer_->fences().insert(stage.frame());
+      renderer_->fences().insert(stage.posed().frame());
     });
   }
   times.wait_ms = time_of([&] { drawn = renderer_->finish(); });

@@ -28,10 +28,10 @@ void visit_on_pus(const Stage& stage, std::span<Tile> tiles, Visit visit) {
 struct Picture::Frame {
   const Stage& stage;
   Poses poses;
-  std::span<const anim::VisibleAgent> visible = stage.selection().visible;
-  std::span<const std::uint8_t> mesh_lods = mesh_choice_of(stage).lods();
+  std::span<const anim::VisibleAgent> visible = stage.posed().selection().visible;
+  std::span<const std::uint8_t> mesh_lods = stage.posed().mesh_choice().lods();
   std::uint32_t characters = static_cast<std::uint32_t>(stage.characters().size());
-  std::uint32_t runs = static_cast<std::uint32_t>(stage.shown().slots().page_count()) * characters * lods;
+  std::uint32_t runs = static_cast<std::uint32_t>(stage.posed().shown().slots().page_count()) * characters * lods;
   bool has_morphs = std::ranges::any_of(
       stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   std::span<const render::Outfit> outfits = stage.crowd().looks().outfits;
@@ -40,7 +40,7 @@ struct Picture::Frame {
 
   std::uint32_t run_of(std::size_t at) const {
     const std::uint32_t agent = visible[at].agent;
-    const ShownPose& pose = stage.pose_of(agent, poses);
+    const ShownPose& pose = stage.posed().pose_of(agent, poses);
     if (!pose.shown()) return not_drawn;
     const std::uint32_t lod = poses == Poses::exact ? 0 : mesh_lods[at];
     return (pose.to.page * characters + stage.crowd().characters()[agent]) * lods + lod;

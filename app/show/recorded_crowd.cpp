@@ -25,7 +25,7 @@ bool Show::open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> liv
 }
 
 void Show::take_live_rows(anim::Ticks step) {
-  take_live_step(*stage_, live_->advance(anim::to_seconds(step)));
+  stage_->take_live_step(live_->advance(anim::to_seconds(step)));
   if (std::exchange(live_news_, live_->news()) != live_news_) update_notice();
 }
 
@@ -34,7 +34,7 @@ bool Show::has_rows_for(anim::Ticks step, std::chrono::milliseconds most) {
 }
 
 bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
-  const Trajectories* const all = trajectories_of(*stage_).get();
+  const Trajectories* const all = stage_->trajectories().get();
   if (all == nullptr || all->is_live) return true;
   TrackClock clock = stage_->crowd().tracks()->clock();
   const TrajectoryOptions& asked = options.trajectories;
@@ -53,7 +53,7 @@ bool Show::begin_tracks(const DemoOptions& options, StartError& error) {
     return fail(error, exit_usage, "--start: lies outside of the part that --track-part names");
   }
   clock.seconds = asked.start.value_or(clock.rate < 0.0 ? clock.last : clock.first);
-  set_track_clock(*stage_, clock);
+  stage_->set_track_clock(clock);
   return true;
 }
 
@@ -73,7 +73,7 @@ anim::Status Show::replace_trajectories(std::shared_ptr<const Trajectories> traj
   live_.reset();
   TrackClock clock = stage_->crowd().tracks()->clock();
   clock.repeats = true;
-  set_track_clock(*stage_, clock);
+  stage_->set_track_clock(clock);
   camera = guide.begin_scene(*stage_);
   films = true;
   update_notice();

@@ -48,8 +48,8 @@ anim::Status Scenery::load(std::vector<render::SceneryMeshData> props, render::R
 }
 
 anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& renderer) {
-  if (planned_ == trajectories_of(stage)) return anim::Done{};
-  planned_ = trajectories_of(stage);
+  if (planned_ == stage.trajectories()) return anim::Done{};
+  planned_ = stage.trajectories();
   placed_.reset();
   if (plan_mesh_) loaded_.resize(*plan_mesh_);
   plan_mesh_.reset();

@@ -116,7 +116,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   if (!begin_tracks(options, error)) return false;
   if (options.events) stage_->animated().sum_up_events();
   if (!options.output.labels.empty()) {
-    if (const anim::Status kept = keep_joints(*stage_); !kept)
+    if (const anim::Status kept = stage_->posed().keep_joints(stage_->animated().system()); !kept)
       return fail(error, exit_job_failed, kept.error().message);
   }
   const int agents = tuning.agents;
@@ -263,7 +263,7 @@ anim::Status Show::cast(anim::Result<LoadedCast> loaded) {
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   const bool viewed = viewer_ != nullptr;
-  if (anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_)); !exchanged)
+  if (anim::Status exchanged = exchange(std::move(characters), stage_->tuning(), stage_->trajectories()); !exchanged)
     return exchanged;
   left_out_.clear();
   update_notice();
@@ -273,11 +273,11 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
 // Somebody who looks at a recorded crowd goes on at the same moment with other characters.
 anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                             std::shared_ptr<const Trajectories> trajectories) {
-  const bool same_tracks = tuning.scene == Scene::tracks && trajectories == trajectories_of(*stage_);
-  auto stage =
-      Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->frame(), std::move(trajectories));
+  const bool same_tracks = tuning.scene == Scene::tracks && trajectories == stage_->trajectories();
+  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages(), stage_->posed().frame(),
+                             std::move(trajectories));
   if (!stage) return stage.error();
-  if (same_tracks) set_track_clock(**stage, stage_->crowd().tracks()->clock());
+  if (same_tracks) (*stage)->set_track_clock(stage_->crowd().tracks()->clock());
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   viewer_.reset();
@@ -321,7 +321,7 @@ anim::Status Show::start_recording(const std::filesystem::path& file) {
   if (stage_->tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
   const RecordingHeader header{exactly(stage_->people()), stage_->tuning(), width, height};
   if (anim::Status started = recorder_.start(file, header); !started) return started;
-  if (stage_->frame() > 0) stage_->restart();
+  if (stage_->posed().frame() > 0) stage_->restart();
   rewind_.forget();
   keep_moments();
   return anim::Done{};
@@ -347,7 +347,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const anim::Ticks step = stage_->tuning().taken_away.animation ? anim::Ticks{} : delta;
   painter_->follow_outfits(*stage_);
   const std::uint64_t completed = painter_->completed_frame(*stage_);
-  const bool had_memory = !stage_->shown().out_of_memory();
+  const bool had_memory = !stage_->posed().shown().out_of_memory();
   const auto start = RunFigures::Clock::now();
   if (live_ != nullptr) take_live_rows(step);
   stage_->move(step);
@@ -362,7 +362,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   // Any moment of a recorded crowd is there at once, and nobody knows those of a live one again.
   const bool has_clock_of_its_own = stage_->crowd().tracks() != nullptr;
   if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
-  if (had_memory && stage_->shown().out_of_memory()) update_notice();
+  if (had_memory && stage_->posed().shown().out_of_memory()) update_notice();
   figures_.add_update(*stage_, start, milliseconds);
 }
 
@@ -379,15 +379,15 @@ void Show::update_notice() {
   add_line(notice, painter_->notice());
   add_line(notice, pu_notice(on_this_machine(stage_->tuning().system).pus, stage_->system().options().pus));
   for (const std::string& sentence : left_out_) add_line(notice, sentence);
-  if (trajectories_of(*stage_) != nullptr) add_line(notice, tracks_notice(*trajectories_of(*stage_)));
+  if (stage_->trajectories() != nullptr) add_line(notice, tracks_notice(*stage_->trajectories()));
   if (live_ != nullptr) {
     for (const std::string& sentence : live_->said()) add_line(notice, sentence);
   }
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
-  if (stage_->tuning().wardrobe) add_line(notice, rules_notice(clothing_of(*stage_)));
+  if (stage_->tuning().wardrobe) add_line(notice, rules_notice(stage_->clothing()));
   add_line(notice, local_store_notice(stage_->system()));
-  add_line(notice, palette_notice(stage_->shown()));
+  add_line(notice, palette_notice(stage_->posed().shown()));
   add_line(notice, palette_format_notice(stage_->system(), stage_->people()));
 }
 

@@ -14,7 +14,7 @@ void ThresholdsInView::pick_clip(const Stage& stage) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     agents_[i].assign(stage.characters()[i].character->clips.size() + 1, 0);
   }
-  for (const anim::VisibleAgent& seen : stage.selection().visible) {
+  for (const anim::VisibleAgent& seen : stage.posed().selection().visible) {
     ++agents_[crowd.characters()[seen.agent]][static_cast<std::size_t>(crowd.minds().clips()[seen.agent]) + 1];
   }
   const auto place = static_cast<std::size_t>(clip_) + 1;
@@ -39,13 +39,13 @@ void ThresholdsInView::update(const Stage& stage, const render::Camera& lod_came
   thresholds_.clear();
   clip_name_.clear();
   if (tuning.lod.rule == anim::LodRule::distance) thresholds_ = interval_thresholds(tuning);
-  const float tolerance = stage.level_of_detail().figures().tolerance_px;
+  const float tolerance = stage.posed().level_of_detail().figures().tolerance_px;
   if (tuning.lod.rule != anim::LodRule::budget || tolerance <= 0) return;
   pick_clip(stage);
   const CharacterSource& character = stage.characters()[character_];
   clip_name_ = clip_ == no_clip ? "standing still" : character.clip_names[static_cast<std::size_t>(clip_)];
   thresholds_ =
-      interval_thresholds(stage.level_of_detail().choices().of(character_, clip_),
+      interval_thresholds(stage.posed().level_of_detail().choices().of(character_, clip_),
                           {.tolerance_pixels = tolerance,
                            .pixels_per_unit = render::pixels_tall(lod_camera, static_cast<float>(height), 1.0F, 1.0F)});
 }

@@ -150,7 +150,7 @@ void Trails::add(SceneLines& lines, const Stage& stage, const render::Camera& ca
     if (absent_of(stage.crowd())[agent] != 0) continue;
     keep_up(tracks->people(), agent, seconds);
     gather(tracks->people(), agent, seconds);
-    const std::uint32_t of_view = debug_color(stage.tuning(), {.measure = measures_of(stage).of(agent)});
+    const std::uint32_t of_view = debug_color(stage.tuning(), {.measure = stage.posed().measures().of(agent)});
     draw(lines, view, agent == stage.selected() ? selected_color : color_scale(stage.tuning()) ? of_view : plain_color);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "app/character/body_parts.h"
 #include "app/character/cut_scene_models.h"
+#include "app/settings/agent_colors.h"
 #include "app/stage/memory_needs.h"
 #include "app/stage/moment.h"
 #include "app/wardrobe/cast_rules_text.h"
@@ -14,22 +15,7 @@
 namespace throng::app {
 namespace {
 
-constexpr double nanoseconds_a_millisecond = 1e6;
 constexpr float least_clicked_radius = 0.2F;  // metres: a smaller body could hardly be hit
-
-constexpr auto cost_of_placed_feet =
-    static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
-
-std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characters) {
-  std::vector<std::size_t> sizes;
-  for (const CharacterSource& source : characters) {
-    for (const std::uint32_t entries : source.character->level_entries) {
-      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::matrices));
-      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::packed));
-    }
-  }
-  return sizes;
-}
 
 /// Reads what everybody may wear, and tells the crowd of the bodies that there are.
 anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>& characters) {
@@ -50,29 +36,15 @@ bool same_crowd(const Tuning& a, const Tuning& b) {
          same_clothes;
 }
 
+// A thing in the air has no spot below it.
+float contact_scale(const CharacterSource& source) {
+  return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
+}
+
 }  // namespace
 
-Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
-    : characters_(std::move(characters)),
-      slots_(pages, palette_sizes(characters_)),
-      shown_(slots_),
-      exact_(slots_),
-      meter_(characters_),
-      mesh_lods_(characters_) {
-  learn_level_of_detail();
-}
-
-anim::LodCharacter lod_character(const CharacterSource& source) {
-  anim::LodCharacter character = anim::lod_character(*source.character);
-  if (!source.roles.is_prop) character.full_rate_nanoseconds = cost_of_placed_feet;
-  return character;
-}
-
-void Stage::learn_level_of_detail() {
-  std::vector<anim::LodCharacter> characters;
-  for (const CharacterSource& source : characters_) characters.push_back(lod_character(source));
-  lod_.set_characters(std::move(characters));
-}
+Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages, std::uint64_t first_frame)
+    : characters_(std::move(characters)), posed_(characters_, pages, first_frame) {}
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages, std::uint64_t first_frame,
@@ -80,13 +52,12 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> 
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   auto clothing = clothing_of_all(characters);
   if (!clothing) return clothing.error();
-  std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
+  std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages, first_frame));
   stage->clothing_ = std::move(*clothing);
   stage->tuning_ = tuning;
   stage->trajectories_ = std::move(trajectories);
   if (anim::Status shown = stage->can_show(stage->tuning_); !shown) return shown.error();
-  stage->frame_ = first_frame;
-  auto animated = AnimatedCrowd::create(stage->characters_, tuning.system, stage->lod_);
+  auto animated = AnimatedCrowd::create(stage->characters_, tuning.system, stage->posed_.level_of_detail());
   if (!animated) return animated.error();
   stage->animated_ = std::move(*animated);
   stage->populate();
@@ -115,7 +86,8 @@ anim::Status Stage::apply(const Tuning& asked) {
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
-  if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
+  if (!moving_)
+    posed_.level_of_detail().make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
   return anim::Done{};
 }
@@ -129,22 +101,16 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips, std::option
       !share && roles.can_walk() == walked && tuning_.scene != Scene::film && tuning_.scene != Scene::tracks;
   if (!keeps_places) return populate();
   animated_->take_roles();
-  if (!moving_) lod_.make_all_due();
+  if (!moving_) posed_.level_of_detail().make_all_due();
 }
 
-// Slots keep their sizes: a pose goes to the next larger one.
 anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
   CharacterSource& source = characters_[character];
   if (anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
   const ReorderedCharacter reordered = in_order(source, choice);
   if (anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
   take_reordered(source, reordered, choice);
-  learn_level_of_detail();
-  meter_.set_character(character, source);
-  meter_.reset(crowd().size());
-  shown_.reset(crowd().size(), frame_);
-  lod_.forget_shown();
-  lod_.make_all_due();
+  posed_.take_character(character, crowd().size());
   return anim::Done{};
 }
 
@@ -154,7 +120,7 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   std::vector<RigChoice> rig_before = source.rig;
   std::vector<anim::Bone> bones_before = source.model.skeleton.bones;
   if (anim::Status taken = take_rig(source, choices); !taken) return taken;
-  auto animated = AnimatedCrowd::create(characters_, tuning_.system, lod_);
+  auto animated = AnimatedCrowd::create(characters_, tuning_.system, posed_.level_of_detail());
   if (!animated) {
     source.rig = std::move(rig_before);
     source.model.skeleton.bones = std::move(bones_before);
@@ -167,9 +133,9 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   return anim::Done{};
 }
 
-anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules, const std::string& file) {
-  CharacterSource& source = stage.characters_[character];
-  Clothing& clothing = stage.clothing_[character];
+anim::Status Stage::set_cast_rules(std::size_t character, CastRules rules, const std::string& file) {
+  CharacterSource& source = characters_[character];
+  Clothing& clothing = clothing_[character];
   if (std::string wrong = wrong_for(rules, clothing.wardrobe); !wrong.empty()) return anim::Error{std::move(wrong)};
   source.rules = rules_text(rules);
   if (!file.empty()) source.cast_rules = file, clothing.origin = anim::plain_text(file);
@@ -178,16 +144,13 @@ anim::Status set_cast_rules(Stage& stage, std::size_t character, CastRules rules
   source.rules_are_chosen = source.rules_are_chosen || is_other || !file.empty();
   clothing.rules = std::move(rules);
   clothing.doubts = doubts_of(clothing.rules, clothing.wardrobe);
-  if (is_other && stage.tuning_.wardrobe) stage.populate();
+  if (is_other && tuning_.wardrobe) populate();
   return anim::Done{};
 }
 
-anim::Status keep_joints(Stage& stage) { return stage.joints_.begin(stage.animated_->system(), stage.characters_); }
-
 void Stage::restart() {
   moving_ = true;
-  meter_ = ErrorMeter(characters_);
-  lod_.restart();
+  posed_.restart();
   populate(AnimatedCrowd::Clocks::begin_anew);
 }
 
@@ -198,37 +161,77 @@ void Stage::populate(AnimatedCrowd::Clocks clocks) {
     track_clock_ = crowd().tracks()->clock();
   }
   selected_.reset();
-  exact_.reset(crowd().size(), frame_);
-  forget_what_is_shown();
-}
-
-anim::LodLimits Stage::limits() const {
-  return {.error_pixels = pose_error_limit(tuning_),
-          .budget_nanoseconds = static_cast<double>(tuning_.budget_ms) * nanoseconds_a_millisecond};
-}
-
-void Stage::forget_what_is_shown() {
-  lod_.reset(crowd().size(), limits());
-  mesh_choice_.reset(crowd().size());
-  shown_.reset(crowd().size(), frame_);
-  meter_.reset(crowd().size());
+  posed_.reset(crowd().size(), tuning_);
 }
 
 // Nobody flies or slides from where they were: everybody is posed at once, and feet come down anew.
 void Stage::jump() {
-  forget_what_is_shown();
+  posed_.forget_shown(crowd().size(), tuning_);
   animated_->details().take_back({});
 }
 
-void set_track_clock(Stage& stage, const TrackClock& clock) {
-  stage.animated_->crowd().go_to(clock);
-  stage.track_clock_ = clock;
-  stage.jump();
+void Stage::set_track_clock(const TrackClock& clock) {
+  animated_->crowd().go_to(clock);
+  track_clock_ = clock;
+  jump();
 }
 
-void take_live_step(Stage& stage, const LiveStep& step) {
-  if (stage.crowd().tracks() == nullptr) return;
-  stage.animated_->crowd().take(step, stage.animated_->system().executor(), stage.system().options().pus);
+void Stage::take_live_step(const LiveStep& step) {
+  if (crowd().tracks() == nullptr) return;
+  animated_->crowd().take(step, animated_->system().executor(), system().options().pus);
+}
+
+void Stage::move(anim::Ticks delta) {
+  StopWatch watch;
+  moving_ = delta > anim::Ticks{};
+  const FollowedTracks* const tracks = crowd().tracks();
+  const double seconds = tracks != nullptr ? tracks->clock().seconds : 0.0;
+  animated_->move(delta);
+  if (tracks != nullptr) {
+    track_clock_ = tracks->clock();
+    if ((track_clock_->seconds - seconds) * track_clock_->rate < 0.0) jump();  // the part begins anew
+  }
+  times_.crowd_ms = watch.lap();
+}
+
+std::uint32_t Stage::now() const { return shader_time(system().clock()); }
+
+void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
+                 std::uint64_t completed_frame) {
+  posed_.pose(*animated_,
+              {.camera = camera,
+               .size = {static_cast<float>(width), static_cast<float>(height)},
+               .step = frame_step,
+               .moves = moving_,
+               .selected = selected_,
+               .completed = completed_frame},
+              tuning_, times_);
+}
+
+bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses) const {
+  const ShownPose& pose = posed_.pose_of(agent.agent, poses);
+  if (!pose.shown()) return false;
+  const glm::vec3 position = crowd().positions()[agent.agent];
+  const Heading heading = crowd().headings()[agent.agent];
+  record = {.position = {position.x, position.y, position.z},
+            .scale = crowd().scales()[agent.agent],
+            .heading_cosine = heading.cosine,
+            .heading_sine = heading.sine,
+            .palette_from = pose.from_word(),
+            .palette_to = pose.to_word(),
+            .blend_start = pose.from_time,
+            .blend_duration = pose.to_time - pose.from_time,
+            .agent = agent.agent,
+            .debug_color = agent.agent == selected_
+                               ? selected_color
+                               : debug_color(tuning_, {.interval = agent.interval,
+                                                       .bone_level = pose.level(),
+                                                       .error_px = posed_.error_meter().error_of(agent.agent),
+                                                       .measure = posed_.measures().of(agent.agent)}),
+            .bone_level = pose.level(),
+            .weights = 0,
+            .contact_scale = contact_scale(character_of(agent.agent))};
+  return true;
 }
 
 void Stage::select(std::optional<std::uint32_t> agent) {
@@ -239,7 +242,7 @@ void Stage::select(std::optional<std::uint32_t> agent) {
 
 anim::Status Stage::go_back_to(const StageMoment& moment) {
   anim::Status gone = animated_->go_back_to(moment);
-  if (gone) forget_what_is_shown();  // those are poses of the future
+  if (gone) posed_.forget_shown(crowd().size(), tuning_);  // those are poses of the future
   return gone;
 }
 
@@ -264,8 +267,8 @@ UprightBody body_of(const Stage& stage, std::uint32_t agent) {
 
 std::vector<UprightBody> bodies_in_view(const Stage& stage) {
   std::vector<UprightBody> bodies;
-  bodies.reserve(stage.selection().visible.size());
-  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+  bodies.reserve(stage.posed().selection().visible.size());
+  for (const anim::VisibleAgent& agent : stage.posed().selection().visible) {
     UprightBody& body = bodies.emplace_back(body_of(stage, agent.agent));
     body.radius = std::max(body.radius, least_clicked_radius);
   }

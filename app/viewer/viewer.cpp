@@ -83,9 +83,9 @@ anim::Result<std::unique_ptr<Viewer>> Viewer::create(const Stage& stage, const V
 Viewer::Viewer(const Stage& stage, const ViewRequest& request, std::unique_ptr<ViewedCharacter> viewed)
     : character_(request.character),
       viewed_(std::move(viewed)),
-      slots_(&stage.shown().slots()),
+      slots_(&stage.posed().shown().slots()),
       slot_(slots_->acquire(viewed_->palette_bytes())),
-      stage_frame_(stage.frame()),
+      stage_frame_(stage.posed().frame()),
       room_(viewed_->surroundings()),
       scale_(view_radius / room_.radius),
       turntable_(scale_ * room_.centre, scale_ * room_.across, scale_ * room_.half_height),

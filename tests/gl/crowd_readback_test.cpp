@@ -98,8 +98,8 @@ class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface
 
   void expect_where_the_reference_is(std::uint32_t agent) {
     EXPECT_LT(crowd().largest_error(agent), tolerance())
-        << "agent " << agent << " at frame " << crowd().stage().frame();
-    const ShownPose& pose = crowd().stage().shown().pose(agent);
+        << "agent " << agent << " at frame " << crowd().stage().posed().frame();
+    const ShownPose& pose = crowd().stage().posed().shown().pose(agent);
     levels_.insert(pose.level());
     blended_ = blended_ || crowd().blends(agent);
     blended_levels_ = blended_levels_ || (crowd().blends(agent) && pose.from_level != pose.to_level);
@@ -215,12 +215,14 @@ TEST_F(MeasuredCrowd, IsOffByWhatTheWholeSurfaceReadBackFromTheDeviceIs) {
     crowd().draw_camera_back(0.15F);
     if (frame < 16) continue;
     for (const std::uint32_t agent : watched) {
-      const double measured = static_cast<double>(crowd().stage().error_meter().error_of(agent));
+      const double measured = static_cast<double>(crowd().stage().posed().error_meter().error_of(agent));
       const double on_device = crowd().largest_error_on_screen(agent);
-      EXPECT_LT(measured, 1.02 * on_device + least) << "agent " << agent << " at frame " << crowd().stage().frame();
-      EXPECT_GT(measured, seen * on_device - least) << "agent " << agent << " at frame " << crowd().stage().frame();
+      EXPECT_LT(measured, 1.02 * on_device + least)
+          << "agent " << agent << " at frame " << crowd().stage().posed().frame();
+      EXPECT_GT(measured, seen * on_device - least)
+          << "agent " << agent << " at frame " << crowd().stage().posed().frame();
       if (on_device < 4 * least) continue;
-      levels.insert(crowd().stage().shown().pose(agent).level());
+      levels.insert(crowd().stage().posed().shown().pose(agent).level());
       ++compared;
     }
   }

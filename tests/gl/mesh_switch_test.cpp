@@ -91,7 +91,7 @@ class MeshSwitch : public testing::Test {
     for (int frame = 0; frame < 40; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
   }
 
-  std::span<const render::MeshError> shares() const { return show_->stage().mesh_lods().shares(0); }
+  std::span<const render::MeshError> shares() const { return show_->stage().posed().mesh_lods().shares(0); }
 
   /// Draws the figure with a mesh LOD, `tall` pixels tall, from one of the views.
   Image picture(int lod, float tall, int view) {

@@ -90,9 +90,9 @@ TEST_F(SplitView, LeavesTheUsualPictureAsItWas) {
   const Image before = picture(Split::off);
   picture(Split::shown);
   EXPECT_EQ(measure_difference(before, picture(Split::off))->mean, 0.0);
-  const auto slots = show().stage().shown().pose(0).to.first_line;
+  const auto slots = show().stage().posed().shown().pose(0).to.first_line;
   picture(Split::difference);
-  EXPECT_EQ(show().stage().shown().pose(0).to.first_line, slots);
+  EXPECT_EQ(show().stage().posed().shown().pose(0).to.first_line, slots);
 }
 
 }  // namespace

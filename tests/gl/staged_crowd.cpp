@@ -72,7 +72,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
   reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
   // Everybody gets the coarsest mesh, which is the quickest to draw.
-  stage_->mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()), {});
+  stage_->posed().mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()), {});
   moments_.resize(stage_->crowd().size());
   // The reference knows poses, but no builds of bodies.
   looks_.resize(stage_->crowd().size(), render::plain_look());
@@ -85,7 +85,7 @@ void StagedCrowd::retune(const Tuning& tuning) {
 }
 
 void StagedCrowd::pass_frame() {
-  if (stage_->frame() > 0) renderer_->fences().insert(stage_->frame());
+  if (stage_->posed().frame() > 0) renderer_->fences().insert(stage_->posed().frame());
   stage_->move(frame_step);
   reference_->advance(frame_step);
   stage_->pose(camera_, width, height, frame_step, renderer_->fences().poll());
@@ -97,11 +97,11 @@ void StagedCrowd::pass_frame() {
 // With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
 void StagedCrowd::note_moments() {
   const anim::Ticks now = reference_->clock();
-  for (const anim::DueAgent& due : stage_->selection().due) {
-    const ShownPose& pose = stage_->shown().pose(due.agent);
+  for (const anim::DueAgent& due : stage_->posed().selection().due) {
+    const ShownPose& pose = stage_->posed().shown().pose(due.agent);
     const bool looks_ahead = pose.from_time != pose.to_time;
     Slots& slots = moments_[due.agent];
-    const anim::BoneStep& bones = stage_->level_of_detail().bone_step(due.agent);
+    const anim::BoneStep& bones = stage_->posed().level_of_detail().bone_step(due.agent);
     const PoseMoment to{.evaluated = now,
                         .time = looks_ahead ? now + due.look_ahead * frame_step : now,
                         .fade_level = bones.fade_level,
@@ -139,7 +139,7 @@ bool StagedCrowd::blends(std::uint32_t agent) const { return blend_of(agent) > 0
 /// Blends two poses as the shader does. It mixes float palettes as matrices, which moves vertices along straight lines,
 /// and packed ones bone by bone.
 std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) const {
-  const ShownPose& pose = stage_->shown().pose(agent);
+  const ShownPose& pose = stage_->posed().shown().pose(agent);
   const auto& [from, to] = moments_[agent];
   const double blend = blend_of(agent);
   if (pose.from_format == anim::PaletteFormat::packed && pose.to_format == anim::PaletteFormat::packed) {
@@ -197,7 +197,7 @@ double StagedCrowd::largest_error(std::uint32_t agent) {
 }
 
 void StagedCrowd::negate_rotations(std::uint32_t agent) {
-  const render::PaletteSlot& slot = stage_->shown().pose(agent).to;
+  const render::PaletteSlot& slot = stage_->posed().shown().pose(agent).to;
   std::byte* memory = pages_->page(slot.page).memory + slot.first_line * render::palette_line_bytes;
   for (std::size_t bone = 0; bone < stage_->characters().front().model.skeleton.bones.size(); ++bone) {
     std::int16_t rotation[4];

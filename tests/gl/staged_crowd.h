@@ -50,7 +50,7 @@ class StagedCrowd {
   /// Makes a fault: passes the right palettes of both slots of `agent` through `change` and writes them again.
   template <typename Change>
   void rewrite_palettes(std::uint32_t agent, const Change& change) {
-    const ShownPose& pose = stage_->shown().pose(agent);
+    const ShownPose& pose = stage_->posed().shown().pose(agent);
     const Slots& moments = moments_[agent];
     write(pose.from, change(reference_->palette(agent, moments.from)));
     write(pose.to, change(reference_->palette(agent, moments.to)));

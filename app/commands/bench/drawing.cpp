@@ -60,7 +60,7 @@ class DrawnFrames {
 
   Json figures() const {
     Json row = {{"agents", show_->stage().crowd().size()},
-                {"agents_in_view", show_->stage().selection().visible.size()},
+                {"agents_in_view", show_->stage().posed().selection().visible.size()},
                 {"frames", frames_.size()},
                 {"stopped", static_cast<int>(frames_.size()) < options_->frames}};
     for (const NamedPart& part : parts) {

@@ -153,7 +153,7 @@ class ReorderedStage : public testing::Test {
   void pass(Stage& stage, int frames) const {
     for (int i = 0; i < frames; ++i) {
       stage.move(frame);
-      stage.pose(camera_, 1280, 720, frame, stage.frame());
+      stage.pose(camera_, 1280, 720, frame, stage.posed().frame());
     }
   }
   /// Both arms and all below first, and only two levels.
@@ -226,9 +226,9 @@ TEST_F(ReorderedStage, HasTheLevelsThatWereChosen) {
   const anim::Skeleton& skeleton = stage->characters().front().character->skeleton;
   EXPECT_THAT(skeleton.level_bone_counts, ElementsAre(skeleton.bone_count(), 20));
   EXPECT_EQ(stage->characters().front().model.skeleton.bones[19].name, skeleton.bones[19].name);
-  EXPECT_TRUE(std::ranges::any_of(stage->selection().visible,
+  EXPECT_TRUE(std::ranges::any_of(stage->posed().selection().visible,
                                   [](const anim::VisibleAgent& agent) { return agent.bone_level == 1; }));
-  for (const anim::VisibleAgent& agent : stage->selection().visible) EXPECT_LE(agent.bone_level, 1);
+  for (const anim::VisibleAgent& agent : stage->posed().selection().visible) EXPECT_LE(agent.bone_level, 1);
 }
 
 TEST_F(ReorderedStage, RefusesAnOrderThatCannotBeAndGoesOn) {

@@ -70,7 +70,7 @@ TEST_F(WardrobeRequests, SaveWhatWasTunedAndReadItAgainAsItWasEditedByHand) {
 TEST_F(WardrobeRequests, SayInOneLineWhyAFileCannotBeReadAndChangeNothing) {
   const CastTuning before = report_.tuning;
   EXPECT_THAT(refusal_of(loaded({"none"}, stage(), 0)), HasSubstr("none.cast.json"));
-  CastRules wrong = cast_rules_of(show_->stage(), 0);
+  CastRules wrong = show_->stage().clothing()[0].rules;
   wrong.styles.front().wears.front().parts.front().name = "toga";
   ASSERT_TRUE(write_cast_rules("wrong.cast.json", wrong));
   const std::string words = refusal_of(loaded({"wrong"}, stage(), 0));

@@ -41,7 +41,7 @@ class MeasuredStage : public testing::Test {
   void go_on(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
-      stage_->pose(camera_, width, height, frame, stage_->frame());
+      stage_->pose(camera_, width, height, frame, stage_->posed().frame());
     }
   }
   static Tuning measured() {
@@ -63,9 +63,9 @@ TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = tuning.lod.smooth = false;
   pass(tuning, 90);
-  EXPECT_GT(stage_->error_meter().figures().samples, 1000U);
-  EXPECT_EQ(stage_->error_meter().figures().max, 0.0F);
-  EXPECT_EQ(stage_->error_meter().figures().pop_max, 0.0F);
+  EXPECT_GT(stage_->posed().error_meter().figures().samples, 1000U);
+  EXPECT_EQ(stage_->posed().error_meter().figures().max, 0.0F);
+  EXPECT_EQ(stage_->posed().error_meter().figures().pop_max, 0.0F);
 }
 
 TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
@@ -77,8 +77,8 @@ TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
   for (const int interval : {2, 4, 8}) {
     tuning.lod.largest_interval = interval;
     pass(tuning, 90);
-    EXPECT_GT(stage_->error_meter().figures().p99, 1.5F * before) << interval;
-    before = stage_->error_meter().figures().p99;
+    EXPECT_GT(stage_->posed().error_meter().figures().p99, 1.5F * before) << interval;
+    before = stage_->posed().error_meter().figures().p99;
   }
 }
 
@@ -87,11 +87,11 @@ TEST_F(MeasuredStage, SeesMoreWherePosesAreHeldThanWhereTheyBlend) {
   tuning.lod.full_rate_distance = tuning.lod.interval_growth = 1.0F;
   tuning.lod.bone_lod = false;
   pass(tuning, 90);
-  const anim::ErrorFigures smooth = stage_->error_meter().figures();
+  const anim::ErrorFigures smooth = stage_->posed().error_meter().figures();
   tuning.lod.smooth = false;
   pass(tuning, 90);
-  EXPECT_GT(stage_->error_meter().figures().p99, 3.0F * smooth.p99);
-  EXPECT_GT(stage_->error_meter().figures().pop_max, 3.0F * smooth.pop_max);
+  EXPECT_GT(stage_->posed().error_meter().figures().p99, 3.0F * smooth.p99);
+  EXPECT_GT(stage_->posed().error_meter().figures().pop_max, 3.0F * smooth.pop_max);
 }
 
 TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
@@ -100,7 +100,7 @@ TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
   tuning.placed_feet = false;
   std::ranges::fill(tuning.lod.level_distances, 0.1F);
   pass(tuning, 30);
-  EXPECT_GT(stage_->error_meter().figures().p50, 0.5F);
+  EXPECT_GT(stage_->posed().error_meter().figures().p50, 0.5F);
 }
 
 TEST_F(MeasuredStage, PosesAlikeWhoeverIsMeasured) {
@@ -119,7 +119,7 @@ TEST_F(MeasuredStage, MeasuresNobodyWhereItIsOff) {
   Tuning tuning = measured();
   tuning.error_sample = ErrorSampling::off;
   pass(tuning, 30);
-  EXPECT_EQ(stage_->error_meter().figures().samples, 0U);
+  EXPECT_EQ(stage_->posed().error_meter().figures().samples, 0U);
 }
 
 TEST_F(MeasuredStage, MeasuresEverybodyWhereErrorsAreColours) {
@@ -127,8 +127,8 @@ TEST_F(MeasuredStage, MeasuresEverybodyWhereErrorsAreColours) {
   tuning.error_sample = ErrorSampling::some;
   tuning.debug_view = DebugView::error;
   pass(tuning, 60);
-  for (const anim::VisibleAgent& agent : stage_->selection().visible) {
-    EXPECT_GE(stage_->error_meter().error_of(agent.agent), 0.0F) << agent.agent;
+  for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
+    EXPECT_GE(stage_->posed().error_meter().error_of(agent.agent), 0.0F) << agent.agent;
   }
 }
 
@@ -137,9 +137,9 @@ TEST_F(MeasuredStage, TakesFewOfManyForAsLittleAsTheyCost) {
   tuning.agents = 600;
   tuning.error_sample = ErrorSampling::some;
   pass(tuning, 120);
-  EXPECT_GT(stage_->error_meter().figures().samples, 40U);
-  EXPECT_LT(stage_->error_meter().figures().samples, 60U * WatchedAgents::few);
-  EXPECT_GT(stage_->error_meter().figures().pop_max, 0.0F);
+  EXPECT_GT(stage_->posed().error_meter().figures().samples, 40U);
+  EXPECT_LT(stage_->posed().error_meter().figures().samples, 60U * WatchedAgents::few);
+  EXPECT_GT(stage_->posed().error_meter().figures().pop_max, 0.0F);
 }
 
 TEST_F(MeasuredStage, KnowsItsFiguresWithinASecondForFewAsForMany) {
@@ -148,9 +148,9 @@ TEST_F(MeasuredStage, KnowsItsFiguresWithinASecondForFewAsForMany) {
   for (const int agents : {60, 1000}) {
     tuning.agents = agents;
     pass(tuning, 60);
-    EXPECT_TRUE(stage_->error_meter().figures().p99_is_known()) << agents;
-    EXPECT_TRUE(stage_->error_meter().intervals().p99.high) << agents;
-    EXPECT_LE(stage_->error_meter().intervals().p99.low, stage_->error_meter().figures().p99) << agents;
+    EXPECT_TRUE(stage_->posed().error_meter().figures().p99_is_known()) << agents;
+    EXPECT_TRUE(stage_->posed().error_meter().intervals().p99.high) << agents;
+    EXPECT_LE(stage_->posed().error_meter().intervals().p99.low, stage_->posed().error_meter().figures().p99) << agents;
   }
 }
 
@@ -160,8 +160,8 @@ TEST_F(MeasuredStage, MeasuresASingleAgentToo) {
   tuning.system.pus = 1;
   camera_ = camera_at({.x = 0, .y = 30, .z = 60, .yaw = 0, .pitch = -25});
   pass(tuning, 60);
-  ASSERT_EQ(stage_->selection().visible.size(), 1U);
-  EXPECT_GT(stage_->error_meter().figures().samples, 30U);
+  ASSERT_EQ(stage_->posed().selection().visible.size(), 1U);
+  EXPECT_GT(stage_->posed().error_meter().figures().samples, 30U);
 }
 
 // One of sixty is more than the hundredth part: what it does next is not known from what it did.
@@ -171,8 +171,8 @@ TEST_F(MeasuredStage, TellsTheErrorLimitNothingOfFewAgents) {
   for (const int agents : {60, 1000}) {
     tuning.agents = agents;
     pass(tuning, 90);
-    ASSERT_EQ(stage_->selection().visible.size() >= 100, agents == 1000);
-    EXPECT_EQ(stage_->level_of_detail().figures().error_held.has_value(), agents == 1000);
+    ASSERT_EQ(stage_->posed().selection().visible.size() >= 100, agents == 1000);
+    EXPECT_EQ(stage_->posed().level_of_detail().figures().error_held.has_value(), agents == 1000);
   }
 }
 
@@ -187,33 +187,33 @@ TEST_F(MeasuredStage, UsesItsLimitWhereFramesDifferInLengthToo) {
   for (int i = 0; i < 200; ++i) {
     const anim::Ticks step = frame * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
     stage_->move(step);
-    stage_->pose(camera_, width, height, step, stage_->frame());
+    stage_->pose(camera_, width, height, step, stage_->posed().frame());
   }
-  EXPECT_LE(stage_->error_meter().figures().p99, tuning.error_px);
-  EXPECT_GE(stage_->level_of_detail().figures().tolerance_px, tuning.error_px / 2);
+  EXPECT_LE(stage_->posed().error_meter().figures().p99, tuning.error_px);
+  EXPECT_GE(stage_->posed().level_of_detail().figures().tolerance_px, tuning.error_px / 2);
 }
 
 TEST_F(MeasuredStage, ForgetsTheErrorsOfOtherValues) {
   Tuning tuning = measured();
   tuning.inspection.forced_interval = 16;
   pass(tuning, 60);
-  const anim::ErrorFigures before = stage_->error_meter().figures();
+  const anim::ErrorFigures before = stage_->posed().error_meter().figures();
   tuning.time_scale = 0.5F;
   pass_on(tuning, 1);
-  EXPECT_GT(stage_->error_meter().figures().samples, before.samples / 2) << "the clock decides over nothing";
+  EXPECT_GT(stage_->posed().error_meter().figures().samples, before.samples / 2) << "the clock decides over nothing";
   tuning.inspection.forced_interval = 1;
   pass_on(tuning, 20);
-  EXPECT_LT(stage_->error_meter().figures().samples, before.samples / 2);
-  EXPECT_GT(stage_->error_meter().since_start().samples, before.samples);
+  EXPECT_LT(stage_->posed().error_meter().figures().samples, before.samples / 2);
+  EXPECT_GT(stage_->posed().error_meter().since_start().samples, before.samples);
 }
 
 TEST_F(MeasuredStage, RemembersHowTheErrorWent) {
   Tuning tuning = measured();
   pass(tuning, 40);
-  const ErrorHistory& history = stage_->error_meter().history();
+  const ErrorHistory& history = stage_->posed().error_meter().history();
   EXPECT_EQ(history.p99().size(), 20U);
-  EXPECT_EQ(history.p99().back(), stage_->error_meter().figures().p99);
-  EXPECT_EQ(std::ranges::max(history.pop()), stage_->error_meter().figures().pop_max);
+  EXPECT_EQ(history.p99().back(), stage_->posed().error_meter().figures().p99);
+  EXPECT_EQ(std::ranges::max(history.pop()), stage_->posed().error_meter().figures().pop_max);
 }
 
 TEST(ErrorHistory, KeepsTheNewestValuesAndTheLargestPopOfTwoFrames) {

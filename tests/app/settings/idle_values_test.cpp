@@ -107,8 +107,8 @@ class Seen {
     }
     stage_ = std::move(*made);
     for (std::size_t i = 0; i < stage_->characters().size(); ++i) {
-      stage_->mesh_lods().set(i, {{0.0F, 0.0F}, {0.004F, 0.004F}, {0.02F, 0.02F}, {0.06F, 0.06F}},
-                              {4000, 2000, 1000, 500});
+      stage_->posed().mesh_lods().set(i, {{0.0F, 0.0F}, {0.004F, 0.004F}, {0.02F, 0.02F}, {0.06F, 0.06F}},
+                                      {4000, 2000, 1000, 500});
     }
     stage_->select(selected);
     for (int i = 0; i < frames; ++i) pass_frame(tuning);
@@ -124,7 +124,7 @@ class Seen {
     const anim::Ticks step =
         stands ? anim::Ticks{} : anim::to_ticks(anim::to_seconds(frame) * static_cast<double>(tuning.time_scale));
     stage_->move(step);
-    stage_->pose(camera_, 640, 360, step, stage_->frame());
+    stage_->pose(camera_, 640, 360, step, stage_->posed().frame());
     add_choices();
     add_figures();
     if (!tuning.taken_away.drawing) add_picture(tuning);
@@ -139,12 +139,12 @@ class Seen {
   }
 
   void add_choices() {
-    for (const anim::VisibleAgent& agent : stage_->selection().visible) {
+    for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
       add(agent.agent);
       add(agent.interval);
       add(agent.bone_level);
     }
-    add(stage_->selection().due.size());
+    add(stage_->posed().selection().due.size());
   }
 
   void add_figures() {
@@ -159,9 +159,9 @@ class Seen {
     add(system.figures().schedule().pus);
     add(system.figures().schedule().local_store_bytes);
     add(system.figures().schedule().plan.fetch_buffers);
-    add(stage_->level_of_detail().figures().tolerance_px);
-    add(stage_->error_meter().figures().samples);
-    add(stage_->error_meter().figures().max);
+    add(stage_->posed().level_of_detail().figures().tolerance_px);
+    add(stage_->posed().error_meter().figures().samples);
+    add(stage_->posed().error_meter().figures().max);
   }
 
   void add_words(const auto& plain) {
@@ -179,8 +179,8 @@ class Seen {
     add(tuning.light.exposure);
     add(tuning.shadows && render::casts_shadows(tuning.light));
     add(tuning.crowd_shade);
-    for (const std::uint8_t lod : mesh_choice_of(*stage_).lods()) add(lod);
-    for (const anim::VisibleAgent& agent : stage_->selection().visible) {
+    for (const std::uint8_t lod : stage_->posed().mesh_choice().lods()) add(lod);
+    for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
       render::InstanceRecord record{};
       if (!stage_->record(agent, record)) continue;
       if (tuning.taken_away.upload) record.debug_color = 0;

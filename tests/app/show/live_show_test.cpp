@@ -59,7 +59,7 @@ TEST_F(LiveShow, IsThatOfTheSameRowsInAFile) {
   const std::string text = circles();
   const auto recorded = test::show_of(demo("--trajectories " + folder_.file("circles.csv", text)));
   const auto show = live("--agents 5", text);
-  const glm::dvec2 apart = trajectories_of(show->stage())->origin - trajectories_of(recorded->stage())->origin;
+  const glm::dvec2 apart = show->stage().trajectories()->origin - recorded->stage().trajectories()->origin;
   const glm::vec3 moved(apart.x, 0.0, -apart.y);
   int frames = 0, seen = 0;
   double turned = 0.0, strode = 0.0;
@@ -97,7 +97,7 @@ TEST_F(LiveShow, EndsWithWhatItHasWhereTheTextIsWrong) {
 TEST_F(LiveShow, HasItsWallsAboutTheFirstRow) {
   const std::string walls = folder_.file("hall.wkt", "POLYGON ((100 200, 110 200, 110 210, 100 210, 100 200))\n");
   const auto show = live("--agents 3 --walls " + walls, "id,time,x,y\n1,0,105,205\n1,1,106,205\n");
-  const GroundPlan& plan = trajectories_of(show->stage())->plan;
+  const GroundPlan& plan = show->stage().trajectories()->plan;
   ASSERT_EQ(plan.floors.size(), 1U);
   EXPECT_EQ(plan.floors[0].outline[0], glm::vec2(-5.0F, 5.0F));
 }
@@ -123,7 +123,7 @@ TEST_F(LiveShow, KnowsWhenSomebodyCame) {
   for (int frame = 0; frame < 1400; ++frame) animate(*show);
   EXPECT_EQ(came_at(), 0.0);
   while (!is_over(*show)) animate(*show);
-  EXPECT_EQ(trajectories_of(show->stage())->persons[0].id, "bob");
+  EXPECT_EQ(show->stage().trajectories()->persons[0].id, "bob");
   EXPECT_GE(came_at(), 25.0);
 }
 

@@ -47,7 +47,7 @@ class PictureOfMorphs : public testing::Test {
   void compose(float metres) {
     camera_.position.z = metres;
     stage_->move(frame);
-    stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+    stage_->pose(camera_, 1280, 720, frame, stage_->posed().frame());
     picture_.compose(*stage_);
     ASSERT_FALSE(picture_.instances().empty());
   }

@@ -50,14 +50,14 @@ class PictureInTiles : public testing::Test {
     ASSERT_TRUE(made);
     stage_ = std::move(*made);
     for (std::size_t each = 0; each < 2; ++each) {
-      stage_->mesh_lods().set(each, {{}, {0.1F, 0.1F}, {0.2F, 0.2F}}, {300, 100, 30});
+      stage_->posed().mesh_lods().set(each, {{}, {0.1F, 0.1F}, {0.2F, 0.2F}}, {300, 100, 30});
     }
     pass();
-    ASSERT_GT(stage_->selection().visible.size(), 8200U);
+    ASSERT_GT(stage_->posed().selection().visible.size(), 8200U);
   }
   void pass() {
     stage_->move(frame);
-    stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+    stage_->pose(camera_, 1280, 720, frame, stage_->posed().frame());
   }
   Picture composed_on(int pus) {
     tuning_.system.pus = pus;
@@ -84,7 +84,7 @@ class PictureInTiles : public testing::Test {
       while (errors.size() < render::largest_mesh_lod_count) {
         errors.push_back({0.02F * static_cast<float>(errors.size()), 0.0F});
       }
-      stage_->mesh_lods().set(each, errors, std::vector<std::uint32_t>(errors.size(), 100));
+      stage_->posed().mesh_lods().set(each, errors, std::vector<std::uint32_t>(errors.size(), 100));
     }
     pass();
   }
@@ -143,12 +143,12 @@ TEST_F(PictureInTiles, HasEverybodyOnceInRunsOfOnePageCharacterAndMesh) {
       EXPECT_TRUE(last < agent || i == batch.first);
       last = agent;
       drawn.insert(agent);
-      ASSERT_EQ(stage_->pose_of(agent, Poses::shown).to.page, batch.page);
+      ASSERT_EQ(stage_->posed().pose_of(agent, Poses::shown).to.page, batch.page);
       ASSERT_EQ(stage_->crowd().characters()[agent], batch.character);
     }
   }
   EXPECT_EQ(first, picture.instances().size());
-  EXPECT_EQ(drawn.size(), stage_->selection().visible.size());
+  EXPECT_EQ(drawn.size(), stage_->posed().selection().visible.size());
 }
 
 TEST_F(PictureInTiles, HasOnEachListThoseWhoWearThePiece) {
@@ -169,7 +169,7 @@ TEST_F(PictureInTiles, HasOnEachListThoseWhoWearThePiece) {
       const std::uint32_t agent = picture.instances()[number].agent;
       EXPECT_TRUE(drawn[number].insert(list.piece).second) << "once";
       ASSERT_TRUE(worn(agent, list.mesh_lod).contains(list.piece));
-      ASSERT_EQ(stage_->pose_of(agent, Poses::shown).to.page, list.page);
+      ASSERT_EQ(stage_->posed().pose_of(agent, Poses::shown).to.page, list.page);
       ASSERT_EQ(stage_->crowd().characters()[agent], list.character);
     }
   }
@@ -214,7 +214,7 @@ TEST_F(PictureInTiles, HasWeightsOfAllWhoMorphHoweverManyForAnyNumberOfPus) {
   constexpr std::size_t floats = 100;
   const auto named = std::ranges::count_if(alone.instances(), [](const auto& record) { return record.weights > 0; });
   EXPECT_EQ(alone.morph_weights().size() / floats, static_cast<std::size_t>(named));
-  EXPECT_GT(static_cast<std::size_t>(named), stage_->selection().visible.size() / 3);
+  EXPECT_GT(static_cast<std::size_t>(named), stage_->posed().selection().visible.size() / 3);
   for (const int pus : {2, 8}) expect_same(alone, composed_on(pus), pus);
 }
 

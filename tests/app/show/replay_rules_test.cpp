@@ -50,7 +50,7 @@ TEST_F(RulesShow, IsRepeatedWhenItsFileOfRulesWasEditedOrIsGone) {
 TEST_F(RulesShow, IsRepeatedWithTheRulesThatWereTunedWhileItWasRecorded) {
   record(*show_of(demo(line())), 30, [](Show& show, int frame) {
     if (frame != 10 && frame != 20) return;
-    CastRules rules = cast_rules_of(show.stage(), 0);
+    CastRules rules = show.stage().clothing()[0].rules;
     rules.bodies.front().share = frame == 10 ? 0.0F : 300.0F;
     rules.seed += 1;
     EXPECT_TRUE(show.take(SetRules{0, rules_text(rules)}));
@@ -77,9 +77,9 @@ TEST_F(RulesShow, TakesNoOtherRulesForAReplay) {
 
 TEST_F(RulesShow, KeepsItsRulesWhenACharacterGetsAnotherSize) {
   const auto show = show_of(demo(line()));
-  const CastRules before = cast_rules_of(show->stage(), 0);
+  const CastRules before = show->stage().clothing()[0].rules;
   ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 1.1}}));
-  EXPECT_EQ(cast_rules_of(show->stage(), 0), before);
+  EXPECT_EQ(show->stage().clothing()[0].rules, before);
   EXPECT_EQ(show->stage().people().front().cast_rules, rules_.string());
 }
 
@@ -89,11 +89,11 @@ TEST_F(RulesShow, IsKeptInACrowdFileWhereSomebodyChoseIt) {
   ASSERT_TRUE(write_crowd_file(crowd, crowd_setup(chosen->stage().people(), {chosen->stage().tuning(), {}})));
   fs::remove(rules_);
   const auto again = show_of(demo(crowd.string()));
-  EXPECT_EQ(cast_rules_of(again->stage(), 0), cast_rules_of(chosen->stage(), 0));
+  EXPECT_EQ(again->stage().clothing()[0].rules, chosen->stage().clothing()[0].rules);
   EXPECT_EQ(crowd_setup(again->stage().people(), {}).characters, read_crowd_file(crowd)->characters);
   const auto usual = show_of(demo("--agents 3 --wardrobe on"));
   EXPECT_FALSE(crowd_setup(usual->stage().people(), {}).characters.front().rules) << "it is what the program brings";
-  CastRules tuned = cast_rules_of(usual->stage(), 0);
+  CastRules tuned = usual->stage().clothing()[0].rules;
   tuned.things = 3.0F;
   ASSERT_TRUE(usual->take(SetRules{0, rules_text(tuned)}));
   EXPECT_TRUE(crowd_setup(usual->stage().people(), {}).characters.front().rules);
@@ -101,19 +101,19 @@ TEST_F(RulesShow, IsKeptInACrowdFileWhereSomebodyChoseIt) {
 
 TEST_F(RulesShow, RefusesRulesThatNameNoPartAndGoesOnWithItsOwn) {
   const auto show = show_of(demo(line()));
-  const CastRules before = cast_rules_of(show->stage(), 0);
+  const CastRules before = show->stage().clothing()[0].rules;
   CastRules wrong = before;
   wrong.styles.front().wears.front().parts.front().name = "toga";
   const anim::Status set = show->take(SetRules{0, rules_text(wrong)});
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("wears \"toga\", which no part is called"));
-  EXPECT_EQ(cast_rules_of(show->stage(), 0), before);
+  EXPECT_EQ(show->stage().clothing()[0].rules, before);
 }
 
 TEST_F(RulesShow, GivesEverybodyOtherClothesForAnotherSeedAndNothingToHoldWithoutThings) {
   const auto show = show_of(demo(line()));
   const auto outfits = show->stage().crowd().looks().outfits;
-  CastRules rules = cast_rules_of(show->stage(), 0);
+  CastRules rules = show->stage().clothing()[0].rules;
   rules.seed += 1;
   ASSERT_TRUE(show->take(SetRules{0, rules_text(rules)}));
   int same = 0;

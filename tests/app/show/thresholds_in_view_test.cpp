@@ -23,7 +23,7 @@ TEST(ThresholdsOfAClip, AreOfACharacterThatIsThereWhereModelsWereReplacedAndNobo
   show->films = false;
   show->camera = {.position = {0, 500, 0}, .pitch = 1.5F};
   show->animate(test::sixtieth);
-  ASSERT_TRUE(show->stage().selection().visible.empty());
+  ASSERT_TRUE(show->stage().posed().selection().visible.empty());
   thresholds.update(show->stage(), show->camera, 720);
   EXPECT_EQ(thresholds.clip(), "standing still");
   EXPECT_EQ(thresholds.character(), 0U);

@@ -52,9 +52,9 @@ class TrailsOfTwo : public testing::Test {
     EXPECT_TRUE(stage_->apply(tuning_));
     TrackClock clock = stage_->crowd().tracks()->clock();
     clock.seconds = seconds;
-    set_track_clock(*stage_, clock);
+    stage_->set_track_clock(clock);
     stage_->move({});
-    stage_->pose(camera_, 1280, 720, {}, stage_->frame());
+    stage_->pose(camera_, 1280, 720, {}, stage_->posed().frame());
     SceneLines lines;
     trails.add(lines, *stage_, camera_, {1280, 720});
     return lines;
@@ -119,7 +119,7 @@ TEST_F(TrailsOfTwo, HaveTheColourOfTheView) {
   const std::uint32_t plain = color();
   tuning_.debug_view = DebugView::speed;
   EXPECT_NE(color(), plain);
-  EXPECT_EQ(color(), scale_color(measures_of(*stage_).of(0) / tuning_.top_speed) & 0xFFFFFFU);
+  EXPECT_EQ(color(), scale_color(stage_->posed().measures().of(0) / tuning_.top_speed) & 0xFFFFFFU);
 }
 
 TEST_F(TrailsOfTwo, OfAStraightWayAreFewLines) {

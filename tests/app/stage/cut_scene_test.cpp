@@ -35,7 +35,7 @@ class CutSceneOnStage : public testing::Test {
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
-      stage_->pose(camera(), 1280, 720, frame, stage_->frame());
+      stage_->pose(camera(), 1280, 720, frame, stage_->posed().frame());
     }
     seconds_ += frames / 60.0;
   }

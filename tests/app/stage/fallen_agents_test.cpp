@@ -38,7 +38,7 @@ class PushedOnStage : public testing::Test {
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
-      stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+      stage_->pose(camera_, 1280, 720, frame, stage_->posed().frame());
     }
   }
   /// Frames until it holds; a minute of them if it never does.
@@ -81,7 +81,7 @@ TEST_F(PushedOnStage, IsPosedEveryFrameWithAllBonesInViewAndOut) {
   for (int i = 0; i < 30; ++i) {
     const anim::Ticks clock = stage_->system().clock();
     pass(1);
-    const ShownPose& pose = stage_->shown().pose(agent);
+    const ShownPose& pose = stage_->posed().shown().pose(agent);
     ASSERT_TRUE(pose.shown());
     EXPECT_EQ(pose.to_level, 0);
     EXPECT_EQ(pose.to_time, stage_->now());
@@ -89,7 +89,7 @@ TEST_F(PushedOnStage, IsPosedEveryFrameWithAllBonesInViewAndOut) {
   }
   camera_ = camera_at({.x = 0, .y = 500, .z = 0, .pitch = 80});
   pass(2);
-  ASSERT_TRUE(stage_->selection().visible.empty());
+  ASSERT_TRUE(stage_->posed().selection().visible.empty());
   EXPECT_EQ(stage_->system().figures().report().agents_updated, 1U);
   EXPECT_LT(pass_until([&] { return phase(agent) == Phase::standing; }), 20 * 60) << "it gets up unseen";
 }

@@ -16,7 +16,7 @@ inline float height_in_hand(const Stage& stage, std::uint32_t agent, glm::vec3 a
   const anim::Skeleton& skeleton = stage.characters()[0].character->skeleton;
   const auto bones = static_cast<std::size_t>(skeleton.bone_count());
   const auto hand = static_cast<std::size_t>(anim::find_bone(skeleton, "hand.R"));
-  const auto& row = joints_of(stage).of(agent, bones)[hand].rows[1];
+  const auto& row = stage.posed().joints().of(agent, bones)[hand].rows[1];
   return -row[0] * at_rest.x + row[1] * at_rest.y + row[2] * at_rest.z + row[3];
 }
 

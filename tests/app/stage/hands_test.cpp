@@ -144,15 +144,15 @@ TEST_F(StageInHands, WhatIsForcedIsSeenInTheSelection) {
   ASSERT_TRUE(stage_->apply(tuning));
   pass(20);
   const auto forced = [](const anim::VisibleAgent& agent) { return agent.interval == 6; };
-  EXPECT_EQ(std::ranges::count_if(stage_->selection().visible, forced), 0) << "nobody is selected";
-  stage_->select(stage_->selection().visible.front().agent);
+  EXPECT_EQ(std::ranges::count_if(stage_->posed().selection().visible, forced), 0) << "nobody is selected";
+  stage_->select(stage_->posed().selection().visible.front().agent);
   pass(20);
-  EXPECT_EQ(std::ranges::count_if(stage_->selection().visible, forced), 1);
+  EXPECT_EQ(std::ranges::count_if(stage_->posed().selection().visible, forced), 1);
   tuning.inspection.force_selected_only = false;
   ASSERT_TRUE(stage_->apply(tuning));
   pass(20);
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(stage_->selection().visible, forced)),
-            stage_->selection().visible.size());
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(stage_->posed().selection().visible, forced)),
+            stage_->posed().selection().visible.size());
 }
 
 TEST_F(StageInHands, TheLogKeepsLevelOfDetailFrameByFrameAndBeginsAnewWithAnotherAgent) {

@@ -73,21 +73,21 @@ TEST_F(HeldArmsTest, GoBackInTimeWithTheCrowd) {
   ASSERT_TRUE(rewind_.go_back(*stage_));
   pass(5);
   EXPECT_GT(shown(), 0U);
-  EXPECT_LE(shown(), stage_->selection().visible.size());
+  EXPECT_LE(shown(), stage_->posed().selection().visible.size());
 }
 
 TEST_F(HeldArmsTest, HoldAFistUpWhileSomebodyWalks) {
-  ASSERT_TRUE(keep_joints(*stage_));
+  ASSERT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
   give(Held::umbrella);
   pass(60);
-  for (const anim::VisibleAgent& agent : stage_->selection().visible) {
+  for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
     if (stage_->crowd().minds().roles()[agent.agent] == Role::sit) continue;
     EXPECT_GT(height_of(agent.agent, glm::vec3(0)), 1.0F) << agent.agent;
   }
 }
 
 TEST_F(HeldArmsTest, SetAStickOnTheGroundWithEverySecondStep) {
-  ASSERT_TRUE(keep_joints(*stage_));
+  ASSERT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
   give(Held::stick);
   pass(90);
   const glm::vec3 tip(0.711F, -0.635F, 0.0F);  // of assets/mannequin/held.h: 0.87 m along the fingers from the handle
@@ -95,7 +95,7 @@ TEST_F(HeldArmsTest, SetAStickOnTheGroundWithEverySecondStep) {
   int lifted = 0;
   for (int i = 0; i < 120; ++i) {
     pass(1);
-    for (const anim::VisibleAgent& agent : stage_->selection().visible) {
+    for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
       if (stage_->crowd().minds().roles()[agent.agent] != Role::walk) continue;
       const float height = height_of(agent.agent, tip);
       on_the_ground += std::abs(height) < 0.025F ? 1 : 0;

@@ -31,7 +31,7 @@ class FilmedCrowd {
   void pass_frame() {
     stage_->move(frame);
     stage_->pose(along(CameraPath::orbit, start_, 5 * anim::to_seconds(frame) * passed_++), 1280, 720, frame,
-                 stage_->frame());
+                 stage_->posed().frame());
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
       const bool has_feet = stage_->system().agent(agent).post_process_count() > 0;
       feet_given_ += static_cast<int>(has_feet && !had_feet_[agent]);

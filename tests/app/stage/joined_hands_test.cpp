@@ -35,14 +35,14 @@ class JoinedHandsTest : public test::WatchedStage {
     tuning.system = {.pus = pus, .hash = true};
     tuning.wardrobe = true;
     open(tuning, std::move(characters));
-    ASSERT_TRUE(keep_joints(*stage_));
+    ASSERT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
     camera_ = camera_at({.x = 0, .y = 20, .z = 28, .yaw = 0, .pitch = -36});
   }
   // A tall window, so that all of the plaza is near.
   void pass_near(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
-      stage_->pose(camera_, 2560, 2160, frame, stage_->frame());
+      stage_->pose(camera_, 2560, 2160, frame, stage_->posed().frame());
       rewind_.watch(*stage_);
     }
   }
@@ -56,7 +56,7 @@ class JoinedHandsTest : public test::WatchedStage {
     return led;
   }
   bool is_seen(std::uint32_t agent) const {
-    const auto& visible = stage_->selection().visible;
+    const auto& visible = stage_->posed().selection().visible;
     const auto found = std::ranges::lower_bound(visible, agent, {}, &anim::VisibleAgent::agent);
     return found != visible.end() && found->agent == agent && found->pixels_tall > JoinedHands::pixels_to_begin;
   }
@@ -65,7 +65,7 @@ class JoinedHandsTest : public test::WatchedStage {
     const anim::Skeleton& skeleton = stage_->characters()[0].character->skeleton;
     const auto bones = static_cast<std::size_t>(skeleton.bone_count());
     const auto& rows =
-        joints_of(*stage_).of(agent, bones)[static_cast<std::size_t>(anim::find_bone(skeleton, name))].rows;
+        stage_->posed().joints().of(agent, bones)[static_cast<std::size_t>(anim::find_bone(skeleton, name))].rows;
     const glm::vec3 place(rows[0][3], rows[1][3], rows[2][3]);
     const Heading heading = stage_->crowd().headings()[agent];
     const glm::vec3 turned(heading.cosine * place.x + heading.sine * place.z, place.y,

@@ -48,7 +48,7 @@ class Watched {
             if (event.weight > least_weight) met_[agent].push_back({event.name, event.clip, event.time});
           });
     }
-    stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+    stage_->pose(camera_, 1280, 720, frame, stage_->posed().frame());
   }
 
   const Crowd& crowd() const { return stage_->crowd(); }

@@ -29,7 +29,7 @@ struct OtherRolesOnAStage : testing::Test {
   void pass(Stage& stage, int frames) const {
     for (int i = 0; i < frames; ++i) {
       stage.move(frame);
-      stage.pose(camera_, 1280, 720, frame, stage.frame());
+      stage.pose(camera_, 1280, 720, frame, stage.posed().frame());
     }
   }
   static RoleClips running(const Stage& stage) {

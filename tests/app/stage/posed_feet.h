@@ -49,7 +49,7 @@ class PosedFeet {
   };
   /// Returns nothing where the agent has no palette.
   std::optional<Ball> ball(const Stage& stage, const KeptPages& pages, std::uint32_t agent, std::size_t foot) const {
-    const ShownPose& shown = stage.shown().pose(agent);
+    const ShownPose& shown = stage.posed().shown().pose(agent);
     if (!shown.shown()) return {};
     const anim::JointPlace& place = balls_[foot];
     const glm::dvec3 in_model = transformed(pages.palette(shown.to)[place.entry], place.position);

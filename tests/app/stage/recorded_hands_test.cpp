@@ -47,7 +47,7 @@ class RecordedHands : public TracksStage {
   }
   void begin(int pus) {
     open({.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = pus, .hash = true}});
-    EXPECT_TRUE(keep_joints(*stage_));
+    EXPECT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
   }
   void give(Held thing) { stage_->animated().give(std::vector<Held>(people_who_walk + people_who_stand, thing)); }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }

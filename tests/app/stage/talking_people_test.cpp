@@ -53,7 +53,7 @@ class TalkingPeople : public TracksStage {
   }
   /// Returns the radians by which a head is turned to the left.
   double turned(std::uint32_t agent) const {
-    const anim::PaletteMatrix& matrix = pages_->palette(stage_->shown().pose(agent).to)[head_entry_];
+    const anim::PaletteMatrix& matrix = pages_->palette(stage_->posed().shown().pose(agent).to)[head_entry_];
     return std::atan2(static_cast<double>(matrix.rows[0][2]), static_cast<double>(matrix.rows[2][2]));
   }
   TalkMoment talk(std::uint32_t agent) const { return stage_->crowd().tracks()->people().talk(agent, seconds()); }

@@ -63,7 +63,7 @@ class TrackPlayers : public TracksStage {
   std::vector<std::byte> drawn() const {
     std::vector<std::byte> bytes;
     for (std::uint32_t agent = 0; agent < stage_->crowd().size(); ++agent) {
-      const ShownPose& pose = stage_->shown().pose(agent);
+      const ShownPose& pose = stage_->posed().shown().pose(agent);
       if (!pose.shown()) continue;
       const auto* const palette = reinterpret_cast<const std::byte*>(pages_->palette(pose.to));
       bytes.insert(bytes.end(), palette, palette + 62 * sizeof(anim::PaletteMatrix));
@@ -101,7 +101,7 @@ TEST_F(TrackPlayers, PeopleAreThereFromTheirFirstRowToTheirLast) {
   const auto there = [&](double seconds) {
     go_to(seconds);
     pass(1, anim::Ticks{});
-    return stage_->selection().visible.size();
+    return stage_->posed().selection().visible.size();
   };
   EXPECT_EQ(there(0.2), 1U);
   EXPECT_EQ(there(1.2), 3U);
@@ -133,7 +133,7 @@ TEST_F(TrackPlayers, TheCrowdGoesBackwards) {
   go_to(6.0);
   TrackClock clock = stage_->crowd().tracks()->clock();
   clock.rate = -1.0;
-  set_track_clock(*stage_, clock);
+  stage_->set_track_clock(clock);
   pass(60);
   EXPECT_NEAR(seconds(), 5.0, 1e-3);
 }
@@ -154,8 +154,8 @@ TEST_F(TrackPlayers, WithLevelOfDetailThePoseOfALongIntervalIsThatOfItsEnd) {
   open(tuning(anim::LodRule::distance));
   camera_ = camera_at({.x = 0, .y = 90, .z = 120, .yaw = 0, .pitch = -37});
   pass(300);
-  EXPECT_GT(stage_->selection().visible[0].interval, 1);
-  EXPECT_LT(stage_->system().figures().report().agents_updated, stage_->selection().visible.size());
+  EXPECT_GT(stage_->posed().selection().visible[0].interval, 1);
+  EXPECT_LT(stage_->system().figures().report().agents_updated, stage_->posed().selection().visible.size());
 }
 
 TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
@@ -179,7 +179,7 @@ TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
   TrackClock part = with_part(stage_->crowd().tracks()->clock(), 2.0, 6.0);
   part.repeats = true;
   part.seconds = 5.5;
-  set_track_clock(*stage_, part);
+  stage_->set_track_clock(part);
   for (int i = 0; i < 120 && seconds() >= 5.5; ++i) pass(1);
   ASSERT_LT(seconds(), 2.1);
   const double moment = seconds();
@@ -194,7 +194,7 @@ TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
   TrackClock asked = with_part(stage_->crowd().tracks()->clock(), 2.0, 6.0);
   asked.rate = -0.5;
   asked.repeats = true;
-  set_track_clock(*stage_, asked);
+  stage_->set_track_clock(asked);
   Tuning other = stage_->tuning();
   other.scene = Scene::grid;
   ASSERT_TRUE(stage_->apply(other));

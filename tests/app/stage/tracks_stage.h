@@ -32,14 +32,14 @@ class TracksStage : public testing::Test {
   void pass(int frames, anim::Ticks step) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(step);
-      stage_->pose(camera_, 1280, 720, step, stage_->frame());
+      stage_->pose(camera_, 1280, 720, step, stage_->posed().frame());
     }
   }
   double seconds() const { return stage_->crowd().tracks()->clock().seconds; }
   void go_to(double seconds) {
     TrackClock clock = stage_->crowd().tracks()->clock();
     clock.seconds = seconds;
-    set_track_clock(*stage_, clock);
+    stage_->set_track_clock(clock);
   }
 
   render::Camera camera_;

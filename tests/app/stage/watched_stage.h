@@ -33,7 +33,7 @@ class WatchedStage : public testing::Test {
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(frame);
-      stage_->pose(camera_, 1280, 720, frame, stage_->frame());
+      stage_->pose(camera_, 1280, 720, frame, stage_->posed().frame());
       rewind_.watch(*stage_);
     }
   }

@@ -174,14 +174,14 @@ TEST_F(ViewedAlone, IsDrawnEquallyLargeWhateverItsSize) {
 }
 
 TEST_F(ViewedAlone, IsOneInstanceOfItsCharacterInASlotOfTheStage) {
-  const std::size_t before = stage_->shown().slots().slots_in_use();
+  const std::size_t before = stage_->posed().shown().slots().slots_in_use();
   const render::CrowdFrame frame = viewer_->frame(render::view_of({}, 1.0F));
   ASSERT_EQ(frame.instances.size(), 1U);
   ASSERT_EQ(frame.batches.size(), 1U);
   EXPECT_EQ(frame.batches[0].count, 1U);
   viewer_.reset();
-  stage_->pose({}, 64, 64, tenth, stage_->frame());
-  EXPECT_LE(stage_->shown().slots().slots_in_use(), before + stage_->crowd().size()) << "it gave its slot back";
+  stage_->pose({}, 64, 64, tenth, stage_->posed().frame());
+  EXPECT_LE(stage_->posed().shown().slots().slots_in_use(), before + stage_->crowd().size()) << "it gave its slot back";
 }
 
 TEST_F(ViewedAlone, RefusesWhatThereIsNot) {

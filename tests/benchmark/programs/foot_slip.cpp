@@ -49,7 +49,7 @@ bool print_slips(const char* name, CharacterSource source, bool placed_feet, con
   if (!stage) return std::fprintf(stderr, "%s\n", stage.error().message.c_str()), false;
   TrackClock clock = (*stage)->crowd().tracks()->clock();
   clock.seconds += asked.start;
-  set_track_clock(**stage, clock);
+  (*stage)->set_track_clock(clock);
   const render::Camera everywhere{
       .position = {0.0F, 900.0F, 0.0F}, .yaw = 0.0F, .pitch = -1.57F, .vertical_view = 2.0F};
   const auto frames = static_cast<std::uint64_t>(asked.seconds * 60.0);

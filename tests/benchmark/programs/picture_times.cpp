@@ -42,8 +42,8 @@ class Subject {
     auto stage = Stage::create(std::move(characters), subject->tuning_, subject->pages_);
     if (!stage) return stage.error();
     subject->stage_ = std::move(*stage);
-    subject->stage_->mesh_lods().set(0, std::vector(std::begin(mesh_errors), std::end(mesh_errors)),
-                                     std::vector<std::uint32_t>(std::size(mesh_errors), 1000));
+    subject->stage_->posed().mesh_lods().set(0, std::vector(std::begin(mesh_errors), std::end(mesh_errors)),
+                                             std::vector<std::uint32_t>(std::size(mesh_errors), 1000));
     subject->pose();
     return subject;
   }

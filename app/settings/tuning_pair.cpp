@@ -64,25 +64,28 @@ std::string TuningPair::title(std::size_t place) const {
 
 Json to_json(const TuningPair& pair) {
   Json json = {{"in_use", pair.letter_in_use()}, {"names", Json::array({pair.names[0], pair.names[1]})}};
-  if (pair.other_) json["other"] = to_json(Preset{.tuning = *pair.other_, .camera = {}});
+  if (pair.has_two()) json["other"] = to_json(Preset{.tuning = pair.other(), .camera = {}});
   return json;
 }
 
 Complaint from_json(const Json& json, TuningPair& pair) {
   std::optional<std::string> complaint;
   const JsonObject object("compare", json, {"in_use", "names", "other"}, complaint);
-  TuningPair taken;
   std::string in_use = TuningPair::letters.front();
   object.text("in_use", in_use);
-  taken.shows_b_ = in_use == TuningPair::letters.back();
-  if (!taken.shows_b_ && in_use != TuningPair::letters.front()) object.wrong("in_use", "A or B");
-  if (taken.shows_b_) object.need({"other"});
-  read_names(object, taken.names);
+  const bool shows_b = in_use == TuningPair::letters.back();
+  if (!shows_b && in_use != TuningPair::letters.front()) object.wrong("in_use", "A or B");
+  if (shows_b) object.need({"other"});
+  std::array<std::string, 2> names;
+  read_names(object, names);
+  std::optional<Tuning> waits;
   if (object.has("other")) {
     Preset other;
     if (const Complaint wrong = from_json(object["other"], other)) object.complain("\"other\": " + *wrong);
-    taken.other_ = other.tuning;
+    waits = other.tuning;
   }
+  TuningPair taken(std::move(waits), shows_b);
+  taken.names = std::move(names);
   if (!complaint) pair = std::move(taken);
   return complaint;
 }

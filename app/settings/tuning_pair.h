@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/settings/option_values.h"
@@ -19,6 +20,9 @@ namespace throng::app {
 class TuningPair {
  public:
   static constexpr std::size_t longest_name = 63;  ///< bytes
+
+  TuningPair() = default;
+  TuningPair(std::optional<Tuning> other, bool shows_b) : other_(std::move(other)), shows_b_(shows_b) {}
 
   [[nodiscard]] bool shows_b() const { return shows_b_; }
   [[nodiscard]] bool has_two() const { return other_.has_value(); }
@@ -44,10 +48,6 @@ class TuningPair {
   static constexpr std::array<const char*, 2> letters = {"A", "B"};
   std::array<std::string, 2> names;  ///< of A and B, as a person typed them; may be empty
 
-  /// Returns a JSON object: {"in_use": "A", "names": ["baseline", ""], "other": {the values of the tuning that waits}}.
-  friend Json to_json(const TuningPair& pair);
-  /// Reads an object of to_json(). A complaint says what is wrong and what is allowed; then nothing has changed.
-  friend Complaint from_json(const Json& json, TuningPair& pair);
   friend bool operator==(const TuningPair&, const TuningPair&) = default;
 
  private:
@@ -58,7 +58,9 @@ class TuningPair {
   bool shows_b_ = false;
 };
 
+/// Returns a JSON object: {"in_use": "A", "names": ["baseline", ""], "other": {the values of the one that waits}}.
 Json to_json(const TuningPair& pair);
+/// Reads such an object. A complaint says what is wrong and what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, TuningPair& pair);
 
 /// A value that two tunings do not share, as text with its unit.

@@ -124,6 +124,7 @@ class NdjsonParser final : public LineParser {
   }
 
   TrackField time() const { return time_; }
+  void set_time(TrackField time) { time_ = time; }
   bool has(TrackField field) const { return (seen_ >> static_cast<unsigned>(field) & 1U) != 0; }
 
  private:
@@ -181,8 +182,6 @@ class NdjsonParser final : public LineParser {
     return add_row(row, sink);
   }
 
-  friend Result<TextFormat> throng::app::ndjson_format(std::string_view);
-
   KnownKeys keys_;
   unsigned seen_ = 0;
   TrackField time_ = TrackField::frame;
@@ -198,12 +197,12 @@ Result<TextFormat> ndjson_format(std::string_view first) {
   RowSink sink;
   TextFormat format;
   static_cast<void>(parser->read(first, sink));  // which keys are there
-  if (parser->has(TrackField::time)) parser->time_ = TrackField::time;
+  if (parser->has(TrackField::time)) parser->set_time(TrackField::time);
   if (!parser->read(first, sink)) return Error{sink.fault};
   const bool is_trajnet =
       first.find("\"track\"") != std::string_view::npos || first.find("\"scene\"") != std::string_view::npos;
   format.facts.format = is_trajnet ? "trajnet ndjson" : "JSON lines";
-  format.facts.has_frames = parser->time_ == TrackField::frame;
+  format.facts.has_frames = parser->time() == TrackField::frame;
   format.facts.rate_rule = is_trajnet ? RateRule::annotated : RateRule::by_speed;
   format.facts.has_z = parser->has(TrackField::z);
   if (parser->has(TrackField::angle)) format.facts.angle = AngleMeaning::unknown;

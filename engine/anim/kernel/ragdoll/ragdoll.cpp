@@ -160,16 +160,6 @@ void push_ragdoll(const RagdollRig& rig, int body, const glm::vec3& impulse, con
   wake_ragdoll(state);
 }
 
-void push_ragdoll_away(const RagdollRig& rig, const glm::vec3& from, float radius, float impulse, RagdollState& state) {
-  for (int body = 0; body < static_cast<int>(rig.bodies.size()); ++body) {
-    const glm::vec3 way = state.bodies[body].position - from;
-    const float distance = glm::length(way);
-    if (distance >= radius) continue;
-    const glm::vec3 direction = distance > 1e-6F ? way / distance : glm::vec3(0.0F, 1.0F, 0.0F);
-    push_ragdoll(rig, body, impulse * (1.0F - distance / radius) * direction, state.bodies[body].position, state);
-  }
-}
-
 void wake_ragdoll(RagdollState& state) {
   state.asleep = 0;
   state.quiet_steps = 0;

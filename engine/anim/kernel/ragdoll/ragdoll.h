@@ -67,9 +67,6 @@ void ragdoll_to_pose(const RagdollRig& rig, const RagdollState& state, const Pos
 void push_ragdoll(const RagdollRig& rig, int body, const glm::vec3& impulse, const glm::vec3& point,
                   RagdollState& state);
 
-/// Pushes every body closer than `radius` away from a point: by `impulse` (kg m/s) there, by none at the radius.
-void push_ragdoll_away(const RagdollRig& rig, const glm::vec3& from, float radius, float impulse, RagdollState& state);
-
 void wake_ragdoll(RagdollState& state);
 
 }  // namespace throng::anim

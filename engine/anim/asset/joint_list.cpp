@@ -52,13 +52,4 @@ Result<JointList> joints_of_skin(const Model& model, int skin) {
   return list;
 }
 
-JointList palette_joints(const Skeleton& skeleton) {
-  JointList list;
-  for (const PaletteEntry& entry : skeleton.palette) {
-    const glm::dmat4 post = skeleton.rigid ? glm::inverse(bind_global(skeleton, entry.bone)) : entry.post;
-    list.push_back({.bone = entry.bone, .post = post});
-  }
-  return list;
-}
-
 }  // namespace throng::anim

@@ -34,9 +34,6 @@ Result<JointList> joints_of(const Skeleton& skeleton, std::span<const int> bones
 /// Lists of several skins are put one behind the other. Errors: the model has no such skin.
 Result<JointList> joints_of_skin(const Model& model, int skin);
 
-/// Lists the joints of a palette, entry by entry, for palettes in another format.
-JointList palette_joints(const Skeleton& skeleton);
-
 /// Returns the joint of a bone in the bind pose, model space, on a rigid skeleton.
 glm::dmat4 bind_global(const Skeleton& skeleton, int bone);
 

@@ -14,6 +14,7 @@
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/crowd_rig.h"
 #include "tests/anim/agent/heard_misuses.h"
+#include "tests/anim/kernel/palette/joint_rig.h"
 #include "tests/counting/hot_path_counter.h"
 
 namespace throng::anim::listed_joints_test {
@@ -131,7 +132,7 @@ TEST(ListedJoints, AloneLeaveNothingBehindThatALaterPaletteMisses) {
 
 TEST(ListedJoints, OfThePaletteAreItsEntriesAndARowToTheBit) {
   JointCrowd crowd;
-  ASSERT_TRUE(crowd.list(palette_joints(skeleton()), JointFormat::matrices_4x4));
+  ASSERT_TRUE(crowd.list(kernel_rig::palette_joints(skeleton()), JointFormat::matrices_4x4));
   crowd.step(3, true);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     for (int entry = 0; entry < skeleton().palette_count(); ++entry) {
@@ -171,7 +172,7 @@ TEST(ListedJoints, AreWrittenAtEveryBoneLevel) {
   ASSERT_GT(levels, 1);
   for (std::uint8_t level = 0; level < levels; ++level) {
     JointCrowd crowd;
-    ASSERT_TRUE(crowd.list(palette_joints(skeleton()), JointFormat::matrices));
+    ASSERT_TRUE(crowd.list(kernel_rig::palette_joints(skeleton()), JointFormat::matrices));
     crowd.step(2, true, level);
     const int kept = skeleton().level_bone_counts[level];
     for (int bone = 0; bone < skeleton().bone_count(); ++bone) {

@@ -29,6 +29,15 @@ class Floats {
 
 }  // namespace
 
+JointList palette_joints(const Skeleton& skeleton) {
+  JointList list;
+  for (const PaletteEntry& entry : skeleton.palette) {
+    const glm::dmat4 post = skeleton.rigid ? glm::inverse(bind_global(skeleton, entry.bone)) : entry.post;
+    list.push_back({.bone = entry.bone, .post = post});
+  }
+  return list;
+}
+
 std::vector<std::vector<float>> compute_joints(const Kernels& kernels, const JointProgram& program,
                                                const std::vector<StatePose>& characters, int width,
                                                QuadMask displaced) {

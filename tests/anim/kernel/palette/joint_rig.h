@@ -10,6 +10,9 @@
 /// Listed joints of those skeletons by the kernels.
 namespace throng::anim::kernel_rig {
 
+/// Lists what a palette has, entry by entry.
+JointList palette_joints(const Skeleton& skeleton);
+
 /// Returns [character] what the kernel writes, in strips of `width`; guards behind each are checked. Packets that the
 /// program does not need are left out.
 std::vector<std::vector<float>> compute_joints(const Kernels& kernels, const JointProgram& program,

@@ -48,13 +48,6 @@ const WardrobePart* Wardrobe::find(std::string_view body, std::string_view name)
   return found == parts_.end() ? nullptr : &*found;
 }
 
-const WardrobePart* Wardrobe::of_piece(std::uint16_t piece) const {
-  const auto found = std::ranges::find_if(parts_, [&](const WardrobePart& part) {
-    return part.piece == piece || std::ranges::find(part.below, piece, &PieceBelow::piece) != part.below.end();
-  });
-  return found == parts_.end() ? nullptr : &*found;
-}
-
 bool Wardrobe::knows(std::string_view name) const {
   return std::ranges::find(parts_, name, &WardrobePart::name) != parts_.end();
 }

@@ -44,8 +44,6 @@ class Wardrobe {
   std::span<const WardrobePart> parts() const { return parts_; }
   /// Returns the part of that name that fits a body; null if there is none.
   const WardrobePart* find(std::string_view body, std::string_view name) const;
-  /// Returns the part that a piece shows, also below another part; null if there is none.
-  const WardrobePart* of_piece(std::uint16_t piece) const;
   /// Returns whether any body has a part of that name.
   bool knows(std::string_view name) const;
   /// Returns the names of all parts, each once.

@@ -13,6 +13,7 @@
 
 #include "app/character/files.h"
 #include "app/wardrobe/clothing.h"
+#include "tests/app/wardrobe/part_of_piece.h"
 
 namespace throng::app::dressed_crowd_test {
 namespace {
@@ -49,7 +50,7 @@ class DressedCrowdTest : public testing::Test {
     std::set<std::string> names;
     const render::Outfit& outfit = dressed.outfits[agent];
     for (std::size_t i = 0; i < outfit.count; ++i) {
-      const WardrobePart& part = *clothing_.wardrobe.of_piece(outfit.pieces.at(i));
+      const WardrobePart& part = part_of_piece(clothing_.wardrobe, outfit.pieces.at(i));
       const bool is_skin = std::ranges::find(clothing_.rules.skin, part.slot) != clothing_.rules.skin.end();
       if (!is_skin && part.slot != "hair" && part.slot != "face") names.insert(part.name);
     }
@@ -61,7 +62,7 @@ class DressedCrowdTest : public testing::Test {
     std::set<std::string> names;
     const render::Outfit& outfit = dressed.outfits[agent];
     for (std::size_t i = 0; i < outfit.count; ++i) {
-      const WardrobePart& part = *clothing_.wardrobe.of_piece(outfit.pieces.at(i));
+      const WardrobePart& part = part_of_piece(clothing_.wardrobe, outfit.pieces.at(i));
       const bool counts =
           part.slot == "top" || part.slot == "bottom" || part.slot == "outer" || part.slot == "headgear";
       if (counts) names.insert(part.slot + " " + part.name);
@@ -253,7 +254,7 @@ TEST_F(DressedCrowdTest, ShowsSkirtsFromAfar) {
   int skirts = 0;
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     EXPECT_LT(dressed.outfits[agent].count, render::Outfit::most_pieces) << "nothing is left out";
-    const std::string silhouette = clothing_.wardrobe.of_piece(dressed.outfits[agent].silhouette)->name;
+    const std::string silhouette = part_of_piece(clothing_.wardrobe, dressed.outfits[agent].silhouette).name;
     if (!clothes(dressed, agent).contains("knee_skirt")) continue;
     ++skirts;
     const std::string cut = clothes(dressed, agent).contains("coat") ? "coat" : "skirt";

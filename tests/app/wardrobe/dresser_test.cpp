@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/app/wardrobe/part_of_piece.h"
+
 namespace throng::app::dresser_test {
 namespace {
 
@@ -52,7 +54,7 @@ class Dressing : public testing::Test {
   std::vector<std::string> names(const Dressed& dressed) const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < dressed.outfit.count; ++i) {
-      names.push_back(wardrobe_.of_piece(dressed.outfit.pieces.at(i))->name);
+      names.push_back(part_of_piece(wardrobe_, dressed.outfit.pieces.at(i)).name);
     }
     return names;
   }
@@ -119,7 +121,7 @@ TEST_F(Dressing, TakesTheSilhouetteOfTheOutfit) {
     const Dressed dressed = dress({.agent = agent, .body = 1});
     const std::vector<std::string> worn = names(dressed);
     const bool is_dress = std::ranges::find(worn, "dress") != worn.end();
-    EXPECT_EQ(wardrobe_.of_piece(dressed.outfit.silhouette)->name,
+    EXPECT_EQ(part_of_piece(wardrobe_, dressed.outfit.silhouette).name,
               is_dress ? "silhouette/skirt/short" : "silhouette/trousers/short");
   }
 }
@@ -145,7 +147,7 @@ TEST_F(Dressing, ColoursSilhouettesAsWhatIsSeenOfTheOutfit) {
 
 TEST_F(Dressing, TakesTheSilhouetteBeforeWhereAWardrobeHasNoneOfACut) {
   read_rules(R"("a": {"wears": {"top": {"t_shirt": 1}, "outer": {"coat": 1}}})");
-  EXPECT_EQ(wardrobe_.of_piece(dress({}).outfit.silhouette)->name, "silhouette/skirt/short") << "for a coat";
+  EXPECT_EQ(part_of_piece(wardrobe_, dress({}).outfit.silhouette).name, "silhouette/skirt/short") << "for a coat";
 }
 
 TEST_F(Dressing, ColoursClothesAsTheirRuleSays) {

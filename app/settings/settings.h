@@ -163,14 +163,13 @@ struct DemoOptions {
   std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
   int width = 1280;
   int height = 720;
-  int longest_tile = 4096;                   ///< pixels; larger pictures are drawn in tiles of at most these sides
-  std::optional<std::uint64_t> free_memory;  ///< bytes; unset: as much as the machine has left
-  bool ui = false;                           ///< overlay in a headless run
-  bool legend = false;                       ///< only the legend and the time, in a headless run
-  bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
-  std::string ui_tab = "Crowd";              ///< the overlay starts with it
-  std::optional<int> selected;               ///< an agent, from the start
-  std::optional<std::string> view;           ///< the first character is shown alone, in this clip; empty: in any
+  int longest_tile = 4096;          ///< pixels; larger pictures are drawn in tiles of at most these sides
+  bool ui = false;                  ///< overlay in a headless run
+  bool legend = false;              ///< only the legend and the time, in a headless run
+  bool ui_fixed = false;            ///< the overlay shows measured times from a committed report
+  std::string ui_tab = "Crowd";     ///< the overlay starts with it
+  std::optional<int> selected;      ///< an agent, from the start
+  std::optional<std::string> view;  ///< the first character is shown alone, in this clip; empty: in any
   bool hide_ui = false;
   float ui_scale = 1;              ///< multiplies every measure of the overlay
   int msaa = -1;                   ///< 0 or 4; -1: as much as the device affords

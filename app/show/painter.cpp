@@ -112,8 +112,7 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
                   .lights_at_vertices = modest,
-                  .lens = lens_of(options),
-                  .memory = options.free_memory});
+                  .lens = lens_of(options)});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
   return load_scenery(options.data);

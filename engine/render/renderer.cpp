@@ -29,7 +29,7 @@ Result<TiledTarget> create_target(const gl::Context& context, const RendererOpti
   }
   const bool whole = context.window() != nullptr;
   const TileLimits limits{.longest = whole ? device.target : glm::min(device.target, glm::ivec2(options.longest_tile)),
-                          .memory = options.memory ? *options.memory : free_memory(),
+                          .memory = free_memory(),
                           .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0,
                           .bytes_beside = options.lens ? AveragedPicture::bytes_a_pixel : 0,
                           .whole = whole};

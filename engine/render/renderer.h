@@ -47,7 +47,6 @@ struct RendererOptions {
   int longest_tile = 4096;     ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
   bool lights_at_vertices = false;  ///< sun and sky light scenery less exactly, and sooner where a processor draws
   std::optional<Lens> lens = {};    ///< unset: all is sharp; else each picture takes Lens::points times as long
-  std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: all free memory
 };
 
 inline constexpr std::size_t most_characters = 256;  ///< the most in one picture

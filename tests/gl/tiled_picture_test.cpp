@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/demo/demo.h"
@@ -19,7 +18,6 @@ namespace throng::app::tiled_picture_test {
 namespace {
 
 using render::Image;
-using testing::HasSubstr;
 
 constexpr int width = 300, height = 200, tile = 128;
 
@@ -123,20 +121,6 @@ TEST(TiledPicture, HasTheLevelOfDetailOfTheWholeOne) {
   options.tuning.lod.rule = anim::LodRule::budget;
   options.frames = 20;
   expect_tiled_as_whole(options);
-}
-
-TEST(TiledPicture, IsRefusedBeforeTheWorkWhereMemoryDoesNotHoldIt) {
-  DemoOptions options = crowd_in_a_small_picture();
-  options.width = options.height = 4000;
-  options.free_memory = 50'000'000;
-  options.screenshot = (std::filesystem::path(testing::TempDir()) / "throng_refused.png").string();
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(run_demo(options), 1);
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("a picture of 4000x4000 pixels takes"));
-  EXPECT_THAT(said, HasSubstr("47.7 MiB are left; the largest of its shape is 32"));
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-  EXPECT_FALSE(std::filesystem::exists(options.screenshot));
 }
 
 TEST(TiledPicture, OfOnePixelIsDrawn) {

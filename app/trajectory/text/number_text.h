@@ -5,41 +5,17 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 #include <system_error>
 
 namespace throng::app {
 
-/// Reads the number at the front of [at, end), with a sign or without. Returns the number's end; null if there is none,
-/// or if it is too large for a double. The number is the nearest double to the text, as std::from_chars gives it.
+/// Reads the number at the front of [at, end), with a sign or without. Returns its end; null if there is none, or if it
+/// is too large for a double.
 inline const char* read_number(const char* at, const char* end, double& value) {
-  static constexpr std::array<double, 19> tens{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
-                                               1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
-  const char* digit = at;
-  const bool is_signed = digit < end && (*digit == '-' || *digit == '+');
-  if (is_signed) ++digit;
-  const bool is_negative = is_signed && *at == '-';
-  const auto is_digit = [&] { return digit < end && *digit >= '0' && *digit <= '9'; };
-  std::uint64_t digits = 0;
-  const char* const first = digit;
-  for (; is_digit(); ++digit) digits = digits * 10 + static_cast<std::uint64_t>(*digit - '0');
-  std::ptrdiff_t count = digit - first, after_point = 0;
-  if (digit < end && *digit == '.') {
-    const char* const point = digit++;
-    for (; is_digit(); ++digit) digits = digits * 10 + static_cast<std::uint64_t>(*digit - '0');
-    after_point = digit - point - 1;
-    count += after_point;
-  }
-  const bool goes_on = digit < end && (*digit == 'e' || *digit == 'E');
-  // A quotient of two numbers that are exact is the nearest double.
-  if (count > 0 && count <= 18 && digits <= (std::uint64_t{1} << 53U) && !goes_on) {
-    const double quotient = static_cast<double>(digits) / tens[static_cast<std::size_t>(after_point)];
-    value = is_negative ? -quotient : quotient;
-    return digit;
-  }
-  if (is_signed && (first == end || *first == '-' || *first == '+')) return nullptr;
-  const auto [stop, error] = std::from_chars(is_negative ? at : first, end, value);
+  const char* const first = at < end && *at == '+' ? at + 1 : at;
+  if (first != at && first < end && *first == '-') return nullptr;
+  const auto [stop, error] = std::from_chars(first, end, value);
   return error == std::errc() ? stop : nullptr;
 }
 

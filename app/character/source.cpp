@@ -221,25 +221,11 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   return source;
 }
 
-ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice) {
-  anim::Model model;  // the parts that measuring reads
-  model.skeleton = source.model.skeleton;
-  model.skins = source.model.skins;
-  model.clips = source.model.clips;
-  model.meshes = source.model.meshes;
-  anim::reorder_bones(model, choice);
-  auto reordered = std::make_shared<const anim::Character>(anim::reorder_character(*source.character, model, choice));
-  return {.character = std::move(reordered), .places = anim::bone_places(choice)};
-}
-
-void take_reordered(CharacterSource& source, const ReorderedCharacter& reordered, const BoneLodChoice& choice) {
-  anim::reorder_bones(source.model, choice);
-  source.character = reordered.character;
-  source.surface = {};  // its vertices read the palette in the former order
-}
-
 void take_order(CharacterSource& source, const BoneLodChoice& choice) {
-  take_reordered(source, in_order(source, choice), choice);
+  anim::reorder_bones(source.model, choice);
+  source.character =
+      std::make_shared<const anim::Character>(anim::reorder_character(*source.character, source.model, choice));
+  source.surface = {};  // its vertices read the palette in the former order
 }
 
 void assign_roles(CharacterSource& source, const RoleClips& clips) {

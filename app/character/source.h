@@ -77,19 +77,7 @@ struct CharacterMaking {
 /// Makes a character of one of the models of a file that was read, which it takes out of the file.
 anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
 
-/// A character whose bones are in another order, and the new index of each bone.
-struct ReorderedCharacter {
-  std::shared_ptr<const anim::Character> character;
-  std::vector<int> places;
-};
-/// Returns `source` in an order that check_bone_lod() let pass, without baking its clips again. `source` stays as it
-/// was.
-ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
-
-/// Puts what in_order() returned in the place of the character as it is.
-void take_reordered(CharacterSource& source, const ReorderedCharacter& reordered, const BoneLodChoice& choice);
-
-/// Brings a character that is on no stage into an order that check_bone_lod() let pass.
+/// Brings a character into an order that check_bone_lod() let pass, without baking its clips again.
 void take_order(CharacterSource& source, const BoneLodChoice& choice);
 
 /// Plays `clips` for the roles, and measures the velocities of the gaits among them.

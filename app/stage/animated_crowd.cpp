@@ -57,12 +57,14 @@ anim::Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
   return here == system_->options() ? anim::Status(anim::Done{}) : system_->configure(here);
 }
 
-anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const ReorderedCharacter& reordered) {
+anim::Status AnimatedCrowd::reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
+                                          std::span<const int> places) {
   const auto number = static_cast<std::uint32_t>(character);
-  rigs_[character]->reorder_bones(reordered.places);
-  anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
+  rigs_[character]->reorder_bones(places);
+  anim::Status replaced = system_->characters().replace(number, std::move(reordered), places);
   if (!replaced) {
-    rigs_[character]->reorder_bones(anim::bone_places({.bones = reordered.places, .level_counts = {}}));  // back
+    rigs_[character]->reorder_bones(
+        anim::bone_places({.bones = {places.begin(), places.end()}, .level_counts = {}}));  // back
     return replaced;
   }
   ++number_;  // moments of it are of other blocks

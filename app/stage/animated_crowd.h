@@ -38,8 +38,9 @@ class AnimatedCrowd {
   /// Changes the options of the system, at a frame boundary. Errors: those of AnimationSystem::configure; then the old
   /// options go on.
   anim::Status configure(const anim::SystemOptions& options);
-  /// Changes the order of a character's bones. Errors: those of Characters::replace.
-  anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
+  /// Does what Characters::replace does. Errors: its own.
+  anim::Status reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
+                             std::span<const int> places);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
   /// Makes the crowd of the tuning's scene anew. The scene `tracks` needs its people. `clothing` has one element a

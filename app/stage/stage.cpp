@@ -107,9 +107,16 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips, std::option
 anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
   CharacterSource& source = characters_[character];
   if (anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
-  const ReorderedCharacter reordered = in_order(source, choice);
-  if (anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
-  take_reordered(source, reordered, choice);
+  const std::vector<int> places = anim::bone_places(choice);
+  const std::shared_ptr<const anim::Character> played = source.character;
+  const PackedSurface drawn = source.surface;
+  take_order(source, choice);
+  if (anim::Status replaced = animated_->reorder_bones(character, source.character, places); !replaced) {
+    anim::reorder_bones(source.model, {.bones = places, .level_counts = played->skeleton.level_bone_counts});  // back
+    source.character = played;
+    source.surface = drawn;
+    return replaced;
+  }
   posed_.take_character(character, crowd().size());
   return anim::Done{};
 }

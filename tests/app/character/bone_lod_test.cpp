@@ -194,10 +194,10 @@ TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
 
 TEST_F(ReorderedStage, HasTheCharacterThatIsBakedInThatOrder) {
   const std::string file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
-  const CharacterSource source = *load_character(file, "mannequin");
+  CharacterSource source = *load_character(file, "mannequin");
   const BoneLodChoice choice = arms_first(source.character->skeleton);
-  const auto kept = in_order(source, choice).character;
-  const anim::Character& reordered = *kept;
+  take_order(source, choice);
+  const anim::Character& reordered = *source.character;
   anim::Model model = std::move(import::import_file(file)->models.front());
   anim::reorder_bones(model, choice);
   const anim::Character anew = anim::bake_character(model);
@@ -239,6 +239,20 @@ TEST_F(ReorderedStage, RefusesAnOrderThatCannotBeAndGoesOn) {
   std::ranges::reverse(choice.bones);
   EXPECT_FALSE(stage->set_bone_lod(0, choice));
   EXPECT_EQ(stage->characters().front().character, before);
+  pass(*stage, 2);
+}
+
+TEST_F(ReorderedStage, RefusesAnOrderThatMovesKeptJointsAndGoesOn) {
+  const auto stage = open({.scene = Scene::grid, .agents = 10, .system = {.pus = 1}});
+  ASSERT_TRUE(stage);
+  ASSERT_TRUE(keep_joints(*stage));
+  const CharacterSource& source = stage->characters().front();
+  const auto before = source.character;
+  const std::vector<glm::u16vec4> entries = source.model.meshes.front().palette_entries;
+  EXPECT_FALSE(stage->set_bone_lod(0, arms_first(before->skeleton)));
+  EXPECT_EQ(source.character, before);
+  EXPECT_EQ(source.model.skeleton.level_bone_counts, before->skeleton.level_bone_counts);
+  EXPECT_EQ(source.model.meshes.front().palette_entries, entries);
   pass(*stage, 2);
 }
 

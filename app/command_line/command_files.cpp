@@ -48,7 +48,6 @@ RunFiles files_of(const LodOptions& options) {
 
 RunFiles files_of(const BenchOptions& options) {
   RunFiles files = reading({&options.model, 1}, {});
-  files.read.push_back({"--machine", options.machine});
   files.written = {{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}};
   files.remove_parts = options.remove_parts;
   return files;

@@ -59,16 +59,8 @@ void declare_measured(OptionReader& reader, BenchOptions& options) {
       ->excludes("MODEL");
   reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
-  reader.value("--sockets", "N", "Measure too what N things in hands cost, each in that of another agent, 1 to 100000",
-               whole_number(options.sockets, 1, 100'000));
   reader.value("--seconds", "S", "With --draw: what each number of agents may take at most (20)",
                number_between(options.seconds, 1, 86400));
-  reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
-               choice<Sweep>(options.sweep, {{"grain", Sweep::grain}}));
-  reader
-      .value("--machine", "FILE", "Instead: what a machine with other local stores would do; ps2, spe or a file",
-             file_name(options.machine))
-      ->excludes("--sweep");
 }
 
 void declare_drawing(OptionReader& reader, BenchOptions& options) {
@@ -77,7 +69,7 @@ void declare_drawing(OptionReader& reader, BenchOptions& options) {
   reader
       .flag("--draw", options.draws,
             "Instead: what the parts of a frame take, crowd logic, level of detail and drawing included")
-      ->excludes("--sweep", "--machine", "--bones", "--clips");
+      ->excludes("--bones", "--clips");
   for (const char* const value : {"--scene", "--error-px", "--scenery", "--shadows", "--crowd-shade"}) {
     reader.tuning_value(app::tuning_value(value), shown.tuning);
   }
@@ -104,9 +96,9 @@ void declare_scheduling(OptionReader& reader, BenchOptions& options) {
 void declare_files(OptionReader& reader, BenchOptions& options) {
   reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
-  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot))->excludes("--machine");
+  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
   reader.value("--trace", "FILE", "Write the work of each PU over time, for ui.perfetto.dev", file_name(options.trace))
-      ->excludes("--sweep", "--machine", "--draw");
+      ->excludes("--draw");
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
   reader.parts_remover(options.remove_parts);
 }
@@ -119,8 +111,7 @@ std::optional<std::string> contradiction_in_bench(const OptionReader& reader, co
     if (!options.draws && reader.given(name)) return std::string(name) + ": goes with --draw";
   }
   if (!options.draws) return {};
-  for (const char* const name :
-       {"--sockets", "--schedule", "--stream", "--local-store", "--tile", "--double-buffer", "--palette"}) {
+  for (const char* const name : {"--schedule", "--stream", "--local-store", "--tile", "--double-buffer", "--palette"}) {
     if (reader.given(name)) return std::string(name) + ": --draw measures what a run does by itself; leave it out";
   }
   return options.pus.size() > 1 ? std::optional<std::string>("--pus: one number goes with --draw") : std::nullopt;

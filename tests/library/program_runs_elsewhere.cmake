@@ -28,7 +28,7 @@ if(files)
   message(SEND_ERROR "the program reads none of these, and they were installed: ${files}")
 endif()
 
-foreach(kind IN ITEMS shaders/*.vert shaders/*.geom shaders/*.frag shaders/*.glsl shaders/labels/*.frag assets/*.glb assets/*.json assets/machines/*.json
+foreach(kind IN ITEMS shaders/*.vert shaders/*.geom shaders/*.frag shaders/*.glsl shaders/labels/*.frag assets/*.glb assets/*.json
      assets/fonts/*.ttf assets/fonts/*.txt)
   file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/${kind})
   foreach(file IN LISTS files)

@@ -7,10 +7,7 @@
 
 #include "app/character/source.h"
 #include "app/commands/bench/crowd.h"
-#include "app/commands/bench/held.h"
-#include "app/commands/bench/joints.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/sockets.h"
 #include "app/figures/statistics.h"
 #include "app/files/byte_hash.h"
 #include "app/settings/choices.h"
@@ -30,7 +27,8 @@ bool all_sampled(const anim::Character& character) {
 class CaseBench {
  public:
   /// All refusals come from here, before the first round.
-  anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents, int sockets);
+  anim::Status prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
+                       int agents);
   const BenchTimes& run(int rounds, const std::string& label) {
     rounds_.run(rounds, label);
     return rounds_.times();
@@ -45,9 +43,6 @@ class CaseBench {
   void add_write_floors();
   void add_kernels();
   void add_updates();
-  void add_held(const anim::Model& model);
-  void add_joints();
-  void add_sockets(int things);
 
   std::shared_ptr<const anim::Character> character_;
   anim::SystemOptions options_;
@@ -58,9 +53,6 @@ class CaseBench {
   std::unique_ptr<BenchPalettes> floor_palettes_;
   std::unique_ptr<SystemSubject> update_, keyframe_;
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
-  std::unique_ptr<HeldSubject> held_;
-  std::unique_ptr<JointSubject> joints_, joint_matrices_, few_joints_;
-  std::unique_ptr<SocketSubject> sockets_, listed_sockets_;
   BenchRounds rounds_;
 };
 
@@ -112,46 +104,9 @@ void CaseBench::add_updates() {
   rounds_.add({"traced", run, [this] { update_->record_trace(anim::Tracing::on); }});
 }
 
-void CaseBench::add_held(const anim::Model& model) {
-  anim::SystemOptions one_pu = options_;
-  one_pu.pus = 1;
-  held_ = HeldSubject::create(model, character_, one_pu, agents_, *palettes_);
-  if (held_ != nullptr) rounds_.add({"held", [this] { held_->run(); }});
-}
-
-// With no palettes, on one PU.
-void CaseBench::add_joints() {
-  anim::SystemOptions one_pu = options_;
-  one_pu.pus = 1;
-  const anim::Skeleton& skeleton = character_->skeleton;
-  const auto add = [&](const char* key, std::unique_ptr<JointSubject>& subject, const anim::JointList& list,
-                       anim::JointFormat format) {
-    subject = JointSubject::create(character_, one_pu, agents_, *palettes_, list, format);
-    if (subject != nullptr) rounds_.add({key, [made = subject.get()] { made->run(); }});
-  };
-  if (skeleton.rigid) add("joints", joints_, all_joints(skeleton), anim::JointFormat::transforms);
-  add("joint matrices", joint_matrices_, all_joints(skeleton), anim::JointFormat::matrices);
-  add("few joints", few_joints_, three_joints(skeleton), anim::JointFormat::matrices);
-}
-
-// On one PU.
-void CaseBench::add_sockets(int things) {
-  if (things == 0) return;
-  anim::SystemOptions one_pu = options_;
-  one_pu.pus = 1;
-  const std::size_t carried = std::min(static_cast<std::size_t>(things), agents_.size());
-  one_pu.palettes = anim::PaletteFormat::matrices;
-  const auto add = [&](const char* key, std::unique_ptr<SocketSubject>& subject, SocketSource source) {
-    subject = SocketSubject::create(character_, one_pu, agents_, *palettes_, carried, source);
-    if (subject != nullptr) rounds_.add({key, [made = subject.get()] { made->run(); }});
-  };
-  add("sockets", sockets_, SocketSource::palette);
-  add("listed sockets", listed_sockets_, SocketSource::list);
-}
-
-anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents,
-                                int sockets) {
-  character_ = whom.character;
+anim::Status CaseBench::prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
+                                int agents) {
+  character_ = std::move(character);
   options_ = options;
   agents_ = bench_agents(*character_, agents);
   const int entries = character_->skeleton.palette_count();
@@ -177,9 +132,6 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   add_write_floors();
   rounds_.add({"keyframe", [this] { keyframe_->run(); }});
   add_kernels();
-  add_held(whom.model);
-  add_joints();
-  add_sockets(sockets);
   add_updates();
   return anim::Done{};
 }
@@ -225,24 +177,12 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
   json["kernels_ns_per_bone_median"] = per_bone_or_null("kernels");
   json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
   json["one_pu_ns_per_bone_median"] = per_bone(times.median("one pu"));
-  json["held_ns_per_bone_median"] = per_bone_or_null("held");
-  json["joints_ns_per_bone_median"] = per_bone_or_null("joints");
-  json["joint_matrices_ns_per_bone_median"] = per_bone_or_null("joint matrices");
-  json["few_joints_ns_per_bone_median"] = per_bone_or_null("few joints");
-  json["joints_over_palettes"] = ratio_or_null("joints", "one pu");
-  json["joint_matrices_over_palettes"] = ratio_or_null("joint matrices", "one pu");
-  json["few_joints_over_palettes"] = ratio_or_null("few joints", "one pu");
   json["speedup_over_one_pu"] = times.median_ratio("one pu", "update");
   json["kernels_over_write_floor"] = ratio_or_null("kernels", floor);
   json["kernels_over_packed_kernels"] = ratio_or_null("kernels", "packed kernels");
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
-  for (const auto& [key, subject] :
-       {std::pair{"sockets_over_palettes", "sockets"}, std::pair{"listed_sockets_over_palettes", "listed sockets"}}) {
-    if (times.has(subject)) json[key] = times.median_ratio(subject, "one pu");
-  }
-  json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);
   json["agents_per_60hz_frame"] = static_cast<std::int64_t>(agents * (1e9 / 60.0) / times.median("update"));
 }
@@ -276,8 +216,7 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
 anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
                                   const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace) {
   CaseBench work;
-  const anim::Status prepared =
-      work.prepare(character, bench_system_options(options, bench), bench.agents, options.sockets);
+  const anim::Status prepared = work.prepare(character.character, bench_system_options(options, bench), bench.agents);
   if (!prepared) return prepared.error();
   times.append(work.run(pass.rounds, pass.label));
   if (!pass.is_last) return Json(nullptr);

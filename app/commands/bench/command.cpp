@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "app/commands/bench/drawing.h"
-#include "app/commands/bench/grain.h"
-#include "app/commands/bench/machine.h"
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/report.h"
 #include "app/commands/bench/table.h"
@@ -109,8 +107,6 @@ int run_table(const BenchOptions& options) {
 
 int run_bench(const BenchOptions& options) {
   if (options.draws) return end_with_report(options, measure_drawing(options));
-  if (!options.machine.empty()) return end_with_report(options, run_machine(options));
-  if (options.sweep != Sweep::none) return end_with_report(options, sweep_grain(options));
   return run_table(options);
 }
 

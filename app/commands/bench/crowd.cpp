@@ -71,13 +71,6 @@ void SystemSubject::run() {
   system_->update(updates_);
 }
 
-void SystemSubject::write_joints(std::byte* memory, std::size_t stride) {
-  for (std::size_t i = 0; i < updates_.size(); ++i) {
-    updates_[i].palette = nullptr;
-    updates_[i].joints = anim::PaletteDestination(memory + i * stride);
-  }
-}
-
 void SystemSubject::configure(const anim::SystemOptions& options) {
   const anim::Status configured = system_->configure(options);
   assert(configured);

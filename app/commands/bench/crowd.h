@@ -50,12 +50,8 @@ class SystemSubject {
   void run();
   /// Sets the time that passes from one run to the next; 1/60 s unless set.
   void set_step(anim::Ticks step) { step_ = step; }
-  /// Has each agent's joints written `stride` bytes apart, and no palettes.
-  void write_joints(std::byte* memory, std::size_t stride);
-  /// Has the joints of an agent written beside its palette.
-  void write_joints_beside(std::size_t agent, std::byte* memory) {
-    updates_[agent].joints = anim::PaletteDestination(memory);
-  }
+  /// Returns [agent] what a run asks for, to ask for more.
+  std::span<anim::AgentUpdate> updates() { return updates_; }
   /// Changes to other options, which must fit.
   void configure(const anim::SystemOptions& options);
   void record_trace(anim::Tracing tracing) { system_->record_trace(tracing); }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,12 +7,6 @@
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
-
-/// The subject of a sweep of `throng bench` in place of the table.
-enum class Sweep : std::uint8_t {
-  none,
-  grain,  ///< tile by tile and crowd by crowd: below which size tasks are too small
-};
 
 /// The options of `throng bench`. It runs without LOD and crowd logic, and measures every combination of the lists.
 /// With `draws`, it measures what a frame of each number of agents costs.
@@ -28,13 +21,10 @@ struct BenchOptions {
   Tuning tuning;  ///< its `system` has values of all combinations: local store, tile, double buffering, palettes
   const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
-  int sockets = 0;  ///< agents of each case that carry a thing in a hand; 0: things are not measured
-  Sweep sweep = Sweep::none;
   bool draws = false;         ///< whole frames are measured, crowd logic, level of detail and drawing included
   DemoOptions shown;          ///< the show of these frames, its camera and device
   float seconds = 20;         ///< that each number of agents may take, above 0
-  std::string machine;        ///< a file, or the name of a preset; empty: none
-  std::string data;           ///< folder of presets; empty: the usual places
+  std::string data;           ///< folder of shaders and assets; empty: the usual places
   std::string json;           ///< a file, "-" for standard output, empty: lines for a person
   std::string plot;           ///< an SVG file; empty: none
   std::string trace;          ///< empty: none

@@ -149,37 +149,6 @@ TEST_F(CommandLine, HoldsMainMemoryOfAnAgentToAKibibyte) {
   EXPECT_GT(figures["stream_bytes_per_frame"], 0);
 }
 
-TEST_F(CommandLine, FindsTheGrainBelowWhichTasksAreTooSmall) {
-  const ProgramRun run =
-      run_program({"bench", "--sweep", "grain", "--agents", "32", "--bones", "8", "--frames", "1", "--json", "-"});
-  EXPECT_EQ(run.exit_status, 0) << run.errors;
-  const nlohmann::json found = nlohmann::json::parse(run.output, nullptr, false);
-  ASSERT_TRUE(found.is_object()) << run.output;
-  EXPECT_EQ(found["tiles"].size(), 5U);
-  EXPECT_GE(found["least_tile"], 1);
-  EXPECT_GT(found["least_task_us"], 0);
-}
-
-TEST_F(CommandLine, PredictsThePapersMachineWithThePapersScheduleAndStream) {
-  const ProgramRun run = run_program({"bench", "--machine", "ps2", "--schedule", "levels", "--stream", "keyframe",
-                                      "--agents", "16", "--frames", "2", "--json", "-"});
-  EXPECT_EQ(run.exit_status, 0) << run.errors;
-  const nlohmann::json found = nlohmann::json::parse(run.output, nullptr, false);
-  ASSERT_TRUE(found.is_object()) << run.output;
-  EXPECT_GE(found["largest_skeleton_bones"], 62) << "the paper's, in 8 KiB twice";
-  EXPECT_GT(found["characters_per_60hz_frame"], 40);
-  EXPECT_EQ(found["paper_case_reported_percent_of_frame"], 6.0);
-  EXPECT_NEAR(found["paper_case_predicted_percent_of_frame"], 6.0, 1.0);
-}
-
-TEST_F(CommandLine, RefusesAMachineThatIsNone) {
-  expect_refusal({"bench", "--machine", "toaster"}, 1, "toaster");
-  expect_refusal({"bench", "--machine", (folder_ / "absent.json").string()}, 1, "absent.json");
-  const fs::path file = folder_ / "machine.json";
-  std::ofstream(file) << R"({"name": "box", "local_store_kib": 0})";
-  expect_refusal({"bench", "--machine", file.string()}, 1, "local_store_kib");
-}
-
 TEST_F(CommandLine, ShowsHelpOnStandardOutput) {
   const ProgramRun run = run_program({"--help"});
   EXPECT_EQ(run.exit_status, 0);

@@ -262,8 +262,7 @@ TEST(Bench, HasDefaults) {
   EXPECT_EQ(options.tuning.system, Tuning().system);
   EXPECT_THAT(options.schedules, ElementsAre(anim::Schedule::fused));
   EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::sampled));
-  EXPECT_EQ(options.sweep, Sweep::none);
-  EXPECT_EQ(options.machine + options.plot + options.trace, "");
+  EXPECT_EQ(options.plot + options.trace, "");
   EXPECT_EQ(options.tuning.system.double_buffering, anim::DoubleBuffering::interleaved);
   EXPECT_EQ(options.json, "");
 }
@@ -298,11 +297,6 @@ TEST(Bench, TakesListsOfWhatATableHas) {
   EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::sampled, anim::StreamKind::keyframe));
   EXPECT_EQ(options.plot, "a.svg");
   EXPECT_EQ(options.trace, "t.json");
-}
-
-TEST(Bench, TakesASweepOrAMachineInstead) {
-  EXPECT_EQ(accepted<BenchOptions>("bench --sweep grain").sweep, Sweep::grain);
-  EXPECT_EQ(accepted<BenchOptions>("bench --machine ps2").machine, "ps2");
 }
 
 TEST(Help, IsThereForEveryCommand) {

@@ -69,10 +69,6 @@ TEST_F(Faults, AFolderWhereAFileBelongsIsNamed) {
   fs::remove(at("walker.glb.throng.json"));
   fs::create_directory(at("walker.glb.lod.json"));
   expect_one_line(run({model()}), 1, model() + ".lod.json: it is a folder, not a file; name a file of JSON");
-  fs::create_directory(at("folder.json"));
-  expect_one_line(
-      run_program({"bench", "--machine", at("folder.json")}), 1,
-      at("folder.json") + ": it is a folder, not a file; name a file of JSON; --machine takes ps2, spe or a file");
   expect_one_line(run_program({"--replay", folder_.string(), "--headless=none"}), 1,
                   folder_.string() + ": it is a folder, not a file; name a recording of throng");
 }

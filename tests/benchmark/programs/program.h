@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/report.h"
 #include "engine/anim/base/result.h"
@@ -9,6 +11,6 @@ namespace throng::app {
 /// Runs a program that takes the options of `throng bench` and writes one report as that command does. Returns the exit
 /// status.
 int run_bench_program(int argument_count, char** arguments,
-                      anim::Result<BenchReport> (*measure)(const BenchOptions& options));
+                      const std::function<anim::Result<BenchReport>(const BenchOptions& options)>& measure);
 
 }  // namespace throng::app

@@ -1,4 +1,4 @@
-#include "app/commands/bench/sockets.h"
+#include "tests/benchmark/programs/sockets.h"
 
 #include <array>
 #include <cmath>
@@ -39,7 +39,8 @@ std::unique_ptr<SocketSubject> SocketSubject::create(std::shared_ptr<const anim:
       rows = reinterpret_cast<const float*>(palettes.of(agent).memory()) + std::ptrdiff_t{12} * place.entry;
     } else {
       rows = made->listed_[thing].rows;
-      subject->write_joints_beside(agent, reinterpret_cast<std::byte*>(made->listed_[thing].rows));
+      subject->updates()[agent].joints =
+          anim::PaletteDestination(reinterpret_cast<std::byte*>(made->listed_[thing].rows));
     }
     const auto turn = static_cast<float>(thing);
     made->carriers_.push_back({rows, 0.7F * turn, 0.3F * turn, std::cos(turn), std::sin(turn)});

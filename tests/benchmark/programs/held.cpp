@@ -1,4 +1,4 @@
-#include "app/commands/bench/held.h"
+#include "tests/benchmark/programs/held.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/commands/bench/machine.h"
+#include "tests/benchmark/programs/machine.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,10 +10,8 @@
 
 #include "app/commands/bench/case.h"
 #include "app/commands/bench/crowd.h"
-#include "app/commands/bench/machine_model.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "app/files/data_folder.h"
 #include "app/settings/choices.h"
 #include "engine/anim/asset/synthetic_model.h"
 
@@ -26,12 +24,6 @@ constexpr double frame_ns = 1e9 / 60.0;
 constexpr int paper_skeletons = 40;
 constexpr int paper_bones = 40;
 constexpr double paper_percent = 6.0;
-
-anim::Result<std::filesystem::path> machine_file(const BenchOptions& options) {
-  const bool is_preset = options.machine.find_first_of("/.") == std::string::npos;
-  if (!is_preset) return std::filesystem::path(options.machine);
-  return find_data(data_folders(options.data), "assets/machines/" + options.machine + ".json");
-}
 
 BesideBlocks beside_blocks(const anim::AnimationSystem& system) {
   const anim::UpdateReport& report = system.figures().report();
@@ -124,20 +116,16 @@ anim::Status add_paper_case(const BenchOptions& options, const Machine& machine,
 
 }  // namespace
 
-anim::Result<BenchReport> run_machine(const BenchOptions& options) {
-  const auto file = machine_file(options);
-  if (!file) return anim::Error{"--machine " + options.machine + ": no such preset: " + file.error().message};
-  const auto machine = read_machine(*file);
-  if (!machine) return machine.error();
+anim::Result<BenchReport> run_machine(const BenchOptions& options, const Machine& machine) {
   const auto character = bench_character(options, options.bones.front(), options.clips.front());
   if (!character) return character.error();
 
-  const anim::SystemOptions recorded = recorded_options(options, *machine);
+  const anim::SystemOptions recorded = recorded_options(options, machine);
   auto crowd =
       BenchCrowd::create(character->character, recorded, bench_agents(*character->character, options.agents.front()));
   if (!crowd) return crowd.error();
   const std::vector<RecordedTask> tasks = fastest_tasks(*crowd, options.frames);
-  const MachinePrediction prediction = predict(*machine, tasks);
+  const MachinePrediction prediction = predict(machine, tasks);
   anim::CopyCounts copies;
   double recorded_ns = 0;
   for (const RecordedTask& task : tasks) {
@@ -150,9 +138,9 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
 
   BenchReport report;
   Json& json = report.json;
-  json["machine"] = machine->name;
-  json["local_store_kib"] = machine->local_store_kib;
-  json["pus"] = machine->pus;
+  json["machine"] = machine.name;
+  json["local_store_kib"] = machine.local_store_kib;
+  json["pus"] = machine.pus;
   json["schedule"] = schedule_words[static_cast<std::size_t>(options.schedules.front())];
   json["stream"] = stream_words[static_cast<std::size_t>(options.streams.front())];
   json["agents"] = options.agents.front();
@@ -167,8 +155,8 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
   json["predicted_stall_percent"] = 100.0 * prediction.stall_ns / prediction.busy_ns;
   json["predicted_overlap_percent"] = 100.0 * prediction.overlap();
   json["largest_skeleton_bones"] = largest_skeleton(recorded);
-  json["characters_per_60hz_frame"] = static_cast<std::int64_t>(frame_ns / agent_ns * machine->pus);
-  if (const anim::Status added = add_paper_case(options, *machine, json); !added) return added.error();
+  json["characters_per_60hz_frame"] = static_cast<std::int64_t>(frame_ns / agent_ns * machine.pus);
+  if (const anim::Status added = add_paper_case(options, machine, json); !added) return added.error();
   report.text = figures_as_text(std::span(&json, 1), {});
   return report;
 }

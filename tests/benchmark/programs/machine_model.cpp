@@ -1,4 +1,4 @@
-#include "app/commands/bench/machine_model.h"
+#include "tests/benchmark/programs/machine_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ anim::CopyCounts copies_of(const anim::TraceSpan& span) { return {span.bytes_in,
 }  // namespace
 
 anim::Result<Machine> read_machine(const std::filesystem::path& file) {
-  const JsonFile json_file(file, {.unread = "--machine takes ps2, spe or a file"});
+  const JsonFile json_file(file, {.unread = "name a machine"});
   const auto json = json_file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;

@@ -1,4 +1,4 @@
-#include "app/commands/bench/joints.h"
+#include "tests/benchmark/programs/joints.h"
 
 #include <utility>
 
@@ -15,7 +15,10 @@ std::unique_ptr<JointSubject> JointSubject::create(std::shared_ptr<const anim::C
   made->memory_ = anim::allocate_aligned(stride * agents.size());
   auto subject = SystemSubject::create(std::move(character), options, agents, palettes);
   if (!subject || !subject->system().characters().write_joints(list, format)) return nullptr;
-  subject->write_joints(made->memory_.get(), stride);
+  for (std::size_t agent = 0; agent < agents.size(); ++agent) {
+    subject->updates()[agent].palette = nullptr;
+    subject->updates()[agent].joints = anim::PaletteDestination(made->memory_.get() + agent * stride);
+  }
   made->subject_ = std::make_unique<SystemSubject>(std::move(*subject));
   return made;
 }

@@ -1,4 +1,4 @@
-#include "app/commands/bench/grain.h"
+// Below which size tasks are too small: tile by tile, and crowd by crowd.
 
 #include <algorithm>
 #include <array>
@@ -14,6 +14,7 @@
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
+#include "tests/benchmark/programs/program.h"
 
 namespace throng::app {
 namespace {
@@ -98,8 +99,6 @@ std::string verdict(const Json& found) {
          (agents.is_null() ? "; more PUs never paid." : "; more PUs pay from " + agents.dump() + " agents on.");
 }
 
-}  // namespace
-
 anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
   const BenchCase bench = bench_cases(options).front();
   const auto character = bench_character(options, bench.bones, bench.clips);
@@ -132,4 +131,9 @@ anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
   return report;
 }
 
+}  // namespace
 }  // namespace throng::app
+
+int main(int argument_count, char** arguments) {
+  return throng::app::run_bench_program(argument_count, arguments, throng::app::sweep_grain);
+}

@@ -1,5 +1,3 @@
-#include "app/commands/bench/machine_model.h"
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -8,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/benchmark/programs/machine.h"
 #include "tests/own_folder.h"
 
 namespace throng::app::machine_model_test {
@@ -87,12 +86,28 @@ TEST(RecordedTasks, AreWhatATraceWithDoubleBufferingSays) {
 
 TEST(MachineFile, OfEachPresetIsRead) {
   for (const char* const preset : {"ps2", "spe"}) {
-    const auto machine = read_machine(std::string(THRONG_SOURCE_DIR "/assets/machines/") + preset + ".json");
+    const auto machine = read_machine(std::string(THRONG_SOURCE_DIR "/tests/benchmark/machines/") + preset + ".json");
     ASSERT_TRUE(machine.has_value()) << machine.error().message;
     EXPECT_FALSE(machine->name.empty());
   }
-  EXPECT_EQ(read_machine(THRONG_SOURCE_DIR "/assets/machines/ps2.json")->local_store_kib, 16);
-  EXPECT_EQ(read_machine(THRONG_SOURCE_DIR "/assets/machines/spe.json")->local_store_kib, 256);
+  EXPECT_EQ(read_machine(THRONG_SOURCE_DIR "/tests/benchmark/machines/ps2.json")->local_store_kib, 16);
+  EXPECT_EQ(read_machine(THRONG_SOURCE_DIR "/tests/benchmark/machines/spe.json")->local_store_kib, 256);
+}
+
+TEST(PapersMachine, IsPredictedWithThePapersScheduleAndStream) {
+  BenchOptions options;
+  options.agents = {16};
+  options.schedules = {anim::Schedule::levels};
+  options.streams = {anim::StreamKind::keyframe};
+  options.frames = 2;
+  const auto machine = read_machine(THRONG_SOURCE_DIR "/tests/benchmark/machines/ps2.json");
+  ASSERT_TRUE(machine) << machine.error().message;
+  const auto found = run_machine(options, *machine);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_GE(found->json["largest_skeleton_bones"].get<int>(), 62) << "the paper's, in 8 KiB twice";
+  EXPECT_GT(found->json["characters_per_60hz_frame"].get<int>(), 40);
+  EXPECT_EQ(found->json["paper_case_reported_percent_of_frame"].get<double>(), 6.0);
+  EXPECT_NEAR(found->json["paper_case_predicted_percent_of_frame"].get<double>(), 6.0, 1.0);
 }
 
 TEST(MachineFile, IsRefusedInALineThatNamesTheKey) {

@@ -11,7 +11,7 @@
 #include "app/character/roles.h"
 #include "app/settings/output_options.h"
 #include "app/settings/trajectory_options.h"
-#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/system_options.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"

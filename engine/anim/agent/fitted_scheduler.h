@@ -8,6 +8,7 @@
 #include "engine/anim/agent/population.h"
 #include "engine/anim/agent/system_options.h"
 #include "engine/anim/run/pu_threads.h"
+#include "engine/anim/run/scheduler.h"
 
 namespace throng::anim {
 

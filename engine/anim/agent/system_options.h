@@ -4,11 +4,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/anim/bake/stream_kind.h"
 #include "engine/anim/base/executor.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/run/scheduler.h"
+#include "engine/anim/kernel/palette/packed_palette.h"
+#include "engine/anim/kernel/palette/write_lines.h"
+#include "engine/anim/run/program/cost_model.h"
+#include "engine/anim/run/store/schedule.h"
 
 namespace throng::anim {
+
+struct Kernels;
 
 struct SystemOptions {
   int pus = 1;                        ///< 1 to max_pus

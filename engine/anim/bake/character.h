@@ -20,6 +20,7 @@
 #include "engine/anim/asset/user_curves.h"
 #include "engine/anim/bake/rounding.h"
 #include "engine/anim/bake/skip_error.h"
+#include "engine/anim/bake/stream_kind.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
@@ -28,8 +29,6 @@
 #include "engine/anim/survey/surface_points.h"
 
 namespace throng::anim {
-
-enum class StreamKind : unsigned char { sampled, keyframe };
 
 /// A clip that is ready to play: both streams, and the results of baking. Without streams it is an empty place: a clip
 /// was there, and another one may come (bake/clip_set.h).

@@ -10,13 +10,9 @@
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/store/double_buffer.h"
 #include "engine/anim/run/store/local_store.h"
+#include "engine/anim/run/store/schedule.h"
 
 namespace throng::anim {
-
-enum class Schedule : std::uint8_t {
-  fused,   ///< ours: whole trees of a tile in one stay in the local store, no barrier
-  levels,  ///< the paper's: players, then blenders priority by priority, a barrier in between
-};
 
 /// The demand on a store. It must hold tiles of usual graphs, which are up to four players and the blenders over them,
 /// and at least one character of the largest graph.

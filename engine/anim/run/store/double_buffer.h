@@ -4,17 +4,10 @@
 #include <optional>
 
 #include "engine/anim/run/store/copy_engine.h"
+#include "engine/anim/run/store/schedule.h"
 #include "engine/anim/run/store/trace.h"
 
 namespace throng::anim {
-
-/// Paper footnote 7: "while the CPU processes one animation player the DMA controller moves the next/previous one
-/// in/out".
-///   off          one fetch buffer: fetch, compute, write back
-///   inline_copy  two: the previous task goes out and the next comes in before this one is computed
-///   interleaved  two: the same bytes move from inside the kernels' loop over packets of bones. They are asked for in
-///                slices, as a controller would have them under way, and are here with the last slice
-enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 
 template <typename Tasks, typename Task>
 TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& trace) {

@@ -11,6 +11,7 @@
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/base/room.h"
 #include "engine/anim/run/program/task_content.h"
+#include "engine/anim/run/store/schedule.h"
 
 namespace throng::anim {
 
@@ -84,12 +85,6 @@ struct UpdateTime {
     const auto whole = static_cast<double>(last_tick - first_tick);
     return static_cast<double>(std::max(tick, first_tick) - first_tick) / whole * milliseconds;
   }
-};
-
-enum class Tracing : std::uint8_t {
-  off,
-  on,          ///< tasks too short to be timed one by one share a compute span, copies included: costs under 1%
-  every_task,  ///< a span for each part of each task, at any cost
 };
 
 /// The spans of one PU in an update, without gaps: each begins where the one before it ended. They lie in memory set

@@ -6,7 +6,7 @@
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
 #include "app/command_line/options_trajectories.h"
-#include "app/recording/crowd_file.h"
+#include "app/request/crowd_file.h"
 #include "app/settings/cast_option.h"
 #include "app/settings/placement_options.h"
 #include "app/settings/preset.h"

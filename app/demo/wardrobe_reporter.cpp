@@ -9,7 +9,7 @@
 namespace throng::app {
 
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report) {
-  const CastRules& rules = cast_rules_of(stage, character);
+  const CastRules& rules = stage.clothing()[character].rules;
   report.tuning = rules.styles.empty() ? CastTuning() : cast_tuning(rules, word_of(stage.tuning().scene));
   const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
   report.holding =
@@ -20,7 +20,7 @@ void read_standard_rules(const Stage& stage, std::size_t character, WardrobeRepo
   const std::filesystem::path file = rules_file_of(stage.characters()[character]);
   report.file = file.string();
   const auto said = file.empty() ? anim::Result<CastRules>(anim::Error{}) : read_cast_rules(file);
-  report.standard = cast_tuning(said ? *said : cast_rules_of(stage, character), word_of(stage.tuning().scene));
+  report.standard = cast_tuning(said ? *said : stage.clothing()[character].rules, word_of(stage.tuning().scene));
 }
 
 }  // namespace throng::app

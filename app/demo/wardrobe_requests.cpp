@@ -15,14 +15,14 @@ std::filesystem::path rules_file(const std::string& name) { return name + ".cast
 
 SetRules tuned(const TuneRules& asked, const Stage& stage) {
   if (asked.character >= stage.people().size()) return {.character = asked.character, .rules = {}};
-  CastRules rules = cast_rules_of(stage, asked.character);
+  CastRules rules = stage.clothing()[asked.character].rules;
   tune(rules, word_of(stage.tuning().scene), asked.tuning);
   return {.character = asked.character, .rules = rules_text(rules)};
 }
 
 anim::Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character) {
   const std::filesystem::path file = rules_file(asked.rules);
-  const CastRules& rules = cast_rules_of(stage, character);
+  const CastRules& rules = stage.clothing()[character].rules;
   if (const anim::Status written = write_cast_rules(file, rules); !written) return written.error();
   return SetRules{.character = character, .rules = rules_text(rules), .file = file.string()};
 }

@@ -141,7 +141,7 @@ anim::Result<bool> Replay::step(Show& show) {
       return true;
     }
     const CrowdRequest request = with_own_scheduling(std::get<CrowdRequest>(*item));
-    if (may_go_back_ && first_people_.empty() && std::holds_alternative<ChosenCharacters>(request)) {
+    if (may_go_back_ && first_people_.empty() && std::holds_alternative<SetCast>(request)) {
       first_people_.assign(show.stage().people().begin(), show.stage().people().end());
     }
     if (const anim::Status repeated = show.take(request); !repeated) {

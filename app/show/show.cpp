@@ -201,13 +201,13 @@ anim::Status Show::carry_out(const SetPlacement& placement) {
   if (!placed) return placed.error();
   std::vector<CharacterSource> characters(stage_->people().begin(), stage_->people().end());
   characters[placement.character] = std::move(*placed);
-  return exchange(std::move(characters), stage_->tuning(), trajectories_of(*stage_));
+  return exchange(std::move(characters), stage_->tuning(), stage_->trajectories());
 }
 
 anim::Status Show::carry_out(const SetRules& rules) {
   if (anim::Status there = has_character(*stage_, rules.character); !there) return there;
   auto read = rules_of_text(rules.rules);
-  anim::Status set = read ? set_cast_rules(*stage_, rules.character, std::move(*read), rules.file) : read.error();
+  anim::Status set = read ? stage_->set_cast_rules(rules.character, std::move(*read), rules.file) : read.error();
   if (set || rules.file.empty()) return set;
   return anim::Error{anim::plain_text(rules.file) + ": " + set.error().message};
 }
@@ -248,9 +248,9 @@ anim::Status Show::carry_out(const Hold& hold) {
 anim::Status Show::carry_out(const GoBack& back) { return rewind_.go_back(*stage_, back.moment); }
 
 anim::Status Show::carry_out(const Seek& seek) {
-  const bool has_clock = followers_of(stage_->crowd()) != nullptr && live_ == nullptr;
+  const bool has_clock = stage_->crowd().tracks() != nullptr && live_ == nullptr;
   if (!has_clock) return anim::Error{"the crowd follows no file, so it goes to no other time of one"};
-  if (seek.clock != track_clock_of(stage_->crowd())) set_track_clock(*stage_, seek.clock);
+  if (seek.clock != stage_->crowd().tracks()->clock()) stage_->set_track_clock(seek.clock);
   return anim::Done{};
 }
 

@@ -8,6 +8,7 @@
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
+#include "app/request/crowd_file.h"
 #include "app/show/opened_crowd.h"
 
 namespace throng::app {

@@ -245,7 +245,7 @@ TEST_F(ReorderedStage, RefusesAnOrderThatCannotBeAndGoesOn) {
 TEST_F(ReorderedStage, RefusesAnOrderThatMovesKeptJointsAndGoesOn) {
   const auto stage = open({.scene = Scene::grid, .agents = 10, .system = {.pus = 1}});
   ASSERT_TRUE(stage);
-  ASSERT_TRUE(keep_joints(*stage));
+  ASSERT_TRUE(stage->posed().keep_joints(stage->animated().system()));
   const CharacterSource& source = stage->characters().front();
   const auto before = source.character;
   const std::vector<glm::u16vec4> entries = source.model.meshes.front().palette_entries;

@@ -101,16 +101,16 @@ void show_hands(const TabContext& context, const SelectionReport& selected) {
   if (widgets.number("Hold clip at", seconds, 0, {.highest = last, .decimals = 2, .suffix = " s"},
                      {.what = "Drag to stop it and to move through its clip. Crowd logic holds it in its place.",
                       .unit = "seconds from the clip's start"})) {
-    requests.push_back(Hold{selected.agent, static_cast<float>(seconds)});
+    requests.ask(Hold{selected.agent, static_cast<float>(seconds)});
   }
   widgets.end_idle();
   ButtonRow buttons(widgets, 2);
   if (buttons.button("Let go", {.what = "It goes on as the crowd wants it."},
                      selected.held_at ? nullptr : "its clip is not held"))
-    requests.push_back(Hold{});
+    requests.ask(Hold{});
   if (buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."},
                      selected.can_fall ? nullptr : cannot_fall))
-    requests.push_back(Push{selected.agent, ahead_of(report.camera)});
+    requests.ask(Push{selected.agent, ahead_of(report.camera)});
 }
 
 /// Draws a column a frame, as high as the interval is long, above a dot in the colour of the bone level.

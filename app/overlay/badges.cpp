@@ -45,7 +45,7 @@ std::vector<Badge> badges_of(const TabContext& context) {
          {"recording", colour::recording,
           "Records " + report.recording.file + "   " + clock_text(report.messages.now() - report.recording.began_at),
           "All that happens goes into that file. A click or R ends it.",
-          [](const TabContext& ended) { ended.requests.push_back(ToggleRecording{}); }});
+          [](const TabContext& ended) { ended.requests.ask(ToggleRecording{}); }});
   const TuningPair& pair = context.memory.pair;
   add_if(pair.has_two(), {"pair", colour::accent, pair.title_in_use() + " is in use",
                           pair.other_title() + " waits. A click or B changes their places. The tab Presets ends it.",
@@ -79,7 +79,7 @@ std::vector<Badge> badges_of(const TabContext& context) {
           "A part of the frame is left out, to show what it costs. A click brings all back.",
           [](const TabContext& ended) { ended.tuning.taken_away = {}; }});
   add_if(report.sweep.runs, {"sweep", colour::accent, "Sweep", "One value goes through its range. A click ends it.",
-                             [](const TabContext& ended) { ended.requests.push_back(StopSweep{}); }});
+                             [](const TabContext& ended) { ended.requests.ask(StopSweep{}); }});
   return badges;
 }
 

@@ -44,7 +44,7 @@ void show_part(const TabContext& context, anim::BodyRole part) {
           {.what = "The bone that is this part of the body. Guessed: as the file says, or as names and "
                    "shape of the skeleton suggest.",
            .cost = "Changing it places all agents anew."})) {
-    context.requests.push_back(SetBody{context.report.character, with_part(body, part, bone)});
+    context.requests.ask(SetBody{context.report.character, with_part(body, part, bone)});
   }
   if (body.refused != part || context.widgets.is_searching()) return;
   context.widgets.caption(body.refusal + ".");
@@ -62,10 +62,10 @@ void show_open_list(const TabContext& context) {
           "Save body",
           {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
                    "the ground and clips of other files go by it from then on."}))
-    requests.push_back(SaveBody{});
+    requests.ask(SaveBody{});
   if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."},
                      report.body.said.empty() ? "every part is as it is guessed" : nullptr)) {
-    requests.push_back(SetBody{report.character, {}});
+    requests.ask(SetBody{report.character, {}});
   }
 }
 

@@ -50,20 +50,20 @@ void scroll_with_drag() {
 void change(const TabContext& context, const BoneLodChoice& choice) {
   const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
   if (choice.bones == now.bones && choice.level_counts == now.level_counts) return;
-  context.requests.push_back(SetBones{context.report.character, choice});
+  context.requests.ask(SetBones{context.report.character, choice});
 }
 
 void show_bone_buttons(const TabContext& context) {
   ButtonRow buttons(context.widgets, 3);
   if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."},
                      context.report.can_undo_bones ? nullptr : "the last change was none of bones")) {
-    context.requests.push_back(Undo{});
+    context.requests.ask(Undo{});
   }
   if (buttons.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."}))
-    context.requests.push_back(SaveBones{});
+    context.requests.ask(SaveBones{});
   if (buttons.button("Export LOD",
                      {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."}))
-    context.requests.push_back(ExportLod{});
+    context.requests.ask(ExportLod{});
 }
 
 std::string name_of_bone_row(std::size_t place) { return "Bone " + std::to_string(place); }

@@ -17,7 +17,7 @@ void show_scene_cameras(const TabContext& context) {
     ButtonRow buttons(context.widgets, static_cast<int>(in_a_row));
     for (std::size_t i = first; i < std::min(first + in_a_row, names.size()); ++i) {
       const bool pressed = buttons.button(names[i], {.what = "Goes to this camera of the scene."});
-      if (pressed) context.requests.push_back(GoToCamera{i});
+      if (pressed) context.requests.ask(GoToCamera{i});
     }
   }
 }
@@ -28,19 +28,19 @@ void show_ways_to_go(const TabContext& context) {
   if (buttons.button(
           "Home",
           {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."}))
-    context.requests.push_back(GoHome{});
+    context.requests.ask(GoHome{});
   if (buttons.button("Frame crowd", {.what = "Moves the camera until everybody is seen beside the panel. Key F."}))
-    context.requests.push_back(FrameCrowd{});
+    context.requests.ask(FrameCrowd{});
   const char* const nobody = context.report.selected ? nullptr : "Nobody is selected. Click at somebody first.";
   ButtonRow follow(context.widgets, 2);
   if (follow.button(cameras.follows ? "Stop following" : "Follow",
                     {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, nobody))
-    context.requests.push_back(ToggleFollow{});
+    context.requests.ask(ToggleFollow{});
   if (follow.button("From behind",
                     {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
                              "go round."},
                     nobody))
-    context.requests.push_back(FollowBehind{});
+    context.requests.ask(FollowBehind{});
 }
 
 // Says who has the camera, where that is not the person alone.
@@ -65,7 +65,7 @@ void show_bookmarks(const TabContext& context) {
     const std::string digit = std::to_string(i + 1);
     if (!buttons.marked_button(digit.c_str(), "Bookmark " + digit, help, is_kept)) continue;
     const bool goes = is_kept && !ImGui::GetIO().KeyCtrl;
-    context.requests.push_back(goes ? CameraRequest(GoToBookmark{i}) : CameraRequest(KeepBookmark{i}));
+    context.requests.ask(goes ? CameraRequest(GoToBookmark{i}) : CameraRequest(KeepBookmark{i}));
   }
 }
 
@@ -89,7 +89,7 @@ void show_camera_section(const TabContext& context) {
                      {.what = "How fast W A S D and Q E fly; the wheel over the crowd changes it too. Shift is four "
                               "times as fast, Ctrl a quarter.",
                       .unit = "metres a second"})) {
-    context.requests.push_back(SetFlySpeed{static_cast<float>(speed)});
+    context.requests.ask(SetFlySpeed{static_cast<float>(speed)});
   }
   if (widgets.is_searching()) return;
   const CameraPlace& camera = context.report.camera;

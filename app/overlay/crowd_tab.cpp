@@ -30,7 +30,7 @@ void show_characters(const TabContext& context) {
   auto shown = static_cast<int>(report.character);
   if (context.widgets.pick("Model", shown, shown, names, nullptr,
                            {.what = "The characters of the crowd: whose roles are shown below, and whose bones."})) {
-    context.requests.push_back(ShowCharacter{static_cast<CharacterNumber>(shown)});
+    context.requests.ask(ShowCharacter{static_cast<CharacterNumber>(shown)});
   }
 }
 
@@ -39,7 +39,7 @@ void show_who(const TabContext& context) {
   show_characters(context);
   if (ButtonRow(context.widgets, 1)
           .button("View model", {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
-    context.requests.push_back(View{{.character = context.report.character}});
+    context.requests.ask(View{{.character = context.report.character}});
   }
   context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
                                 "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
@@ -99,7 +99,7 @@ void show_cast(const TabContext& context) {
     double share = member.share;
     const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
     if (widgets.number(label.c_str(), share, member.starting_share, scale, help))
-      requests.push_back(SetShare{static_cast<CharacterNumber>(character), share});
+      requests.ask(SetShare{static_cast<CharacterNumber>(character), share});
   }
   std::string counts;
   for (const CastMember& member : report.cast) {
@@ -112,7 +112,7 @@ void show_cast(const TabContext& context) {
                       "cast."};
   if (widgets.named_button(words.c_str(), "Everyone is this", help, ImGui::GetContentRegionAvail().x)) {
     for (std::size_t i = 0; i < report.cast.size(); ++i) {
-      requests.push_back(SetShare{static_cast<CharacterNumber>(i), i == report.character ? most_share : least_share});
+      requests.ask(SetShare{static_cast<CharacterNumber>(i), i == report.character ? most_share : least_share});
     }
   }
 }
@@ -146,7 +146,7 @@ void show_snapshots(const TabContext& context) {
   }
   context.widgets.end_idle();
   if (!seconds_back || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-  if (*seconds_back > 0 && !none) context.requests.push_back(GoBack{nearest_snapshot(ages, *seconds_back)});
+  if (*seconds_back > 0 && !none) context.requests.ask(GoBack{nearest_snapshot(ages, *seconds_back)});
   seconds_back.reset();
 }
 
@@ -160,10 +160,10 @@ void show_time(const TabContext& context) {
   ButtonRow buttons(widgets, 2);
   if (buttons.button("Step", {.what = "One frame onwards, while paused."},
                      tuning.paused ? nullptr : "the crowd is not paused"))
-    requests.push_back(StepFrame{});
+    requests.ask(StepFrame{});
   if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
                      ages.empty() ? why_no_snapshot(report) : nullptr)) {
-    requests.push_back(GoBack{0});
+    requests.ask(GoBack{0});
   }
   if (report.tracks) return;
   widgets.caption(ages.empty()
@@ -206,9 +206,8 @@ void show_picture(const TabContext& context) {
                           .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
   if (buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."}))
-    requests.push_back(CopyCamera{});
-  if (buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."}))
-    requests.push_back(TakeScreenshot{});
+    requests.ask(CopyCamera{});
+  if (buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."})) requests.ask(TakeScreenshot{});
 }
 
 void show_light(const TabContext& context) {
@@ -271,7 +270,7 @@ void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) 
   context.widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
                        {.what = row.what, .cost = "Another clip is shown on one character before the crowd plays it."});
   if (clips[role] == before || clips[role] == no_clip) return;
-  context.requests.push_back(View{{.character = report.character, .preview = RolePreview{row.role, clips[role]}}});
+  context.requests.ask(View{{.character = report.character, .preview = RolePreview{row.role, clips[role]}}});
   clips[role] = before;
 }
 
@@ -287,7 +286,7 @@ void show_roles(const TabContext& context) {
   show_all(true);
   ButtonRow buttons(widgets, 3);
   if (buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."}))
-    requests.push_back(SaveRoles{});
+    requests.ask(SaveRoles{});
   const bool resets = buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."});
   bool& open = memory.shows_gaits;
   if (buttons.button(open ? "Hide gaits" : "Show gaits",
@@ -296,7 +295,7 @@ void show_roles(const TabContext& context) {
   }
   if (open || widgets.is_searching()) show_all(false);
   if (resets) clips = report.suggested_role_clips;
-  if (clips != report.role_clips) requests.push_back(SetRoles{report.character, clips});
+  if (clips != report.role_clips) requests.ask(SetRoles{report.character, clips});
 }
 
 void show_in_view(const TabContext& context) {

@@ -83,7 +83,7 @@ void look_by_keys(PanelFocus& focus, const FrameReport& report, Requests& reques
   if (report.kept.looked_at && !enters) {
     place = static_cast<int>(std::ranges::lower_bound(kept, report.kept.looked_at->number()) - kept.begin()) + step;
   }
-  requests.push_back(LookAtFrame{kept[static_cast<std::size_t>(std::clamp(place, 0, last))]});
+  requests.ask(LookAtFrame{kept[static_cast<std::size_t>(std::clamp(place, 0, last))]});
 }
 
 void show_frame_under_pointer(const Area& graph, const FrameReport& report, Requests& requests) {
@@ -99,7 +99,7 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report, Requ
             short_milliseconds(report.update_ms_history[index]) + " ms",
         report.kept.numbers.empty() ? "" : "click: what the slow frame nearest to it did, one with a dot"});
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    requests.push_back(LookAtFrame{report.frame - static_cast<int>(frames_ago)});
+    requests.ask(LookAtFrame{report.frame - static_cast<int>(frames_ago)});
   }
 }
 

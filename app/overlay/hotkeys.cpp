@@ -19,11 +19,11 @@ void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Reques
   } else if (switches.log && !switches.hidden) {
     switches.log = false;
   } else if (open.viewer) {
-    requests.push_back(LeaveViewer{});
+    requests.ask(LeaveViewer{});
   } else if (open.selected) {
-    requests.push_back(Select{});
+    requests.ask(Select{});
   } else {
-    requests.push_back(Quit{});
+    requests.ask(Quit{});
   }
 }
 
@@ -32,40 +32,39 @@ constexpr std::size_t place_of_digit(Key key) {
 }
 
 void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Requests& requests) {
-  if (key == Key::home) requests.push_back(GoHome{});
+  if (key == Key::home) requests.ask(GoHome{});
   if (key == Key::g && open.selected) {
-    requests.push_back(input.down(Key::shift) ? CameraRequest(FollowBehind{}) : CameraRequest(ToggleFollow{}));
+    requests.ask(input.down(Key::shift) ? CameraRequest(FollowBehind{}) : CameraRequest(ToggleFollow{}));
   }
   const std::size_t place = place_of_digit(key);
   if (place >= bookmark_count) return;
-  requests.push_back(input.down(Key::control) ? CameraRequest(KeepBookmark{place})
-                                              : CameraRequest(GoToBookmark{place}));
+  requests.ask(input.down(Key::control) ? CameraRequest(KeepBookmark{place}) : CameraRequest(GoToBookmark{place}));
 }
 
 void add_history_key(const InputFrame& input, Key key, Requests& requests) {
   if (!input.down(Key::control)) return;
   const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
   if (redoes) {
-    requests.push_back(Redo{});
+    requests.ask(Redo{});
   } else if (key == Key::z) {
-    requests.push_back(Undo{});
+    requests.ask(Undo{});
   }
 }
 
 void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning, Requests& requests) {
   if (key == Key::space) tuning.paused = !tuning.paused;
-  if (key == Key::f && !input.down(Key::control)) requests.push_back(FrameCrowd{});
-  if (key == Key::c) requests.push_back(CopyCamera{});
-  if (key == Key::r) requests.push_back(ToggleRecording{});
-  if (key == Key::p && open.selected) requests.push_back(Push{*open.selected, open.ahead});
+  if (key == Key::f && !input.down(Key::control)) requests.ask(FrameCrowd{});
+  if (key == Key::c) requests.ask(CopyCamera{});
+  if (key == Key::r) requests.ask(ToggleRecording{});
+  if (key == Key::p && open.selected) requests.ask(Push{*open.selected, open.ahead});
   add_history_key(input, key, requests);
 }
 
 void ask_the_viewer(Key key, ViewerSettings settings, Requests& requests) {
-  if (key == Key::f) requests.push_back(FaceFront{});
+  if (key == Key::f) requests.ask(FaceFront{});
   if (key != Key::space) return;
   settings.plays = !settings.plays;
-  requests.push_back(SetViewer{settings});
+  requests.ask(SetViewer{settings});
 }
 
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
@@ -91,14 +90,14 @@ void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    Requests& requests) {
   if (!open.viewer) ask_for_search(input, switches);
-  if (input.down(Key::x) && !open.viewer) requests.push_back(ShowExactCrowd{});
+  if (input.down(Key::x) && !open.viewer) requests.ask(ShowExactCrowd{});
   for (const Key key : input.pressed) {
     if (key == Key::tab && !input.down(Key::control)) switches.hidden = !switches.hidden;
     switches.tabs_further += tabs_further(input, key);
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
-    if (key == Key::f5) requests.push_back(ReloadShaders{});
-    if (key == Key::f12) requests.push_back(TakeScreenshot{});
+    if (key == Key::f5) requests.ask(ReloadShaders{});
+    if (key == Key::f12) requests.ask(TakeScreenshot{});
     if (key == Key::escape) close_the_topmost(open, switches, requests);
     if (open.viewer) {
       ask_the_viewer(key, *open.viewer, requests);
@@ -112,7 +111,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
 void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests) {
   if (std::ranges::count(input.pressed, Key::b) == 0) return;
   if (!pair.has_two()) {
-    requests.push_back(
+    requests.ask(
         Tell{"There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values."});
   }
   pair.change_places(tuning);

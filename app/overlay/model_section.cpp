@@ -16,7 +16,7 @@ void send_when_let_go(const TabContext& context) {
   if (!wanted || ImGui::IsAnyItemActive()) return;
   const bool is_new =
       wanted->character == context.report.character && wanted->choice != context.report.placement.choice;
-  if (is_new) context.requests.push_back(*wanted);
+  if (is_new) context.requests.ask(*wanted);
   wanted.reset();
 }
 

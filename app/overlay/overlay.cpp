@@ -112,10 +112,10 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   state.map.widgets.clear();
   state.map.idle.clear();
   state.map.over_crowd.clear();
-  if (!state.input.dropped.empty()) requests.push_back(OpenFiles{state.input.dropped});
+  if (!state.input.dropped.empty()) requests.ask(OpenFiles{state.input.dropped});
   state.take_keys_of_panel(report);
   const auto clicked = state.click.update(state.input, !uses_pointer());
-  if (clicked && !report.viewer) requests.push_back(SelectAt{*clicked});
+  if (clicked && !report.viewer) requests.ask(SelectAt{*clicked});
   if (!uses_keyboard()) {
     const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
@@ -146,7 +146,7 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
     const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
     show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
   }
-  if (tuning != before) requests.push_back(Apply{tuning});
+  if (tuning != before) requests.ask(Apply{tuning});
   state.is_in_a_change = ImGui::IsAnyItemActive() || state.widgets.focus().is_stepping();
   state.widgets.focus().end_frame(state.theme);
   ImGui::Render();

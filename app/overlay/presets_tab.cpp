@@ -117,14 +117,14 @@ void show_saving(const TabContext& context) {
                   {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
                            "preset of that name is replaced."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
-    requests.push_back(SavePreset{name});
+    requests.ask(SavePreset{name});
   }
   if (ButtonRow(widgets, 1)
           .button("Copy as command line",
                   {.what = "Puts the options that make this crowd into the clipboard: its models and roles, and "
                            "what differs from what no option means. Orders of bones and parts of the body are in "
                            "crowd files alone."}))
-    requests.push_back(CopyCommandLine{});
+    requests.ask(CopyCommandLine{});
 }
 
 void show_names(const TabContext& context) {
@@ -136,14 +136,14 @@ void show_names(const TabContext& context) {
     const NameRow row(widgets, name);
     if (row.button(2, into_other.c_str(), into_other + " " + name,
                    {.what = "Its values become the other tuning, to compare with what is in use."})) {
-      requests.push_back(LoadIntoOther{name});
+      requests.ask(LoadIntoOther{name});
     }
     if (row.button(1, "Load", "Load " + name, {.what = "Its values and its camera, at the next frame."})) {
-      requests.push_back(LoadPreset{name});
+      requests.ask(LoadPreset{name});
     }
     const bool asked = memory.about_to_delete == name;
     if (row.button(0, asked ? "Really?" : "Delete", "Delete " + name, {.what = "Removes its file."})) {
-      if (asked) requests.push_back(DeletePreset{name});
+      if (asked) requests.ask(DeletePreset{name});
       memory.about_to_delete = asked ? "" : name;
     }
   }
@@ -161,13 +161,13 @@ void show_crowd_files(const TabContext& context) {
                            "bones, all values and the camera. throng NAME.throng, a drop on the window or Open brings "
                            "all of it back."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
-    requests.push_back(SaveCrowd{name});
+    requests.ask(SaveCrowd{name});
   }
   if (widgets.is_searching()) return;
   for (const std::string& each : report.crowd_names) {
     const NameRow row(widgets, each);
     if (row.button(0, "Open", "Open " + each, {.what = "Its characters, values and camera. The crowd begins anew."})) {
-      requests.push_back(OpenCrowd{each});
+      requests.ask(OpenCrowd{each});
     }
   }
 }

@@ -15,7 +15,7 @@ constexpr float height = 66, padding = 14, speed = 40, loop = 48, shortest_track
 }  // namespace bar
 
 void show_buttons(BarControls& controls, const ReplayReport& replay, Requests& requests) {
-  if (controls.left("Replay.play", BarControls::button)) requests.push_back(ToggleReplayPause{});
+  if (controls.left("Replay.play", BarControls::button)) requests.ask(ToggleReplayPause{});
   controls.fill(false);
   if (replay.paused || replay.ended) {
     controls.draw_arrow(1, false);
@@ -23,7 +23,7 @@ void show_buttons(BarControls& controls, const ReplayReport& replay, Requests& r
     controls.draw_pause();
   }
   for (const int way : {-1, 1}) {
-    if (controls.left(way < 0 ? "Replay.back" : "Replay.on", BarControls::button)) requests.push_back(StepReplay{way});
+    if (controls.left(way < 0 ? "Replay.back" : "Replay.on", BarControls::button)) requests.ask(StepReplay{way});
     controls.fill(false);
     controls.draw_arrow(static_cast<float>(way), true);
   }
@@ -35,11 +35,11 @@ void show_speeds(BarControls& controls, const ReplayReport& replay, Requests& re
   if (!controls.has_room_for(needed + bar::shortest_track)) return;
   for (std::size_t i = replay_speeds.size(); i > 0; --i) {
     const float speed = replay_speeds.at(i - 1);
-    if (controls.right("Replay.speed:" + times_words(speed), bar::speed)) requests.push_back(SetReplaySpeed{speed});
+    if (controls.right("Replay.speed:" + times_words(speed), bar::speed)) requests.ask(SetReplaySpeed{speed});
     controls.fill(speed == replay.speed);
     controls.write(times_words(speed), speed == replay.speed);
   }
-  if (controls.right("Replay.loop", bar::loop)) requests.push_back(ToggleReplayLoop{});
+  if (controls.right("Replay.loop", bar::loop)) requests.ask(ToggleReplayLoop{});
   controls.fill(replay.loops);
   controls.write("Loop", replay.loops);
 }
@@ -54,12 +54,12 @@ void show_track(Widgets& widgets, const Area& place, const ReplayReport& replay,
   if (ImGui::IsItemActive()) {
     const float share = std::clamp((ImGui::GetIO().MousePos.x - from) / std::max(to - from, 1.0F), 0.0F, 1.0F);
     const auto wanted = 1 + static_cast<std::uint64_t>(std::lround(share * frames));
-    if (wanted != shown) requests.push_back(SeekReplay{wanted});
+    if (wanted != shown) requests.ask(SeekReplay{wanted});
     shown = wanted;
   }
   if (const int step = widgets.stop("Replay.track", place).take_step()) {
     const auto last = static_cast<std::int64_t>(std::max<std::uint64_t>(replay.frames, 1));
-    requests.push_back(SeekReplay{
+    requests.ask(SeekReplay{
         static_cast<std::uint64_t>(std::clamp(static_cast<std::int64_t>(shown) + step, std::int64_t{1}, last))});
   }
   const auto x_of = [&](std::uint64_t frame) {
@@ -104,9 +104,9 @@ void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& re
 
 void apply_replay_keys(const InputFrame& input, Requests& requests) {
   for (const Key key : input.pressed) {
-    if (key == Key::space) requests.push_back(ToggleReplayPause{});
-    if (key == Key::left) requests.push_back(StepReplay{-1});
-    if (key == Key::right) requests.push_back(StepReplay{1});
+    if (key == Key::space) requests.ask(ToggleReplayPause{});
+    if (key == Key::left) requests.ask(StepReplay{-1});
+    if (key == Key::right) requests.ask(StepReplay{1});
   }
 }
 

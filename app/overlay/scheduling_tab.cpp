@@ -115,7 +115,7 @@ void show_looked_at(const TabContext& context, const FrameDetails& frame, float 
   widgets.fact("Palettes written", size_text(frame.work.palette_bytes), {.what = "In that frame.", .unit = "bytes"});
   if (ButtonRow(widgets, 1)
           .button("Back to the last frames", {.what = "The table and the timeline show what happens now again."}))
-    context.requests.push_back(LookAtLastFrames{});
+    context.requests.ask(LookAtLastFrames{});
 }
 
 void show_pu_table(const TabContext& context, std::span<const PuReport> pus, float update_ms) {

@@ -124,10 +124,10 @@ void show_foot(Widgets& widgets, const Area& card, float y, const FrameReport& r
   if (widgets.button("Push over",
                      {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
                      width))
-    requests.push_back(Push{selected.agent, ahead_of(report.camera)});
+    requests.ask(Push{selected.agent, ahead_of(report.camera)});
   widgets.end_idle();
   ImGui::SameLine(0, gap);
-  if (widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width)) requests.push_back(Select{});
+  if (widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width)) requests.ask(Select{});
 }
 
 // The graph of the speed takes what is left over by the words, the steps and the buttons.
@@ -139,7 +139,7 @@ void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& r
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, std::min(wanted, Card::most_height(theme, place, width))},
                    .title = title_of_tracked(*report.selected, report.tracks->clock.seconds)});
-  if (card.was_closed()) requests.push_back(Select{});
+  if (card.was_closed()) requests.ask(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();
   const float foot = std::max(content.to.y, content.from.y + theme.px(least_tracked_person_height + foot_height)) -
@@ -156,7 +156,7 @@ void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& r
 void show_view_button(Widgets& widgets, const std::string& name, float width, Requests& requests) {
   if (widgets.named_button("View", name, {.what = "Shows its character alone, clip by clip, while the crowd waits."},
                            width))
-    requests.push_back(ViewSelected{});
+    requests.ask(ViewSelected{});
 }
 
 glm::vec3 ahead_of(const CameraPlace& camera) { return render::forward(camera_at(camera)); }
@@ -179,7 +179,7 @@ void show_selection_card(Widgets& widgets, const Area& place, const FrameReport&
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, without_rows + static_cast<float>(rows) * theme.px(entity_height)},
                    .title = "Agent " + with_thousands(selected.agent) + "   " + doing(selected)});
-  if (card.was_closed()) requests.push_back(Select{});
+  if (card.was_closed()) requests.ask(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();
   const float y = draw_words(theme, content, selected);

@@ -43,7 +43,7 @@ class ClockInHand {
   }
   const PeopleOverTime& people() const { return *context_.report.tracks->people; }
   void set(const TrackClock& clock) {
-    if (clock != now()) context_.requests.push_back(Seek{clock});
+    if (clock != now()) context_.requests.ask(Seek{clock});
   }
   bool plays() const { return !context_.tuning.paused && !has_ended(now()); }
   bool goes_back() const { return now().rate < 0.0; }
@@ -292,7 +292,7 @@ void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tunin
     if (sign == U'[') clock = with_part(clock, clock.seconds, clock.last);
     if (sign == U']') clock = with_part(clock, clock.first, clock.seconds);
   }
-  if (clock != tracks.clock) requests.push_back(Seek{clock});
+  if (clock != tracks.clock) requests.ask(Seek{clock});
 }
 
 }  // namespace throng::app

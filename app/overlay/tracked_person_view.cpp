@@ -77,7 +77,7 @@ void show_speed_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis,
   const TrackClock& clock = report.tracks->clock;
   const auto go_to = [&](double seconds) {
     const TrackClock wanted = gone_to(clock, seconds);
-    if (wanted != clock) requests.push_back(Seek{wanted});
+    if (wanted != clock) requests.ask(Seek{wanted});
   };
   widgets.pressable("Selected.speed", graph);
   const double pointed = axis.time_at(ImGui::GetIO().MousePos.x);

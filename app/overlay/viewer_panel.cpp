@@ -26,7 +26,7 @@ void show_way_back(const Panel& panel, const std::string& name) {
   widgets.section(name.c_str());
   ButtonRow buttons(widgets, 1);
   if (buttons.button("Back to the crowd", {.what = "The crowd goes on where it waits. Key Esc."}))
-    panel.requests.push_back(LeaveViewer{});
+    panel.requests.ask(LeaveViewer{});
 }
 
 void show_preview(const Panel& panel) {
@@ -38,7 +38,7 @@ void show_preview(const Panel& panel) {
   ButtonRow buttons(widgets, 1);
   if (buttons.button("Apply to the crowd",
                      {.what = "Agents keep their places, unless the character begins or ceases to walk."}))
-    panel.requests.push_back(ApplyPreview{});
+    panel.requests.ask(ApplyPreview{});
 }
 
 void draw_clip(const Theme& theme, const Area& row, const ViewedClip& clip, bool is_chosen) {
@@ -98,7 +98,7 @@ void show_time(Panel& panel) {
   const double length = std::max(static_cast<double>(report.length), 0.001);
   if (widgets.number("At", seconds, at, {.highest = length, .decimals = 3, .suffix = " s"},
                      {.what = "Drag to stop the clip and to move through it.", .unit = "seconds from its start"})) {
-    requests.push_back(ScrubViewer{static_cast<float>(seconds)});
+    requests.ask(ScrubViewer{static_cast<float>(seconds)});
   }
   ButtonRow buttons(widgets, 1);
   if (buttons.button(settings.plays ? "Pause" : "Play", {.what = "Key Space."},
@@ -155,7 +155,7 @@ void show_look(Panel& panel) {
                 {.what = "The triangles that a level of detail keeps; 0 has all."});
   widgets.toggle("Turn", settings.turns, false, {.what = "The turntable goes round. A drag turns it by hand."});
   ButtonRow buttons(widgets, 1);
-  if (buttons.button("Front", {.what = "Back to where the turntable began. Key F."})) requests.push_back(FaceFront{});
+  if (buttons.button("Front", {.what = "Back to where the turntable began. Key F."})) requests.ask(FaceFront{});
 }
 
 std::string metres(float value) { return fixed(value, value < 0.1F ? 4 : (value < 10 ? 2 : 1)) + " m"; }
@@ -205,7 +205,7 @@ void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerRe
   show_look(panel);
   show_blend(panel);
   show_facts(panel);
-  if (panel.settings != report.settings) requests.push_back(SetViewer{panel.settings});
+  if (panel.settings != report.settings) requests.ask(SetViewer{panel.settings});
 }
 
 }  // namespace throng::app

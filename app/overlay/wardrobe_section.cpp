@@ -17,7 +17,7 @@ void dress_when_let_go(const TabContext& context) {
   std::optional<TuneRules>& wanted = context.memory.rules;
   if (!wanted || ImGui::IsAnyItemActive()) return;
   const bool is_new = wanted->character == context.report.character && wanted->tuning != context.report.wardrobe.tuning;
-  if (is_new) context.requests.push_back(*wanted);
+  if (is_new) context.requests.ask(*wanted);
   wanted.reset();
 }
 
@@ -93,7 +93,7 @@ void show_rule_files(const TabContext& context) {
   ButtonRow buttons(widgets, 2);
   if (buttons.button("Save rules", {.what = "Writes all rules as they are now. A file of that name is replaced."},
                      is_named ? nullptr : "a name has letters, digits, - and _")) {
-    requests.push_back(SaveRules{name});
+    requests.ask(SaveRules{name});
   }
   const bool has_file = is_named || (name.empty() && !report.wardrobe.file.empty());
   if (buttons.button("Load rules",
@@ -101,7 +101,7 @@ void show_rule_files(const TabContext& context) {
                               "has edited it.",
                       .cost = cost_of_dressing},
                      has_file ? nullptr : "the rules come from no file; give a name")) {
-    requests.push_back(LoadRules{name});
+    requests.ask(LoadRules{name});
   }
 }
 

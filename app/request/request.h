@@ -357,7 +357,26 @@ using ViewerRequest = std::variant<View, ViewSelected, LeaveViewer, SetViewer, S
 using ReplayRequest = std::variant<ToggleReplayPause, ToggleReplayLoop, StepReplay, SeekReplay, SetReplaySpeed>;
 
 using Request = std::variant<CrowdRequest, WindowRequest, FileRequest, CameraRequest, ViewerRequest, ReplayRequest>;
-using Requests = std::vector<Request>;
+
+/// The requests of a frame, in order.
+class Requests {
+ public:
+  void ask(CrowdRequest request);
+  void ask(WindowRequest request);
+  void ask(FileRequest request);
+  void ask(CameraRequest request);
+  void ask(ViewerRequest request);
+  void ask(ReplayRequest request);
+  /// Adds all requests of another list behind these.
+  void add(const Requests& more);
+
+  bool empty() const { return all_.empty(); }
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+
+ private:
+  std::vector<Request> all_;
+};
 
 template <typename Asked, typename Set>
 inline constexpr bool is_among = false;
@@ -377,10 +396,11 @@ const Asked* as(const Request& request) {
 /// Returns the last request of its kind in a list; null where there is none.
 template <typename Asked>
 const Asked* last_of(const Requests& requests) {
-  for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
-    if (const Asked* const found = as<Asked>(*request)) return found;
+  const Asked* last = nullptr;
+  for (const Request& request : requests) {
+    if (const Asked* const found = as<Asked>(request)) last = found;
   }
-  return nullptr;
+  return last;
 }
 
 }  // namespace throng::app

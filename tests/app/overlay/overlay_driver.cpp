@@ -1,6 +1,5 @@
 #include "tests/app/overlay/overlay_driver.h"
 
-#include <utility>
 
 namespace throng::app {
 OverlayDriver::OverlayDriver(const std::string& fonts)
@@ -14,12 +13,13 @@ Requests OverlayDriver::frames(int count) {
   Requests all;
   for (int i = 0; i < count; ++i) {
     overlay.begin_frame(width, shown_height, 1.0 / 60, input.next_frame());
-    for (Request& request : overlay.build(report, tuning)) {
+    const Requests requests = overlay.build(report, tuning);
+    for (const Request& request : requests) {
       if (const auto* const values = as<Apply>(request)) tuning = values->tuning;
       if (const auto* const seek = as<Seek>(request)) report.tracks->clock = seek->clock;
       if (const auto* const roles = as<SetRoles>(request)) report.role_clips = roles->clips;
-      all.push_back(std::move(request));
     }
+    all.add(requests);
   }
   return all;
 }

@@ -7,7 +7,7 @@
 #include "app/demo/file_requests.h"
 #include "app/demo/window_session.h"
 #include "app/overlay/overlay.h"
-#include "app/request/request.h"
+#include "app/request/requests.h"
 
 namespace throng::app {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/request/request.h"
+#include "app/request/requests.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_pair.h"
 #include "app/view/camera_bookmarks.h"

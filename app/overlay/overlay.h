@@ -6,7 +6,7 @@
 
 #include "app/overlay/controls/ui_map.h"
 #include "app/report/frame_report.h"
-#include "app/request/request.h"
+#include "app/request/requests.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_pair.h"
 #include "app/view/input.h"

@@ -2,7 +2,7 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/replay_report.h"
-#include "app/request/request.h"
+#include "app/request/requests.h"
 #include "app/view/input.h"
 
 namespace throng::app {

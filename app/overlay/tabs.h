@@ -10,7 +10,7 @@
 #include "app/overlay/controls/widgets.h"
 #include "app/overlay/notices.h"
 #include "app/report/frame_report.h"
-#include "app/request/request.h"
+#include "app/request/requests.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
 #include "app/settings/tuning_pair.h"

@@ -4,7 +4,7 @@
 
 #include "app/overlay/controls/widgets.h"
 #include "app/report/viewer_report.h"
-#include "app/request/request.h"
+#include "app/request/requests.h"
 
 namespace throng::app {
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -36,10 +35,7 @@ using CharacterNumber = std::uint32_t;
 struct Apply {
   static constexpr const char* name = "values";
   Tuning tuning;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
-    fields("values", self.tuning);
-  }
+  static constexpr auto describe = [](auto& self, auto& fields) { fields("values", self.tuning); };
 };
 
 /// A character's share of the crowd.
@@ -47,11 +43,10 @@ struct SetShare {
   static constexpr const char* name = "share";
   CharacterNumber character = 0;
   double share = 1.0;  ///< is_share() holds
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields("share", self.share, 0.0, most_share);
-  }
+  };
 };
 
 /// The clips that a character plays for all roles.
@@ -59,11 +54,10 @@ struct SetRoles {
   static constexpr const char* name = "roles";
   CharacterNumber character = 0;
   RoleClips clips = no_clips();
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields("clips", self.clips);
-  }
+  };
 };
 
 /// All parts of a character's body that a person says, in place of those before.
@@ -71,11 +65,10 @@ struct SetBody {
   static constexpr const char* name = "body";
   CharacterNumber character = 0;
   std::vector<RigChoice> parts;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields("parts", self.parts);
-  }
+  };
 };
 
 /// Another order of a character's bones, and other levels.
@@ -83,12 +76,11 @@ struct SetBones {
   static constexpr const char* name = "bones";
   CharacterNumber character = 0;
   BoneLodChoice choice;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields("order", self.choice.bones);
     fields("level_counts", self.choice.level_counts);
-  }
+  };
 };
 
 /// Another size and place of a character, which is loaded anew.
@@ -96,11 +88,10 @@ struct SetPlacement {
   static constexpr const char* name = "placement";
   CharacterNumber character = 0;
   anim::PlacementChoice choice;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields("placement", self.choice);
-  }
+  };
 };
 
 /// Other rules of who wears what among a character's agents.
@@ -109,12 +100,11 @@ struct SetRules {
   CharacterNumber character = 0;
   std::string rules;      ///< JSON of one line (wardrobe/cast_rules_text.h); empty: no agent dresses
   std::string file = {};  ///< where the rules come from now; empty: where they did
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("character", self.character);
     fields.rules("rules", self.rules);
     fields("file", self.file);
-  }
+  };
 };
 
 /// Other characters for all agents, those of files and folders that came together (load_dropped). A recording keeps the
@@ -122,30 +112,21 @@ struct SetRules {
 struct LoadModels {
   static constexpr const char* name = "models";
   std::vector<std::string> files;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
-    fields("files", self.files);
-  }
+  static constexpr auto describe = [](auto& self, auto& fields) { fields("files", self.files); };
 };
 
 /// Other characters for all agents.
 struct SetCast {
   static constexpr const char* name = "cast";
   std::vector<ChosenCharacter> characters;  ///< 1 to most_models
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
-    fields("characters", self.characters);
-  }
+  static constexpr auto describe = [](auto& self, auto& fields) { fields("characters", self.characters); };
 };
 
 /// The agent that is looked at.
 struct Select {
   static constexpr const char* name = "select";
   std::optional<std::uint32_t> agent;  ///< nothing: none
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
-    fields("agent", self.agent);
-  }
+  static constexpr auto describe = [](auto& self, auto& fields) { fields("agent", self.agent); };
 };
 
 /// An agent is pushed over.
@@ -153,49 +134,42 @@ struct Push {
   static constexpr const char* name = "push";
   std::uint32_t agent = 0;
   glm::vec3 direction{0.0F};  ///< of the world
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("agent", self.agent);
     fields("direction", self.direction);
-  }
+  };
 };
 
 /// An agent's clip is held.
 struct Hold {
   static constexpr const char* name = "hold";
-  std::optional<std::uint32_t> agent;  ///< nothing: the clip that was held is let go
-  float seconds = 0;                   ///< from the clip's start
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr double longest_clip = 1e6;  ///< seconds
+  std::optional<std::uint32_t> agent;          ///< nothing: the clip that was held is let go
+  float seconds = 0;                           ///< from the clip's start
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("agent", self.agent);
     fields("seconds", self.seconds, -longest_clip, longest_clip);
-  }
-
-  static constexpr double longest_clip = 1e6;  ///< seconds
+  };
 };
 
 /// The crowd goes back to a moment that was kept; it and all newer ones are forgotten.
 struct GoBack {
   static constexpr const char* name = "go_back";
   std::uint32_t moment = 0;  ///< 0: the newest
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
-    fields("moment", self.moment);
-  }
+  static constexpr auto describe = [](auto& self, auto& fields) { fields("moment", self.moment); };
 };
 
 /// A recorded crowd goes to another time, or is played otherwise.
 struct Seek {
   static constexpr const char* name = "seek";
   TrackClock clock;
-  template <typename Self, typename Fields>
-  static void describe(Self& self, Fields& fields) {
+  static constexpr auto describe = [](auto& self, auto& fields) {
     fields("seconds", self.clock.seconds);
     fields("first", self.clock.first);
     fields("last", self.clock.last);
     fields("rate", self.clock.rate);
     fields("repeats", self.clock.repeats);
-  }
+  };
 };
 
 using CrowdRequest = std::variant<Apply, SetShare, SetRoles, SetBody, SetBones, SetPlacement, SetRules, LoadModels,
@@ -357,50 +331,5 @@ using ViewerRequest = std::variant<View, ViewSelected, LeaveViewer, SetViewer, S
 using ReplayRequest = std::variant<ToggleReplayPause, ToggleReplayLoop, StepReplay, SeekReplay, SetReplaySpeed>;
 
 using Request = std::variant<CrowdRequest, WindowRequest, FileRequest, CameraRequest, ViewerRequest, ReplayRequest>;
-
-/// The requests of a frame, in order.
-class Requests {
- public:
-  void ask(CrowdRequest request);
-  void ask(WindowRequest request);
-  void ask(FileRequest request);
-  void ask(CameraRequest request);
-  void ask(ViewerRequest request);
-  void ask(ReplayRequest request);
-  /// Adds all requests of another list behind these.
-  void add(const Requests& more);
-
-  bool empty() const { return all_.empty(); }
-  auto begin() const { return all_.begin(); }
-  auto end() const { return all_.end(); }
-
- private:
-  std::vector<Request> all_;
-};
-
-template <typename Asked, typename Set>
-inline constexpr bool is_among = false;
-template <typename Asked, typename... All>
-inline constexpr bool is_among<Asked, std::variant<All...>> = (std::is_same_v<Asked, All> || ...);
-
-/// Returns the request as one of its kind; null where it is of another.
-template <typename Asked>
-const Asked* as(const Request& request) {
-  const auto find = [](const auto& set) -> const Asked* {
-    if constexpr (is_among<Asked, std::decay_t<decltype(set)>>) return std::get_if<Asked>(&set);
-    return nullptr;
-  };
-  return std::visit(find, request);
-}
-
-/// Returns the last request of its kind in a list; null where there is none.
-template <typename Asked>
-const Asked* last_of(const Requests& requests) {
-  const Asked* last = nullptr;
-  for (const Request& request : requests) {
-    if (const Asked* const found = as<Asked>(request)) last = found;
-  }
-  return last;
-}
 
 }  // namespace throng::app

@@ -11,14 +11,11 @@
 #include "app/files/nearest_names.h"
 #include "app/files/start_line.h"
 #include "app/lod/mesh_lods.h"
-#include "app/settings/option_values.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/opened_trajectories.h"
 #include "app/show/placed_anew.h"
 #include "app/stage/memory_needs.h"
 #include "app/view/fly_camera.h"
-#include "app/wardrobe/cast_rules_text.h"
-#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -32,18 +29,6 @@ constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
 double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
-}
-
-anim::Status has_character(const Stage& stage, CharacterNumber character) {
-  const std::size_t count = stage.people().size();
-  if (character < count) return anim::Done{};
-  return anim::Error{"there is no character " + std::to_string(character) + ", only 0 to " + std::to_string(count - 1)};
-}
-
-anim::Status has_agent(const Stage& stage, std::uint32_t agent) {
-  const std::size_t count = stage.crowd().size();
-  if (agent < count) return anim::Done{};
-  return anim::Error{"there is no agent " + std::to_string(agent) + ", only 0 to " + std::to_string(count - 1)};
 }
 
 Tuning with_savings(Tuning tuning, const Spared& spared) {
@@ -165,21 +150,6 @@ anim::Status Show::carry_out(const Apply& values) {
   return applied;
 }
 
-anim::Status Show::carry_out(const SetShare& share) {
-  if (anim::Status there = has_character(*stage_, share.character); !there) return there;
-  if (!is_share(share.share)) return anim::Error{"a share must be above 0 and at most " + shortest_text(most_share)};
-  stage_->set_roles(share.character, stage_->people()[share.character].roles.clips, share.share);
-  return anim::Done{};
-}
-
-anim::Status Show::carry_out(const SetRoles& roles) {
-  if (anim::Status there = has_character(*stage_, roles.character); !there) return there;
-  const CharacterSource& person = stage_->people()[roles.character];
-  if (!has_clips(person, roles.clips)) return anim::Error{person.name + " has no such clip"};
-  stage_->set_roles(roles.character, roles.clips);
-  return anim::Done{};
-}
-
 anim::Status Show::carry_out(const SetBody& body) {
   if (anim::Status there = has_character(*stage_, body.character); !there) return there;
   viewer_.reset();
@@ -204,14 +174,6 @@ anim::Status Show::carry_out(const SetPlacement& placement) {
   return exchange(std::move(characters), stage_->tuning(), stage_->trajectories());
 }
 
-anim::Status Show::carry_out(const SetRules& rules) {
-  if (anim::Status there = has_character(*stage_, rules.character); !there) return there;
-  auto read = rules_of_text(rules.rules);
-  anim::Status set = read ? stage_->set_cast_rules(rules.character, std::move(*read), rules.file) : read.error();
-  if (set || rules.file.empty()) return set;
-  return anim::Error{anim::plain_text(rules.file) + ": " + set.error().message};
-}
-
 anim::Status Show::carry_out(const LoadModels& models) {
   auto loaded = load_dropped(models.files, load_options_);
   if (!loaded) return loaded.error();
@@ -225,34 +187,7 @@ anim::Status Show::carry_out(const SetCast& others) {
   return cast(load_crowd(others.characters, data_, load_options_));
 }
 
-anim::Status Show::carry_out(const Select& select) {
-  if (select.agent) {
-    if (anim::Status there = has_agent(*stage_, *select.agent); !there) return there;
-  }
-  stage_->select(select.agent);
-  return anim::Done{};
-}
-
-anim::Status Show::carry_out(const Push& push) {
-  if (anim::Status there = has_agent(*stage_, push.agent); !there) return there;
-  return stage_->animated().push_over(push.agent, push.direction);
-}
-
-anim::Status Show::carry_out(const Hold& hold) {
-  if (!hold.agent) return stage_->animated().let_go_of_clip(), anim::Done{};
-  if (anim::Status there = has_agent(*stage_, *hold.agent); !there) return there;
-  stage_->animated().hold_clip(*hold.agent, hold.seconds);
-  return anim::Done{};
-}
-
 anim::Status Show::carry_out(const GoBack& back) { return rewind_.go_back(*stage_, back.moment); }
-
-anim::Status Show::carry_out(const Seek& seek) {
-  const bool has_clock = stage_->crowd().tracks() != nullptr && live_ == nullptr;
-  if (!has_clock) return anim::Error{"the crowd follows no file, so it goes to no other time of one"};
-  if (seek.clock != stage_->crowd().tracks()->clock()) stage_->set_track_clock(seek.clock);
-  return anim::Done{};
-}
 
 anim::Status Show::cast(anim::Result<LoadedCast> loaded) {
   if (!loaded) return loaded.error();

@@ -19,6 +19,7 @@
 #include "app/show/starting_characters.h"
 #include "app/stage/rewind.h"
 #include "app/stage/stage.h"
+#include "app/stage/stage_requests.h"
 #include "app/viewer/viewer.h"
 #include "engine/render/camera.h"
 
@@ -111,19 +112,16 @@ class Show {
   bool place_camera(const DemoOptions& options, StartError& error);
   bool follow_from_start(const std::string& name, const DemoOptions& options, StartError& error);
   anim::Status carry_out(const Apply& values);
-  anim::Status carry_out(const SetShare& share);
-  anim::Status carry_out(const SetRoles& roles);
   anim::Status carry_out(const SetBody& body);
   anim::Status carry_out(const SetBones& bones);
   anim::Status carry_out(const SetPlacement& placement);
-  anim::Status carry_out(const SetRules& rules);
   anim::Status carry_out(const LoadModels& models);
   anim::Status carry_out(const SetCast& cast);
-  anim::Status carry_out(const Select& select);
-  anim::Status carry_out(const Push& push);
-  anim::Status carry_out(const Hold& hold);
   anim::Status carry_out(const GoBack& back);
-  anim::Status carry_out(const Seek& seek);
+  template <typename OfStage>
+  anim::Status carry_out(const OfStage& asked) {
+    return app::carry_out(asked, *stage_);
+  }
   CrowdRequest as_recorded(const CrowdRequest& request) const;
   anim::Status cast(anim::Result<LoadedCast> loaded);
   anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,

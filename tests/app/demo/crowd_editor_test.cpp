@@ -53,8 +53,8 @@ TEST_F(EditedCrowd, ReportsAnotherPlacementFromTheNextFrameOn) {
 
 TEST_F(EditedCrowd, SaysInItsRowWhyABoneCannotBeThatPartOfTheBody) {
   const std::size_t before = reporter_.messages().all().size();
-  EXPECT_FALSE(editor_.take(SetBody{0, {{anim::BodyRole::left_upper_leg, "hand.R"}}}));
-  EXPECT_EQ(reporter_.report().body.refused, anim::BodyRole::left_upper_leg);
+  EXPECT_FALSE(editor_.take(SetBody{0, {{anim::BodyRole::right_foot, "hips"}}}));
+  EXPECT_EQ(reporter_.report().body.refused, anim::BodyRole::right_foot);
   EXPECT_EQ(reporter_.messages().all().size(), before);
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "app/recording/recording.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/sanitized.h"
@@ -58,7 +59,7 @@ TEST_F(Faults, ARecordingWithADeepHeaderIsRefused) {
     return std::string(reinterpret_cast<const char*>(&number), sizeof(number));
   };
   std::ofstream(at("deep.rec"), std::ios::binary)
-      << "THRONGRC" << bytes(3) << bytes(static_cast<std::uint32_t>(header.size())) << header;
+      << "THRONGRC" << bytes(recording_version) << bytes(static_cast<std::uint32_t>(header.size())) << header;
   expect_one_line(run_program({"--replay", at("deep.rec"), "--headless=none"}), 1,
                   at("deep.rec") + ": is damaged in its header: is nested deeper than 64 levels");
 }

@@ -1,4 +1,4 @@
-#include "app/request/request.h"
+#include "app/request/requests.h"
 
 #include <utility>
 

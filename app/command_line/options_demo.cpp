@@ -186,13 +186,13 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not repeat them.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",          "--clips-from", "--replay",        "--pus",      "--local-store", "--tile",
-      "--grain",        "--schedule",   "--double-buffer", "--simd",     "--size",        "--msaa",
-      "--ui",           "--hide-ui",    "--headless",      "--software", "--draw",        "--frames",
-      "--screenshot",   "--stats",      "--events",        "--trace",    "--ui-map",      "--data",
-      "--remove-parts", "--video",      "--pictures",      "--fps-out",  "--legend"};
+      "MODEL",      "--clips-from", "--replay",       "--simd",   "--size",       "--msaa",    "--ui",     "--hide-ui",
+      "--headless", "--software",   "--draw",         "--frames", "--screenshot", "--stats",   "--events", "--trace",
+      "--ui-map",   "--data",       "--remove-parts", "--video",  "--pictures",   "--fps-out", "--legend"};
   for (const std::string& name : options.given) {
-    if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
+    const auto schedules = [&](const TuningValue& row) { return row.only_schedules && row.option_name() == name; };
+    if (free_to_choose.contains(name) || std::ranges::any_of(tuning_values(), schedules)) continue;
+    return name + ": the recording says it; leave it out with --replay";
   }
   return {};
 }

@@ -34,6 +34,7 @@ struct TuningValue {
   double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
+  bool only_schedules = false;    ///< poses do not depend on it: a replay takes it from the command line
   bool device_decides = false;    ///< a window on a software renderer starts with another value unless it is given
   Track track = {};
   Form form = Form::number;

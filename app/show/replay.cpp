@@ -1,8 +1,6 @@
 #include "app/show/replay.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -87,10 +85,9 @@ DemoOptions Replay::options(const DemoOptions& given) {
 }
 
 Tuning Replay::with_own_scheduling(Tuning tuning) const {
-  static constexpr std::array<std::string_view, 6> own{"--pus",   "--local-store", "--tile",
-                                                       "--grain", "--schedule",    "--double-buffer"};
-  for (const std::string& name : given_.given) {
-    if (std::ranges::find(own, name) != own.end()) copy_value(tuning_value(name), given_.tuning, tuning);
+  for (const TuningValue& value : tuning_values()) {
+    const bool given = std::ranges::find(given_.given, value.option_name()) != given_.given.end();
+    if (given && value.only_schedules) copy_value(value, given_.tuning, tuning);
   }
   return tuning;
 }

@@ -21,8 +21,8 @@ class Replay {
   /// Opens a recording. Errors: those of RecordingReader::open.
   static anim::Result<std::unique_ptr<Replay>> open(const std::filesystem::path& file);
 
-  /// Returns the options of the command line, completed by what was recorded. PUs, local store, tile, schedule and
-  /// double buffer keep the values of the command line throughout, because poses do not depend on them.
+  /// Returns the options of the command line, completed by what was recorded. Values that only schedule
+  /// keep those of the command line throughout.
   DemoOptions options(const DemoOptions& given);
 
   /// Prepares the show for the first frame. It gets characters with the recorded roles and orders of bones where its

@@ -273,11 +273,12 @@ std::vector<std::string> any_demo_line(const Models& models, const fs::path& fol
 
 std::vector<std::string> any_scheduling(Random& random) {
   std::vector<std::string> words;
-  for (const char* const key : {"--pus", "--tile", "--schedule", "--double-buffer", "--grain"}) {
-    const app::TuningValue& value = app::tuning_value(key);
+  for (const app::TuningValue& value : app::tuning_values()) {
+    // Poses change where a local store of a fixed size has no room for the clips of arms.
+    if (!value.only_schedules || value.key == "local_store_kib") continue;
     app::Tuning tuning;
     const std::string drawn = any_text_of(value, random);
-    if (random.chance(0.6F) && !value.read_option(tuning, drawn)) add(words, key, drawn);
+    if (random.chance(0.6F) && !value.read_option(tuning, drawn)) add(words, std::string(value.option_name()), drawn);
   }
   if (random.chance(0.3F)) add(words, "--simd", any_target(random));
   return words;

@@ -24,7 +24,7 @@ const std::string& any_model(const Models& models, Random& random);
 /// `stats.json` and other files into the folder in which the program works.
 std::vector<std::string> any_demo_line(const Models& models, const std::filesystem::path& folder, Random& random);
 
-/// Returns options that change no pose: PUs, tile, schedule, double buffer.
+/// Returns options that change no pose.
 std::vector<std::string> any_scheduling(Random& random);
 
 /// Returns a sentence about an option of the demo for which any_demo_line() has no values; nothing if it has all.

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/command_line/options.h"
+#include "app/settings/tuning_values.h"
 #include "tests/app/command_line/command_words.h"
 #include "tests/app/program_run.h"
 #include "tests/app/recording/recorded_run.h"
@@ -80,7 +81,7 @@ TEST_F(Replays, OfARunWithChangesAreEqual) {
   record(*show_of(demo("--agents 30 --seed 5 --pus 1")), 120, act);
   const std::string equal = file_.string() + ": all 120 frames are equal, the last of 45 agents";
   EXPECT_EQ(repeated(""), equal);
-  EXPECT_EQ(repeated("--pus 3 --schedule levels"), equal);
+  EXPECT_EQ(repeated("--pus 3 --schedule levels --grain 0"), equal);
   EXPECT_EQ(repeated("--pus 2 --schedule fused --tile 2 --local-store 128 --double-buffer off --size 320x200"), equal);
 }
 
@@ -154,6 +155,18 @@ TEST_F(Replays, TakeFromTheCommandLineOnlyWhatPosesDoNotDependOn) {
   for (const char* const option : {"--agents 5", "--scene grid", "--lod off", "--camera front", "--dt 1", "--record b",
                                    "--set agents=5", "--stream keyframe"}) {
     EXPECT_THAT(refusal(std::string("--replay a.rec ") + option), HasSubstr("leave it out with --replay")) << option;
+  }
+}
+
+TEST_F(Replays, KeepTheValuesOfTheCommandLineThatOnlySchedule) {
+  record(*show_of(demo("--agents 5")), 1, act);
+  const auto tuning = [this](const std::string& line) {
+    return (*Replay::open(file_))->options(demo("--replay " + file_.string() + line)).tuning;
+  };
+  const Tuning recorded = tuning("");
+  const Tuning kept = tuning(" --pus 3 --schedule levels --tile 2 --local-store 128 --double-buffer off --grain 0");
+  for (const TuningValue& value : tuning_values()) {
+    EXPECT_EQ(value.text(kept) != value.text(recorded), value.only_schedules) << value.key;
   }
 }
 

@@ -63,9 +63,8 @@ Json clips_json(std::span<const RoleChoice> choices) {
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
 template <typename Choice>
-anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key,
-                                                     std::optional<std::string> (*read_choices)(
-                                                         const Json&, std::vector<Choice>&)) const {
+anim::Result<std::vector<Choice>> RoleFile::read_key(
+    const char* key, std::optional<std::string> (*read_choices)(const Json&, std::vector<Choice>&)) const {
   const fs::path found = file_.found();
   if (found.empty()) return std::vector<Choice>();
   const JsonFile file(found, remedies);

@@ -45,8 +45,8 @@ class RoleFile {
   anim::Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
 
  private:
-  /// Returns what `read_choices(value, choices)` adds for one key of the file; nothing where there is no file or no such
-  /// key.
+  /// Returns what `read_choices(value, choices)` adds for one key of the file; nothing where there is no file or no
+  /// such key.
   template <typename Choice>
   anim::Result<std::vector<Choice>> read_key(const char* key,
                                              std::optional<std::string> (*read_choices)(const Json&,

@@ -183,7 +183,8 @@ void act_at_random(Show& show, const Models& models, Random& random, Counts& cou
     name = std::visit([](const auto& asked) { return std::string(asked.name); }, wished);
     done = show.take(wished);
   }
-  tell("frame " + std::to_string(show.stage().posed().frame()) + ": " + words + (done ? "" : ": " + done.error().message));
+  tell("frame " + std::to_string(show.stage().posed().frame()) + ": " + words +
+       (done ? "" : ": " + done.error().message));
   ++counts[name];
 }
 

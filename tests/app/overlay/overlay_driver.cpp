@@ -1,6 +1,5 @@
 #include "tests/app/overlay/overlay_driver.h"
 
-
 namespace throng::app {
 OverlayDriver::OverlayDriver(const std::string& fonts)
     : overlay(fonts, 1, Tuning(),

@@ -141,7 +141,7 @@ void Crowd::follow_tracks(anim::Executor& executor, int jobs) {
   state_.tracks->place(cast_, looks_.scales, state_.places, state_.minds, executor, jobs);
 }
 
-// The turn of a clip is not in its pose. Who walks or marches turns by the way that it goes.
+// The turn of a clip is not in its pose. An agent that walks or marches turns by its way instead.
 void Crowd::turn_stander(std::size_t agent, anim::Ticks dt) {
   if (state_.minds.holds(agent) || minds().habits()[agent] == Habit::act) return;
   const double quarters_a_second = cast_.of(agent).turn(minds().clips()[agent]);

@@ -41,7 +41,7 @@ struct CrowdState {
   std::optional<FollowedTracks> tracks;  ///< none in scenes without a file
 };
 
-/// Decides who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents,
+/// Decides which agents stand, walk, march or sit where, and what each does. All of it follows from scene, agents,
 /// seed, the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the
 /// state after the last `advance`, and live as long as the crowd.
 class Crowd {
@@ -56,13 +56,13 @@ class Crowd {
   Crowd(const Crowd&) = delete;  // its parts point at the cast
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Moves everyone by `dt` and returns the changes of clips, which are valid until the next call. Allocates nothing.
+  /// Moves all agents by `dt` and returns the changes of clips, which are valid until the next call. Allocates nothing.
   /// `jobs`, 1 or more, run at once on `executor`; the result does not depend on either.
   std::span<const ClipRequest> advance(anim::Ticks dt, anim::Executor& executor, int jobs);
   /// Does the same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
-  /// Takes other roles of the same characters, as large as before, each of which can walk as before. Everybody keeps
+  /// Takes other roles of the same characters, as large as before, each of which can walk as before. All agents keep
   /// place and heading. Returns the changes of clips, which are valid until the next call; moments of before are of
   /// another crowd.
   std::span<const ClipRequest> take_roles(std::span<const CharacterRoles> characters);
@@ -78,7 +78,7 @@ class Crowd {
 
   /// Takes people who follow tracks to another time, at a frame boundary.
   void go_to(const TrackClock& clock);
-  /// Takes the rows that came of a live crowd. Call it before advance(), which moves everybody. `jobs` run at once.
+  /// Takes the rows that came of a live crowd. Call it before advance(), which moves all agents. `jobs` run at once.
   void take(const LiveStep& step, anim::Executor& executor, int jobs);
 
   /// Returns all that changes, to be kept and put back.
@@ -89,10 +89,10 @@ class Crowd {
   /// Returns the roles that the scene was laid out for: common_roles() of the characters as they were then.
   const CharacterRoles& laid_out_for() const { return laid_out_for_; }
   const CrowdCast& cast() const { return cast_; }
-  /// Returns how agents look; who dresses them changes it.
+  /// Returns how agents look; the code that dresses them changes it.
   CrowdLooks& looks() { return looks_; }
   const CrowdLooks& looks() const { return looks_; }
-  /// Returns what agents have in mind and do; who puts things into their hands changes it.
+  /// Returns what agents have in mind and do; the code that puts things into their hands changes it.
   CrowdMinds& minds() { return state_.minds; }
   const CrowdMinds& minds() const { return state_.minds; }
   const CrowdWalkers& walkers() const { return state_.walkers; }

@@ -18,7 +18,7 @@ std::size_t index_of(const anim::PoseGraph& graph, anim::Handle entity) {
   return static_cast<std::size_t>(std::ranges::find(graph.entities, entity) - graph.entities.begin());
 }
 
-// What the step reads, and it; sources first. Those that have been claimed are somebody else's.
+// Claims the step and the steps that it reads, sources first. Steps that have been claimed belong to another layer.
 void claim(const LayerSteps& steps, std::size_t step, std::vector<bool>& claimed, std::vector<std::size_t>& claims) {
   if (step >= steps.size() || claimed[step]) return;
   claimed[step] = true;
@@ -26,7 +26,7 @@ void claim(const LayerSteps& steps, std::size_t step, std::vector<bool>& claimed
   claims.push_back(step);
 }
 
-/// Lays a channel over those before it; null for the first, and for one that plays nothing.
+/// Lays a channel over the channels before it; null for the first, and for a channel that plays nothing.
 const anim::EaseBlender* blender_over(const anim::EntityPools& pools, const anim::PoseGraph& graph, std::size_t state,
                                       std::vector<bool>& claimed) {
   const LayerSteps& steps = graph.program->steps;
@@ -45,7 +45,7 @@ float weight_in(const anim::EntityPools& pools, anim::Handle entity) {
   return anim::value(pools.as<Entity>(entity).weight);
 }
 
-/// Of what it does; of what has none of its own, how much of it is in the pose.
+/// The weight of an entity's effect; for an entity without an effect of its own, its share of the pose.
 float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float in_pose) {
   switch (pools.as<anim::AnimationStateHeader>(entity).type) {
     case anim::EntityType::foot_placement:

@@ -18,7 +18,7 @@ class CrowdEditor {
 
   /// Makes a request, which may come from a `file`. Returns whether it was made; if not, the person is told why.
   bool take(const CrowdRequest& request, const std::string& file = {});
-  /// Takes values that are no step to take back, such as those of the other of two tunings.
+  /// Takes values that are no step to take back, such as the values of the other of two tunings.
   bool take_in_passing(const Tuning& tuning) { return make(Apply{tuning}); }
   /// Takes the last change back, or makes it again. The pause is no part of it.
   void undo();

@@ -54,7 +54,7 @@ void tell_once(const anim::Status& outcome, bool& told) {
   told = !outcome;
 }
 
-/// Draws a frame of those that are all drawn, or lets the output do it.
+/// Draws one of several frames that are all drawn, or lets the output do it.
 anim::Status draw_one_of_all(Show& show, Output* output, int frame) {
   return output != nullptr ? output->take(show, frame) : show.draw();
 }
@@ -134,7 +134,7 @@ anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* repl
   return window ? run_window(show, options, replay) : run_headless(show, options, replay);
 }
 
-/// Runs it, and makes an error of an exception, so that what the run has written so far is kept.
+/// Runs the demo, and makes an error of an exception, so that all that the run has written is kept.
 anim::Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
   try {
     return run_and_record(show, options, replay);
@@ -150,7 +150,7 @@ anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& opti
   return anim::Done{};
 }
 
-// What a window shows over the crowd.
+// Says on stderr the notice that a window shows over the crowd.
 void say_on_stderr(const std::string& notice) {
   std::istringstream lines(notice);
   for (std::string line; std::getline(lines, line);) end_with(exit_done, line);

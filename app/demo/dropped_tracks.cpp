@@ -18,7 +18,7 @@ bool are_walls(const std::string& file) {
   return ending == ".wkt" || ending == ".scenario" || ending == ".floor";
 }
 
-/// Files that came together, by what they are.
+/// Files that came together, by their kinds.
 struct Sorted {
   explicit Sorted(std::span<const std::string> files) {
     for (const std::string& file : files) {

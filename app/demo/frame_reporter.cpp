@@ -138,7 +138,7 @@ void FrameReporter::describe_character(const Show& show, std::uint32_t character
   read_standard_rules(show.stage(), character, report_.wardrobe);
 }
 
-// Other rules dress everybody anew, so that looks of the same number follow the same rules.
+// Other rules dress all agents anew, so that looks of the same number follow the same rules.
 void FrameReporter::report_wardrobe_of(const Stage& stage) {
   report_wardrobe(stage, report_.character, report_.wardrobe);
   reported_looks_ = stage.crowd().looks().number;
@@ -253,7 +253,7 @@ void FrameReporter::add_error(const Stage& stage) {
 
 void FrameReporter::add_tracks(const Stage& stage) {
   const std::shared_ptr<const Trajectories>& all = stage.trajectories();
-  // Nobody can go to another time of rows that still come.
+  // No person can go to another time of rows that still come.
   if (stage.crowd().tracks() == nullptr || all->is_live) return report_.tracks.reset();
   const bool is_counted = report_.tracks && tracks_ == all;
   report_.tracks = {.clock = stage.crowd().tracks()->clock(),

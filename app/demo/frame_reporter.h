@@ -78,9 +78,9 @@ class FrameReporter {
   SelectionLog selection_log_;
   SlowFrames slow_frames_;
   TrackedPersonReporter tracked_person_;
-  std::shared_ptr<const Trajectories> tracks_;        // those whose people are counted
+  std::shared_ptr<const Trajectories> tracks_;        // the crowd whose people are counted
   std::shared_ptr<const anim::Character> described_;  // of the character shown
-  Scene described_scene_ = Scene::plaza;              // whose rules of the wardrobe were read
+  Scene described_scene_ = Scene::plaza;              // the scene whose rules of the wardrobe were read
   std::uint64_t reported_looks_ = 0;                  // CrowdLooks::number when the wardrobe was reported
   int mesh_levels_ = 1;                               // the most of a character
 };

@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// Keeps the slowest frames of the last seconds, so that a person who sees a spike can look at what it was. It keeps
-/// `most_frames` of them at most, and the one that is looked at for as long as that lasts.
+/// Keeps the slowest frames of the last seconds, so that a person who sees a spike can look at its frame. It keeps
+/// `most_frames` of them at most, and the frame that a person looks at for as long as the look lasts.
 class SlowFrames {
  public:
   using Clock = std::chrono::steady_clock;

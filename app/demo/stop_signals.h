@@ -2,8 +2,8 @@
 
 namespace throng::app {
 
-/// As long as it lives, SIGINT, SIGTERM and SIGHUP ask the run to end after its frame, so that what it has so far is
-/// written. A second signal ends the program at once. A signal that was ignored before stays ignored (nohup).
+/// As long as it lives, SIGINT, SIGTERM and SIGHUP ask the run to end after its frame, so that the run writes all it
+/// has. A second signal ends the program at once. A signal that was ignored before stays ignored (nohup).
 /// Only one may live at a time.
 class StopSignals {
  public:

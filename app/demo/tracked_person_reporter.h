@@ -12,8 +12,8 @@ namespace throng::app {
 /// are found in the frames after that, so that no frame waits for them.
 class TrackedPersonReporter {
  public:
-  /// Returns the selected person as far as it is known; null where nobody of a recorded crowd is selected, or where its
-  /// rows still come.
+  /// Returns the selected person as far as it is known; null where no person of a recorded crowd is selected, or where
+  /// its rows still come.
   std::shared_ptr<const TrackedPerson> report(const Stage& stage);
 
  private:

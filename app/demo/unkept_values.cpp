@@ -5,7 +5,7 @@
 namespace throng::app {
 namespace {
 
-// Nobody misses a pause, nor a way to look.
+// Leaves out pauses and ways to look, which are not missed.
 Tuning worth_keeping(Tuning tuning) {
   const Tuning standard;
   tuning.paused = standard.paused;

@@ -13,9 +13,9 @@ class UnkeptValues {
  public:
   /// Takes the values that a person began with, kept as a preset, or took from one.
   explicit UnkeptValues(const Tuning& begun_with) { keep(begun_with); }
-  /// `pair` has what they are compared with. What waits there stays kept if it is.
+  /// `pair` has the values to compare them with. Values that wait there stay kept if they were kept.
   void keep(const Tuning& tuning, const TuningPair& pair = {});
-  /// Takes the values that wait, kept or taken in the same way.
+  /// Takes the values that wait, kept as a preset or taken from one.
   void keep_other(const Tuning& tuning);
 
   /// Returns whether the person is to be asked before these values, and those that wait beside them, are left. The same

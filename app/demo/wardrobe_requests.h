@@ -11,10 +11,10 @@ namespace throng::app {
 /// Returns the request for a character's rules with other values.
 SetRules tuned(const TuneRules& asked, const Stage& stage);
 
-/// Writes the rules in force as NAME.cast.json in the working folder, from where they come then. Errors: those of
+/// Writes the rules in force as NAME.cast.json in the working folder; they come from that file then. Errors: those of
 /// write_cast_rules().
 anim::Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character);
-/// Reads the rules of NAME.cast.json; without a name those of the file in force. Errors: those of read_cast_rules().
+/// Reads the rules of NAME.cast.json; without a name the file in force. Errors: those of read_cast_rules().
 anim::Result<SetRules> loaded(const LoadRules& asked, const Stage& stage, CharacterNumber character);
 
 }  // namespace throng::app

@@ -20,8 +20,8 @@ class WindowCamera {
  public:
   explicit WindowCamera(const Show& show);
 
-  /// Moves the camera as mouse and keys say. Whoever takes it in hand has it from then on. `free` says what the overlay
-  /// leaves to it.
+  /// Moves the camera as mouse and keys say. A person who takes it in hand has it from then on. `free` says what the
+  /// overlay leaves to it.
   void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
   /// Does what the person asks for.
   void take(const CameraRequest& request, Show& show);
@@ -39,9 +39,9 @@ class WindowCamera {
   CameraPlace place() const { return fly_.place(); }
   /// Returns the places that the person keeps.
   const CameraBookmarks& bookmarks() const { return bookmarks_; }
-  /// Takes other places in place of those that were kept.
+  /// Takes other places for the kept ones.
   void take_bookmarks(const CameraBookmarks& bookmarks) { bookmarks_ = bookmarks; }
-  /// Adds what only this camera knows.
+  /// Adds the values that only this camera knows.
   void report(CameraReport& report) const;
 
  private:

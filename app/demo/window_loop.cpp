@@ -124,7 +124,7 @@ class WindowLoop {
                             Message::Kind::refused);
   }
 
-  // What was recorded happens, and nothing else.
+  // Recorded requests happen, and no others.
   void repeat(const Requests& requests, double seconds) {
     for (const Request& request : requests) {
       if (const auto* const asked = std::get_if<ReplayRequest>(&request)) replay_->take(*asked);
@@ -165,14 +165,14 @@ class WindowLoop {
     session_.show.covered = 1.0F - crowd.width / static_cast<float>(session_.show.width);
     if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd), Overlay::panel_color());
     if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
-      // A person can take back what was too much, but for the first picture.
+      // A person can take back a value that is too much to draw, but not before the first picture.
       if (session_.show.stage().posed().frame() <= 1) failed_ = drawn, done_ = true;
     }
     renderer().draw_overlay(*overlay_.draw_data());
     renderer().present();
   }
 
-  // A processor that draws leaves out what the panel covers, which is half of its work.
+  // A processor that draws leaves out the part under the panel, which is half of its work.
   render::PixelRect part_of_picture(const UiRectangle& crowd) const {
     const int height = static_cast<int>(std::ceil(crowd.height));
     return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};
@@ -195,7 +195,7 @@ class WindowLoop {
     return tuning == session_.show.stage().tuning() ? anim::Done{} : session_.show.take(Apply{tuning});
   }
 
-  // Frames in which nobody was posed, or the exact crowd was, tell nothing.
+  // Frames in which no agent was posed, or the exact crowd was, tell nothing.
   void measure_for_sweep() {
     TuningSweep& sweep = session_.sweep;
     const anim::AnimationSystem& system = session_.show.stage().system();
@@ -213,7 +213,7 @@ class WindowLoop {
   }
 
   WindowSession session_;
-  std::optional<WindowReplay> replay_;  // none: people say what happens
+  std::optional<WindowReplay> replay_;  // none: people make the requests
   Overlay overlay_;
   WindowRequests requests_{session_, overlay_};
   Clock::time_point last_frame_ = Clock::now();

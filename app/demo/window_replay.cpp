@@ -54,7 +54,7 @@ void WindowReplay::play(Show& show, double seconds) {
   for (const Clock::time_point end = Clock::now() + longest_wait; due_ > 0 && !report_.ended;) {
     step(show);
     due_ -= replay_.delta() == anim::Ticks{} ? paused_frame : anim::to_seconds(replay_.delta());
-    if (Clock::now() > end) due_ = std::min(due_, 0.0);  // what this machine cannot show in time, it shows later
+    if (Clock::now() > end) due_ = std::min(due_, 0.0);  // frames that this machine cannot show in time, it shows later
   }
 }
 

@@ -19,7 +19,7 @@ class WindowReplay {
 
   /// Does what the person asks for.
   void take(const ReplayRequest& request);
-  /// Repeats the frames of the next `seconds`, or some of those on the way to the frame that was asked for. A frame of
+  /// Repeats the frames of the next `seconds`, or some frames on the way to the requested one. A frame of
   /// the window never waits long for them.
   void advance(Show& show, double seconds);
 

@@ -30,7 +30,7 @@ struct WindowSession {
   WindowInput input;
   WindowCamera camera;
   FrameReporter reporter;
-  CrowdEditor editor;  ///< its values are those that the person asks for
+  CrowdEditor editor;  ///< it has the values that the person asks for
   TuningSweep sweep;
 };
 

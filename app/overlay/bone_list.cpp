@@ -40,7 +40,7 @@ void draw_bone(const Theme& theme, const Area& row, const BoneRow& bone, std::si
   draw_levels_kept(theme, {row.to.x, middle}, std::min<int>(bone.lod.level, 3), levels);
 }
 
-// The list scrolls along with what is dragged to its edge.
+// The list scrolls along with a bone that is dragged to its edge.
 void scroll_with_drag() {
   const float y = ImGui::GetIO().MousePos.y, top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
   if (y < top + bone_height) ImGui::SetScrollY(ImGui::GetScrollY() - scroll_a_frame);

@@ -43,7 +43,7 @@ void show_ways_to_go(const TabContext& context) {
     context.requests.ask(FollowBehind{});
 }
 
-// Says who has the camera, where that is not the person alone.
+// Says what moves the camera, where that is not the person alone.
 void say_who_moves_it(const TabContext& context) {
   const CameraReport& cameras = context.report.cameras;
   if (cameras.films) {

@@ -15,7 +15,7 @@ inline constexpr const char* cannot_fall = "it has fallen already, or its body i
 /// looks at it.
 void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests);
 
-/// Shows the keys and explains every word of the panel; those that have the letters of `searched`, which the person
+/// Shows the keys and explains every word of the panel, or only the entries with the letters of `searched`, which the
 /// edits there. Returns whether the person closed the card.
 bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 
@@ -23,7 +23,7 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
 /// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
-/// far as there is room; of somebody of a recorded crowd, speed and steps over time. The card begins in the upper left
+/// far as there is room; of a person of a recorded crowd, speed and steps over time. The card begins in the upper left
 /// of `place`, where there is mostly sky. Closing it deselects the agent.
 void show_selection_card(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests);
 

@@ -1,4 +1,4 @@
-// The error on the screen: its figures with what chance does to them, and how they went beside the limit.
+// The error on the screen: its figures with their chance intervals, and their history beside the limit.
 #include <algorithm>
 #include <string>
 

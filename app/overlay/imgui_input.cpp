@@ -12,7 +12,7 @@ namespace {
 
 namespace imgui = render::imgui;
 
-/// Maps our keys to those of ImGui that its text fields and the panel use.
+/// Maps our keys to the ImGui keys that its text fields and the panel use.
 constexpr std::array edit_keys = std::to_array<std::pair<ImGuiKey, Key>>({{ImGuiKey_LeftArrow, Key::left},
                                                                           {ImGuiKey_RightArrow, Key::right},
                                                                           {ImGuiKey_UpArrow, Key::up},

@@ -19,7 +19,7 @@ std::optional<int> count_at(const std::vector<int>& counts, int place) {
   return at < counts.size() ? counts[at] : 0;
 }
 
-// With the rule off, everybody is posed in each frame.
+// With the rule off, all agents are posed in each frame.
 int largest_interval_in_force(const Tuning& tuning) {
   if (tuning.lod.rule == anim::LodRule::off) return 1;
   return std::max(tuning.lod.largest_interval, tuning.inspection.forced_interval);
@@ -151,7 +151,7 @@ std::optional<LegendPart> characters_legend(const FrameReport& report, const Tun
   return part;
 }
 
-/// Says what has the colours of intervals beside the characters, and how many figures are left out.
+/// Says which parts have the colours of intervals beside the characters, and how many figures are left out.
 void add_interval_marks(std::vector<LegendPart>& parts, const FrameReport& report, const Tuning& tuning,
                         std::size_t heads_shown) {
   const bool rings = tuning.inspection.thresholds && !idle_reason("thresholds", tuning, report.situation);

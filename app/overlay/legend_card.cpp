@@ -45,7 +45,7 @@ ImVec2 legend_size(const Theme& theme, const std::vector<LegendPart>& parts, boo
           std::ceil(theme.px(legend_row) * rows + between + theme.px(12))};
 }
 
-/// Finds room for a card of that size at the lower left, or to the right of what is there already.
+/// Finds room for a card of that size at the lower left, or to the right of cards that are there already.
 std::optional<Area> room_for_legend(const Theme& theme, const Area& crowd, std::span<const Area> taken, ImVec2 size) {
   const float edge = theme.px(legend_margin);
   float bottom = crowd.to.y - edge;

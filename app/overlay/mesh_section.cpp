@@ -1,4 +1,4 @@
-// The mesh LODs of the character shown, in Per-bone LOD: what decides, and what it leads to.
+// The mesh LODs of the character shown, in Per-bone LOD: the values that decide, and the levels that follow.
 #include <array>
 #include <cmath>
 #include <string>

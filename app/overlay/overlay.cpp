@@ -41,7 +41,7 @@ Layout lay_out(const Theme& theme, ImVec2 size) {
 
 using Context = std::unique_ptr<ImGuiContext, decltype(&ImGui::DestroyContext)>;
 
-// ImGui writes to what it asks for without a look, so memory that is not there has to be an exception.
+// ImGui writes to memory that it asks for without a look, so memory that is not there has to be an exception.
 Context make_context() {
   ImGui::SetAllocatorFunctions([](std::size_t size, void*) { return ::operator new(size); },
                                [](void* block, void*) { ::operator delete(block); });

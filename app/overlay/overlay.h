@@ -43,8 +43,8 @@ class Overlay {
   /// Begins a frame, `seconds` after the one before. `width` and `height` are pixels of the picture, above 0.
   void begin_frame(int width, int height, double seconds, const InputFrame& input);
 
-  /// Lays the overlay out and ends the frame. Returns what the person asks for, in order; other values than those of
-  /// `tuning` come last. Call it once after each begin_frame.
+  /// Lays the overlay out and ends the frame. Returns the person's requests, in order; if values differ from
+  /// `tuning`, they come last. Call it once after each begin_frame.
   Requests build(const FrameReport& report, const Tuning& tuning);
 
   /// Returns the triangles of the last build, which are valid until the next begin_frame.

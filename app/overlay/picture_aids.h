@@ -20,7 +20,7 @@ struct KeptHead {
 /// All that the aids over the picture remember from frame to frame.
 struct AidsMemory {
   bool legend_is_folded = false;
-  bool is_legend_alone = false;  ///< in a picture: nobody folds it, and it says the time and how many people there are
+  bool is_legend_alone = false;  ///< in a picture: it cannot fold, and it says the time and how many people there are
   std::vector<KeptHead> heads;   ///< by agent
   float grabbed_beside = 0;      ///< pixels from the line of the split to where it was grabbed
 };

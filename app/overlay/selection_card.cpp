@@ -130,7 +130,7 @@ void show_foot(Widgets& widgets, const Area& card, float y, const FrameReport& r
   if (widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width)) requests.ask(Select{});
 }
 
-// The graph of the speed takes what is left over by the words, the steps and the buttons.
+// The graph of the speed takes the room that the words, the steps and the buttons leave.
 void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {
   const Theme& theme = widgets.theme();
   const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));

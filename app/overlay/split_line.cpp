@@ -29,7 +29,7 @@ void draw_grip(const Theme& theme, const Area& crowd, float x, bool is_lively) {
   }
 }
 
-// Nobody can drag it under the panel, where it could not be grabbed again.
+// The line cannot be dragged under the panel, where it could not be grabbed again.
 void drag_line(float x, float farthest, LodInspection& look, AidsMemory& memory) {
   const float width = ImGui::GetIO().DisplaySize.x;
   const bool is_left_of_window = !ImGui::IsMousePosValid();
@@ -55,7 +55,7 @@ void show_grip(const TabContext& context, const Area& crowd, float x, AidsMemory
   ImGui::End();
 }
 
-/// Returns where words of that width stand: at the top, below what is there.
+/// Returns where words of that width stand: at the top, below other words that are there.
 Area place_of_words(const Theme& theme, const Area& crowd, float from, float to, std::span<const Area> taken) {
   Area place{.from = {from, crowd.from.y + theme.px(12)}, .to = {to, crowd.from.y + theme.px(36)}};
   for (std::size_t tries = 0; tries < taken.size(); ++tries) {

@@ -95,9 +95,9 @@ void show_presets_tab(const TabContext& context);
 void show_meshes(const TabContext& context);
 /// Shows the size and place of the character shown, and why it has them.
 void show_model(const TabContext& context);
-/// Shows who wears what: bodies, styles and things in hands, and the files of such rules.
+/// Shows which agents wear what: bodies, styles and things in hands, and the files of such rules.
 void show_wardrobe(const TabContext& context);
-/// Shows the cameras of the scene and of the person, who moves the camera, and how fast it flies.
+/// Shows the cameras of the scene and of the person, what moves the camera, and how fast it flies.
 void show_camera_section(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
 /// them, and reads what follows from them.

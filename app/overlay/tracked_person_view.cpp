@@ -11,7 +11,7 @@ namespace throng::app {
 namespace {
 
 constexpr float line_height = 18, steps_height = 24, axis_height = 16, letter_width = 12;
-constexpr float slow_steps = 0.1F;       // metres a second, of somebody who does not quite stand
+constexpr float slow_steps = 0.1F;       // metres a second, of a person who does not quite stand
 constexpr float least_speed_top = 1.5F;  // metres a second at the top of the graph
 
 // Without "-0.00".

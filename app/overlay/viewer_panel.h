@@ -10,7 +10,7 @@ namespace throng::app {
 
 /// All that the viewer's panel remembers from frame to frame.
 struct ViewerPanelMemory {
-  std::string search;  ///< shown are the clips whose names have it
+  std::string search;  ///< the panel shows the clips whose names have it
 };
 
 /// Shows the viewer of one character in the place of the tabs: its clips, their time, and what is drawn of it.

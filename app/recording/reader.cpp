@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t most_header_bytes = 1U << 24U;
-constexpr std::uint32_t most_hashes = 100'100;  // the agents, and what a scene adds to them
+constexpr std::uint32_t most_hashes = 100'100;  // the agents, and agents that a scene adds
 constexpr std::uint64_t item_head_bytes = 5, checksum_bytes = 8;
 
 /// Returns the longest frame that options and the clock of a window allow.

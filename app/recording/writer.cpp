@@ -59,7 +59,7 @@ void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint6
   ++frames_;
 }
 
-// A bit an agent, then the hashes of those whose bit is set.
+// A bit an agent, then the hashes of the agents whose bit is set.
 void RecordingWriter::add_changed_hashes(std::span<const std::uint64_t> agent_hashes) {
   hashes_.resize(agent_hashes.size(), 0);
   const std::size_t bits = payload_.size();

@@ -64,7 +64,7 @@ struct RecordingReport {
 /// All that the overlay shows. The demo fills it once a frame, and the overlay only reads it.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
-  std::uint32_t character = 0;          ///< the one of these whose roles and bones are below
+  std::uint32_t character = 0;          ///< index of the character whose roles and bones are below
   std::vector<CastMember> cast;         ///< [character]
   WardrobeReport wardrobe;              ///< of the character shown
   std::string context;                  ///< "window", "egl", "osmesa"
@@ -78,7 +78,7 @@ struct FrameReport {
   // Crowd
   int agents = 0, visible = 0, drawn = 0;
   double seconds = 0;  ///< of the crowd's clock, or of a recorded crowd's file
-  int people = 0;      ///< who are there; of a recorded crowd some have not come yet, or have gone
+  int people = 0;      ///< people who are there; of a recorded crowd some have not come yet, or have gone
   anim::UpdateReport work;
   std::uint64_t pose_hash = 0;
   render::DrawCounts draw_counts;

@@ -25,7 +25,7 @@ class Messages {
  public:
   static constexpr std::size_t most_messages = 200;
 
-  /// Says something. A message that is still seen and has the same words is said again in its place.
+  /// Says something. A message that is still seen and has the same words appears again in its place.
   void say(std::string words, Message::Kind kind = Message::Kind::done);
   /// Says why something failed, if it did. Returns whether it did not.
   bool tell(const anim::Status& outcome);

@@ -34,7 +34,7 @@ struct EntityRow {
   float duration_seconds = 0;  ///< the length of a player's clip
   float weight = 0;            ///< its share of the pose that is shown, 0 to 1
   anim::Handle handle = {};
-  int priority = 0;                      ///< 0: players, the highest; below 0: those that read them
+  int priority = 0;                      ///< 0: players, the highest; below 0: their readers
   bool resident = false;                 ///< keeps its transforms in main memory
   bool shared = false;                   ///< several agents read it
   std::vector<BlockField> fields = {};   ///< the fields of the block's header

@@ -16,7 +16,7 @@ struct Footfall {
   bool is_left = false;
 };
 
-/// Somebody of a recorded crowd over the whole time in which they are there.
+/// A person of a recorded crowd over the whole time in which the person is there.
 struct TrackedPerson {
   std::string id;  ///< as the file has it
   Presence presence;

@@ -48,7 +48,7 @@ struct ViewedJoint {
   float x = 0, y = 0;  ///< shares of the picture's width and height, from its top left
 };
 
-/// A clip that somebody chose for a role, and that is looked at before it is applied.
+/// A clip that a person chose for a role, and that is looked at before it is applied.
 struct RolePreview {
   Role role = Role::stand;
   int clip = no_clip;

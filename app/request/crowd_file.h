@@ -13,11 +13,11 @@
 
 namespace throng::app {
 
-/// All that a person set up: who is there, the values, and the cameras.
+/// All that a person set up: the characters, the values, and the cameras.
 struct CrowdSetup {
   std::vector<ChosenCharacter> characters;  ///< 1 to most_models
   Preset preset;                            ///< its tuning is the one in use
-  TuningPair pair = {};                     ///< what that is compared with
+  TuningPair pair = {};                     ///< the values that are compared with it
   CameraBookmarks bookmarks = {};
 };
 

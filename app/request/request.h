@@ -60,7 +60,7 @@ struct SetRoles {
   };
 };
 
-/// All parts of a character's body that a person says, in place of those before.
+/// All parts of a character's body that a person says, which replace the parts of before.
 struct SetBody {
   static constexpr const char* name = "body";
   CharacterNumber character = 0;
@@ -107,7 +107,7 @@ struct SetRules {
   };
 };
 
-/// Other characters for all agents, those of files and folders that came together (load_dropped). A recording keeps the
+/// Other characters for all agents, from files and folders that came together (load_dropped). A recording keeps the
 /// characters that came of it, as SetCast.
 struct LoadModels {
   static constexpr const char* name = "models";
@@ -204,7 +204,7 @@ struct Tell {
 };
 struct Quit {};
 
-// Files. Names are those of files in the working folder, without their endings, or of presets.
+// Files. A name is a file's in the working folder, without its ending, or a preset's.
 struct SavePreset {
   std::string preset;
 };
@@ -214,7 +214,7 @@ struct LoadPreset {
 struct DeletePreset {
   std::string preset;
 };
-/// The values of a preset wait beside those in use, to be compared.
+/// The values of a preset wait beside the values in use, to be compared.
 struct LoadIntoOther {
   std::string preset;
 };

@@ -11,7 +11,7 @@
 namespace throng::app {
 namespace {
 
-/// Makes JSON of what describe() hands over.
+/// Makes JSON of the values that describe() hands over.
 class FieldsToJson {
  public:
   explicit FieldsToJson(const Tuning& before) : before_(&before) {}
@@ -44,7 +44,7 @@ class FieldsToJson {
   const Tuning* before_;
 };
 
-/// Takes from JSON what describe() asks for. The first that is wrong is kept.
+/// Takes from JSON the values that describe() asks for. The first wrong value is kept.
 class FieldsFromJson {
  public:
   FieldsFromJson(const Json& json, const Tuning& before) : json_(&json), before_(&before) {}

@@ -50,7 +50,7 @@ render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& came
   return behind_ ? behind_->moved(stage, next) : carried(stage, next);
 }
 
-// It goes back smoothly, for somebody may come from far away.
+// It goes back smoothly, since it may come from an agent far away.
 render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& camera) {
   constexpr double seconds_to_go = 1.2;
   const GroundBounds& bounds = stage.crowd().tracks()->people().bounds();

@@ -16,11 +16,11 @@
 namespace throng::app {
 
 /// Returns the named cameras of the scene on a stage.
-/// `aspect` is that of the picture.
+/// `aspect` is the aspect ratio of the picture.
 std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect = 16.0F / 9.0F);
 
-/// Moves the camera where nobody flies it: along a path, as the film of a cut scene, with an agent, or back from a live
-/// crowd that grows.
+/// Moves the camera while no person flies it: along a path, as the film of a cut scene, with an agent, or back from a
+/// live crowd that grows.
 class CameraGuide {
  public:
   /// Takes a path that begins at `start`.
@@ -41,17 +41,17 @@ class CameraGuide {
   /// Returns whether there is a path, a film or a live crowd.
   bool can_film(const Stage& stage) const;
 
-  /// Lets the camera go with the selected agent, from where it is, until nobody is selected.
+  /// Lets the camera go with the selected agent, from where it is, until no agent is selected.
   void follow(bool follow) { follows_ = follow, behind_.reset(); }
-  /// Lets the camera go behind somebody from now on.
-  /// `while_selected`: it follows whoever is selected, until nobody is.
+  /// Lets the camera go behind an agent from now on.
+  /// `while_selected`: it follows the selected agent, until no agent is selected.
   void follow_behind(const FollowCamera& camera, bool while_selected) {
     follows_ = false, behind_ = camera, while_selected_ = while_selected;
   }
   bool follows() const { return follows_ || behind_.has_value(); }
   bool follows_behind() const { return behind_.has_value(); }
 
-  /// Returns the camera in the moment on the stage. `films`: a path or a film has it. Call it once a frame.
+  /// Returns the camera for the moment on the stage. `films`: a path or a film moves it. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera, bool films);
 
  private:
@@ -67,14 +67,14 @@ class CameraGuide {
   bool has_path() const { return path_ != CameraPath::none || !keys_.empty(); }
 
   CameraPath path_ = CameraPath::none;
-  std::vector<CameraKey> keys_;  // empty: path_ says it
+  std::vector<CameraKey> keys_;  // empty: path_ gives the way
   render::Camera start_;
   bool follows_ = false;
   std::optional<Followed> followed_;
   std::optional<FollowCamera> behind_;
   bool while_selected_ = false;
   std::string live_name_;     // empty: no crowd was live
-  GroundBounds live_bounds_;  // that live_place_ is for
+  GroundBounds live_bounds_;  // the bounds that live_place_ frames
   render::Camera live_place_;
   anim::Ticks clock_{};
 };

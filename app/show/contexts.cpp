@@ -23,7 +23,7 @@ std::string last_resort(const DemoOptions& options) {
   return wants_pictures(options) ? "" : "; --headless=none runs without drawing";
 }
 
-/// Gives the error of what was asked for, with an alternative that works, or else with the errors of all.
+/// Gives the error of the requested context, with an alternative that works, or else with the errors of all.
 MadeContext refuse(std::string reasons, std::span<const Alternative> alternatives, const DemoOptions& options) {
   for (const Alternative& other : alternatives) {
     const MadeContext made = other.make();

@@ -12,7 +12,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float least_ahead = 1.05F * render::Camera::near_distance;  // what is nearer is not drawn
+constexpr float least_ahead = 1.05F * render::Camera::near_distance;  // a nearer box is not drawn
 
 /// Finds where a camera sees all points along one axis of the picture. It sees between two planes through it; each
 /// leans to the side by so much a metre ahead. Each point must lie between them, which bounds the place of the camera

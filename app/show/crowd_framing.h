@@ -24,7 +24,7 @@ struct PicturePart {
 inline constexpr float framing_margin = 0.05F;
 
 /// Moves the camera, which keeps its direction, as near as all boxes, of which there is at least one, are seen in that
-/// part of the picture with a margin. `aspect` is that of the whole picture.
+/// part of the picture with a margin. `aspect` is the aspect ratio of the whole picture.
 render::Camera framed(const render::Camera& camera, std::span<const FramedBox> boxes, float aspect,
                       const PicturePart& part);
 

@@ -37,7 +37,7 @@ std::optional<std::uint32_t> person_of(const Trajectories& all, const std::strin
 
 }  // namespace
 
-// A file says where somebody begins and ends.
+// A file says where a person begins and ends.
 std::optional<FollowCamera::Pose> FollowCamera::pose_of(const Stage& stage, std::uint32_t agent) {
   const Crowd& crowd = stage.crowd();
   const FollowedTracks* const tracks = crowd.tracks();

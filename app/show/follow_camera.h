@@ -11,23 +11,23 @@
 
 namespace throng::app {
 
-/// A camera behind and above somebody. It goes where the person goes and turns with them lazily. Who moves it by hand
-/// goes on from there. It waits where somebody's first row is, and stays where the last one was.
+/// A camera behind and above an agent. It goes where the agent goes and turns with the agent lazily. A person who moves
+/// it by hand goes on from there. It waits at the agent's first row, and stays at the last one.
 class FollowCamera {
  public:
   /// Follows an agent.
   explicit FollowCamera(std::uint32_t agent) : agent_(agent) {}
-  /// Follows whoever has this id in a live crowd, in whichever place.
+  /// Follows the agent that has this id in a live crowd, whatever its number is.
   explicit FollowCamera(std::string id) : id_(std::move(id)) {}
 
-  /// Returns the camera of the moment on the stage. `camera` is that of the frame before, or one that waits for
-  /// somebody to come. Call it once a frame.
+  /// Returns the camera of the moment on the stage. `camera` is the camera of the frame before, or one that waits for
+  /// the agent to come. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera);
-  /// Returns who is followed; nothing while nobody of a live crowd has the id.
+  /// Returns the followed agent; nothing while no agent of a live crowd has the id.
   const std::optional<std::uint32_t>& agent() const { return agent_; }
 
  private:
-  /// The place of somebody, and which way they look: radians from +Z towards +X.
+  /// The place of an agent, and which way it looks: radians from +Z towards +X.
   struct Pose {
     glm::vec3 place{0.0F};
     float heading = 0.0F;
@@ -42,8 +42,8 @@ class FollowCamera {
   anim::Ticks clock_{};
 };
 
-/// Returns a camera that follows whom a person names: the id that a recorded crowd has, or #N, the agent N of any
-/// crowd. Errors: nobody is called so.
+/// Returns a camera that follows the agent of this name: the id that a recorded crowd has, or #N, the agent N of any
+/// crowd. Errors: no agent has the name.
 anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name);
 
 }  // namespace throng::app

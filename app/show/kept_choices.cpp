@@ -24,8 +24,8 @@ anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& charact
 
 namespace {
 
-// The limit that a person set, not the tolerance that follows what is measured from frame to frame, so that the same
-// values export the same; but the tolerance where a budget decides, since nobody set that.
+// Returns the limit that a person set, since equal values must export equal files and the tolerance follows measures of
+// each frame. Where a budget decides, no person set a limit, and it returns the tolerance.
 float exported_tolerance(const Stage& stage) {
   const anim::LodFigures& figures = stage.posed().level_of_detail().figures();
   const bool budget_decides =

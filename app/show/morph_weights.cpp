@@ -5,7 +5,7 @@
 namespace throng::app {
 namespace {
 
-constexpr double least_pixels = 0.25;  // what moves by less is not seen
+constexpr double least_pixels = 0.25;  // a smaller move is not seen
 
 /// Returns how far, in pixels, the morphs of an agent can move its surface.
 double pixels_moved(const anim::Character& character, const anim::VisibleAgent& agent) {

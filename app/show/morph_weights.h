@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// The weights that the morphs of some agents in a picture have now. Agents without any cost nothing, nor do those so
-/// small on screen that one could not see them. Memory is kept from frame to frame.
+/// The weights that the morphs of some agents in a picture have now. Agents without morphs cost nothing, nor do agents
+/// too small on screen to show any. Memory is kept from frame to frame.
 class MorphWeights {
  public:
   void clear() { weights_.clear(); }

@@ -9,7 +9,7 @@
 namespace throng::app {
 
 /// Loads the characters of a crowd file and gives them all that the person chose. `data` is the folder that --data
-/// names, where the built-in character is. Errors: a file cannot be shown, or lacks what was chosen.
+/// names, where the built-in character is. Errors: a file cannot be shown, or lacks a thing that the person chose.
 anim::Result<LoadedCast> load_crowd(std::span<const ChosenCharacter> characters, const std::string& data,
                                     const LoadOptions& options = {});
 

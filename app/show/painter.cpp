@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-// Nobody sees the pattern and the fabric of somebody who is smaller.
+// The pattern and the fabric of a smaller person are too small to be seen.
 constexpr float least_dressed_pixels = 45.0F;
 
 constexpr int software_window_agents = 300;
@@ -23,7 +23,7 @@ constexpr int software_triangles = 120'000;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
-// A single last picture can afford its full quality anywhere, and what is written to be kept deserves it.
+// A single last picture can afford its full quality anywhere, and a picture that is kept deserves it.
 bool draws_live(const DemoOptions& options) {
   return options.context == ContextKind::window || (options.draw == DrawWhich::all && !options.output.any());
 }
@@ -40,7 +40,7 @@ double time_of(const auto& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A part of the frame is taken away of the usual picture alone, so that one sees what it costs.
+// A part of the frame is taken away of the usual picture alone, so that a person sees its cost.
 bool splits(const Tuning& tuning) { return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{}; }
 
 /// Returns whether a scene may show a character. Only some scenes have things, and simplifying the balloon takes longer
@@ -50,7 +50,7 @@ bool may_show(const Stage& stage, std::size_t character) {
          std::ranges::find(stage.crowd().characters(), character) != stage.crowd().characters().end();
 }
 
-// A character that was made anew, or whose bones are in another order, is another one. Two of a cast may be the same.
+// A character that was made anew, or whose bones are in another order, is another one. A cast may have one twice.
 std::vector<render::CharacterToLoad> meshes_to_load(const Stage& stage,
                                                     std::vector<std::weak_ptr<const anim::Character>> loaded) {
   std::vector<render::CharacterToLoad> meshes;

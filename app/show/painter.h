@@ -46,7 +46,7 @@ class Painter {
   DrawnBy drawn_by() const;
   /// Returns what is left out because a processor draws.
   const Spared& spared() const { return spared_; }
-  /// Says what is left out; empty where that is nothing.
+  /// Says what is left out; empty where nothing is.
   std::string notice() const;
   /// Does what Scenery::lines_left_out does; known once a frame was drawn.
   std::size_t lines_left_out() const { return scenery_.lines_left_out(); }
@@ -54,7 +54,7 @@ class Painter {
   render::gl::Context& context() { return *context_; }
 
   render::PalettePageSource& palette_pages();
-  /// Takes back every palette page, once the stage that had them goes.
+  /// Takes back every palette page when the stage that had the pages goes.
   void reset_palette_pages();
   /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs. Characters that were
   /// loaded before, and have not changed since, keep theirs. Things that the scene does not show have none.
@@ -71,11 +71,11 @@ class Painter {
   anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
   /// Has the device time itself in each draw() from now on, where its clock is true; see FrameTimes::device_ms.
   void time_device();
-  /// Draws what is no stage's in the same way, in the light of a tuning; the figures of a run know nothing of it.
+  /// Draws a frame that is no stage's in the same way, in the light of a tuning; the run's figures do not count it.
   anim::Status draw(render::CrowdFrame frame, const Tuning& tuning);
-  /// Draws who is where in a stage, beside the picture that draw() made of it, or without one.
+  /// Draws which agent is where in a stage, beside the picture that draw() made of it, or without one.
   anim::Status draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels);
-  /// Measures what everybody of picture() covers alone. Call it after draw_labels(); see Renderer::measure_bodies.
+  /// Measures what each agent of picture() covers alone. Call it after draw_labels(); see Renderer::measure_bodies.
   anim::Status measure_bodies(const Stage& stage, const PaintedView& view, std::span<const render::PixelBox> boxes,
                               std::span<render::BodyAlone> bodies);
   /// These functions describe the picture drawn last.
@@ -107,8 +107,8 @@ class Painter {
   Scenery scenery_;
   ThresholdsInView thresholds_;
   Spared spared_;
-  std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] whose it is
-  std::uint64_t looks_number_ = 0;                            // of the looks whose mesh LODs the stage knows
+  std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] the character that it shows
+  std::uint64_t looks_number_ = 0;                            // number of the looks whose mesh LODs the stage knows
   float distance_scale_ = 1.0F;                               // of the characters whose meshes are loaded
   render::DrawCounts draw_counts_;
 };

@@ -40,7 +40,7 @@ void PathInView::add(SceneLines& lines, const Stage& stage) {
 void PathInView::find(const Followers& followers, std::uint32_t agent) {
   points_.clear();
   const Presence& presence = followers.presence(agent);
-  if (!std::isfinite(presence.first)) return;  // nobody yet
+  if (!std::isfinite(presence.first)) return;  // the person has not come yet
   const double length = presence.last - presence.first;
   const double looks = std::clamp(std::ceil(length / between_looks), 1.0, most_looks);
   for (double look = 0.0; look <= looks; ++look) {

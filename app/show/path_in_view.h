@@ -16,8 +16,8 @@ class PathInView {
  public:
   static constexpr std::size_t most_points = 8192;
 
-  /// Adds the path: solid as far as it is walked, paler where it goes on. Adds nothing where nobody of a recorded crowd
-  /// is selected. Finds the points once a person, or in each frame while rows still come.
+  /// Adds the path: solid as far as it is walked, paler where it goes on. Adds nothing where no person of a recorded
+  /// crowd is selected. Finds the points once a person, or in each frame while rows still come.
   void add(SceneLines& lines, const Stage& stage);
 
  private:
@@ -28,7 +28,7 @@ class PathInView {
   void find(const Followers& followers, std::uint32_t agent);
 
   std::vector<Point> points_;
-  std::uint64_t crowd_ = 0;  // whose points are known; 0: none are
+  std::uint64_t crowd_ = 0;  // the crowd whose points are known; 0: none are
   std::uint32_t agent_ = 0;
 };
 

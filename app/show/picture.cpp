@@ -36,7 +36,7 @@ struct Picture::Frame {
       stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   std::span<const render::Outfit> outfits = stage.crowd().looks().outfits;
   bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
-  bool stand_ins = false;  ///< silhouettes of those who are near are listed too, for shadows
+  bool stand_ins = false;  ///< silhouettes of agents near by are listed too, for shadows
 
   std::uint32_t run_of(std::size_t at) const {
     const std::uint32_t agent = visible[at].agent;
@@ -65,7 +65,7 @@ struct Picture::Frame {
     const bool stands_in = stand_ins && run % lods < render::first_silhouette_lod && outfits[agent].count > 0;
     if (stands_in) visit(first + outfits[agent].silhouette);
   }
-  /// Returns the piece that is a thing whose hand does not hold it now, or no_piece.
+  /// Returns the piece of a thing that its hand does not hold now, or no_piece.
   std::uint32_t put_away_by(std::uint32_t agent) const {
     const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
     const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_piece ||

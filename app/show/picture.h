@@ -13,7 +13,7 @@ namespace throng::app {
 
 /// Sorts the visible agents of a stage into runs of the same palette page, character and mesh LOD, so that one
 /// instanced draw shows a run. The runs ascend by page, then by character, and the agents within a run. Where agents
-/// wear outfits, each piece that somebody of a run wears has a list of those who do. The PUs of the stage do all of it
+/// wear outfits, each piece that an agent of a run wears has a list of its wearers. The PUs of the stage do all of it
 /// in tiles; the result is the same for any number of them. Memory is kept from frame to frame.
 class Picture {
  public:
@@ -22,7 +22,7 @@ class Picture {
 
   std::span<const render::InstanceRecord> instances() const { return std::span(records_).first(instance_count_); }
   std::span<const render::CrowdBatch> batches() const { return wears_outfits() ? lists_ : runs_; }
-  /// Returns CrowdFrame::drawn; empty where nobody wears an outfit.
+  /// Returns CrowdFrame::drawn; empty where no agent wears an outfit.
   std::span<const std::uint32_t> drawn() const { return std::span(drawn_).first(drawn_count_); }
   std::span<const render::CrowdBatch> runs() const { return runs_; }
   std::span<const float> morph_weights() const { return std::span(weights_).first(weight_count_); }
@@ -35,7 +35,7 @@ class Picture {
   struct Tile {
     std::size_t first = 0, end = 0;  // places in the list of visible agents
     std::uint32_t* runs = nullptr;   // [run] its agents of the tile, and then where the next of them goes
-    std::uint32_t* lists = nullptr;  // [run][piece] the same of those who wear it; null: nobody wears an outfit
+    std::uint32_t* lists = nullptr;  // [run][piece] the same for its wearers; null: no agent wears an outfit
     MorphWeights morphs;             // of its own agents
     std::size_t first_weight = 0;    // where its weights begin among all
   };
@@ -62,10 +62,10 @@ class Picture {
   std::vector<render::CrowdBatch> runs_, lists_;
   std::vector<std::uint32_t> drawn_;
   std::size_t drawn_count_ = 0;
-  std::uint32_t pieces_ = 0;         // that outfits name; 0: nobody wears one
+  std::uint32_t pieces_ = 0;         // that outfits name; 0: no agent wears one
   std::vector<bool> is_silhouette_;  // [piece]
   bool all_have_silhouettes_ = false;
-  std::uint64_t looks_number_ = 0;  // of the looks to which these belong
+  std::uint64_t looks_number_ = 0;  // number of the looks to which these belong
   std::vector<float> weights_;
   std::size_t weight_count_ = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// Lets the PUs of a stage do what the renderer does in jobs. They are free for it between updates.
+/// Lets the PUs of a stage do the renderer's jobs. The PUs are free for them between updates.
 class PuJobs final : public render::JobRunner {
  public:
   /// Takes the PUs of a system, which must outlive what is drawn with them.

@@ -10,7 +10,7 @@
 namespace throng::app {
 namespace {
 
-// Counts the agents whose hashes are not as recorded, and names the first of them.
+// Counts the agents whose hashes differ from the recorded ones, and names the first of them.
 struct Difference {
   std::uint32_t first = 0;
   std::size_t agents = 0;
@@ -35,7 +35,7 @@ bool are_equal(std::span<const CharacterSource> people, std::span<const ChosenCh
   return std::ranges::equal(people, recorded_people, is_equal);
 }
 
-// Files that the command line names stand in for those recorded.
+// Files that the command line names stand in for the recorded files.
 void take_files(std::span<const ChosenCharacter> characters, DemoOptions& options) {
   const bool is_built_in = characters.front().file.empty();
   if (is_built_in && options.clips_from.empty()) options.clips_from = characters.front().clip_files;
@@ -45,7 +45,7 @@ void take_files(std::span<const ChosenCharacter> characters, DemoOptions& option
   for (CastEntry& entry : options.cast) entry.clip_files.reset();
 }
 
-// Files that stand in for those recorded have their sizes and places, where there are as many.
+// Files that stand in for recorded files have their sizes and places, where there are as many.
 void place_as_recorded(std::span<const ChosenCharacter> characters, DemoOptions& options) {
   if (options.models.size() != characters.size()) return;
   options.cast = cast_of(std::exchange(options.models, {}));

@@ -21,15 +21,15 @@ class Replay {
   /// Opens a recording. Errors: those of RecordingReader::open.
   static anim::Result<std::unique_ptr<Replay>> open(const std::filesystem::path& file);
 
-  /// Returns the options of the command line, completed by what was recorded. Values that only schedule
-  /// keep those of the command line throughout.
+  /// Returns the options of the command line, completed by the recorded ones. Values that only schedule
+  /// come from the command line throughout.
   DemoOptions options(const DemoOptions& given);
 
   /// Prepares the show for the first frame. It gets characters with the recorded roles and orders of bones where its
-  /// own differ. Errors: the characters are not those that were recorded.
+  /// own differ. Errors: the characters are not the recorded ones.
   anim::Status begin(Show& show) const;
 
-  /// Repeats what was asked for, then a frame. Returns false when no frame is left. Errors: the first frame and agent
+  /// Repeats the recorded requests, then a frame. Returns false if no frame is left. Errors: the first frame and agent
   /// that differ; the recording is cut short or damaged.
   anim::Result<bool> step(Show& show);
 
@@ -39,8 +39,8 @@ class Replay {
   /// Keeps what begin_anew() needs.
   void allow_to_go_back() { may_go_back_ = true; }
 
-  std::uint64_t frame() const { return reader_->frames_read(); }    ///< that was repeated last; 0: none
-  std::uint64_t count_frames() { return reader_->count_frames(); }  ///< of the file, which it reads over
+  std::uint64_t frame() const { return reader_->frames_read(); }    ///< the frame that was repeated last; 0: none
+  std::uint64_t count_frames() { return reader_->count_frames(); }  ///< frames of the file, which it reads over
   anim::Ticks delta() const { return delta_; }                      ///< the time of the frame that was repeated last
 
   /// Returns "run.rec: all 120 frames are equal, the last of 300 agents".
@@ -58,11 +58,11 @@ class Replay {
   std::filesystem::path file_;
   std::unique_ptr<RecordingReader> reader_;
   DemoOptions given_;
-  std::uint64_t frames_equal_ = 0;  // without those that were repeated again
-  std::size_t agents_ = 0;          // of the last of them
+  std::uint64_t frames_equal_ = 0;  // without the frames that were repeated again
+  std::size_t agents_ = 0;          // of the last equal frame
   anim::Ticks delta_{};
   bool may_go_back_ = false;
-  std::vector<CharacterSource> first_people_;  // before others came; empty: none have
+  std::vector<CharacterSource> first_people_;  // before other characters came; empty: none have
 };
 
 }  // namespace throng::app

@@ -62,7 +62,7 @@ bool is_about_character(const Asked& asked, const Answer& answer) {
   return true;
 }
 
-/// Returns whether a request alone does what it does after an earlier one.
+/// Returns whether a request alone has the effect that it has after an earlier one.
 bool stands_for(const CrowdRequest& request, const CrowdRequest& earlier) {
   const auto compare = [&](const auto& asked) {
     using Asked = std::decay_t<decltype(asked)>;

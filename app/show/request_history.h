@@ -15,7 +15,7 @@ namespace throng::app {
 std::optional<CrowdRequest> answer_to(const CrowdRequest& request, const Stage& stage, const Tuning& tuning);
 
 /// The requests that changed values or characters, to be taken back and made again, the last first. Each step goes from
-/// a state that was there to another one.
+/// one state that was there to another.
 class RequestHistory {
  public:
   static constexpr std::size_t most_steps = 100;
@@ -26,8 +26,8 @@ class RequestHistory {
     std::vector<CrowdRequest> back, forth;  ///< in the order in which they are to be made
   };
 
-  /// Adds a request that was made, and its answer. Requests of one `change` are one step, in which of
-  /// the same request for other values the last one counts. Steps that were taken back are forgotten.
+  /// Adds a request that was made, and its answer. Requests of one `change` are one step; where it repeats a request
+  /// with other values, the last one counts. Steps that were taken back are forgotten.
   void add(CrowdRequest made, CrowdRequest answer, std::uint64_t change);
 
   /// Returns the step that can be taken back, or made again; null where there is none.

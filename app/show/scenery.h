@@ -30,7 +30,7 @@ class Scenery {
   const render::SceneGround& ground() const { return ground_; }
 
  private:
-  /// Gives the renderer the walls and floors of a recorded crowd, if it has those of another one.
+  /// Gives the renderer the walls and floors of a recorded crowd, if it has the ones of another crowd.
   anim::Status load_plan_of(const Stage& stage, render::Renderer& renderer);
 
   /// All that a place follows from.
@@ -48,7 +48,7 @@ class Scenery {
 
   std::vector<render::SceneryMeshData> loaded_;                  // props, then the plan's mesh where there is one
   std::array<std::optional<std::uint32_t>, prop_count> meshes_;  // [prop]; none: there is no such mesh
-  std::shared_ptr<const Trajectories> planned_;                  // whose plan is loaded; null: none is
+  std::shared_ptr<const Trajectories> planned_;                  // the crowd whose plan is loaded; null: none is
   std::optional<std::uint32_t> plan_mesh_;
   std::size_t lines_left_out_ = 0;
   std::optional<Cause> placed_;

@@ -202,10 +202,10 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
     return exchanged;
   left_out_.clear();
   update_notice();
-  return viewed ? view({}) : anim::Status(anim::Done{});  // who looks at one model after the other goes on so
+  return viewed ? view({}) : anim::Status(anim::Done{});  // a person who looks at models goes on
 }
 
-// Somebody who looks at a recorded crowd goes on at the same moment with other characters.
+// A recorded crowd goes on at the same moment with other characters.
 anim::Status Show::exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                             std::shared_ptr<const Trajectories> trajectories) {
   const bool same_tracks = tuning.scene == Scene::tracks && trajectories == stage_->trajectories();
@@ -294,7 +294,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (recorder_.is_recording()) {
     recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
-  // Any moment of a recorded crowd is there at once, and nobody knows those of a live one again.
+  // Any moment of a recorded crowd is there at once, and the moments of a live crowd cannot be found again.
   const bool has_clock_of_its_own = stage_->crowd().tracks() != nullptr;
   if (keeps_moments_ && !stage_->tuning().paused && !has_clock_of_its_own) rewind_.watch(*stage_);
   if (had_memory && stage_->posed().shown().out_of_memory()) update_notice();

@@ -52,7 +52,7 @@ class Show {
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta) { update(delta, nullptr); }
-  /// Does the same as it was recorded: seen by that camera, in a picture of that size.
+  /// Repeats a frame as it was recorded: seen by that camera, in a picture of that size.
   void animate_as(const RecordedFrame& frame);
   /// Draws the frame that was animated last. Errors: those of Painter::draw.
   anim::Status draw();
@@ -78,13 +78,13 @@ class Show {
   anim::Status start_recording(const std::filesystem::path& file);
   /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
-  /// Returns what says whether a recording goes on, and why it had to end, if that is so.
+  /// Returns the recorder, which says whether a recording goes on and why the last one had to end.
   const Recorder& recorder() const { return recorder_; }
 
   /// Returns the crowd whose rows still come; null where there is none.
   const LiveCrowd* live() const { return live_.get(); }
-  /// Waits, at most so long, for the rows that a frame of a live crowd shows. Returns whether they are there; those of
-  /// other crowds are.
+  /// Waits, at most `most`, for the rows that a frame of a live crowd shows. Returns whether they are there; the rows
+  /// of other crowds always are.
   bool has_rows_for(anim::Ticks step, std::chrono::milliseconds most);
 
   const Stage& stage() const { return *stage_; }
@@ -95,11 +95,11 @@ class Show {
 
   render::Camera camera;
   bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
-  CameraGuide guide;   ///< moves `camera` where nobody flies it
+  CameraGuide guide;   ///< moves `camera` where no person flies it
   int width = 0;
   int height = 0;
   float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
-  /// Says in lines for people what they would not expect (app/figures/notices.h); may be empty.
+  /// Tells people in lines what they would not expect (app/figures/notices.h); may be empty.
   std::string notice;
 
  private:

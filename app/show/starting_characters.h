@@ -19,8 +19,8 @@ bool fail(StartError& error, int status, std::string message);
 /// Returns how the command line asks for files to be read.
 LoadOptions load_options(const DemoOptions& options);
 
-/// Loads the characters that the command line names, or the built-in one, with the roles that were kept and those that
-/// the command line chooses. `progress` may be null.
+/// Loads the characters that the command line names, or the built-in one. They have the roles that were kept, changed
+/// by the roles that the command line chooses. `progress` may be null.
 std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error,
                                                    const LoadProgress& progress = {});
 

@@ -19,7 +19,7 @@ void ThresholdsInView::pick_clip(const Stage& stage) {
   }
   const auto place = static_cast<std::size_t>(clip_) + 1;
   const bool is_known = character_ < agents_.size() && place < agents_[character_].size();
-  if (!is_known) {  // other characters have come, and nobody may be in view
+  if (!is_known) {  // other characters have come, and no agent may be in view
     character_ = 0;
     clip_ = no_clip;
   }

@@ -32,7 +32,7 @@ FramedBox box_of(const Followers& followers, float height) {
 
 std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect) {
   const FramedBox box = box_of(followers, height);
-  // Cameras look from a long side, so that the crowd fills the width of the picture. Nobody knows that of a live crowd.
+  // Cameras look from a long side, so that the crowd fills the width of the picture. A live crowd's is not known.
   const Trajectories& all = followers.trajectories();
   const bool is_known = !all.is_live || !all.plan.is_empty();
   const bool is_deep = is_known && box.high.z - box.low.z > box.high.x - box.low.x;

@@ -12,7 +12,7 @@ namespace throng::app {
 FramedBox box_of(const Followers& followers, float height);
 
 /// Returns the cameras of a recorded crowd, which see all that ever moves in it: front, above, close, far, tower and
-/// top, which looks straight down with the file's y up. `close` stands among the people. `height` is that of a person.
+/// top, which looks straight down with the file's y up. `close` stands among the people. `height` is a person's.
 std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect);
 
 }  // namespace throng::app

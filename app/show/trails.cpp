@@ -30,8 +30,8 @@ std::uint32_t faded(std::uint32_t color, float age, float seconds) {
 
 glm::vec2 on_map(const glm::vec3& place) { return {place.x, place.z}; }
 
-/// Says how far one can go straight on without leaving what was passed farther aside than a width: the directions that
-/// are left after each point (as J. Sklansky and V. Gonzalez, "Fast polygonal approximation of digitized curves",
+/// Says how far a line can go straight on without leaving a passed point farther aside than a width: the directions
+/// that are left after each point (as J. Sklansky and V. Gonzalez, "Fast polygonal approximation of digitized curves",
 /// 1980).
 class Straight {
  public:
@@ -59,7 +59,7 @@ class Straight {
 
 }  // namespace
 
-/// Says what somebody can see.
+/// Says which points a person who looks at the picture can see.
 struct Trails::View {
   std::array<glm::vec4, 6> planes;
   glm::vec3 camera;

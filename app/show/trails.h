@@ -16,19 +16,19 @@ namespace throng::app {
 /// they are right after any jump of the clock. Places are kept at even times, so a frame computes only the new ones.
 class Trails {
  public:
-  /// Adds the trails of everybody who is there, as Tuning::trail_seconds says, fainter towards the past; nothing in
-  /// other scenes. They have the colours of a view that shows a measure, and that of the selected one. Points are left
-  /// out whose line nobody would tell apart in a picture of that size as `camera` sees it. Allocates
+  /// Adds the trails of all people who are there, as Tuning::trail_seconds says, fainter towards the past; nothing in
+  /// other scenes. They have the colours of a view that shows a measure; the selected person's has a colour of its own.
+  /// Leaves out points whose line looks the same without them in a picture of that size as `camera` sees it. Allocates
   /// when people or seconds are more than before.
   void add(SceneLines& lines, const Stage& stage, const render::Camera& camera, glm::ivec2 picture);
 
  private:
-  /// A point of a way, and how long ago somebody was there, in seconds.
+  /// A point of a person's way, and how long ago the person was there, in seconds.
   struct Point {
     glm::vec3 place;
     float age;
   };
-  /// Times in steps whose places are kept.
+  /// The times, in steps, at which the places of a person are kept.
   struct Kept {
     std::int64_t first = 0, end = 0;
   };
@@ -40,7 +40,7 @@ class Trails {
   void draw(SceneLines& lines, const View& view, std::uint32_t color) const;
   glm::vec3& place_at(std::size_t agent, std::int64_t step);
 
-  std::uint64_t crowd_ = 0;  // whose places are kept
+  std::uint64_t crowd_ = 0;  // the crowd whose places are kept
   std::size_t places_a_person_ = 0;
   float seconds_ = 0.0F;           // of a trail
   std::vector<glm::vec3> places_;  // [agent][step modulo places_a_person_]

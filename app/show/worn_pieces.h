@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// Calls visit(piece) for all that somebody who wears an outfit is drawn with at a mesh LOD: its pieces, or its
+/// Calls visit(piece) for each piece with which the wearer of an outfit is drawn at a mesh LOD: its pieces, or its
 /// silhouette far away; without any, all of the character.
 void for_each_worn(const render::Outfit& outfit, std::uint32_t mesh_lod, const auto& visit) {
   if (outfit.count == 0) return visit(std::uint32_t{0});

@@ -106,7 +106,7 @@ void AnimatedCrowd::give(std::vector<Held> things) {
   details_->find_things();
 }
 
-// Many take the same clip at once, so each begins where it would have begun with it.
+// Many agents take a new clip at once, so each begins where it would have begun with the clip.
 void AnimatedCrowd::take_roles() {
   let_go_of_clip();
   for (const ClipRequest& request : crowd_->take_roles(roles_of(characters_))) {

@@ -47,16 +47,16 @@ class AnimatedCrowd {
   /// character; agents are dressed as its rules say where the tuning asks for it.
   void populate(const Tuning& tuning, Clocks clocks, std::span<const Clothing> clothing,
                 const TrackSource& tracks = {});
-  /// Puts things into everybody's hands, [agent]; empty: nothing. Agents are as they were made.
+  /// Gives each agent the thing that its hands hold, [agent]; empty: nothing. Agents are as they were made.
   void give(std::vector<Held> things);
 
-  /// Lets everybody go on where they are, by the clips that the roles of the characters have now. Each character can
+  /// Lets all agents go on where they are, by the clips that the roles of the characters have now. Each character can
   /// walk as before.
   void take_roles();
 
   /// Advances every clock; the crowd walks on and asks for clips.
   void move(anim::Ticks delta);
-  /// Returns what agents do beyond these clips.
+  /// Returns the parts that pose agents beyond these clips.
   BodyDetails& details() { return *details_; }
   const BodyDetails& details() const { return *details_; }
   /// Lets agents that lay long enough stand up and go on. Call it after an update.
@@ -89,15 +89,15 @@ class AnimatedCrowd {
   /// Returns a number that differs for each crowd that was made, and after bones changed their order.
   std::uint64_t number() const { return number_; }
 
-  /// Sums up everybody's data keys and places from now on. This takes about as long as the crowd's own logic.
+  /// Sums up the data keys and places of all agents from now on. This takes about as long as the crowd's own logic.
   void sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
   const std::optional<EventSums>& event_sums() const { return event_sums_; }
 
-  /// Returns what a character stands, looks and falls with.
+  /// Returns the rigs with which a character stands, looks and falls.
   const anim::CharacterRigs& rigs(std::size_t character) const { return *rigs_[character]; }
 
-  /// Returns [agent] the hash of its last pose, also that of the film's camera. Hashes of agents that left are left
-  /// out; they stand behind, since those that are there have the first numbers.
+  /// Returns [agent] the hash of its last pose, also of the film's camera. Hashes of agents that left are left out;
+  /// they stand at the end, since the agents that are there have the first numbers.
   std::span<const std::uint64_t> agent_hashes() const {
     const std::span<const std::uint64_t> all = system_->figures().agent_hashes();
     return all.first(std::min<std::size_t>(all.size(), system_->agent_count()));

@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// The clip that an arm plays over what the whole body does.
+/// The clip that an arm plays over the clips of the whole body.
 struct ArmClip {
   int clip = 0;
   double speed = 1.0;  ///< 0: the arm is still, as the clip begins
@@ -35,7 +35,7 @@ class ArmChannel final : public anim::Channel {
   ArmClip clip_;
   bool is_on_ = false;
   anim::Handle player_;
-  anim::Handle below_;  // what the whole body shows
+  anim::Handle below_;  // the pose of the whole body
 };
 
 }  // namespace throng::app

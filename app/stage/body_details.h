@@ -18,8 +18,8 @@
 
 namespace throng::app {
 
-/// Sets what agents do beyond the clips that the crowd asks for, just before they are posed: steps of people who follow
-/// a file, feet that stand, heads that turn, arms that hold something, hands that join. Call all of it before an
+/// Poses agents beyond the clips that the crowd asks for, just before their update: steps of people who follow a file,
+/// feet that stand, heads that turn, arms that hold something, hands that join. Call all of it before an
 /// update.
 class BodyDetails {
  public:
@@ -28,27 +28,27 @@ class BodyDetails {
   BodyDetails(std::span<const CharacterSource> characters, std::span<const std::unique_ptr<anim::CharacterRigs>> rigs,
               std::span<const anim::RigKinds> kinds, anim::AnimationSystem& system);
 
-  /// Forgets all agents, for those of `crowd`, which outlives this or the next reset. Call it before these are made.
+  /// Forgets all agents, for `crowd`, which outlives this or the next reset. Call it before its agents are made.
   void reset(const Crowd& crowd);
   /// Lets agents that were just made follow the crowd's tracks.
   void follow_tracks();
-  /// Looks anew at what agents hold and at whom they lead by the hand. Agents are as they were made.
+  /// Finds anew which things agents hold and which children they lead by the hand. Agents are as they were made.
   void find_things();
 
-  /// Sets what a person of a recorded crowd plays in the first of these updates. It asks the caches for the one after.
+  /// Sets what a person of a recorded crowd plays in the first of these updates. It asks the caches for the next one.
   void follow_track(std::span<const anim::AgentUpdate> updates);
   /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Where they stand, the agent
-  /// turns its head to whom it talks to. Call it after follow_track(); feet stand only in an update for the pose of
-  /// now.
+  /// turns its head to the person that it talks to. Call it after follow_track(); feet stand only in an update for the
+  /// pose of now.
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
   /// Takes foot placement, gazes and reaching hands from agents that no longer need them, or that are not in `visible`.
-  /// Feet that had it come down anew.
+  /// Feet that foot placement let go come down anew.
   void take_back(std::span<const anim::VisibleAgent> visible);
   /// Lets arms hold their things where these can be seen, and hands join.
   void hold_things(std::span<const anim::VisibleAgent> visible);
 
   const HeldArms& held_arms() const { return held_arms_; }
-  /// Returns what plays the people of a recorded crowd; null in the other scenes.
+  /// Returns the players of the people of a recorded crowd; null in the other scenes.
   const TrackPlayers* track_players() const { return track_players_ ? &*track_players_ : nullptr; }
 
   struct Moment {

@@ -11,9 +11,9 @@
 
 namespace throng::app {
 
-/// A short cut scene: somebody comes with a balloon, lets it go and waves after it; a camera films it, and it begins
+/// A short cut scene: a person comes with a balloon, lets it go and waves after it; a camera films it, and it begins
 /// anew. Person, balloon and camera are agents of one system, each a character of its own, placed in the world by the
-/// absolute roots of what they play (paper 2.2.1: "useful for cut scenes and pre-canned sequences").
+/// absolute roots of their clips (paper 2.2.1: "useful for cut scenes and pre-canned sequences").
 class CutScene {
  public:
   /// Begins the scene. The crowd's first two agents are the actor and, where there is a second, the balloon
@@ -22,8 +22,8 @@ class CutScene {
   CutScene(anim::AnimationSystem& system, Crowd& crowd, std::span<const CharacterSource> characters,
            std::uint32_t camera_character);
 
-  /// Plays what is next in the script, puts actor and balloon where their roots are, and poses the camera. Call it when
-  /// the clocks of system and crowd have advanced.
+  /// Plays the next step of the script, puts actor and balloon where their roots are, and poses the camera. Call it
+  /// when the clocks of system and crowd have advanced.
   void advance();
 
   /// A place in the script.

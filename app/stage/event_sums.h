@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// Sums over a run of the data keys that everybody met and the places where everybody was. Level of detail chooses what
-/// is posed, and changes none of these sums.
+/// Sums over a run of the data keys and the places of all agents. Level of detail chooses which agents
+/// are posed, and changes none of these sums.
 class EventSums {
  public:
   /// Begins the sums anew, for `agents` that were made anew.

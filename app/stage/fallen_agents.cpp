@@ -11,7 +11,7 @@ using anim::RagdollProcess;
 
 constexpr anim::Ticks lies_for = 2 * anim::ticks_per_second;
 constexpr anim::Ticks gets_up_in = anim::ticks_per_second;
-constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never comes to rest gets up nevertheless
+constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // a restless agent gets up after this time too
 
 }  // namespace
 

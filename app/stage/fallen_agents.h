@@ -37,7 +37,7 @@ class FallenAgents {
   /// that lies already is pushed again. Errors: the local store has no room for a rag-doll.
   anim::Status push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place);
 
-  /// Lets agents get up that lay long enough. Returns the agents that stand again; the span is valid until the next
+  /// Lets agents that lay long enough get up. Returns the agents that stand again; the span is valid until the next
   /// call. Call it after each update of the system.
   std::span<const std::uint32_t> advance();
 

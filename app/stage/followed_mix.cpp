@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, and from it to the next
 constexpr float least_walk = 0.12F;                    // share of gaits below which no foot is lifted
-constexpr float least_seen_weight = 0.002F;            // what weighs less is not seen
+constexpr float least_seen_weight = 0.002F;            // a lighter clip is not seen
 
 anim::FineTicks fine(double seconds) { return anim::to_ticks(seconds) * anim::fine_ticks_per_tick; }
 
@@ -80,7 +80,7 @@ class MixWriter {
   FollowedMix mix_;
 };
 
-/// Returns the clip with which somebody stands in a turn.
+/// Returns the clip with which a person stands in a turn.
 int rest_of(const CharacterRoles& roles, int stand, std::uint32_t person, std::int64_t turn) {
   constexpr std::uint32_t in_all = 10, looks_around = 3;
   const int look = roles.clip(Role::look_around);

@@ -13,17 +13,17 @@
 
 namespace throng::app {
 
-/// A moment of somebody who follows a track, as far as the pose goes by it.
+/// The moment of a person who follows a track, as far as the pose depends on it.
 struct FollowedMoment {
   TrackStep step;
   double seconds = 0.0;      ///< of the file's clock
   double rate = 1.0;         ///< seconds of the file that pass in a second; below 0: backwards
-  anim::Ticks ahead{};       ///< the moment is so far ahead of the animation's clock
+  anim::Ticks ahead{};       ///< time from the animation's clock to the moment
   std::uint32_t person = 0;  ///< people who stand look about at different times
   float speaks = 0.0F;       ///< of standing, the share of talking
 };
 
-/// The clips of such a pose.
+/// The clips of the pose of such a moment.
 struct FollowedMix {
   std::array<anim::MixedClip, anim::ClipMixChannel::most> of{};
   std::size_t count = 0;
@@ -33,8 +33,8 @@ struct FollowedMix {
   std::span<const anim::MixedClip> clips() && = delete;  ///< a loop over them would outlive them
 };
 
-/// Returns the clips of a moment: gaits by the velocity, all at the same place of the stride, and a way to stand, which
-/// changes every few seconds. Plane, stances and roles are those of the character. Allocates nothing.
+/// Returns the clips of a moment: gaits by the velocity, all at one place of the stride, and a way to stand, which
+/// changes every few seconds. Plane, stances and roles belong to the character. Allocates nothing.
 FollowedMix followed_mix(const FollowedMoment& moment, const StridePlane& plane, const Stances& stances,
                          const CharacterRoles& roles, const anim::Character& character);
 

@@ -12,8 +12,8 @@
 
 namespace throng::app {
 
-/// Heads that turn to somebody. An agent has the post process while it looks at somebody near by, and until its head is
-/// back; so where it looks follows from what was asked for last.
+/// Heads that turn to a person. An agent has the post process while it looks at a person near by, and until its head is
+/// back, so its gaze follows from the last request.
 class Gazes {
  public:
   using Moment = LentProcesses<anim::LookAtProcess>::Moment;

@@ -39,7 +39,7 @@ int bone_of(const anim::RigMap& map, BodyRole part) {
   return part == BodyRole::right_shoulder ? map.bones[anim::index_of(BodyRole::right_upper_arm)] : bone;
 }
 
-/// Drinks and pictures come of the roles of those names; in between the arm waits as their clips begin.
+/// Drinks and pictures come with the roles of those names; in between the arm waits at the first pose of their clips.
 bool waits(Role arm) { return arm == Role::drink || arm == Role::take_picture; }
 
 ArmClip clip_of_arm(const CharacterRoles& roles, Role arm) {
@@ -116,7 +116,7 @@ void HeldArms::turn_off(std::uint32_t agent, Arm& arm) {
   system_->agent(agent).set_channel_weight(arm.channel, 0.0F, arm_fade);
 }
 
-/// Lets go at once where the agent is no longer near. Returns whether it stays among those shown.
+/// Lets go at once where the agent is no longer near. Returns whether it stays among the shown agents.
 bool HeldArms::goes_on(std::uint32_t agent) {
   Arm& arm = arms_[arm_of_[agent]];
   const bool is_near = arm.near_in == frame_;

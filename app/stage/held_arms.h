@@ -13,8 +13,8 @@
 
 namespace throng::app {
 
-/// Arms that hold something: each plays its clip over what the whole body plays, on the joints of that arm. Only agents
-/// whose things can be seen have the layer, so the many far away are posed without.
+/// Arms that hold something: each plays its clip over the clips of the whole body, on the joints of that arm. Only
+/// agents whose things can be seen have the layer, so the many far away are posed without it.
 class HeldArms {
  public:
   /// An arm begins to hold when its agent is so many pixels tall, and goes on down to the second number. Smaller people
@@ -24,15 +24,15 @@ class HeldArms {
   /// `characters` and `system` outlive this.
   HeldArms(std::span<const CharacterSource> characters, anim::AnimationSystem& system);
 
-  /// Gives the channel of an arm to everybody who holds something. Call it when agents were made anew and play
+  /// Gives the channel of an arm to each agent that holds something. Call it when agents were made anew and play
   /// something, or when things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Returns whether nobody holds anything in an arm.
+  /// Returns whether no agent holds anything in an arm.
   bool empty() const { return arms_.empty(); }
-  /// Lets arms hold their things where these are large enough to be seen. Call it before an update. `near` are those in
-  /// view who are pixels_to_go_on tall or taller. `away` says [agent] with 1 that the hand is away that its own would
-  /// hold; empty: nobody's is.
+  /// Lets arms hold their things where these are large enough to be seen. Call it before an update. `near` are the
+  /// agents in view that are pixels_to_go_on tall or taller. `away` has [agent] 1 where the hand that it would hold is
+  /// away; empty: no agent's is.
   void show(const Crowd& crowd, std::span<const anim::VisibleAgent> near, std::span<const std::uint8_t> away = {});
 
   /// Finds out which arms hold their things now; call it when the system has gone back to another moment.
@@ -45,7 +45,7 @@ class HeldArms {
     return arms_[arm_of_[agent]].near_in == frame_ &&
            is_in_hand(crowd.minds().things()[agent], crowd.minds().roles()[agent]);
   }
-  /// Returns whether the arm of an agent holds something now, over what the whole body does.
+  /// Returns whether the arm of an agent holds something now, over the clips of the whole body.
   bool holds(std::uint32_t agent) const {
     return agent < arm_of_.size() && arm_of_[agent] != none && arms_[arm_of_[agent]].turn == Turn::on;
   }

@@ -84,7 +84,7 @@ glm::vec3 mean_of(const anim::Stride& clip, std::size_t joint) {
   return glm::vec3(sum / static_cast<double>(anim::stride_instants));
 }
 
-/// Returns the middle of the joints at which fingers begin; that of a hand without fingers is its wrist.
+/// Returns the middle of the joints at which fingers begin; for a hand without fingers, the wrist.
 glm::vec3 palm_of(const anim::Stride& clip, const anim::Skeleton& skeleton, int wrist) {
   glm::vec3 sum(0.0F);
   float fingers = 0.0F;
@@ -168,7 +168,7 @@ void JoinedHands::find(const Crowd& crowd, std::span<const anim::VisibleAgent> n
 }
 
 /// The place lies between the palms as the clips have them, and not too far for either arm. The palm of the grown-up
-/// faces back, that of the child ahead.
+/// faces back, the palm of the child ahead.
 bool JoinedHands::can_meet(const Crowd& crowd, Pair& pair) const {
   const HolderPlace grown_up(crowd, pair.grown_up), child(crowd, pair.child);
   const Arm& leads = arms_[pair.characters[0]][0];

@@ -32,14 +32,14 @@ class JoinedHands {
   JoinedHands(std::span<const CharacterSource> characters, std::span<const std::unique_ptr<anim::CharacterRigs>> rigs,
               std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system);
 
-  /// Finds who goes hand in hand: a child comes right after its grown-up. Call it when agents were made anew, or when
-  /// things went into other hands.
+  /// Finds the pairs that go hand in hand: a child comes right after its grown-up. Call it when agents were made anew,
+  /// or when things went into other hands.
   void reset(const Crowd& crowd);
 
-  /// Finds whose hands can meet now. Call it before an update. `near` are those in view who are pixels_to_go_on tall or
-  /// taller, and may have others among them; it ascends by agent.
+  /// Finds the pairs whose hands can meet now. Call it before an update. `near` are the agents in view that are
+  /// pixels_to_go_on tall or taller, and may have others among them; it ascends by agent.
   void find(const Crowd& crowd, std::span<const anim::VisibleAgent> near);
-  /// Returns [agent] 1 for those who would hold a hand that is away, as HeldArms::show takes it.
+  /// Returns [agent] 1 for each agent whose partner's hand is away, as HeldArms::show takes it.
   std::span<const std::uint8_t> away() const { return away_; }
   /// Joins the hands that can meet and are held out. Call it after HeldArms::show.
   void join(const HeldArms& arms);
@@ -50,7 +50,7 @@ class JoinedHands {
   void go_back_to(const Moment& moment);
 
  private:
-  /// An arm that is held out to somebody, as its clip has it in the middle; in model space.
+  /// An arm that is held out to a partner, as its clip has it in the middle; in model space.
   struct Arm {
     std::uint32_t limb = 0;
     float length = 0.0F;  ///< of the straight arm, from shoulder to wrist; 0: there is no such arm
@@ -75,7 +75,7 @@ class JoinedHands {
   std::vector<std::size_t> levels_with_hands_;  // [character] bone levels that have both wrists
   std::vector<Pair> pairs_;
   std::vector<std::uint8_t> away_;  // [agent]
-  bool is_new_ = true;              // nobody has been seen with free hands
+  bool is_new_ = true;              // no agent has been seen with free hands
   LentProcesses<anim::ReachProcess> lent_;
 };
 

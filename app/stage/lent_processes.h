@@ -16,16 +16,16 @@
 
 namespace throng::app {
 
-/// Lends post processes of one type to the few agents that need one at a time. So all others are posed without, and a
-/// frame allocates nothing.
+/// Lends post processes of one type to the few agents that need one at a time. All other agents are posed without one,
+/// and a frame allocates nothing.
 template <typename Process>
 class LentProcesses {
  public:
-  /// All of it that changes as time passes.
+  /// All state that changes as time passes.
   struct Moment {
     std::vector<anim::ProcessId> of;   ///< [agent] invalid: none
-    std::vector<std::uint8_t> wanted;  ///< [agent] 1: it has one that was not let go
-    std::vector<std::uint32_t> have;   ///< agents that have one
+    std::vector<std::uint8_t> wanted;  ///< [agent] 1: it has a process that was not let go
+    std::vector<std::uint32_t> have;   ///< agents that have a process
   };
 
   /// Takes the kind of entity of each character; it is empty for a character that cannot have the process. `system`
@@ -49,8 +49,8 @@ class LentProcesses {
   }
 
   enum class Lent : std::uint8_t { no, anew, again, still };
-  /// Lends one to an agent, if it has none. `make` returns it as it begins, of a kind. The answer: whether it was lent
-  /// now, had been let go, or neither; `no` where a local store has no room for it, which will have none for others.
+  /// Lends a process to an agent, if it has none. `make` returns it as it begins, of a kind. The answer: whether it was
+  /// lent now, had been let go, or neither; `no` where a local store has no room for it, which has none for others.
   template <typename Make>
   Lent lend(std::uint32_t agent, Make make) {
     if (now_.of[agent].valid()) {
@@ -78,7 +78,7 @@ class LentProcesses {
         system_->agent(agent).template change_process<Process>(now_.of[agent], change);
     assert(changed && "the graph is as large as it was");
   }
-  /// Lets the process of an agent fade to no effect, if it has one that was not let go.
+  /// Lets the process of an agent fade to no effect, if it has a process that was not let go.
   void let_go(std::uint32_t agent, anim::Ticks fade) {
     if (std::exchange(now_.wanted[agent], std::uint8_t{0}) == 0) return;
     change(agent, [fade](Process& process) { process.set_weight(0.0F, fade); });

@@ -30,7 +30,7 @@ std::uint64_t above(std::uint64_t needed, std::uint64_t taken) { return needed -
 }  // namespace
 
 std::uint64_t bytes_of_pus(const anim::SystemOptions& options) {
-  constexpr std::uint64_t shares = 2;  // the store, and lists of what may lie in it
+  constexpr std::uint64_t shares = 2;  // the store, and lists of its possible blocks
   return static_cast<std::uint64_t>(on_this_machine(options).pus) * options.local_store_bytes * shares;
 }
 

@@ -23,9 +23,9 @@ std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characte
   return sizes;
 }
 
-constexpr float longest_shadow = 14.0F;  // metres, of a person; what is cast farther is faint
+constexpr float longest_shadow = 14.0F;  // metres, of a person; a shadow that falls farther is faint
 
-/// Moves the planes of a frustum outwards, as far as the shadow of somebody outside may fall in. A frustum holds a ball
+/// Moves the planes of a frustum outwards, as far as the shadow of an agent outside may fall in. A frustum holds a ball
 /// that moves along the light if it holds the ball at either end.
 std::array<glm::vec4, 6> with_casters(std::array<glm::vec4, 6> planes, const glm::vec3& to_light, float height) {
   const float length = std::min(height / std::max(to_light.y, 1e-3F), longest_shadow / 1.8F * height);
@@ -42,7 +42,7 @@ float tallest_of(std::span<const CharacterSource> characters) {
 constexpr std::size_t least_agents_to_learn_from = 100;
 constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is shown
 
-// Colours of errors are for everybody in view.
+// The view of errors colours all agents in view.
 ErrorSampling error_sampling(const Tuning& tuning) {
   return tuning.debug_view == DebugView::error ? ErrorSampling::all : tuning.error_sample;
 }
@@ -61,7 +61,7 @@ anim::LodLimits limits_of(const Tuning& tuning) {
 
 }  // namespace
 
-/// What all steps of a frame read.
+/// The input that all steps of a frame read.
 struct PosedCrowd::Frame {
   AnimatedCrowd& animated;
   const SeenFrame& seen;
@@ -172,7 +172,7 @@ anim::LodRequest PosedCrowd::lod_request(const Frame& frame) const {
           .frame_step = frame.seen.moves ? frame.seen.step : anim::Ticks{}};
 }
 
-/// Finds who is in view, with which mesh, and lists the agents to be posed in lod_.updates().
+/// Finds the agents in view and their meshes, and lists the agents to be posed in lod_.updates().
 void PosedCrowd::choose(const Frame& frame) {
   const Crowd& crowd = frame.crowd;
   lod_.select({.positions = crowd.positions(),
@@ -186,7 +186,7 @@ void PosedCrowd::choose(const Frame& frame) {
                       frame.pus);
 }
 
-/// Sets what agents do beyond their clips, and where their palettes go.
+/// Sets the parts of poses beyond clips, and where palettes go.
 void PosedCrowd::prepare(const Frame& frame, std::span<anim::AgentUpdate> updates) {
   BodyDetails& details = frame.animated.details();
   for (std::size_t i = 0; i < updates.size(); ++i) {
@@ -230,7 +230,7 @@ void PosedCrowd::show(const Frame& frame, anim::AgentUpdate& update) {
   update.joints = joints_.destination(agent);
 }
 
-// Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.
+// Rag-dolls have no pose that could be looked ahead to, and fall on out of view too.
 void PosedCrowd::add_fallen(const Frame& frame) {
   for (const FallenAgents::Fallen& fallen : frame.animated.fallen().fallen()) {
     const ShownPose& pose = shown_.pose(fallen.agent);
@@ -255,8 +255,8 @@ void PosedCrowd::measure(const Frame& frame) {
                                   .number = frame_});
 }
 
-// In the first frames nobody is skipped yet, so errors are too small to learn from. Of few agents, one alone is more
-// than the hundredth part, and calm ones say nothing of what it does next.
+// In the first frames no agent is skipped yet, so errors are too small to learn from. One of few agents is more
+// than the hundredth part, and a calm agent says nothing of its next motion.
 void PosedCrowd::settle(const Frame& frame) {
   const anim::ErrorFigures error = meter_.pose_figures();
   const bool tells = error.p99_is_known() && error.frames >= anim::ErrorWindow::frames &&

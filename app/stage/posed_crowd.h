@@ -27,12 +27,12 @@ namespace throng::app {
 
 /// The milliseconds that the parts of the last frame took on the calling thread.
 struct StageTimes {
-  double crowd_ms = 0;      ///< Stage::move: where agents go, and what is played
-  double selection_ms = 0;  ///< who is in view, and how exactly each is posed
+  double crowd_ms = 0;      ///< Stage::move: where agents go, and which clips they play
+  double selection_ms = 0;  ///< which agents are in view, and how exactly each is posed
   double pose_ms = 0;       ///< the rest of Stage::pose: slots, feet, palettes, errors
 };
 
-/// Tells the milliseconds since it was asked last, or made.
+/// Tells the milliseconds since the last question, or since it was made.
 class StopWatch {
  public:
   double lap() {
@@ -54,8 +54,8 @@ struct SeenFrame {
   std::uint64_t completed = 0;            ///< the newest frame that the device has finished reading
 };
 
-/// Poses the agents of a crowd that are seen: level of detail chooses them, their palettes are written into slots, and
-/// what is shown of them is measured.
+/// Poses the agents of a crowd that are seen: level of detail chooses them, slots take their palettes, and their
+/// shown poses are measured.
 class PosedCrowd {
  public:
   /// Asks `pages` for no page before the first pose. Counts frames on from `first_frame`. `characters` outlive this.
@@ -65,15 +65,15 @@ class PosedCrowd {
   void restart();
   /// Forgets all agents, for a crowd of `agents` that was made anew.
   void reset(std::size_t agents, const Tuning& tuning);
-  /// Forgets what is shown of agents, so that all are posed at once.
+  /// Forgets which poses of agents are shown, so that all are posed at once.
   void forget_shown(std::size_t agents, const Tuning& tuning);
   /// Takes a character whose bones have another order, and poses all agents anew.
   void take_character(std::size_t character, std::size_t agents);
 
-  /// Poses a frame, step by step. `times` gets those of its parts.
+  /// Poses a frame, step by step. `times` gets the milliseconds of its parts.
   void pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning, StageTimes& times);
   /// Poses all agents in view once more, exactly and with all bones. These are Poses::exact; they have slots of their
-  /// own until the next pose(). Changes nothing that is shown. Costs as much as all in view at full rate.
+  /// own until the next pose(). Changes nothing that is shown. Costs as much as all agents in view at full rate.
   void pose_exactly(AnimatedCrowd& animated);
 
   /// Keeps the joints of all poses from now on, for joints(). Errors: those of KeptJoints::begin.
@@ -126,7 +126,7 @@ class PosedCrowd {
 /// Returns the time of a clock as InstanceRecord::blend_start has it: microseconds modulo 2^32.
 std::uint32_t shader_time(anim::Ticks clock);
 
-/// Returns what level of detail reads of a character, which outlives the result: feet that are placed cost on top.
+/// Returns the character for level of detail, which `source` outlives: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float least_clicked_radius = 0.2F;  // metres: a smaller body could hardly be hit
 
-/// Reads what everybody may wear, and tells the crowd of the bodies that there are.
+/// Reads what agents may wear, and tells the crowd of the bodies that there are.
 anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>& characters) {
   std::vector<Clothing> all;
   for (CharacterSource& source : characters) {
@@ -87,7 +87,7 @@ anim::Status Stage::apply(const Tuning& asked) {
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
   if (!moving_)
-    posed_.level_of_detail().make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
+    posed_.level_of_detail().make_all_due();  // no agent's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
   return anim::Done{};
 }
@@ -171,7 +171,7 @@ void Stage::populate(AnimatedCrowd::Clocks clocks) {
   posed_.reset(crowd().size(), tuning_);
 }
 
-// Nobody flies or slides from where they were: everybody is posed at once, and feet come down anew.
+// No agent flies or slides from its place before: all agents are posed at once, and feet come down anew.
 void Stage::jump() {
   posed_.forget_shown(crowd().size(), tuning_);
   animated_->details().take_back({});

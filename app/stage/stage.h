@@ -34,7 +34,7 @@ class Stage {
   anim::Status apply(const Tuning& tuning);
 
   /// Takes other clips for the roles of a character, and another share of the crowd where one is given, at a frame
-  /// boundary. Agents keep their places, and those whose clip stays their phase. The crowd starts anew with another
+  /// boundary. Agents keep their places, and also their phase if the clip stays. The crowd starts anew with another
   /// share, where the character begins or ceases to walk, and in a cut scene.
   void set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share = {});
 
@@ -42,11 +42,11 @@ class Stage {
   /// and the crowd goes on. Pictures need its meshes loaded again. Errors: those of check_bone_lod and
   /// anim::Characters::replace; then nothing has changed.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
-  /// Takes other parts of a character's body, at a frame boundary. What stands, looks and falls is made anew of them,
+  /// Takes other parts of a character's body, at a frame boundary. Stances, gazes and rag-dolls are made anew of them,
   /// and the crowd starts anew. Errors: those of take_rig and AnimatedCrowd::create; then nothing has changed.
   anim::Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
-  /// Takes other rules of who wears what, at a frame boundary. `file` is where they come from now; empty: where they
-  /// did. The crowd starts anew if it dresses, since bodies and what hands hold decide what people do. Errors: the
+  /// Takes other rules of which agent wears what, at a frame boundary. `file` is where they come from now; empty: where
+  /// they did. The crowd starts anew if it dresses, since bodies and things in hands decide what people do. Errors: the
   /// rules name a part that the character lacks; then nothing has changed.
   anim::Status set_cast_rules(std::size_t character, CastRules rules, const std::string& file = {});
   /// Starts the crowd and every clock anew. From here on, all happens as on a stage just made.
@@ -54,7 +54,7 @@ class Stage {
 
   /// Takes a recorded crowd to another time, at a frame boundary. All agents are posed for it at once.
   void set_track_clock(const TrackClock& clock);
-  /// Takes the rows that came of a live crowd, which are those of its trajectories. Call it before move().
+  /// Takes the rows that came of a live crowd; they belong to its trajectories. Call it before move().
   void take_live_step(const LiveStep& step);
 
   void move(anim::Ticks delta);
@@ -68,19 +68,19 @@ class Stage {
   void select(std::optional<std::uint32_t> agent);
   std::optional<std::uint32_t> selected() const { return selected_; }
 
-  /// Does what AnimatedCrowd::go_back_to does, and forgets what is shown.
+  /// Does what AnimatedCrowd::go_back_to does, and forgets which poses are shown.
   anim::Status go_back_to(const StageMoment& moment);
 
   /// Fills the instance record of a visible agent. Returns false if the agent has no slot; then it is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
 
-  /// Returns the poses that are shown, and what chooses and measures them.
+  /// Returns the poses that are shown, with level of detail and the measures of them.
   PosedCrowd& posed() { return posed_; }
   const PosedCrowd& posed() const { return posed_; }
   const anim::AnimationSystem& system() const { return animated_->system(); }
   const Crowd& crowd() const { return animated_->crowd(); }
   const AnimatedCrowd& animated() const { return *animated_; }
-  /// Returns the crowd for what a person does to it by hand.
+  /// Returns the crowd for requests that a person makes by hand.
   AnimatedCrowd& animated() { return *animated_; }
   std::span<const CharacterSource> characters() const { return characters_; }
   std::span<const CharacterSource> people() const;  ///< the characters that are no props
@@ -112,7 +112,7 @@ class Stage {
 
 /// Returns the cylinder around the agent, as wide as its body without the arms.
 UprightBody body_of(const Stage& stage, std::uint32_t agent);
-/// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
+/// Returns the bodies that can be clicked at: one for each agent in view, in ascending order of agent. Allocates.
 std::vector<UprightBody> bodies_in_view(const Stage& stage);
 
 }  // namespace throng::app

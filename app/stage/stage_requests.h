@@ -4,7 +4,7 @@
 #include "app/stage/stage.h"
 #include "engine/anim/base/result.h"
 
-/// Requests that a stage carries out alone, without files and without what draws it. Errors: they cannot be; then
+/// Requests that a stage carries out alone, without files and without the painter. Errors: they cannot be; then
 /// nothing has changed.
 namespace throng::app {
 

@@ -13,18 +13,18 @@ namespace throng::app {
 inline constexpr std::size_t person_legs = 2;  ///< left, then right, as anim::CharacterRigs has them
 
 /// Tells when the feet of each gait of a character stand, measured on the clips at load: a foot stands while its ball
-/// is low and goes back as fast as the gait goes ahead. It tells too where each gait is while another one counts steps.
+/// is low and goes back as fast as the gait goes ahead. It tells too where each gait is while another counts steps.
 class Stances {
  public:
   Stances() = default;
   Stances(const anim::Character& character, const StridePlane& plane);
 
   /// Returns how far inside of its stance a foot is at a place of a gait's clip, 0 to 1: above 1 it stands, below 0 it
-  /// is in the air. Those of several gaits are mixed like the gaits, and so is the stance. `point` is one of the plane
-  /// that is a gait. A foot whose clip has no stance is reported to stand half the time.
+  /// is in the air. Margins of several gaits are mixed like the gaits, and so is the stance. `point` is a gait of the
+  /// plane. A foot whose clip has no stance is reported to stand half the time.
   float margin(std::size_t point, std::size_t leg, double phase) const;
 
-  /// Maps the clip by whose stride cycles are counted (StridePlane::reference) to that of a point of the plane.
+  /// Maps the clip by whose stride cycles are counted (StridePlane::reference) to the clip of a point of the plane.
   const anim::MarkerMap& in_step(std::size_t point) const { return in_step_[point]; }
 
  private:

@@ -26,22 +26,22 @@ TrackSource track_source(std::shared_ptr<const Trajectories> trajectories, std::
 /// of the crowd's clock alone, and is set only where the agent is posed.
 class TrackPlayers {
  public:
-  /// Gives every agent its channel. All of them outlive this; `characters` has one element a character of the system.
+  /// Gives every agent its channel. All arguments outlive this; `characters` has one element a character of the system.
   TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd, std::span<const CharacterSource> characters);
 
   /// Sets what an agent plays when it is posed `ahead` of the clock. Call it before its update. Allocates nothing.
   void set(std::uint32_t agent, anim::Ticks ahead);
   /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
-  /// Returns how firmly they stand at any time of the file's clock.
+  /// Returns how firmly the feet of an agent stand at any time of the file's clock.
   std::array<float, person_legs> planted_at(std::uint32_t agent, double seconds) const;
 
-  /// The place that somebody looks at, in its model space, and the share of the way that its head turns there.
+  /// The place that an agent looks at, in its model space, and the share of the way that its head turns there.
   struct Gaze {
     glm::vec3 target;
     float share;
   };
-  /// Returns where an agent looks now who talks to somebody; nothing for all others.
+  /// Returns where an agent that talks to another looks now; nothing for all other agents.
   std::optional<Gaze> gaze(std::uint32_t agent) const;
 
  private:

@@ -51,7 +51,7 @@ class PanelFocus {
   [[nodiscard]] bool is_at_last_added() const { return is_last_; }
   bool take_activation() { return take_wish(wish_.activate); }
   bool take_reset() { return take_wish(wish_.reset); }
-  /// Returns steps to the right; those to the left are negative. Whoever takes none is left by these keys.
+  /// Returns steps to the right; steps to the left are negative. These keys leave a widget that takes no step.
   int take_step() { return take_wish(wish_.step); }
 
   /// Returns the name of the widget that has the focus; empty: none.
@@ -89,7 +89,7 @@ class PanelFocus {
   std::size_t place_ = 0;
   std::string name_;
   Wish wish_;
-  std::deque<WaitingKey> waiting_;  // those after a key that a widget still has to see
+  std::deque<WaitingKey> waiting_;  // keys after a key that a widget still has to see
   std::vector<std::pair<ImGuiID, Stop>> stops_, stops_before_;
   ImVec2 from_, to_;  // of the widget that has the focus, as far as it is seen
   int frames_to_scroll_ = 0;

@@ -30,7 +30,7 @@ class RowSearch {
   /// Returns whether this pass shows the row.
   bool finds(std::string_view label, std::string_view what, std::string_view key);
 
-  /// Returns where the row that was found last is, if it is the first of its section; nothing for those after it.
+  /// Returns the place of the row that was found last, if it is the first of its section; nothing for later rows.
   [[nodiscard]] std::optional<Place> take_new_place();
   /// Asks to leave the search for that place.
   void leave_for(const Place& place) { wanted_ = place; }

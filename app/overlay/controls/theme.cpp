@@ -19,7 +19,7 @@ constexpr float body_size = 15, small_size = 13, large_size = 22;
 /// Latin with its accents, Greek and Cyrillic: bones of real models are named in all of them.
 constexpr ImWchar letters[] = {0x20, 0x24F, 0x370, 0x4FF, 0x2013, 0x2026, 0};
 
-/// Returns the bytes of a TrueType font, or none: ImGui ends a program that gives it what it cannot read.
+/// Returns the bytes of a TrueType font, or none: ImGui ends a program that gives it bytes that it cannot read.
 std::vector<std::byte> read_font(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = 16U << 20U;
   constexpr std::array truetype{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};

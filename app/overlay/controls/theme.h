@@ -48,7 +48,7 @@ struct Theme {
   ImFont* small = nullptr;    ///< 13 pixels, captions and tables
   ImFont* large = nullptr;    ///< 22 pixels, the numbers that matter most
   bool fonts_missing = false;
-  bool panels_have_ground = true;  ///< false: who draws the overlay fills what the panels cover before
+  bool panels_have_ground = true;  ///< false: the renderer of the overlay fills the place of the panels before
 
   [[nodiscard]] float px(float pixels) const { return pixels * scale; }
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is listed
 constexpr Ticks farthest_ahead = 3600 * ticks_per_second;
 
-/// What follows from an agent's program and level, which the agent before nearly always shares.
+/// The facts that follow from an agent's program and level, which the agent before nearly always shares.
 struct AlikeAgents {
   const PoseProgram* program = nullptr;
   std::uint8_t level = 0;
@@ -161,7 +161,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   work_.resize(listed());
 }
 
-// Checks what the host wrote, before anything of the agent changes.
+// Checks the values that the host wrote, before anything of the agent changes.
 bool FrameWork::may_update(const Population& population, std::span<const UpdateContext> contexts,
                            const AgentUpdate& update) const {
   const auto refused = [](const char* reason) { return report_misuse({"AnimationSystem::update", reason}); };
@@ -209,7 +209,7 @@ void FrameWork::report_work(const Population& population, const FittedScheduler&
   for (const ProcessingUnit& unit : pus.scheduler().units()) report_.copies += unit.activity().copies;
 }
 
-// An agent's place is what a run that never had the dead would know it by.
+// The place of an agent is its number in a run that never had the dead agents.
 void FrameWork::hash_agent(std::uint32_t agent, std::uint32_t place) {
   const std::uint64_t frame = hashes_.frames[agent];
   hashes_.agents[agent] = frame == 0 ? 0 : chain_hash(chain_hash(place, frame), hashes_.palettes[agent]);

@@ -15,7 +15,7 @@ glm::vec3 RagdollProcess::hips(const EntityPools& pools) const {
   return pools.private_as<RagdollMemory>(ragdoll_).bodies.bodies[0].position;
 }
 
-// The blender is there from the push on, showing nothing of the rag-doll until it is let go: what an agent asks of the
+// The blender is there from the push on, showing nothing of the rag-doll until it is let go: the agent's share of the
 // local store does not grow while it falls.
 void RagdollProcess::begin(const EntityBuilder& build) {
   ragdoll_ = build.create(kind_);
@@ -40,7 +40,7 @@ bool RagdollProcess::take_push(const EntityBuilder& build) {
   return true;
 }
 
-// Easing is symmetric: what is left of one way is what is done of the other.
+// Easing is symmetric: the rest of one way is the done part of the other.
 void RagdollProcess::turn_round(const EntityBuilder& build, Phase phase, Ticks fade) {
   auto& blender = build.as<EaseBlender>(blender_);
   const auto elapsed = static_cast<double>((blender.elapsed - build.lead()).count());

@@ -23,7 +23,7 @@ class CrowdEditor {
   /// Takes the last change back, or makes it again. The pause is no part of it.
   void undo();
   void redo();
-  /// Ends a change: what is asked for from here on is another step.
+  /// Ends a change: later requests are another step.
   void end_change() { ++change_; }
   /// Returns whether undo() would take back another order of bones.
   bool can_undo_bones() const;

@@ -14,19 +14,19 @@ struct TracksToRead {
   std::string file, walls;  ///< `walls` may be empty
 };
 
-/// Returns what to read of files that were dropped together: one of trajectories, one of walls, or both. `shown` is the
-/// file of the crowd in the window, to which walls alone belong; empty: it is no recorded one. Returns nothing where no
-/// file is such a one. Errors: they do not go together.
+/// Returns the files to read of files that were dropped together: trajectories, walls, or both. `shown` is the
+/// file of the crowd in the window, to which walls alone belong; empty: it is no recorded crowd. Returns nothing if no
+/// file has trajectories or walls. Errors: they do not go together.
 anim::Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> files, const std::string& shown);
 
-/// Opens recorded crowds that are dropped on a window. What is read is said before, since it may take a
+/// Opens recorded crowds that are dropped on a window. It names the files before it reads them, since that may take a
 /// second.
 class DroppedTracks {
  public:
   /// Takes files that were dropped together, if tracks_to_read() finds any, and says what will be read or why it cannot
   /// be. Returns whether it took them.
   bool takes(const std::vector<std::string>& files, WindowSession& session);
-  /// Reads what was taken once it has been said. Call it after each frame was drawn.
+  /// Reads the taken files once they have been named. Call it after each frame was drawn.
   void read_when_said(WindowSession& session);
 
  private:

@@ -15,9 +15,9 @@ class FileRequests {
   FileRequests(WindowSession& session, Overlay& overlay) : session_(session), overlay_(overlay) {}
 
   void take(const FileRequest& request);
-  /// Opens a crowd file: characters, values, cameras, and what is compared.
+  /// Opens a crowd file: characters, values, cameras, and the tunings to compare.
   void open_crowd(const std::filesystem::path& file);
-  /// Takes what a crowd file keeps for a window alone: what is compared, and the bookmarks of the camera.
+  /// Takes the parts of a crowd file that only a window keeps: the tunings to compare, and the bookmarks of the camera.
   void take_kept(const CrowdSetup& setup);
 
  private:

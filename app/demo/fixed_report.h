@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// Replaces the figures that this machine measured by those of a committed report, so that pictures can be compared.
+/// Replaces the figures that this machine measured by a committed report's, so that pictures can be compared.
 /// Errors: the file cannot be read, or is no JSON object.
 anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport& report);
 

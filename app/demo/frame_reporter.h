@@ -35,7 +35,7 @@ class FrameReporter {
   void report_recording(const std::string& file) {
     report_.recording = {.file = file, .began_at = report_.messages.now()};
   }
-  /// Returns what the person is told.
+  /// Returns the messages to the person.
   Messages& messages() { return report_.messages; }
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
@@ -43,7 +43,7 @@ class FrameReporter {
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
   /// Reports a replay.
   void report_replay(const ReplayReport& replay) { report_.replay = replay; }
-  /// Returns what is reported of the cameras.
+  /// Returns the report of the cameras.
   CameraReport& cameras() { return report_.cameras; }
   /// Reports the kept frame whose number is nearest from now on, or the last ones again.
   void look_at(int frame) { slow_frames_.look_at(frame); }

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// Reports what meshes a character is drawn with in the frame that was drawn last.
+/// Reports the meshes with which a character is drawn in the last drawn frame.
 MeshReport report_meshes(const Show& show, std::size_t character);
 
 }  // namespace throng::app

@@ -8,8 +8,8 @@
 
 namespace throng::app {
 
-/// Reports the selected person of a recorded crowd. What follows from the file is found once. Footfalls of a long time
-/// are found in the frames after that, so that no frame waits for them.
+/// Reports the selected person of a recorded crowd. Facts that follow from the file are found once. Footfalls of a long
+/// time are found in the frames after that, so that no frame waits for them.
 class TrackedPersonReporter {
  public:
   /// Returns the selected person as far as it is known; null where no person of a recorded crowd is selected, or where

@@ -18,8 +18,8 @@ class UnkeptValues {
   /// Takes the values that wait, kept as a preset or taken from one.
   void keep_other(const Tuning& tuning);
 
-  /// Returns whether the person is to be asked before these values, and those that wait beside them, are left. The same
-  /// values are asked about once.
+  /// Returns whether to ask the person before these values, and the values that wait beside them, are left. Asks about
+  /// equal values once.
   bool ask_about(const Tuning& tuning, const TuningPair& pair = {});
 
  private:

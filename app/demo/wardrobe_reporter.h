@@ -9,7 +9,7 @@ namespace throng::app {
 
 /// Reports the rules of a character. `standard` stays as it is.
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);
-/// Reads what the file of the rules says, for the defaults to go back to; what is in force where it says nothing.
+/// Reads the file of the rules, for the defaults to go back to; without a readable file, takes the rules in force.
 void read_standard_rules(const Stage& stage, std::size_t character, WardrobeReport& report);
 
 }  // namespace throng::app

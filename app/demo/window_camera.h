@@ -23,7 +23,7 @@ class WindowCamera {
   /// Moves the camera as mouse and keys say. A person who takes it in hand has it from then on. `free` says what the
   /// overlay leaves to it.
   void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
-  /// Does what the person asks for.
+  /// Carries out the person's requests.
   void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
   void put(const CameraPlace& place, Show& show);
@@ -59,7 +59,7 @@ class WindowCamera {
   bool was_put_ = false;  // in this frame
 };
 
-/// Reports who moves the camera of the show.
+/// Reports what moves the camera of the show.
 void report_cameras(const Show& show, CameraReport& report);
 
 }  // namespace throng::app

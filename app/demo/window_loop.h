@@ -7,7 +7,7 @@
 namespace throng::app {
 
 /// Runs `show` in its window until a person closes it or presses Esc, or the frames that were asked for are over.
-/// A `replay` that is not null repeats what was recorded, to its end.
+/// A `replay` that is not null repeats its recording, to its end.
 anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay);
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@ class WindowReplay {
   /// Counts the frames of the recording. `replay`, which outlives this, has begun and repeated nothing yet.
   explicit WindowReplay(Replay& replay);
 
-  /// Does what the person asks for.
+  /// Carries out the person's requests.
   void take(const ReplayRequest& request);
   /// Repeats the frames of the next `seconds`, or some frames on the way to the requested one. A frame of
   /// the window never waits long for them.

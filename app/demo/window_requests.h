@@ -11,16 +11,16 @@
 
 namespace throng::app {
 
-/// Takes what a person asks for at a window, in order, at a frame boundary, and says what came of it.
+/// Takes the requests of a person at a window, in order, at a frame boundary, and says what came of them.
 class WindowRequests {
  public:
   WindowRequests(WindowSession& session, Overlay& overlay)
       : session_(session), overlay_(overlay), files_(session, overlay) {}
 
   void take(const Requests& requests);
-  /// Does what is asked of the picture, once it is drawn.
+  /// Carries out requests for the picture, once it is drawn.
   void take_after_drawing(const Requests& requests);
-  /// Takes what a crowd file keeps for a window alone.
+  /// Takes the parts of a crowd file that only a window keeps.
   void take_kept(const CrowdSetup& setup) { files_.take_kept(setup); }
 
  private:

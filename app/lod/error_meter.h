@@ -31,7 +31,7 @@ struct MeasuredFrame {
   std::uint64_t number = 0;
 };
 
-/// Measures what level of detail costs the eye (app/lod/README.md): the largest distance on screen, over points of the
+/// Measures the error of level of detail (app/lod/README.md): the largest distance on screen, over points of the
 /// surface, between the vertex shader's result and the exact pose of the moment. Changes no pose.
 class ErrorMeter {
  public:

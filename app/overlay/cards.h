@@ -19,7 +19,7 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
 /// edits there. Returns whether the person closed the card.
 bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 
-/// Shows what the person was told so far, the newest first. Returns whether the person closed the card.
+/// Shows the messages so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
 /// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as

@@ -21,8 +21,8 @@ struct OverlaySwitches {
   int tabs_further = 0;        ///< to the right; negative: to the left
 };
 
-/// Says what is open while keys are pressed. Esc closes it from the top down: a list, a search, the help, the log of
-/// messages, the viewer of one character, the card of the selected agent.
+/// Says which parts are open while keys are pressed. Esc closes them from the top down: a list, a search, the help, the
+/// log of messages, the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
   std::optional<std::uint32_t> selected = {};  ///< the selected agent
@@ -30,7 +30,7 @@ struct OpenThings {
   std::optional<ViewerSettings> viewer = {};   ///< of the viewer that is open
 };
 
-/// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text
+/// Carries out the keys pressed in this frame (README.md has the table). The caller leaves it out while a text
 /// field has the keys.
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    Requests& requests);

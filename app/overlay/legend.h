@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// A colour of the picture and what it means.
+/// A colour of the picture and its meaning.
 struct LegendStep {
   std::uint32_t color = 0;    ///< as it is drawn (app/settings/agent_colors.h); 0: nothing is laid over the agent
   std::string words;          ///< the values in force that have it
@@ -37,8 +37,8 @@ struct LegendPart {
   std::vector<std::string> notes = {};  ///< lines about all of it
 };
 
-/// Returns what the colours in the picture mean, with the numbers in force; nothing while there are none. Values that
-/// share a colour share a step. `heads_shown` is how many figures above heads had room.
+/// Returns the meanings of the colours in the picture, with the numbers in force; nothing while there are none. Values
+/// of one colour share a step. `heads_shown` is how many figures above heads had room.
 std::vector<LegendPart> legend_of(const FrameReport& report, const Tuning& tuning, std::size_t heads_shown = 0);
 
 }  // namespace throng::app

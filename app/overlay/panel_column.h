@@ -14,7 +14,7 @@ class PanelColumn {
  public:
   explicit PanelColumn(Widgets& widgets) : widgets_(widgets), theme_(widgets.theme()) {}
 
-  /// Shows a field to search in, and the tabs, or what is found in them. A person changes `switches` there.
+  /// Shows a field to search in, and the tabs, or the found rows in them. A person changes `switches` there.
   void show_tabs(const Area& place, const TabContext& context, OverlaySwitches& switches);
   /// Shows the viewer; the report must have one.
   void show_viewer(const Area& place, const TabContext& context, OverlaySwitches& switches);

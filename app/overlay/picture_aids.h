@@ -38,7 +38,7 @@ std::vector<Area> show_split_line(const TabContext& context, const Area& crowd, 
 /// Writes the level of detail of agents near by above their heads: the interval in frames, and after it the bone level
 /// where bones are dropped. A figure that would lie over another one is left out.
 void show_head_labels(const TabContext& context, const Area& crowd, std::span<const Area> taken, AidsMemory& memory);
-/// Shows what the colours in the picture mean. Returns where, or nothing while there are none.
+/// Shows the meanings of the colours in the picture. Returns where, or nothing while there are none.
 std::optional<Area> show_legend(const TabContext& context, const Area& crowd, std::span<const Area> taken,
                                 AidsMemory& memory);
 

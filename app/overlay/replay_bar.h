@@ -11,7 +11,7 @@ namespace throng::app {
 /// a track over all frames, loop, speed.
 void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, Requests& requests);
 
-/// Does what the keys pressed in this frame ask of a replay: Space pauses, Left and Right go a frame back and on.
+/// Carries out the keys pressed in this frame for a replay: Space pauses, Left and Right go a frame back and on.
 void apply_replay_keys(const InputFrame& input, Requests& requests);
 
 }  // namespace throng::app

@@ -102,13 +102,13 @@ void show_camera_section(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
 /// them, and reads what follows from them.
 void show_body(const TabContext& context);
-/// Shows the error on the screen: figures, how many were measured for them, what chance does to them, and how they went
+/// Shows the error on the screen: figures, number of samples, the interval that chance gives them, and their history
 /// beside the limit.
 void show_error(const TabContext& context);
 /// Shows a sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its
 /// value.
 void show_sweep(const TabContext& context);
-/// Shows the work of each PU in the last frames, or in the one that is looked at, side by side on one axis of
+/// Shows the work of each PU in the last frames, or in a kept frame, side by side on one axis of
 /// milliseconds. The wheel zooms about the pointer, a drag moves along, and a double click shows all again. A span
 /// under the pointer says what it was.
 void show_timeline(const TabContext& context);

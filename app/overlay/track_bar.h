@@ -11,9 +11,9 @@ namespace throng::app {
 /// play backwards, play and pause, a row on, rate, loop, the whole file.
 void show_track_bar(const TabContext& context, const Area& crowd);
 
-/// Does what the keys pressed in this frame ask of a recorded crowd: Left and Right go a row back and on, with Shift a
+/// Carries out the keys pressed in this frame for a recorded crowd: Left and Right go a row back and on, with Shift a
 /// second, and pause; `[` and `]` begin and end the part that is played; Shift+Space plays the other way; Space at the
-/// end begins anew. That Space pauses is for the caller to have done.
+/// end begins anew. The caller handles Space as the pause before.
 void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, Requests& requests);
 
 }  // namespace throng::app

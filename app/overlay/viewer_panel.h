@@ -13,7 +13,7 @@ struct ViewerPanelMemory {
   std::string search;  ///< the panel shows the clips whose names have it
 };
 
-/// Shows the viewer of one character in the place of the tabs: its clips, their time, and what is drawn of it.
+/// Shows the viewer of one character in the place of the tabs: its clips, their time, and its drawn parts.
 void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerReport& report, ViewerPanelMemory& memory,
                        Requests& requests);
 

@@ -14,14 +14,14 @@
 
 namespace throng::app {
 
-/// A recording is what a crowd was asked to do and what became of it, frame by frame, in one file. Numbers are
+/// A recording has the requests to a crowd and the poses that came of them, frame by frame, in one file. Numbers are
 /// little-endian; lengths are in bytes.
 ///
 ///     "THRONGRC"  version u32  length u32  header: JSON          RecordingHeader
 ///     kind u8  length u32  payload                               again and again: what was asked, then a frame
 ///
 ///     kind        payload
-///     request     JSON (app/request/request_json.h); of values those that changed since the request before
+///     request     JSON (app/request/request_json.h), with the values that changed since the request before
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it

@@ -70,7 +70,7 @@ struct FrameReport {
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
   std::string notice;  ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
-  Messages messages;   ///< what the person was told
+  Messages messages;   ///< the messages that the person was told
   RecordingReport recording;
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;
@@ -92,7 +92,7 @@ struct FrameReport {
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< [level]
   std::vector<int> level_bone_counts;     ///< [level]
-  ErrorReport error;                      ///< of what is shown
+  ErrorReport error;                      ///< of the shown poses
   std::vector<BoneRow> bones;             ///< in level-of-detail order
   bool can_undo_bones = false;            ///< the last change was made to their order
   anim::LodFigures lod;

@@ -16,7 +16,7 @@ struct MeshLodRow {
   int agents = 0;      ///< in view, drawn with it
 };
 
-/// Reports the meshes that the character shown is drawn with, and what decides between them.
+/// Reports the meshes with which the character shown is drawn, and the values that decide between them.
 struct MeshReport {
   MeshTolerance tolerance;
   MeshFigures crowd;             ///< of all characters

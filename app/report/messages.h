@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// What a person was told at some time: that something was done, or why it was not.
+/// A message that a person was told: that something was done, or why it was not.
 struct Message {
   enum class Kind : std::uint8_t { done, refused };
 
@@ -29,7 +29,7 @@ class Messages {
   void say(std::string words, Message::Kind kind = Message::Kind::done);
   /// Says why something failed, if it did. Returns whether it did not.
   bool tell(const anim::Status& outcome);
-  /// Says `done` of what did not fail, else why it did. Returns whether it did not.
+  /// Says `done` if the outcome is a success, else why it failed. Returns whether it is a success.
   bool tell(const anim::Status& outcome, const std::string& done);
 
   /// Lets the window's clock go on.

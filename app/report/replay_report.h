@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// The speeds at which a replay can be seen; 1 is that of the recording.
+/// The speeds at which a replay can be seen; 1 is the speed of the recording.
 inline constexpr std::array<float, 5> replay_speeds = {0.25F, 0.5F, 1.0F, 2.0F, 4.0F};
 
 /// All that the overlay shows of a replay.

@@ -47,10 +47,10 @@ struct LayerRow {
   float weight = 1;        ///< its weight against the layers below, 0 to 1
   bool is_masked = false;  ///< it changes some bones only
   bool is_channel = true;
-  std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, readers after what they read
+  std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, readers after their sources
 };
 
-/// The overlay's words for what FallenAgents does with an agent.
+/// The overlay's words for the state of an agent in FallenAgents.
 enum class Posture : std::uint8_t { upright, falling, down, getting_up };
 
 /// All that the overlay shows of the selected agent.
@@ -68,7 +68,7 @@ struct SelectionReport {
   int mesh_lod = 0;    ///< the mesh that it is drawn with; 0: the full one
   bool can_fall = false;
   int channels = 0;
-  std::vector<EntityRow> entities;       ///< each once, readers after what they read, the pose last
+  std::vector<EntityRow> entities;       ///< each once, readers after their sources, the pose last
   std::vector<LayerRow> layers = {};     ///< a later one lies over the earlier ones
   std::uint32_t bytes = 0;               ///< the size of all blocks
   std::vector<LodOfFrame> history = {};  ///< the last frames, oldest first

@@ -11,7 +11,7 @@ struct WardrobeReport {
   CastTuning tuning;    ///< in force; without bodies where the character has no rules
   CastTuning standard;  ///< as the file says
   std::string file;     ///< where the rules come from; empty: no file
-  int holding = 0;      ///< agents who hold something
+  int holding = 0;      ///< agents that hold something
 };
 
 }  // namespace throng::app

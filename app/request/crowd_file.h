@@ -29,7 +29,7 @@ std::vector<std::string> crowd_names(const std::filesystem::path& folder);
 CrowdSetup crowd_setup(std::span<const CharacterSource> people, const Preset& preset);
 
 /// Writes the file NAME.throng whole or not at all: one JSON object with "version", "characters", "values", which are
-/// those of a preset, and where they are not empty "compare" and "bookmarks". Names of files are relative to the folder
+/// a preset's, and where they are not empty "compare" and "bookmarks". Names of files are relative to the folder
 /// of NAME.throng, so that both can move together.
 anim::Status write_crowd_file(const std::filesystem::path& file, const CrowdSetup& setup);
 /// Reads such a file. Values that it does not have keep their defaults. The error is one line that names the file, what

@@ -94,7 +94,7 @@ struct SetPlacement {
   };
 };
 
-/// Other rules of who wears what among a character's agents.
+/// Other rules of which of a character's agents wear what.
 struct SetRules {
   static constexpr const char* name = "rules";
   CharacterNumber character = 0;
@@ -187,7 +187,7 @@ struct PicturePoint {
 struct SelectAt {
   PicturePoint point;
 };
-/// Files that came together are opened by what they are: models, a recorded crowd, a crowd file.
+/// Files that came together are opened by their kinds: models, a recorded crowd, a crowd file.
 struct OpenFiles {
   std::vector<std::string> files;
 };

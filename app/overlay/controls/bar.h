@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// The controls of a bar at the foot of the crowd, taken from the left and the right end of a line. What is left in the
+/// The controls of a bar at the foot of the crowd, taken from the left and the right end of a line. The room in the
 /// middle is for a track or for words.
 class BarControls {
  public:
@@ -14,7 +14,7 @@ class BarControls {
 
   BarControls(Widgets& widgets, const Area& place) : widgets_(widgets), place_(place) {}
 
-  /// Shows a control at the left or the right end of what is left. Returns whether it was clicked.
+  /// Shows a control at the left or the right end of the room left. Returns whether it was clicked.
   bool left(const std::string& name, float width) { return show(name, take(width, true)); }
   bool right(const std::string& name, float width) { return show(name, take(width, false)); }
   /// Returns the place of the last control.

@@ -30,7 +30,7 @@ class Card {
   /// Returns the place of all that it holds, as far as it is scrolled.
   [[nodiscard]] Area content() const { return content_; }
 
-  /// Returns the height of what a card of that width holds without a need to scroll.
+  /// Returns the height of the content that a card of that width holds without a need to scroll.
   static float most_height(const Theme& theme, const Area& crowd, float width);
 
  private:

@@ -23,7 +23,7 @@ namespace throng::app {
 class PanelFocus {
  public:
   enum class Stop : std::uint8_t { plain, row };
-  /// Says who has the keys before the panel.
+  /// Says which parts have the keys before the panel.
   struct Before {
     bool typing = false;  ///< a text field
     bool list = false;    ///< an open list

@@ -12,7 +12,7 @@ namespace throng::app {
 /// Returns whether a text has these letters, in upper or lower case. No letters are in every text.
 bool has_letters(std::string_view text, std::string_view letters);
 
-/// Finds the rows of all tabs that have every word of a text in their label, in what they say about themselves, in the
+/// Finds the rows of all tabs that have every word of a text in their label, in their help text, in the
 /// key of their value or in the title of their section. The tabs are gone through once for each pass.
 class RowSearch {
  public:

@@ -25,7 +25,7 @@ struct UiMap {
   bool shows_b = false;                                      ///< the second of two tunings is in use
   bool typing = false;                                       ///< keys go into a text field
   std::string focus;                                         ///< the widget that has the keyboard; empty: none
-  std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< those that can be seen, in drawing order
+  std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< the visible widgets, in drawing order
   std::vector<UiRectangle> over_crowd;                       ///< the cards, notices and bars that lie over the crowd
   std::vector<std::pair<std::string, std::string>> idle;     ///< rows that have no effect now, and why
 

@@ -40,8 +40,8 @@ class Widgets {
 
   [[nodiscard]] const Theme& theme() const { return theme_; }
 
-  /// Shows what follows, until end_idle(), as disabled if there is a reason why it has no effect. The tooltip of each
-  /// row has the reason, and the map lists it. They do not nest. `key` is that of the value that the rows edit.
+  /// Shows the rows until end_idle() as disabled if there is a reason why they have no effect. The tooltip of each
+  /// row has the reason, and the map lists it. They do not nest. `key` is the key of the value that the rows edit.
   void begin_idle(std::optional<std::string> reason, std::string_view key = {});
   void end_idle();
 
@@ -93,7 +93,7 @@ class Widgets {
   /// Notes a place that takes clicks, where the keyboard stops at something else, such as its row. Returns whether it
   /// was clicked.
   bool pressable(const std::string& name, const Area& place) { return invisible(name, place, true); }
-  /// Lets the keyboard stop at what was shown under that name. Returns the focus, to take what keys ask for.
+  /// Lets the keyboard stop at the thing that was shown under that name. Returns the focus, to take its keys.
   PanelFocus& stop(const std::string& name, const Area& place);
   [[nodiscard]] PanelFocus& focus() { return focus_; }
   /// Explains something at the height of the pointer, beside the column.

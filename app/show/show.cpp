@@ -184,7 +184,9 @@ anim::Status Show::carry_out(const LoadModels& models) {
 }
 
 anim::Status Show::carry_out(const SetCast& others) {
-  return cast(load_crowd(others.characters, data_, load_options_));
+  const std::size_t count = others.characters.size();
+  if (count >= 1 && count <= most_models) return cast(load_crowd(others.characters, data_, load_options_));
+  return anim::Error{"a crowd has 1 to " + std::to_string(most_models) + " characters, not " + std::to_string(count)};
 }
 
 anim::Status Show::carry_out(const GoBack& back) { return rewind_.go_back(*stage_, back.moment); }

@@ -73,7 +73,7 @@ TEST_F(CrowdRequests, ThatCannotBeAreRefusedInWordsAndChangeNothing) {
   RoleClips clips = no_clips();
   clips.front() = 10'000;
   EXPECT_EQ(refusal_of(SetRoles{0, clips}), "mannequin (built in) has no such clip");
-  EXPECT_THAT(refusal_of(SetCast{}), HasSubstr("no character"));
+  EXPECT_EQ(refusal_of(SetCast{}), "a crowd has 1 to 30 characters, not 0");
   EXPECT_THAT(refusal_of(LoadModels{{"none.glb"}}), HasSubstr("none.glb"));
   EXPECT_THAT(refusal_of(GoBack{}), HasSubstr("there is no earlier moment"));
   EXPECT_THAT(refusal_of(Seek{}), HasSubstr("follows no file"));

@@ -15,6 +15,7 @@ anim::Result<LoadedCast> load_as_it_is(std::span<const ChosenCharacter> characte
   options.placement = characters.front().placement;
   auto built_in = load_built_in(data, options);
   if (!built_in) return built_in.error();
+  if (const anim::Status seen = check_extent(*built_in, built_in->name); !seen) return seen.error();
   LoadedCast cast;
   cast.characters.push_back(std::move(*built_in));
   return cast;

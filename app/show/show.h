@@ -68,7 +68,7 @@ class Show {
   /// of the body change, and shows the first of other characters when they come.
   Viewer* viewer() const { return viewer_.get(); }
 
-  /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of apply(); then
+  /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of take(); then
   /// nothing has changed.
   anim::Status begin_anew(const Tuning& tuning);
 

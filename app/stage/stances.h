@@ -20,7 +20,7 @@ class Stances {
   Stances(const anim::Character& character, const StridePlane& plane);
 
   /// Returns how far inside of its stance a foot is at a place of a gait's clip, 0 to 1: above 1 it stands, below 0 it
-  /// is in the air. Margins of several gaits are mixed like the gaits, and so is the stance. `point` is a gait of the
+  /// is in the air. Margins and the stance of several gaits are mixed like the gaits. `point` is a gait of the
   /// plane. A foot whose clip has no stance is reported to stand half the time.
   float margin(std::size_t point, std::size_t leg, double phase) const;
 

@@ -35,10 +35,10 @@ inline constexpr const char* part_property = "throng_part";
 inline constexpr const char* target_names_property = "targetNames";
 
 /// Parses a glTF document and keeps only the parts that import uses. Of extras, it keeps data keys, curves, mesh LODs,
-/// parts and names of morph targets as properties of the animation, the node and the mesh; of extensions, those that
-/// import reads. Every number with an integer value becomes an integer (glTF 2.0, 2.7 allows "1.0"), and every name
-/// plain text of at most 1,024 bytes. Parses no deeper than max_json_depth, so that its readers may be recursive.
-/// `repairs` names all that was left out. Throws Refusal.
+/// parts and names of morph targets as properties of the animation, the node and the mesh; of extensions, the
+/// properties that import reads. Every number with an integer value becomes an integer (glTF 2.0, 2.7 allows "1.0"),
+/// and every name plain text of at most 1,024 bytes. Parses no deeper than max_json_depth, so that its readers may be
+/// recursive. `repairs` names all that was left out. Throws Refusal.
 nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs);
 
 /// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and

@@ -93,6 +93,8 @@ TEST_F(RulesShow, IsKeptInACrowdFileWhereSomebodyChoseIt) {
   EXPECT_EQ(crowd_setup(again->stage().people(), {}).characters, read_crowd_file(crowd)->characters);
   const auto usual = show_of(demo("--agents 3 --wardrobe on"));
   EXPECT_FALSE(crowd_setup(usual->stage().people(), {}).characters.front().rules) << "it is what the program brings";
+  ASSERT_TRUE(usual->take(SetPlacement{0, {.scale = 1.1}}));
+  EXPECT_FALSE(crowd_setup(usual->stage().people(), {}).characters.front().rules) << "another size chooses no rules";
   CastRules tuned = usual->stage().clothing()[0].rules;
   tuned.things = 3.0F;
   ASSERT_TRUE(usual->take(SetRules{0, rules_text(tuned)}));

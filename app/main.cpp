@@ -1,20 +1,20 @@
 #include <string>
 #include <variant>
 
-#include "app/command_line/command_files.h"
-#include "app/command_line/options.h"
-#include "app/command_line/simd_choice.h"
 #include "app/commands/bake/command.h"
 #include "app/commands/bench/command.h"
 #include "app/commands/check/command.h"
+#include "app/commands/command_line/command_files.h"
+#include "app/commands/command_line/options.h"
+#include "app/commands/command_line/simd_choice.h"
 #include "app/commands/compare/command.h"
 #include "app/commands/inspect/command.h"
 #include "app/commands/lod/command.h"
 #include "app/commands/pose/command.h"
-#include "app/demo/demo.h"
 #include "app/files/exit_status.h"
 #include "app/files/program_version.h"
-#include "engine/files/output_file.h"
+#include "app/window/demo.h"
+#include "engine/base/files/output_file.h"
 
 // The build makes it for the program alone; others who compile this file have none.
 #if __has_include("throng_commit.h")

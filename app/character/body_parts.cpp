@@ -8,9 +8,9 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/rig_table.h"
-#include "app/files/joined.h"
 #include "engine/anim/rig/ragdoll_bones.h"
 #include "engine/anim/rig/rig_map.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/files/kept_file.h"
 #include "engine/anim/asset/skeleton_order.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

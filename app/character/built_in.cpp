@@ -11,7 +11,7 @@
 #include "app/character/wardrobe_file.h"
 #include "app/files/data_folder.h"
 #include "engine/anim/import/import.h"
-#include "engine/files/free_memory.h"
+#include "engine/base/files/free_memory.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {

@@ -14,9 +14,9 @@
 #include "app/character/model_placement.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
-#include "app/files/joined.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -74,9 +74,9 @@ anim::Result<std::vector<std::string>> models_in(const std::string& folder) {
       files.push_back(entry->path().string());
     }
   }
-  if (error) return anim::Error{anim::plain_text(folder) + ": the folder cannot be read: " + error.message()};
+  if (error) return anim::Error{plain_text(folder) + ": the folder cannot be read: " + error.message()};
   if (files.empty()) {
-    return anim::Error{anim::plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
+    return anim::Error{plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
                        " file; name one that holds models, not in folders below it"};
   }
   leave_out_packs_of_others(files);
@@ -90,14 +90,14 @@ bool has_surface(const anim::ImportedFile& file) {
 
 anim::Error no_mesh(const std::string& path, const anim::Model& model) {
   const std::size_t clips = model.clips.size();
-  return {anim::plain_text(path) + ": it has a skeleton of " + counted(model.skeleton.bones.size(), "bone") +
+  return {plain_text(path) + ": it has a skeleton of " + counted(model.skeleton.bones.size(), "bone") +
           (clips > 0 ? " and " + counted(clips, "clip") : "") + ", but no mesh to draw; " +
-          (clips > 0 ? "name the file of a character with a mesh, and add --clips-from " + anim::plain_text(path)
+          (clips > 0 ? "name the file of a character with a mesh, and add --clips-from " + plain_text(path)
                      : "export it into one .glb with its mesh")};
 }
 
 anim::Error too_many(const std::string& entry) {
-  return {anim::plain_text(entry) + ": with it there are more than " + std::to_string(most_models) +
+  return {plain_text(entry) + ": with it there are more than " + std::to_string(most_models) +
           " characters, the most of one crowd; name fewer, as in --cast FILE,FILE"};
 }
 
@@ -205,7 +205,7 @@ class CastLoader {
     if (cast_.left_out.size() < most_explained) {
       cast_.left_out.push_back(status.error().message + "; it is left out.");
     } else {
-      unexplained_.push_back(anim::plain_text(fs::path(member.file).filename().string()));
+      unexplained_.push_back(plain_text(fs::path(member.file).filename().string()));
     }
     return anim::Done{};
   }
@@ -302,7 +302,7 @@ class CastLoader {
 
   anim::Error nobody() const {
     if (!cast_.left_out.empty()) return {"there is no character to show: " + cast_.left_out.front()};
-    const std::string first = entries_.empty() ? "" : anim::plain_text(entries_.front().file) + ": ";
+    const std::string first = entries_.empty() ? "" : plain_text(entries_.front().file) + ": ";
     return {first + "there are clips and nobody to play them; give the file of a character with them"};
   }
 
@@ -327,7 +327,7 @@ anim::Status check_extent(const CharacterSource& character, const std::string& p
   const auto is_sensible = [&](double length) { return length > least && length < most; };
   const anim::CharacterBounds& bounds = character.character->bounds;
   if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return anim::Done{};
-  return anim::Error{anim::plain_text(path) +
+  return anim::Error{plain_text(path) +
                      ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
 }
 

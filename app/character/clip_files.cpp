@@ -13,9 +13,9 @@
 
 #include "app/character/model_file.h"
 #include "app/character/source.h"
-#include "app/files/joined.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/retarget/retarget.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -44,7 +44,7 @@ bool says_something(const std::string& name) { return !name.empty() && name.find
 class ClipNames {
  public:
   ClipNames(const std::string& clip_file, const std::vector<std::string>& taken)
-      : stem_(anim::plain_text(std::filesystem::path(clip_file).stem().string())), taken_(taken.begin(), taken.end()) {}
+      : stem_(plain_text(std::filesystem::path(clip_file).stem().string())), taken_(taken.begin(), taken.end()) {}
 
   /// Returns the clip's name, or its file's, with a number behind it where it is taken.
   std::string name_for(const anim::Clip& clip) {
@@ -79,13 +79,12 @@ std::string how_they_fit(const anim::Retargeter& retargeter, bool as_they_were) 
 }
 
 anim::Error no_clips(const std::string& clip_file) {
-  return {anim::plain_text(clip_file) + ": it has no clips; give a file with animations to --clips-from"};
+  return {plain_text(clip_file) + ": it has no clips; give a file with animations to --clips-from"};
 }
 
 anim::Error no_bone_in_common(const std::string& clip_file, const std::string& file) {
-  return {anim::plain_text(clip_file + ": no bone of " + file +
-                           " has the name or the part of one of its bones; say in " + file +
-                           ".throng.json, under \"rig\", which is which")};
+  return {plain_text(clip_file + ": no bone of " + file + " has the name or the part of one of its bones; say in " +
+                     file + ".throng.json, under \"rig\", which is which")};
 }
 
 /// A two-legged walk does not suit a four-legged rest pose. Files of clips, though, may rest in any pose.
@@ -94,9 +93,9 @@ bool walks_otherwise(const anim::RetargetPlan& plan) {
 }
 
 anim::Error another_body(const std::string& clip_file, const std::string& file) {
-  return {anim::plain_text(clip_file + ": its body stands upright, and the trunk of " + file +
-                           " lies across its legs, as on four feet; give --clips-from clips of a body like it, or "
-                           "export a person standing")};
+  return {plain_text(clip_file + ": its body stands upright, and the trunk of " + file +
+                     " lies across its legs, as on four feet; give --clips-from clips of a body like it, or "
+                     "export a person standing")};
 }
 
 /// Weights of morphs belong to another surface; clips that have nothing else are left out.
@@ -121,7 +120,7 @@ anim::Result<ClipFile> read_clip_file(const std::string& path, const import::Imp
 }
 
 std::string plays_none(const ClipFile& clips, const char* why) {
-  return "it plays none of the clips of " + anim::plain_text(clips.path) + ", because " + why;
+  return "it plays none of the clips of " + plain_text(clips.path) + ", because " + why;
 }
 
 void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedFile& file, anim::Model& model) {
@@ -129,7 +128,7 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
   bool as_they_were = true;
   const anim::RetargetPlan& plan = source.retargeter->plan();
   if (plan.own_carriage == anim::Carriage::upright && plan.source_carriage == anim::Carriage::bent) {
-    file.notes.push_back(anim::plain_text(clips.path) +
+    file.notes.push_back(plain_text(clips.path) +
                          ": its body rests bent and this one upright; look whether its clips are those of an animal");
   }
   ClipNames names(clips.path, file.animations);
@@ -142,14 +141,14 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
     lost.insert(fitted.lost.begin(), fitted.lost.end());
     as_they_were = as_they_were && fitted.as_it_was;
   }
-  file.notes.push_back(anim::plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
+  file.notes.push_back(plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
                        (lost.empty() ? "" : "; no bone follows its bones " + listed(lost)) +
                        (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
 }
 
 anim::Error no_skeleton(const std::string& path) {
-  return {anim::plain_text(path) + ": it holds no skin, so clips of other files have no character to play them"};
+  return {plain_text(path) + ": it holds no skin, so clips of other files have no character to play them"};
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/import/import.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

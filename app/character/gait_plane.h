@@ -7,7 +7,7 @@
 
 #include "app/character/roles.h"
 #include "engine/anim/agent/blend_space_2d_channel.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -2,9 +2,9 @@
 
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
-#include "app/files/joined.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -25,7 +25,7 @@ anim::Result<anim::ImportedFile> read_packed(const CharacterFile& wanted, bool s
   const auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
   if (!pack) return pack.error();
   if (wanted.skin.empty() && pack->file_count() > 1) {
-    return anim::Error{anim::plain_text(wanted.path) + ": it holds " + counted(pack->file_count(), "file") +
+    return anim::Error{plain_text(wanted.path) + ": it holds " + counted(pack->file_count(), "file") +
                        "; say which behind a #: " + joined(packed_names(*pack, false), ", ", " or ")};
   }
   const auto chosen = choose_packed(*pack, wanted.path, wanted.skin);

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "app/character/skin_choice.h"
-#include "app/files/joined.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -42,9 +42,9 @@ anim::Status check_placed_models(std::span<const ModelPlacement> placements,
     std::set<std::string> names;
     for (const CharacterSource& character : characters) {
       const std::filesystem::path path(character_file(character.file).path);
-      names.insert(character.file.empty() ? character.name : anim::plain_text(path.filename().string()));
+      names.insert(character.file.empty() ? character.name : plain_text(path.filename().string()));
     }
-    return anim::Error{std::string(option_of(asked)) + ": no model is called " + anim::plain_text(asked.model) +
+    return anim::Error{std::string(option_of(asked)) + ": no model is called " + plain_text(asked.model) +
                        "; there is " + joined(std::vector<std::string>(names.begin(), names.end()), ", ", " and ")};
   }
   return anim::Done{};

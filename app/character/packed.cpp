@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/character/role_table.h"
-#include "app/files/joined.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -88,14 +88,14 @@ anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::s
     if (const std::size_t model = index_in(names, skin); model < names.size()) return PackedCharacter{file, model};
     all.insert(all.end(), names.begin(), names.end());
   }
-  return anim::Error{anim::plain_text(path) + ": it has no character \"" + anim::plain_text(skin) + "\"; it has " +
+  return anim::Error{plain_text(path) + ": it has no character \"" + plain_text(skin) + "\"; it has " +
                      joined(pack.file_count() > 1 ? files : all, ", ", " and ")};
 }
 
 anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path) {
   const std::vector<std::string>& repairs = pack.header(file).repairs;
   if (repairs.empty()) return anim::Done{};
-  return anim::Error{anim::plain_text(path) + ": it was baked of a file that was repaired: " + repairs.front() +
+  return anim::Error{plain_text(path) + ": it was baked of a file that was repaired: " + repairs.front() +
                      "; mend the file and bake it again, or leave --strict out"};
 }
 
@@ -128,7 +128,7 @@ anim::Result<CharacterSource> take_packed(const pack::Pack& pack, const Characte
                         : bake_anew(pack, *chosen, baked->prepared.order, wanted.path, kept, options);
   if (!source) return source;
   const auto names = pack.names(chosen->file);
-  source->name = anim::plain_text(name);
+  source->name = plain_text(name);
   source->cast.assign(names.begin(), names.end());
   source->cast_index = chosen->model;
   return source;

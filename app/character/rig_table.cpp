@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/character/bone_lod.h"
-#include "app/files/joined.h"
 #include "app/files/nearest_names.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/character/rig_choice.h"
 #include "engine/anim/asset/skeleton.h"
-#include "engine/anim/base/result.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

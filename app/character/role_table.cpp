@@ -5,7 +5,7 @@
 
 #include "app/files/json_file.h"
 #include "app/files/nearest_names.h"
-#include "engine/anim/import/json/json_object.h"
+#include "engine/base/json/json_object.h"
 
 namespace throng::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/character/rig_table.h"
 #include "app/character/roles.h"
 #include "app/files/kept_file.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

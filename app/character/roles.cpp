@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/files/joined.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -14,12 +14,12 @@
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
-#include "app/files/joined.h"
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/lod_survey.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -143,7 +143,7 @@ anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim
   if (!kept) return kept.error();
   const anim::Status chosen = choose_bones(*kept, skeleton);
   if (chosen) return kept;
-  return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
+  return anim::Error{"the rig kept for " + plain_text(path) + ": " + chosen.error().message};
 }
 
 void guess_roles(CharacterSource& source) {
@@ -174,7 +174,7 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
   }
   auto added = add_clips_from(how.clips, one, 0);
   if (!added) return added.error();
-  source.name = anim::plain_text(how.name);
+  source.name = plain_text(how.name);
   source.clip_files = std::move(*added);
   source.model = std::move(one.models.front());
   source.placement = anim::guess_placement(source.model, how.placement, anim::SizeRule::among_people);

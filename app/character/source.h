@@ -15,7 +15,7 @@
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 #include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {

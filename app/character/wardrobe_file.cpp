@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/import.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -57,7 +57,7 @@ anim::Status add_parts(anim::Model& model, const std::string& character, const s
   auto imported = import::import_file(file.string());
   if (!imported) return imported.error();
   anim::Model& wardrobe = imported->models.front();
-  const std::string name = anim::plain_text(file.string());
+  const std::string name = plain_text(file.string());
   if (wardrobe.parts.empty()) {
     return anim::Error{name + ": it has no parts to wear; engine/anim/import/README.md says how a node becomes one"};
   }
@@ -70,7 +70,7 @@ anim::Status add_parts(anim::Model& model, const std::string& character, const s
   });
   if (unknown >= 0) {
     const auto bone = static_cast<std::size_t>(wardrobe.skeleton.palette[static_cast<std::size_t>(unknown)].bone);
-    return anim::Error{name + ": its joint " + anim::in_quotes(wardrobe.skeleton.bones[bone].name) + " is none of " +
+    return anim::Error{name + ": its joint " + in_quotes(wardrobe.skeleton.bones[bone].name) + " is none of " +
                        character + "; export it with the skeleton of that character"};
   }
   for (anim::Material& material : wardrobe.materials) move_images(material, first_image);

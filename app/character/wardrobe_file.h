@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "engine/anim/base/plain_text.h"
-#include "engine/files/free_memory.h"
-#include "engine/files/process.h"
+#include "engine/base/files/free_memory.h"
+#include "engine/base/files/process.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 }  // namespace
 
 int end_with(ExitStatus status, std::string_view sentence) {
-  std::fprintf(stderr, "throng: %s\n", anim::plain_text(sentence).c_str());
+  std::fprintf(stderr, "throng: %s\n", plain_text(sentence).c_str());
   return status;
 }
 

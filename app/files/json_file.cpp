@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <system_error>
 
-#include "engine/files/output_file.h"
-#include "engine/files/process.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/files/process.h"
 
 namespace throng::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

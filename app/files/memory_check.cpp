@@ -1,7 +1,7 @@
 #include "app/files/memory_check.h"
 
-#include "engine/files/free_memory.h"
-#include "engine/files/size_text.h"
+#include "engine/base/files/free_memory.h"
+#include "engine/base/text/size_text.h"
 
 namespace throng::app {
 

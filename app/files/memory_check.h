@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "app/files/joined.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

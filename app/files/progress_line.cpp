@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "engine/files/process.h"
+#include "engine/base/files/process.h"
 
 namespace throng::app {
 

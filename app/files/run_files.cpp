@@ -5,10 +5,10 @@
 #include <system_error>
 
 #include "engine/anim/import/bytes/refusal.h"
-#include "engine/anim/import/json/json.h"
 #include "engine/anim/import/model_files.h"
-#include "engine/files/input_file.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/input_file.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 namespace {

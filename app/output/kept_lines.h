@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::app {
 

@@ -8,7 +8,7 @@
 
 #include "app/files/memory_check.h"
 #include "app/output/label_text.h"
-#include "app/regression/compare.h"
+#include "app/output/regression/compare.h"
 
 namespace throng::app {
 namespace {

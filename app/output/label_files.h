@@ -9,7 +9,7 @@
 #include "app/output/workers.h"
 #include "app/settings/settings.h"
 #include "app/show/show.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/output/label_frame.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 

@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/joined.h"
-#include "app/regression/origin.h"
+#include "app/output/regression/origin.h"
 #include "engine/anim/base/cores.h"
-#include "engine/files/size_text.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/size_text.h"
 
 namespace throng::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/files/json_file.h"
 #include "app/files/program_version.h"
 #include "app/files/program_words.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

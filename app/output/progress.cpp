@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/files/joined.h"
 #include "app/files/progress_line.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 

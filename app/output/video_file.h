@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/anim/base/result.h"
-#include "engine/files/output_file.h"
-#include "engine/files/piped_program.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/files/piped_program.h"
+#include "engine/base/result.h"
 #include "engine/render/image.h"
 
 namespace throng::app {

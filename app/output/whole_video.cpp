@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::app {
 namespace {

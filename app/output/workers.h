@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/anim/lod/lod.h"
-#include "engine/srgb.h"
+#include "engine/base/srgb.h"
 
 namespace throng::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/joined.h"
 #include "app/settings/settings.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 

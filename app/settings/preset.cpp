@@ -7,8 +7,8 @@
 
 #include "app/files/kept_file.h"
 #include "app/settings/tuning_values.h"
-#include "engine/files/input_file.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/input_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 namespace {

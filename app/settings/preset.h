@@ -8,8 +8,8 @@
 
 #include "app/settings/option_values.h"
 #include "app/settings/settings.h"
-#include "engine/anim/base/result.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

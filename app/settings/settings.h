@@ -144,7 +144,7 @@ inline constexpr float farthest_camera = 1e6F;
 inline constexpr int most_picture_pixels = 32767;
 inline constexpr int most_window_pixels = 16384;  ///< of a window, which is one target
 
-/// The options of the demo (app/command_line/README.md). It starts with `tuning`.
+/// The options of the demo (app/commands/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
   std::string crowd_file;                  ///< NAME.throng, which names the characters; empty: none was named
   std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`

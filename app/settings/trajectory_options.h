@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "app/trajectory/reading.h"
+#include "engine/tracks/reading.h"
 
 namespace throng::app {
 

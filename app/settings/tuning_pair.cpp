@@ -5,7 +5,7 @@
 
 #include "app/settings/preset.h"
 #include "app/settings/tuning_values.h"
-#include "engine/anim/import/json/json_object.h"
+#include "engine/base/json/json_object.h"
 
 namespace throng::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/settings/option_values.h"
 #include "app/settings/settings.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 

@@ -69,7 +69,7 @@ void copy_value(const TuningValue& value, const Tuning& from, Tuning& to);
 /// Returns the keys of all values: "scene, agents, seed ...".
 std::string known_preset_keys();
 
-/// Returns the table of all keys in app/command_line/README.md.
+/// Returns the table of all keys in app/commands/command_line/README.md.
 std::string presets_as_markdown();
 
 }  // namespace throng::app

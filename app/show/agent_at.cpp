@@ -1,7 +1,7 @@
 #include "app/show/agent_at.h"
 
 #include "app/show/show.h"
-#include "app/stage/picking.h"
+#include "app/show/stage/picking.h"
 
 namespace throng::app {
 

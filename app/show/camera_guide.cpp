@@ -5,10 +5,10 @@
 
 #include <glm/common.hpp>
 
-#include "app/crowd/cast.h"
+#include "app/people/crowd/cast.h"
+#include "app/show/camera/camera_path.h"
+#include "app/show/camera/fly_camera.h"
 #include "app/show/track_cameras.h"
-#include "app/view/camera_path.h"
-#include "app/view/fly_camera.h"
 
 namespace throng::app {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "app/show/camera/keyed_path.h"
+#include "app/show/camera/scenes.h"
 #include "app/show/follow_camera.h"
-#include "app/stage/stage.h"
-#include "app/view/keyed_path.h"
-#include "app/view/scenes.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

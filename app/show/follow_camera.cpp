@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/nearest_names.h"
-#include "app/trajectory/smooth_track.h"
+#include "engine/tracks/smooth_track.h"
 
 namespace throng::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {

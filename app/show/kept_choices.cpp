@@ -3,8 +3,8 @@
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
-#include "app/lod/lod_export.h"
-#include "app/lod/mesh_lods.h"
+#include "app/show/lod/lod_export.h"
+#include "app/show/lod/mesh_lods.h"
 #include "app/show/show.h"
 
 namespace throng::app {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/character/source.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 /// Writes what a person chooses for a character, beside its model or among the person's files. Each function returns
 /// the file that it writes.

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "app/lod/lod_thresholds.h"
+#include "app/show/lod/lod_thresholds.h"
 #include "engine/render/camera.h"
 #include "engine/render/crowd_draw.h"
 

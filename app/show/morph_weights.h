@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 

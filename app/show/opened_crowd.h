@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/character/cast_files.h"
-#include "app/request/chosen_character.h"
+#include "app/show/request/chosen_character.h"
 
 namespace throng::app {
 

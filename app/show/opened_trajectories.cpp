@@ -5,7 +5,7 @@
 
 #include "app/files/exit_status.h"
 #include "app/files/progress_line.h"
-#include "app/trajectory/read.h"
+#include "engine/tracks/read.h"
 
 namespace throng::app {
 

@@ -4,7 +4,7 @@
 
 #include "app/settings/trajectory_options.h"
 #include "app/show/starting_characters.h"
-#include "app/trajectory/trajectories.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <utility>
 
-#include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
-#include "app/place/plan_mesh.h"
-#include "app/place/props.h"
+#include "app/people/crowd/cast.h"
+#include "app/people/place/plan_mesh.h"
+#include "app/people/place/props.h"
 #include "app/show/contexts.h"
 #include "app/show/worn_pieces.h"
 

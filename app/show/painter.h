@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
-#include "app/figures/notices.h"
-#include "app/figures/run_figures.h"
-#include "app/lod/lod_export.h"
 #include "app/settings/settings.h"
+#include "app/show/figures/notices.h"
+#include "app/show/figures/run_figures.h"
+#include "app/show/lod/lod_export.h"
 #include "app/show/lod_view.h"
 #include "app/show/path_in_view.h"
 #include "app/show/picture.h"

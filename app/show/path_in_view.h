@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/show/lod_view.h"
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 

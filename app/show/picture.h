@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/show/morph_weights.h"
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/crowd_draw.h"
 
 namespace throng::app {

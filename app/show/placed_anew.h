@@ -4,7 +4,7 @@
 
 #include "app/character/load_options.h"
 #include "app/character/source.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/files/exit_status.h"
-#include "app/files/joined.h"
+#include "app/show/camera/fly_camera.h"
 #include "app/show/show.h"
-#include "app/view/fly_camera.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 

@@ -5,8 +5,8 @@
 
 #include "app/files/exit_status.h"
 #include "app/show/show.h"
-#include "app/stage/memory_needs.h"
-#include "app/trajectory/file_plan.h"
+#include "app/show/stage/memory_needs.h"
+#include "engine/tracks/file_plan.h"
 
 namespace throng::app {
 

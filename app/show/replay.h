@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/recording/reader.h"
 #include "app/settings/settings.h"
+#include "app/show/recording/reader.h"
 #include "app/show/show.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/request/request.h"
-#include "app/stage/stage.h"
+#include "app/show/request/request.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/crowd/crowd.h"
-#include "app/place/plan_mesh.h"
+#include "app/people/crowd/crowd.h"
+#include "app/people/place/plan_mesh.h"
 
 namespace throng::app {
 namespace {

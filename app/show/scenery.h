@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/place/place.h"
+#include "app/people/place/place.h"
 #include "app/settings/settings.h"
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/renderer.h"
 
 namespace throng::app {

@@ -7,15 +7,15 @@
 #include "app/character/cast_files.h"
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
-#include "app/files/joined.h"
 #include "app/files/nearest_names.h"
 #include "app/files/start_line.h"
-#include "app/lod/mesh_lods.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/lod/mesh_lods.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/opened_trajectories.h"
 #include "app/show/placed_anew.h"
-#include "app/stage/memory_needs.h"
-#include "app/view/fly_camera.h"
+#include "app/show/stage/memory_needs.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/run_figures.h"
-#include "app/live/live_crowd.h"
-#include "app/recording/recorder.h"
-#include "app/request/request.h"
 #include "app/settings/settings.h"
 #include "app/show/camera_guide.h"
+#include "app/show/figures/run_figures.h"
 #include "app/show/painter.h"
+#include "app/show/recording/recorder.h"
+#include "app/show/request/request.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
+#include "app/show/stage/stage_requests.h"
 #include "app/show/starting_characters.h"
-#include "app/stage/rewind.h"
-#include "app/stage/stage.h"
-#include "app/stage/stage_requests.h"
-#include "app/viewer/viewer.h"
+#include "app/show/viewer/viewer.h"
 #include "engine/render/camera.h"
+#include "engine/tracks/live/live_crowd.h"
 
 namespace throng::app {
 
@@ -99,7 +99,7 @@ class Show {
   int width = 0;
   int height = 0;
   float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
-  /// Tells people in lines what they would not expect (app/figures/notices.h); may be empty.
+  /// Tells people in lines what they would not expect (app/show/figures/notices.h); may be empty.
   std::string notice;
 
  private:

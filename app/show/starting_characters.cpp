@@ -8,8 +8,8 @@
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
-#include "app/request/crowd_file.h"
 #include "app/show/opened_crowd.h"
+#include "app/show/request/crowd_file.h"
 
 namespace throng::app {
 namespace {

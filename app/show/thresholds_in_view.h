@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/lod/lod_thresholds.h"
-#include "app/stage/stage.h"
+#include "app/show/lod/lod_thresholds.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
 
 namespace throng::app {
 namespace {

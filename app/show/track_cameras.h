@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "app/crowd/followers.h"
+#include "app/people/crowd/followers.h"
+#include "app/show/camera/scenes.h"
 #include "app/show/crowd_framing.h"
-#include "app/view/scenes.h"
 
 namespace throng::app {
 

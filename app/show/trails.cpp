@@ -8,9 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/crowd/numbers/turn.h"
+#include "app/people/crowd/numbers/turn.h"
 #include "app/settings/agent_colors.h"
-#include "app/trajectory/trajectories.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 namespace {

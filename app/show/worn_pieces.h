@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/lod/lod_export.h"
-#include "app/stage/stage.h"
+#include "app/show/lod/lod_export.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/agent_look.h"
 #include "engine/render/mesh/mesh.h"
 

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "assets/mannequin/glb.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

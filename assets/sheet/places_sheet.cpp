@@ -14,7 +14,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/place/props.h"
+#include "app/people/place/props.h"
 #include "assets/sheet/contact_sheet.h"
 #include "engine/render/camera.h"
 #include "engine/render/renderer.h"

@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 
 #include "app/character/source.h"
-#include "app/crowd/character_look.h"
-#include "app/wardrobe/clothing.h"
+#include "app/people/crowd/character_look.h"
+#include "app/people/wardrobe/clothing.h"
 #include "assets/mannequin/pose.h"
 #include "engine/anim/base/transform.h"
 #include "engine/render/agent_look.h"

@@ -6,7 +6,7 @@
 #include "assets/mannequin/glb.h"
 #include "assets/wardrobe/glb.h"
 #include "assets/wardrobe/outfit.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace {
 

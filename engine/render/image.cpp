@@ -13,8 +13,8 @@
 
 #include <png.h>
 
-#include "engine/files/input_file.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/input_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::render {
 

@@ -7,8 +7,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "engine/base/srgb.h"
 #include "engine/render/even_directions.h"
-#include "engine/srgb.h"
 
 namespace throng::render {
 namespace {

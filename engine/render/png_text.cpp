@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::render {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <glm/packing.hpp>
 
-#include "engine/files/free_memory.h"
+#include "engine/base/files/free_memory.h"
+#include "engine/base/srgb.h"
 #include "engine/render/gl/device_errors.h"
 #include "engine/render/light/light_parts.h"
-#include "engine/srgb.h"
 
 namespace throng::render {
 namespace {

@@ -10,6 +10,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/frame/frame_data.h"
@@ -36,7 +37,6 @@
 #include "engine/render/scenery/scenery_pass.h"
 #include "engine/render/scenery_data.h"
 #include "engine/render/shader/shader_library.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

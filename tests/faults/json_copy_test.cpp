@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 namespace {
 long until_failure = -1;  // allocations that succeed before one that fails; -1: none fails

@@ -1,6 +1,6 @@
 // Crowd files: what is read is written again, and reads as the same; a small character becomes what the file says.
 
-#include "app/request/crowd_file.h"
+#include "app/show/request/crowd_file.h"
 
 #include <cstdlib>
 #include <utility>

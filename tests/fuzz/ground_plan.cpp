@@ -1,6 +1,6 @@
 // Walls and floors: Well-Known Text and scenarios of Vadere.
 
-#include "app/trajectory/file_plan.h"
+#include "engine/tracks/file_plan.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"
 
@@ -8,6 +8,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace throng;
   static const fuzz::ScratchFile file("input.wkt");
   file.put(data, size);
-  static_cast<void>(app::read_ground_plan(file.path(), {1.0, 2.0}));
+  static_cast<void>(read_ground_plan(file.path(), {1.0, 2.0}));
   return 0;
 }

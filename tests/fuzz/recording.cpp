@@ -1,8 +1,8 @@
 // Recordings, item by item: the bytes as they are, and with the checksum that they should have.
 
 #include "app/files/byte_hash.h"
-#include "app/recording/bytes.h"
-#include "app/recording/reader.h"
+#include "app/show/recording/bytes.h"
+#include "app/show/recording/reader.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"
 

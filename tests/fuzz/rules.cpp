@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/wardrobe/cast_rules.h"
-#include "app/wardrobe/cast_rules_text.h"
-#include "app/wardrobe/dresser.h"
-#include "app/wardrobe/rule_doubts.h"
+#include "app/people/wardrobe/cast_rules.h"
+#include "app/people/wardrobe/cast_rules_text.h"
+#include "app/people/wardrobe/dresser.h"
+#include "app/people/wardrobe/rule_doubts.h"
 #include "tests/fuzz/target.h"
 
 namespace throng::fuzz {

@@ -12,12 +12,12 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
-#include "app/recording/writer.h"
-#include "app/request/crowd_file.h"
 #include "app/settings/preset.h"
+#include "app/show/recording/writer.h"
+#include "app/show/request/crowd_file.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/pack/pack.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::fuzz {
 namespace {

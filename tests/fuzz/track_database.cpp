@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string>
 
-#include "app/trajectory/read.h"
+#include "engine/tracks/read.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"
 
@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string bytes(reinterpret_cast<const char*>(data), size);
   if (bytes.size() >= sizeof(magic)) std::memcpy(bytes.data(), magic, sizeof(magic));  // else it is a text
   file.put(std::as_bytes(std::span(bytes)));
-  static_cast<void>(app::read_trajectories(file.path(), {}));
-  static_cast<void>(app::read_trajectories(file.path(), {.walls = file.path(), .lenient = true}));
+  static_cast<void>(read_trajectories(file.path(), {}));
+  static_cast<void>(read_trajectories(file.path(), {.walls = file.path(), .lenient = true}));
   return 0;
 }

@@ -4,8 +4,8 @@
 
 #include <unistd.h>
 
-#include "app/live/live_tracks.h"
-#include "app/trajectory/read.h"
+#include "engine/tracks/live/live_tracks.h"
+#include "engine/tracks/read.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"
 
@@ -21,7 +21,7 @@ void read_as_it_comes(const std::uint8_t* data, std::size_t size) {
   if (write(ends[1], data, size) != static_cast<ssize_t>(size)) std::abort();
   close(ends[1]);
   {
-    app::LiveTracks live(ends[0], {.lenient = true});
+    LiveTracks live(ends[0], {.lenient = true});
     std::vector<app::LiveRow> rows;
     while (live.take(rows)) usleep(20);
     static_cast<void>(live.head());
@@ -30,9 +30,9 @@ void read_as_it_comes(const std::uint8_t* data, std::size_t size) {
 }
 
 /// Ends the fuzzing where people are not as every reader promises.
-void check(const app::Trajectories& tracks) {
+void check(const Trajectories& tracks) {
   if (tracks.persons.empty()) std::abort();
-  for (const app::PersonTrack& person : tracks.persons) {
+  for (const PersonTrack& person : tracks.persons) {
     if (person.rows.empty()) std::abort();
     for (std::size_t i = 1; i < person.rows.size(); ++i) {
       if (!(person.rows[i - 1].seconds < person.rows[i].seconds)) std::abort();
@@ -47,9 +47,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace throng;
   static const fuzz::ScratchFile file("input.txt");
   file.put(data, size);
-  if (const auto strict = app::read_trajectories(file.path(), {})) fuzz::check(*strict);
-  const app::TrackReading lenient{.up = app::TrackUp::y, .angle = app::TrackAngle::radians, .lenient = true};
-  if (const auto skipped = app::read_trajectories(file.path(), lenient)) fuzz::check(*skipped);
+  if (const auto strict = read_trajectories(file.path(), {})) fuzz::check(*strict);
+  const TrackReading lenient{.up = TrackUp::y, .angle = TrackAngle::radians, .lenient = true};
+  if (const auto skipped = read_trajectories(file.path(), lenient)) fuzz::check(*skipped);
   static_cast<void>(app::looks_like_trajectories(file.path()));
   fuzz::read_as_it_comes(data, size);
   return 0;

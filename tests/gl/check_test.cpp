@@ -6,14 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/regression/compare.h"
-#include "app/regression/markup.h"
-#include "app/regression/origin.h"
-#include "engine/files/input_file.h"
+#include "app/output/regression/compare.h"
+#include "app/output/regression/markup.h"
+#include "app/output/regression/origin.h"
+#include "engine/base/files/input_file.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
+#include "tests/app/output/regression/strict_xml.h"
 #include "tests/app/program_run.h"
-#include "tests/app/regression/strict_xml.h"
 #include "tests/app/temporary_folder.h"
 
 namespace throng::app::gl_check_test {

@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class PackedCrowd : public StagedCrowdTest {};
 
-// app/command_line/README.md states these figures (--palette).
+// app/commands/command_line/README.md states these figures (--palette).
 TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOfTheNearestAgent) {
   stage(tuning_of(anim::LodRule::off, anim::StreamKind::keyframe, anim::PaletteFormat::packed));
   double metres = 0.0;

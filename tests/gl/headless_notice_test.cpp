@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/demo/demo.h"
+#include "app/window/demo.h"
 
 namespace throng::app::headless_notice_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/demo/demo.h"
+#include "app/window/demo.h"
 
 namespace throng::app::headless_overlay_test {
 namespace {

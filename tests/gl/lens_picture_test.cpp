@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo/demo.h"
+#include "app/window/demo.h"
 #include "engine/render/image.h"
 #include "tests/gl/small_picture.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/lod/mesh_lods.h"
+#include "app/show/lod/mesh_lods.h"
 #include "app/show/show.h"
 #include "engine/render/image.h"
 #include "tests/gl/small_picture.h"

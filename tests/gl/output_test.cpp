@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/demo/demo.h"
 #include "app/files/exit_status.h"
+#include "app/window/demo.h"
 #include "engine/render/image.h"
 #include "tests/app/output/fake_ffmpeg.h"
 #include "tests/app/program_run.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/regression/compare.h"
+#include "app/output/regression/compare.h"
 
 namespace throng::render::test {
 

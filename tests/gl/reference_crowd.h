@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/character/source.h"
-#include "app/crowd/crowd.h"
+#include "app/people/crowd/crowd.h"
 #include "app/settings/settings.h"
 #include "engine/anim/asset/reference_pose.h"
 

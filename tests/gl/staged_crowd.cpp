@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/view/fly_camera.h"
-#include "app/view/scenes.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/camera/scenes.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app::test {

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "app/show/picture.h"
-#include "app/stage/stage.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/renderer.h"
 #include "tests/gl/reference_crowd.h"
 #include "tests/gl/skinning_read_back.h"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo/demo.h"
 #include "app/show/show.h"
+#include "app/window/demo.h"
 #include "engine/render/image.h"
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo/demo.h"
-#include "app/regression/compare.h"
+#include "app/output/regression/compare.h"
+#include "app/window/demo.h"
 #include "engine/render/gl/context.h"
 
 namespace throng::app::test {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/regression/cases.h"
-#include "app/regression/origin.h"
+#include "app/output/regression/cases.h"
+#include "app/output/regression/origin.h"
 #include "app/settings/settings.h"
 #include "engine/render/image.h"
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
 #include "engine/render/renderer.h"
-#include "tests/app/overlay/overlay_driver.h"
+#include "tests/app/window/panel/overlay_driver.h"
 #include "tests/gl/gl_test.h"
 #include "tests/golden/golden_picture.h"
 

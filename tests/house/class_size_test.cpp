@@ -78,16 +78,16 @@ TEST(ClassSize, FindsFriendsThatAreMethods) {
     return friends_that_are_methods(header(text, path));
   };
   const std::string move = "  friend void\n  move(Crowd& crowd);\n";
-  EXPECT_THAT(friends_in(move, "app/crowd/crowd.h"), ElementsAre(StartsWith("app/crowd/crowd.h:2: ")));
-  EXPECT_THAT(friends_in(move, "app/crowd/crowd.cpp"), testing::SizeIs(1));
+  EXPECT_THAT(friends_in(move, "app/people/crowd/crowd.h"), ElementsAre(StartsWith("app/people/crowd/crowd.h:2: ")));
+  EXPECT_THAT(friends_in(move, "app/people/crowd/crowd.cpp"), testing::SizeIs(1));
   EXPECT_THAT(friends_in(move, "tests/crowd.h"), IsEmpty());
   EXPECT_THAT(friends_in("  friend class Rows;\n  friend bool operator==(const Crowd&, const Crowd&) = default;\n",
-                         "app/crowd/crowd.h"),
+                         "app/people/crowd/crowd.h"),
               IsEmpty());
 }
 
 TEST(ClassSize, LooksIntoStructsAndHeadersOfOursAlone) {
-  const Tree plain{source_file("app/stage/stage.h", "struct Stage {\n" + methods(33) + "};\n")};
+  const Tree plain{source_file("app/show/stage/stage.h", "struct Stage {\n" + methods(33) + "};\n")};
   EXPECT_THAT(classes_with_too_many_methods(plain), testing::SizeIs(1));
   EXPECT_THAT(classes_with_too_many_methods(header(" public:\n" + methods(33), "tests/anim/crowd.h")), IsEmpty());
 }

@@ -11,7 +11,7 @@ struct House {
   std::vector<std::vector<std::string>> floors;
 };
 
-/// Returns the houses: engine/anim and app.
+/// Returns the houses: the libraries of the engine that have rooms, and app.
 const std::vector<House>& houses();
 
 /// Returns whether a file at `from` may not include `to`, since that lies no lower, or is a room that is not planned.

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "tests/house/floors.h"
+#include "tests/house/includes.h"
 
 namespace throng::house {
 namespace {
@@ -18,17 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_lines = 350;
-
-struct Include {
-  const SourceFile* file;
-  std::size_t line;
-  std::string target;
-};
-
-bool is_code(const std::string& path) {
-  static const std::set<std::string> code{".h", ".cpp", ".c", ".glsl", ".vert", ".frag", ".comp"};
-  return code.contains(fs::path(path).extension().string());
-}
 
 SourceFile read_file(const fs::path& project, const std::string& path) {
   std::ostringstream text;
@@ -38,24 +28,6 @@ SourceFile read_file(const fs::path& project, const std::string& path) {
 
 std::string finding(const std::string& path, std::size_t line, const std::string& what) {
   return path + ":" + std::to_string(line) + ": " + what;
-}
-
-/// Returns the path of a header in the tree: the door's have a folder of their own (engine/anim/include).
-std::string in_tree(const std::string& included) {
-  return included.starts_with("throng/") ? "engine/anim/include/" + included : included;
-}
-
-std::vector<Include> includes_of(const Tree& tree, std::string_view folder) {
-  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
-  std::vector<Include> includes;
-  for (const SourceFile& file : tree) {
-    if (!file.path.starts_with(folder) || !is_code(file.path)) continue;
-    for (std::size_t i = 0; i < file.lines.size(); ++i) {
-      std::smatch match;
-      if (std::regex_match(file.lines[i], match, pattern)) includes.push_back({&file, i + 1, in_tree(match[1])});
-    }
-  }
-  return includes;
 }
 
 Findings findings_among(const std::vector<Include>& includes, const std::string& what, auto is_wrong) {
@@ -88,21 +60,24 @@ struct Part {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"tiny_gltf", {"engine/anim/import/"}},
-      {"nlohmann/", {"engine/anim/import/", "assets/"}},
-      {"imgui", {"engine/render/passes/overlay_renderer.cpp", "engine/render/passes/imgui_versions.h", "app/overlay/"}},
-      {"CLI/", {"app/command_line/"}},
-      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},
+      {"nlohmann/", {"engine/base/json/", "engine/anim/import/", "assets/"}},
+      {"imgui",
+       {"engine/render/passes/overlay_renderer.cpp", "engine/render/passes/imgui_versions.h", "app/window/panel/"}},
+      {"CLI/", {"app/commands/command_line/"}},
+      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/window/window_input.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},
       {"glad/", {"engine/render/"}},
-      {"hwy/", {"engine/anim/kernel/", "app/crowd/steering/near_bodies.cpp", "app/crowd/steering/step_strip.cpp"}},
+      {"hwy/",
+       {"engine/anim/kernel/", "app/people/crowd/steering/near_bodies.cpp",
+        "app/people/crowd/steering/step_strip.cpp"}},
       {"oneapi/tbb/", {"engine/anim/run/tbb_executor.h", "engine/anim/run/tbb_executor.cpp"}},
       {"stb_image", {"engine/anim/import/pixels/"}},
       {"webp/", {"engine/anim/import/pixels/"}},
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
       {"draco/", {"engine/anim/import/"}},
-      {"sqlite3.h", {"app/trajectory/database.cpp"}},
-      {"expat.h", {"app/trajectory/text/xml_text.cpp"}},
+      {"sqlite3.h", {"engine/tracks/database.cpp"}},
+      {"expat.h", {"engine/tracks/text/xml_text.cpp"}},
   };
   return all;
 }
@@ -173,13 +148,27 @@ Findings rooms_too_full(const Tree& tree) {
   return findings;
 }
 
-Findings includes_across_animation_and_drawing(const Tree& tree) {
-  const std::string what = "animation and drawing meet in app/ alone";
-  Findings findings = findings_among(includes_of(tree, "engine/anim/"), what, [](const Include& include) {
-    return include.target.starts_with("engine/render/");
-  });
-  append(findings, findings_among(includes_of(tree, "engine/render/"), what,
-                                  [](const Include& include) { return include.target.starts_with("engine/anim/"); }));
+Findings includes_that_join(const Tree& tree) {
+  struct Part {
+    std::string_view folder, within;
+    std::vector<std::string_view> sees;
+  };
+  static const std::vector<Part> parts_that_stand_alone{
+      {"engine/base/", "engine/", {"engine/anim/include/throng/standard.h"}},
+      {"engine/anim/", "engine/", {"engine/base/"}},
+      {"engine/render/", "engine/", {"engine/base/"}},
+      {"engine/tracks/", "engine/", {"engine/base/", "engine/anim/"}},
+      {"app/window/panel/",
+       "app/show/",
+       {"app/show/camera/", "app/show/lod/", "app/show/report/", "app/show/request/"}}};
+  Findings findings;
+  for (const Part& part : parts_that_stand_alone) {
+    const auto joins = [&](const Include& include) {
+      const auto starts = [&](std::string_view folder) { return include.target.starts_with(folder); };
+      return starts(part.within) && !starts(part.folder) && std::ranges::none_of(part.sees, starts);
+    };
+    append(findings, findings_among(includes_of(tree, part.folder), "this part stands without it", joins));
+  }
   return findings;
 }
 
@@ -206,10 +195,10 @@ Findings files_opened_elsewhere(const Tree& tree) {
     if (!is_code(file.path) || file.path.starts_with("tests/")) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const std::string& line = file.lines[i];
-      if (!file.path.starts_with("engine/files/") && std::regex_search(line, opens)) {
-        findings.push_back(finding(file.path, i + 1, "engine/files alone opens files"));
+      if (!file.path.starts_with("engine/base/files/") && std::regex_search(line, opens)) {
+        findings.push_back(finding(file.path, i + 1, "engine/base/files alone opens files"));
       }
-      if (file.path != "engine/anim/import/json/json_tree.h" && std::regex_search(line, parses)) {
+      if (file.path != "engine/base/json/json_tree.h" && std::regex_search(line, parses)) {
         findings.push_back(finding(file.path, i + 1, "parse_json_tree() alone parses JSON"));
       }
     }
@@ -223,7 +212,7 @@ Findings maths_in_main(const Tree& tree) {
       findings_among(includes_of(tree, "app/main.cpp"), "main parses and dispatches", [](const Include& include) {
         const bool standard = include.target.find('/') == std::string::npos;
         return include.target == "cmath" ||
-               !(standard || include.target.starts_with("app/") || include.target.starts_with("engine/files/"));
+               !(standard || include.target.starts_with("app/") || include.target.starts_with("engine/base/files/"));
       });
   for (const SourceFile& file : tree) {
     for (std::size_t i = 0; file.path == "app/main.cpp" && i < file.lines.size(); ++i) {

@@ -23,7 +23,7 @@ Tree read_project(const std::filesystem::path& project);
 /// functions below find where their rule is broken.
 using Findings = std::vector<std::string>;
 
-/// A file of engine/anim or of app includes its own room or lower floors; nothing under engine/ includes app/, assets/
+/// A file of a house (floors.h) includes its own room or lower floors; nothing under engine/ includes app/, assets/
 /// or tests/.
 Findings includes_that_climb(const Tree& tree);
 
@@ -33,16 +33,17 @@ Findings rooms_without_files(const Tree& tree);
 /// No folder of engine/, app/, assets/ or shaders/ holds more than 60 files of code.
 Findings rooms_too_full(const Tree& tree);
 
-/// engine/render and engine/anim never meet; app/ joins them.
-Findings includes_across_animation_and_drawing(const Tree& tree);
+/// Of the engine, engine/anim and engine/render see engine/base alone, and engine/tracks sees engine/anim too; app/
+/// joins them. Of a show, the panel sees plain data alone: requests, reports, cameras and what level of detail decides.
+Findings includes_that_join(const Tree& tree);
 
 /// Only the few files that speak with a part that others made see it.
 Findings parts_seen_elsewhere(const Tree& tree);
 
-/// Only engine/files opens files, and only engine/anim/import/json parses JSON. Tests may do both.
+/// Only engine/base/files opens files, and only engine/base/json parses JSON. Tests may do both.
 Findings files_opened_elsewhere(const Tree& tree);
 
-/// app/main.cpp parses and dispatches: it includes app/, engine/files/ and the standard library, and has no
+/// app/main.cpp parses and dispatches: it includes app/, engine/base/files/ and the standard library, and has no
 /// fractions.
 Findings maths_in_main(const Tree& tree);
 

@@ -40,10 +40,9 @@ TEST(Floors, LieInsideARoomToo) {
 }
 
 TEST(Floors, OfTheProgramAreKeptToo) {
-  EXPECT_THAT(includes_that_climb(one("app/stage/stage.h", "#include \"app/overlay/overlay.h\"\n")), IsEmpty());
-  EXPECT_THAT(includes_that_climb(one("app/overlay/overlay.h", "#include \"app/stage/stage.h\"\n")),
+  EXPECT_THAT(includes_that_climb(one("app/show/stage/stage.h", "#include \"app/window/panel/overlay.h\"\n")),
               testing::SizeIs(1));
-  EXPECT_THAT(includes_that_climb(one("app/main.cpp", "#include \"app/demo/demo.h\"\n")), IsEmpty());
+  EXPECT_THAT(includes_that_climb(one("app/main.cpp", "#include \"app/window/demo.h\"\n")), IsEmpty());
 }
 
 TEST(Files, AreOpenedInOneFolderAlone) {
@@ -53,27 +52,27 @@ TEST(Files, AreOpenedInOneFolderAlone) {
               testing::SizeIs(1));
   EXPECT_THAT(files_opened_elsewhere(one("assets/sheet/sheet.cpp", "FILE* f = fopen(path, mode);\n")),
               testing::SizeIs(1));
-  EXPECT_THAT(files_opened_elsewhere(one("engine/files/input_file.cpp", reads)), IsEmpty());
+  EXPECT_THAT(files_opened_elsewhere(one("engine/base/files/input_file.cpp", reads)), IsEmpty());
   EXPECT_THAT(files_opened_elsewhere(one("app/show/show.cpp", "  Status open(const Options& options);\n")), IsEmpty());
 }
 
 TEST(Json, IsParsedInOneFileAlone) {
   const std::string parses = "  auto tree = nlohmann::json::parse(text);\n";
   EXPECT_THAT(files_opened_elsewhere(one("engine/anim/import/document.cpp", parses)), testing::SizeIs(1));
-  EXPECT_THAT(files_opened_elsewhere(one("engine/anim/import/json/json_tree.h", parses)), IsEmpty());
+  EXPECT_THAT(files_opened_elsewhere(one("engine/base/json/json_tree.h", parses)), IsEmpty());
 }
 
 TEST(Room, IsMissedWhereItHasNoFile) {
-  EXPECT_THAT(rooms_without_files(one("app/stage/stage.h", "")),
-              AllOf(Contains(StartsWith("app/overlay/")), Not(Contains(StartsWith("app/stage/")))));
+  EXPECT_THAT(rooms_without_files(one("app/show/stage/stage.h", "")),
+              AllOf(Contains(StartsWith("app/window/panel/")), Not(Contains(StartsWith("app/show/stage/")))));
 }
 
 TEST(Room, HoldsAtMost60Files) {
   Tree tree;
-  for (int i = 0; i < 60; ++i) tree.push_back(source_file("app/stage/" + std::to_string(i) + ".h", ""));
+  for (int i = 0; i < 60; ++i) tree.push_back(source_file("app/show/stage/" + std::to_string(i) + ".h", ""));
   EXPECT_THAT(rooms_too_full(tree), IsEmpty());
-  tree.push_back(source_file("app/stage/61.h", ""));
-  EXPECT_THAT(rooms_too_full(tree), ElementsAre(StartsWith("app/stage:61:")));
+  tree.push_back(source_file("app/show/stage/61.h", ""));
+  EXPECT_THAT(rooms_too_full(tree), ElementsAre(StartsWith("app/show/stage:61:")));
 }
 
 TEST(Floors, LetNobodyOfTheLibraryIncludeTheImporter) {
@@ -93,25 +92,34 @@ TEST(Floors, RefuseTheProgramInsideTheEngine) {
 
 TEST(Joint, IsRefusedFromEitherSide) {
   const Tree tree{source_file("engine/render/camera.h", "#include \"engine/anim/base/units.h\"\n"),
-                  source_file("engine/anim/lod/lod.h", "#include \"engine/render/camera.h\"\n")};
-  EXPECT_THAT(includes_across_animation_and_drawing(tree), testing::SizeIs(2));
+                  source_file("engine/anim/lod/lod.h", "#include \"engine/render/camera.h\"\n"),
+                  source_file("engine/tracks/read.h", "#include \"engine/render/camera.h\"\n"),
+                  source_file("engine/base/text/joined.h", "#include \"engine/anim/base/units.h\"\n")};
+  EXPECT_THAT(includes_that_join(tree), testing::SizeIs(4));
+}
+
+TEST(Joint, IsNotThePanel) {
+  EXPECT_THAT(includes_that_join(one("app/window/panel/overlay.h", "#include \"app/show/stage/stage.h\"\n")),
+              testing::SizeIs(1));
+  EXPECT_THAT(includes_that_join(one("app/window/panel/overlay.h", "#include \"app/show/report/frame_report.h\"\n")),
+              IsEmpty());
 }
 
 TEST(Joint, IsWhatAppIsFor) {
   const Tree tree =
-      one("app/stage/stage.h", "#include \"engine/anim/lod/lod.h\"\n#include \"engine/render/camera.h\"\n");
-  EXPECT_THAT(includes_across_animation_and_drawing(tree), IsEmpty());
+      one("app/show/stage/stage.h", "#include \"engine/anim/lod/lod.h\"\n#include \"engine/render/camera.h\"\n");
+  EXPECT_THAT(includes_that_join(tree), IsEmpty());
 }
 
 TEST(Parts, AreRefusedWhereTheyAreNotNamed) {
   const Tree tree{source_file("engine/anim/asset/model.cpp", "#include <tiny_gltf.h>\n"),
-                  source_file("app/demo/demo.cpp", "#include <imgui.h>\n")};
+                  source_file("app/window/demo.cpp", "#include <imgui.h>\n")};
   EXPECT_THAT(parts_seen_elsewhere(tree), testing::SizeIs(2));
 }
 
 TEST(Parts, AreSeenWhereTheyAreNamed) {
   const Tree tree{source_file("engine/anim/import/document.h", "#include <tiny_gltf.h>\n"),
-                  source_file("app/overlay/overlay.cpp", "#include <imgui.h>\n")};
+                  source_file("app/window/panel/overlay.cpp", "#include <imgui.h>\n")};
   EXPECT_THAT(parts_seen_elsewhere(tree), IsEmpty());
 }
 
@@ -122,7 +130,7 @@ TEST(Main, MayNotCompute) {
 }
 
 TEST(Main, MayParseAndDispatch) {
-  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <variant>\n#include \"app/demo/demo.h\"\n")), IsEmpty());
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <variant>\n#include \"app/window/demo.h\"\n")), IsEmpty());
 }
 
 TEST(Length, IsRefusedAbove350Lines) {
@@ -153,9 +161,9 @@ TEST(MachinePath, IsNotEveryPathWithSuchAFolder) {
 
 TEST(Readme, IsMissedInAFolderThatHasNone) {
   const Tree tree{source_file("engine/anim/lod/lod.h", ""), source_file("engine/anim/base/units.h", ""),
-                  source_file("engine/anim/base/README.md", ""), source_file("app/stage/stage.h", ""),
+                  source_file("engine/anim/base/README.md", ""), source_file("app/show/stage/stage.h", ""),
                   source_file("tests/house/floors.h", "")};
-  EXPECT_THAT(folders_without_readme(tree), ElementsAre("app/stage", "engine/anim/lod"));
+  EXPECT_THAT(folders_without_readme(tree), ElementsAre("app/show/stage", "engine/anim/lod"));
 }
 
 TEST(ReadmeProgram, IsRefusedFromTheFirstLineThatDiffers) {

@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -8,6 +13,7 @@
 
 #include "tests/house/class_size.h"
 #include "tests/house/house_rules.h"
+#include "tests/house/includes.h"
 #include "tests/house/maths_rules.h"
 #include "tests/house/page_rules.h"
 
@@ -23,13 +29,20 @@ const Tree& project() {
 
 TEST(House, HasFilesInEveryRoom) { EXPECT_THAT(rooms_without_files(project()), IsEmpty()); }
 
+TEST(House, TheProgramHasAtMostEightWings) {
+  std::set<std::string> wings;
+  for (const SourceFile& file : project()) {
+    const std::filesystem::path within = std::filesystem::path(file.path).lexically_relative("app");
+    if (file.path.starts_with("app/") && within.has_parent_path()) wings.insert(within.begin()->string());
+  }
+  EXPECT_THAT(wings, testing::SizeIs(testing::Le(8U)));
+}
+
 TEST(House, NoRoomIsTooFull) { EXPECT_THAT(rooms_too_full(project()), IsEmpty()); }
 
 TEST(House, NoFileIncludesAHigherFloor) { EXPECT_THAT(includes_that_climb(project()), IsEmpty()); }
 
-TEST(House, AnimationAndDrawingMeetInAppAlone) {
-  EXPECT_THAT(includes_across_animation_and_drawing(project()), IsEmpty());
-}
+TEST(House, LibrariesMeetInAppAlone) { EXPECT_THAT(includes_that_join(project()), IsEmpty()); }
 
 TEST(House, PartsOfOthersAreSeenByFewFiles) { EXPECT_THAT(parts_seen_elsewhere(project()), IsEmpty()); }
 
@@ -49,6 +62,16 @@ TEST(House, NoClassHasTooManyMethods) {
     std::cout << size.name << ": " << size.public_methods << " public, " << size.private_methods
               << " private methods\n";
   }
+}
+
+TEST(House, AppSourcesTakeInFewHeaders) {
+  std::vector<std::pair<std::size_t, std::string>> sources;
+  for (const auto& [path, count] : own_headers_behind(project())) sources.emplace_back(count, path);
+  std::ranges::sort(sources, std::greater{});
+  const std::size_t median = sources[sources.size() / 2].first;
+  std::cout << "own headers behind a source of app: " << median << " in the median; the most:\n";
+  for (std::size_t i = 0; i < 6; ++i) std::cout << sources[i].second << ": " << sources[i].first << '\n';
+  EXPECT_LE(median, 70U);
 }
 
 TEST(House, NoFunctionIsAFriendButOperators) { EXPECT_THAT(friends_that_are_methods(project()), IsEmpty()); }

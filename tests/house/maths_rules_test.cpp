@@ -36,7 +36,7 @@ TEST(Maths, OfTheLibraryAndExactOnesAreFree) {
 TEST(Maths, OfTheSystemDecideWhereTheyMakeNoBitOfAPose) {
   EXPECT_THAT(of_line("std::log2(x)", "engine/anim/lod/lod_cost.h"), IsEmpty());
   EXPECT_THAT(of_line("std::sin(x)", "engine/anim/examples/own_step.cpp"), IsEmpty());
-  EXPECT_THAT(of_line("std::sin(x)", "app/crowd/crowd.cpp"), IsEmpty());
+  EXPECT_THAT(of_line("std::sin(x)", "app/people/crowd/crowd.cpp"), IsEmpty());
 }
 
 }  // namespace

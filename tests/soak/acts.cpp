@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/request/request_json.h"
 #include "app/show/agent_at.h"
+#include "app/show/request/request_json.h"
 #include "tests/soak/round.h"
 
 namespace throng::soak {

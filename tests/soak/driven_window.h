@@ -15,7 +15,7 @@
 namespace throng::soak {
 
 /// The real program in a window on a display of its own. What it does is read from the ui map
-/// (app/overlay/controls/ui_map.h) that it writes each frame.
+/// (app/window/panel/controls/ui_map.h) that it writes each frame.
 class DrivenWindow {
  public:
   using Json = nlohmann::json;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/crowd/numbers/random.h"
+#include "app/people/crowd/numbers/random.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::soak {

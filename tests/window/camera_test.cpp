@@ -7,8 +7,8 @@
 #include <glm/vec4.hpp>
 
 #include "app/character/source.h"
-#include "app/crowd/crowd.h"
-#include "app/view/fly_camera.h"
+#include "app/people/crowd/crowd.h"
+#include "app/show/camera/fly_camera.h"
 #include "tests/window/window_driver.h"
 
 namespace throng::app::camera_test {

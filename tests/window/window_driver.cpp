@@ -9,7 +9,7 @@
 #include <glm/vec4.hpp>
 #include <unistd.h>
 
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
 #include "tests/window/file_drop.h"
 
 namespace throng::app {

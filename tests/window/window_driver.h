@@ -18,8 +18,8 @@
 namespace throng::app {
 
 /// The real program in a real window on a display of its own, driven by mouse and keyboard. The test reads what it does
-/// from the ui map (app/overlay/controls/ui_map.h) that it writes each frame. Every wait is for a state, none for a
-/// time.
+/// from the ui map (app/window/panel/controls/ui_map.h) that it writes each frame. Every wait is for a state, none for
+/// a time.
 class WindowDriver : public testing::Test {
  protected:
   using Json = nlohmann::json;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/regression/compare.h"
+#include "app/output/regression/compare.h"
 #include "tests/window/screen.h"
 #include "tests/window/window_driver.h"
 

@@ -14,14 +14,14 @@
 #include "app/character/model_file.h"
 #include "app/character/skin_choice.h"
 #include "app/character/source.h"
-#include "app/figures/notices.h"
 #include "app/files/exit_status.h"
-#include "app/files/joined.h"
+#include "app/show/figures/notices.h"
 #include "engine/anim/asset/placement.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
-#include "engine/files/output_file.h"
-#include "engine/files/size_text.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/text/joined.h"
+#include "engine/base/text/plain_text.h"
+#include "engine/base/text/size_text.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {
@@ -69,7 +69,7 @@ std::vector<std::string> names_of(const anim::ImportedFile& file) {
 
 /// Returns the file's name without folder and ending, made one that no other file has.
 std::string name_for(const std::string& path, const std::vector<pack::FileToPack>& files) {
-  const std::string stem = anim::plain_text(std::filesystem::path(character_file(path).path).stem().string());
+  const std::string stem = plain_text(std::filesystem::path(character_file(path).path).stem().string());
   std::string name = stem;
   const auto is_taken = [&] { return std::ranges::count(files, name, &pack::FileToPack::name) > 0; };
   for (int number = 2; is_taken(); ++number) name = stem + " " + std::to_string(number);
@@ -154,7 +154,7 @@ anim::Status bake(const BakeOptions& options) {
   const std::vector<std::byte> pack = pack::write_pack(files);
   anim::Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
   if (!written) return written;
-  return print(anim::plain_text(options.pack) + ": " + size_text(pack.size()) + ", of which streams " +
+  return print(plain_text(options.pack) + ": " + size_text(pack.size()) + ", of which streams " +
                size_text(sizes.streams) + ", surfaces " + size_text(sizes.surfaces) + ", texels " +
                size_text(sizes.texels) + "\n");
 }

@@ -8,10 +8,10 @@
 #include "app/character/source.h"
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/rounds.h"
-#include "app/figures/statistics.h"
 #include "app/files/byte_hash.h"
 #include "app/settings/choices.h"
-#include "app/stage/stage.h"
+#include "app/show/figures/statistics.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::app {

@@ -6,11 +6,11 @@
 
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/times.h"
-#include "app/figures/timeline_log.h"
+#include "app/show/figures/timeline_log.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

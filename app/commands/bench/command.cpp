@@ -13,7 +13,7 @@
 #include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
 #include "app/files/exit_status.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 namespace {

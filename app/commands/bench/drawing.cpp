@@ -12,9 +12,9 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "app/figures/statistics.h"
 #include "app/files/progress_line.h"
 #include "app/settings/choices.h"
+#include "app/show/figures/statistics.h"
 #include "app/show/show.h"
 
 namespace throng::app {

@@ -1,7 +1,7 @@
 #include "app/commands/bench/report.h"
 
 #include "app/files/exit_status.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 namespace {

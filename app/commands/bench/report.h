@@ -3,8 +3,8 @@
 #include <string>
 
 #include "app/commands/bench/options.h"
-#include "engine/anim/base/result.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

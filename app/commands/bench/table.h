@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/figures/statistics.h"
+#include "app/show/figures/statistics.h"
 
 namespace throng::app {
 

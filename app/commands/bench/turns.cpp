@@ -8,7 +8,7 @@
 #include "app/commands/bench/case.h"
 #include "app/files/exit_status.h"
 #include "app/files/memory_check.h"
-#include "app/stage/memory_needs.h"
+#include "app/show/stage/memory_needs.h"
 
 namespace throng::app {
 namespace {

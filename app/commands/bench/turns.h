@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/commands/bench/options.h"
-#include "app/figures/timeline_log.h"
-#include "engine/anim/import/json/json.h"
+#include "app/show/figures/timeline_log.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 

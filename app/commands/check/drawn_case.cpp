@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/files/program_words.h"
-#include "engine/anim/base/plain_text.h"
-#include "engine/files/child_process.h"
+#include "engine/base/files/child_process.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -23,7 +23,7 @@ void fail(CaseOutcome& outcome, Verdict verdict, const std::string& message) {
 /// Returns the last line of a run that failed, without the program's name.
 std::string last_words(const std::string& errors) {
   const std::string line = last_line(errors), name = "throng: ";
-  return anim::plain_text(line.starts_with(name) ? line.substr(name.size()) : line);
+  return plain_text(line.starts_with(name) ? line.substr(name.size()) : line);
 }
 
 std::string why_it_failed(const EndedChild& ended) {

@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
-#include "app/regression/cases.h"
-#include "app/regression/outcome.h"
+#include "app/output/regression/cases.h"
+#include "app/output/regression/outcome.h"
 
 namespace throng::app {
 

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "app/files/joined.h"
-#include "engine/files/child_process.h"
+#include "engine/base/files/child_process.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "app/files/exit_status.h"
-#include "app/regression/compare.h"
-#include "app/regression/origin.h"
-#include "engine/files/output_file.h"
+#include "app/output/regression/compare.h"
+#include "app/output/regression/origin.h"
+#include "engine/base/files/output_file.h"
 
 namespace throng::app {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/regression/tolerance.h"
+#include "app/output/regression/tolerance.h"
 
 namespace throng::app {
 

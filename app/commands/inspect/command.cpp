@@ -12,14 +12,14 @@
 #include "app/commands/inspect/report.h"
 #include "app/commands/inspect/tracks_report.h"
 #include "app/files/exit_status.h"
-#include "app/files/joined.h"
-#include "app/trajectory/read.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/import/json/json.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/json/json.h"
+#include "engine/base/text/joined.h"
+#include "engine/tracks/read.h"
 
 namespace throng::app {
 namespace {

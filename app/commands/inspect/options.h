@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/trajectory/reading.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/tracks/reading.h"
 
 namespace throng::app {
 

@@ -10,8 +10,8 @@
 
 #include "app/character/roles.h"
 #include "app/commands/inspect/text_table.h"
-#include "app/files/joined.h"
 #include "engine/anim/rig/rig_map.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/joined.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/trajectory/trajectories.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 

@@ -9,9 +9,9 @@
 #include "app/character/files.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
-#include "app/lod/mesh_lods.h"
-#include "app/stage/stage.h"
-#include "engine/files/output_file.h"
+#include "app/show/lod/mesh_lods.h"
+#include "app/show/stage/stage.h"
+#include "engine/base/files/output_file.h"
 #include "engine/render/camera.h"
 #include "engine/render/mesh/packed_surface.h"
 

@@ -11,7 +11,7 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 namespace {

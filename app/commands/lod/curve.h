@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/character/source.h"
-#include "app/lod/lod_export.h"
-#include "engine/anim/base/result.h"
+#include "app/show/lod/lod_export.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

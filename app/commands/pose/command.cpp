@@ -11,8 +11,8 @@
 #include "app/commands/pose/dump.h"
 #include "app/commands/pose/pipe.h"
 #include "app/files/exit_status.h"
-#include "engine/anim/import/json/json.h"
-#include "engine/files/output_file.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/json/json.h"
 
 namespace throng::app {
 

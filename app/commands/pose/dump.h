@@ -5,7 +5,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 namespace throng::app {
 
 /// One pose of a skeleton.

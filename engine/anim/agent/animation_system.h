@@ -9,7 +9,7 @@
 #include "engine/anim/agent/figures.h"
 #include "engine/anim/agent/system_options.h"
 #include "engine/anim/agent/system_parts.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

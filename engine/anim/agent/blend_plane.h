@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

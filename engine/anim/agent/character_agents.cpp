@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::anim {
 namespace {

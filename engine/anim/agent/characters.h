@@ -8,8 +8,8 @@
 #include "engine/anim/agent/system_parts.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/base/ids.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/base/type_tag.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

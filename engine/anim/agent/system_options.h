@@ -6,11 +6,11 @@
 
 #include "engine/anim/bake/stream_kind.h"
 #include "engine/anim/base/executor.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/anim/kernel/palette/write_lines.h"
 #include "engine/anim/run/program/cost_model.h"
 #include "engine/anim/run/store/schedule.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -6,7 +6,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "engine/anim/asset/skeleton.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

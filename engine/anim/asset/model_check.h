@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

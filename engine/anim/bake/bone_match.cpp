@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/anim/base/elementary.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::anim {
 namespace {

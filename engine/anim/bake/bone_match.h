@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/anim/asset/skeleton.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

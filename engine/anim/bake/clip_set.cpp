@@ -13,7 +13,7 @@
 #include "engine/anim/bake/bone_match.h"
 #include "engine/anim/bake/name_numbers.h"
 #include "engine/anim/bake/reorder.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::anim {
 namespace {

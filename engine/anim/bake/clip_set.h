@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -4,7 +4,7 @@
 
 #include "throng/host.h"
 
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

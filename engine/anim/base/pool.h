@@ -9,7 +9,7 @@
 
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/pool_tables.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

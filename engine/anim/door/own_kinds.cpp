@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "engine/anim/asset/bone_mask.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/entity/chain_reach_entity.h"
 #include "engine/anim/entity/spring_bones_entity.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::detail {
 namespace {
@@ -71,7 +71,7 @@ Result<OwnKinds::Kind> OwnKinds::add_last(std::deque<Owned>& all) {
 Result<int> OwnKinds::bone(std::string_view name) const {
   const int found = anim::find_bone(skeleton(), name);
   if (found < 0) {
-    return Error{skeleton().name + ": the character has no bone named \"" + anim::plain_text(std::string(name)) + "\""};
+    return Error{skeleton().name + ": the character has no bone named \"" + plain_text(std::string(name)) + "\""};
   }
   return found;
 }

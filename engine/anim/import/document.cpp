@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/draco_meshes.h"
@@ -17,6 +16,7 @@
 #include "engine/anim/import/json_repairs.h"
 #include "engine/anim/import/memory/json_memory.h"
 #include "engine/anim/import/source_file.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::import {
 
@@ -59,7 +59,7 @@ std::vector<std::vector<anim::NamedCurve>> take_curves(json& document) {
     std::vector<anim::NamedCurve>& curves = animations.emplace_back();
     const json named = animation.value(curves_property, json::object());
     for (auto curve = named.begin(); curve != named.end(); ++curve) {
-      curves.push_back({.name = anim::plain_text(curve.key()),
+      curves.push_back({.name = plain_text(curve.key()),
                         .times = curve.value()["times"].get<std::vector<float>>(),
                         .values = curve.value()["values"].get<std::vector<float>>()});
     }
@@ -83,7 +83,7 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
 
 std::vector<std::string> plain_texts(const json& texts) {
   std::vector<std::string> plain;
-  for (const json& text : texts) plain.push_back(anim::plain_text(text.get<std::string>()));
+  for (const json& text : texts) plain.push_back(plain_text(text.get<std::string>()));
   return plain;
 }
 
@@ -95,8 +95,8 @@ std::map<int, PartNode> take_parts(json& document) {
     ++index;
     const auto said = node.find(part_property);
     if (said == node.end()) continue;
-    parts[index] = {.slot = anim::plain_text((*said)["slot"].get<std::string>()),
-                    .body = anim::plain_text(said->value("body", "")),
+    parts[index] = {.slot = plain_text((*said)["slot"].get<std::string>()),
+                    .body = plain_text(said->value("body", "")),
                     .covers = plain_texts(said->value("covers", json::array())),
                     .keeps_out = plain_texts(said->value("keeps_out", json::array())),
                     .tags = plain_texts(said->value("tags", json::array())),
@@ -113,7 +113,7 @@ std::vector<std::vector<std::string>> take_target_names(json& document) {
     std::vector<std::string>& names = meshes.emplace_back();
     const auto listed = mesh.find(target_names_property);
     if (listed == mesh.end() || !listed->is_array()) continue;
-    for (const json& name : *listed) names.push_back(name.is_string() ? anim::plain_text(name.get<std::string>()) : "");
+    for (const json& name : *listed) names.push_back(name.is_string() ? plain_text(name.get<std::string>()) : "");
   }
   return meshes;
 }

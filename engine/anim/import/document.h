@@ -10,11 +10,11 @@
 
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/import/buffer_views.h"
 #include "engine/anim/import/humanoid.h"
 #include "engine/anim/import/memory/memory_account.h"
 #include "engine/anim/import/model_files.h"
+#include "engine/base/result.h"
 
 namespace throng::import {
 

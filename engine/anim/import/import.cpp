@@ -9,7 +9,6 @@
 
 #include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/asset/skeleton_order.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/carried_meshes.h"
@@ -21,6 +20,7 @@
 #include "engine/anim/import/reach.h"
 #include "engine/anim/import/skeleton_builder.h"
 #include "engine/anim/survey/bone_importance.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::import {
 
@@ -88,14 +88,12 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
     return std::tuple(vertex_count(model), model.skeleton.bones.size());
   });
   if (options.strict && !document.repairs.empty()) refuse_repairs(document.repairs);
-  for (const std::string& repair : document.repairs) file.repairs.push_back(anim::plain_text(repair));
+  for (const std::string& repair : document.repairs) file.repairs.push_back(plain_text(repair));
   return file;
 }
 
 /// Makes an error of one line of any names of the file.
-anim::Error error_of(const std::string& path, const std::string& reason) {
-  return {anim::plain_text(path + ": " + reason)};
-}
+anim::Error error_of(const std::string& path, const std::string& reason) { return {plain_text(path + ": " + reason)}; }
 
 anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const ImportOptions& options,
                                                   bool skin_of_nodes) {

@@ -11,11 +11,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/bytes/refusal.h"
-#include "engine/anim/import/json/json_tree.h"
 #include "engine/anim/import/json_extensions.h"
 #include "engine/anim/import/source_file.h"
+#include "engine/base/json/json_tree.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::import {
 
@@ -85,8 +85,8 @@ constexpr JsonLimits gltf_limits{.depth = max_json_depth,
 /// Names from old exporters may be no UTF-8, which JSON demands.
 json parse_text(std::string_view text, std::vector<std::string>& repairs) {
   auto document = parse_json_tree<json>(text, gltf_limits);
-  if (!document && !anim::is_utf8(text)) {
-    document = parse_json_tree<json>(anim::plain_text(text), gltf_limits);
+  if (!document && !is_utf8(text)) {
+    document = parse_json_tree<json>(plain_text(text), gltf_limits);
     if (document) repairs.emplace_back("its JSON is no UTF-8: letters of names were replaced");
   }
   if (!document)
@@ -117,7 +117,7 @@ void simplify(json& value) {
     keep_read_extensions(value);
     if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
       shorten_name(name->get_ref<std::string&>());
-      *name = anim::plain_text(name->get_ref<const std::string&>());
+      *name = plain_text(name->get_ref<const std::string&>());
     }
   }
   if (value.is_structured()) {

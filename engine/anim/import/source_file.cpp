@@ -7,7 +7,7 @@
 
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/other_formats.h"
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::import {
 

@@ -10,7 +10,7 @@
 
 #include <glm/common.hpp>
 
-#include "engine/srgb.h"
+#include "engine/base/srgb.h"
 
 namespace throng::import {
 namespace {

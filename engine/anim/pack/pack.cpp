@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "engine/anim/asset/placement.h"
-#include "engine/anim/base/plain_text.h"
 #include "engine/anim/base/pose.h"
 #include "engine/anim/pack/tables.h"
 #include "engine/anim/survey/lod_survey.h"
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::pack {
 
@@ -115,7 +115,7 @@ anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files) {
   std::uint64_t fingerprint = 0;
   for (const std::string& file : files) {
     const auto copy = copy_file(file, "a file to bake");
-    if (!copy) return anim::Error{anim::plain_text(file) + ": " + copy.error().message};
+    if (!copy) return anim::Error{plain_text(file) + ": " + copy.error().message};
     fingerprint = checksum_of(copy->bytes, fingerprint);
   }
   return fingerprint;
@@ -129,7 +129,7 @@ bool is_pack(const std::string& path) {
 }
 
 anim::Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
-  Pack pack(anim::plain_text(path));
+  Pack pack(plain_text(path));
   const auto refused = [&](const anim::Error& why) { return anim::Error{pack.path_ + ": " + why.message}; };
   auto taken = (bytes == PackBytes::mapped ? map_file : copy_file)(path, "a .pack");
   if (!taken) return refused(taken.error());

@@ -12,9 +12,9 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/pack/sections.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/base/result.h"
 
 namespace throng::pack {
 

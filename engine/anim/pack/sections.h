@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/anim/base/aligned_bytes.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::pack {
 

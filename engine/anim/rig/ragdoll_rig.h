@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/anim/asset/model.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

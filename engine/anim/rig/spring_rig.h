@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/anim/asset/skeleton.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/store/double_buffer.h"
 #include "engine/anim/run/store/local_store.h"
 #include "engine/anim/run/store/schedule.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -3,10 +3,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/frame/picture_tiles.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/image.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

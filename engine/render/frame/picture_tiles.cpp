@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "engine/files/size_text.h"
+#include "engine/base/text/size_text.h"
 
 namespace throng::render {
 namespace {

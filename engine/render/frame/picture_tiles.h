@@ -5,8 +5,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_draw.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

@@ -2,10 +2,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/frame/image_target.h"
 #include "engine/render/frame/picture_tiles.h"
 #include "engine/render/image.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

@@ -8,8 +8,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/gl/device_limits.h"
-#include "engine/result.h"
 
 struct GLFWwindow;
 

@@ -4,7 +4,7 @@
 
 #include <glad/gl.h>
 
-#include "engine/result.h"
+#include "engine/base/result.h"
 
 namespace throng::render::gl {
 

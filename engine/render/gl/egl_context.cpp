@@ -10,7 +10,7 @@
 #include <EGL/eglext.h>
 #include <glad/gl.h>
 
-#include "engine/files/process.h"
+#include "engine/base/files/process.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/gl/shared_library.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "engine/result.h"
+#include "engine/base/result.h"
 
 namespace throng::render::gl {
 

@@ -5,10 +5,10 @@
 #include <map>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/mesh/coverage.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

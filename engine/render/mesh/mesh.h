@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/mesh/material.h"
 #include "engine/render/mesh/surface.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/render/mesh/surface.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/label_picture.h"
@@ -16,7 +17,6 @@
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/shader/program_variants.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

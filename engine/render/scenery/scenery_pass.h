@@ -7,6 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "engine/base/result.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/light/light_parts.h"
@@ -14,7 +15,6 @@
 #include "engine/render/scenery/selection.h"
 #include "engine/render/scenery_data.h"
 #include "engine/render/shader/program_variants.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

@@ -8,8 +8,8 @@
 
 #include <glad/gl.h>
 
+#include "engine/base/result.h"
 #include "engine/render/gl/handles.h"
-#include "engine/result.h"
 
 namespace throng::render {
 

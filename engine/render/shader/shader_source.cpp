@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
 
 namespace throng::render {
 namespace {

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "app/stage/stage.h"
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app::bone_lod_test {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/figures/notices.h"
+#include "app/show/figures/notices.h"
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::app::skin_choice_test {

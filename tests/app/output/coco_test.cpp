@@ -6,7 +6,7 @@
 
 #include "app/character/files.h"
 #include "engine/anim/asset/joint_list.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::coco_test {
 namespace {

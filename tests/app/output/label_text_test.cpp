@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 #include "tests/app/temporary_folder.h"
 
 namespace throng::app::label_text_test {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "app/recording/recording.h"
+#include "app/show/recording/recording.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/sanitized.h"

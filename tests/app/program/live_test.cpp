@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "tests/app/program_run.h"
-#include "tests/app/trajectory/track_file.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::live_program_test {
 namespace {

@@ -16,11 +16,11 @@
 #include <gtest/gtest.h>
 
 #include "app/character/files.h"
-#include "app/report/tuning_sweep.h"
 #include "app/settings/choices.h"
 #include "app/settings/tuning_values.h"
-#include "app/stage/stage.h"
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/report/tuning_sweep.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app::idle_values_test {
 namespace {

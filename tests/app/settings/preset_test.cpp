@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/command_line/options.h"
+#include "app/commands/command_line/options.h"
 #include "app/settings/tuning_values.h"
-#include "tests/app/command_line/command_words.h"
+#include "tests/app/commands/command_line/command_words.h"
 #include "tests/app/temporary_folder.h"
 
 namespace throng::app::preset_test {

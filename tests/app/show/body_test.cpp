@@ -10,7 +10,7 @@
 #include "app/character/body_parts.h"
 #include "app/character/role_table.h"
 #include "app/show/kept_choices.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::body_test {
 namespace {

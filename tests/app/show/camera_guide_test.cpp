@@ -4,8 +4,8 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/view/fly_camera.h"
-#include "tests/app/recording/recorded_run.h"
+#include "app/show/camera/fly_camera.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::camera_guide_test {
 namespace {

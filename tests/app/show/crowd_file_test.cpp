@@ -1,4 +1,4 @@
-#include "app/request/crowd_file.h"
+#include "app/show/request/crowd_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/request/cast_options.h"
 #include "app/settings/tuning_values.h"
+#include "app/show/request/cast_options.h"
 #include "tests/app/program_run.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::crowd_file_test {
 namespace {

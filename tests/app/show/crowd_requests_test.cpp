@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/request/request_json.h"
 #include "app/show/agent_at.h"
-#include "tests/app/recording/recorded_run.h"
+#include "app/show/request/request_json.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::crowd_requests_test {
 namespace {

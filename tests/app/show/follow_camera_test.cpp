@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
-#include "tests/app/recording/recorded_run.h"
-#include "tests/app/trajectory/track_file.h"
+#include "tests/app/show/recording/recorded_run.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::follow_camera_test {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
-#include "tests/app/live/live_feed.h"
-#include "tests/app/recording/recorded_run.h"
-#include "tests/app/trajectory/track_file.h"
+#include "tests/app/show/recording/recorded_run.h"
+#include "tests/tracks/live/live_feed.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::live_show_test {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/camera/fly_camera.h"
 #include "app/show/picture.h"
-#include "app/view/fly_camera.h"
 
 namespace throng::app::morph_weights_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/character/bone_lod.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::placement_test {
 namespace {

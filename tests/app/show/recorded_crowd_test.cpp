@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 #include "tests/app/temporary_folder.h"
-#include "tests/app/trajectory/track_file.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::recorded_crowd_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program_run.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::replay_cast_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/show/kept_choices.h"
 #include "app/show/replay.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::replay_hands_test {
 namespace {

@@ -7,10 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/request/crowd_file.h"
-#include "app/wardrobe/cast_rules_text.h"
+#include "app/people/wardrobe/cast_rules_text.h"
+#include "app/show/request/crowd_file.h"
 #include "tests/app/program_run.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::replay_rules_test {
 namespace {

@@ -7,11 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/command_line/options.h"
+#include "app/commands/command_line/options.h"
 #include "app/settings/tuning_values.h"
-#include "tests/app/command_line/command_words.h"
+#include "tests/app/commands/command_line/command_words.h"
 #include "tests/app/program_run.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::replay_test {
 namespace {

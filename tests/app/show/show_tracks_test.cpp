@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/show/path_in_view.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::show_tracks_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/exit_status.h"
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::starting_characters_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/app/recording/recorded_run.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::thresholds_in_view_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/settings/agent_colors.h"
-#include "app/view/fly_camera.h"
+#include "app/show/camera/fly_camera.h"
 #include "tests/counting/hot_path_counter.h"
 
 namespace throng::app::trails_test {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo/viewer_requests.h"
-#include "tests/app/recording/recorded_run.h"
+#include "app/window/viewer_requests.h"
+#include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::viewing_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "app/figures/statistics.h"
+#include "app/show/figures/statistics.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/look_at_process.h"
 #include "tests/benchmark/programs/least_squares.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/character/source.h"
-#include "app/trajectory/read.h"
-#include "tests/app/stage/foot_slips.h"
+#include "engine/tracks/read.h"
+#include "tests/app/show/stage/foot_slips.h"
 
 namespace throng::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "app/crowd/steering/tiles.h"
+#include "app/people/crowd/steering/tiles.h"
 #include "engine/anim/run/store/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/report.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 #include "tests/benchmark/programs/machine_model.h"
 
 namespace throng::app {

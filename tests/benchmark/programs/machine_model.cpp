@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/files/json_file.h"
-#include "engine/anim/import/json/json_object.h"
+#include "engine/base/json/json_object.h"
 
 namespace throng::app {
 namespace {

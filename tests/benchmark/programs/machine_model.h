@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/anim/base/result.h"
 #include "engine/anim/run/store/trace.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/commands/bench/case.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 #include "tests/benchmark/programs/library_subject.h"
 
 namespace throng::app {

@@ -11,10 +11,10 @@
 
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/camera/scenes.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
-#include "app/view/fly_camera.h"
-#include "app/view/scenes.h"
 #include "engine/anim/base/cores.h"
 #include "engine/render/passes/casters.h"
 #include "tests/benchmark/programs/program.h"

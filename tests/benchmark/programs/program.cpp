@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/command_line/options.h"
+#include "app/commands/command_line/options.h"
 #include "app/files/exit_status.h"
 
 namespace throng::app {

@@ -4,7 +4,7 @@
 
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/report.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::app {
 

@@ -1,4 +1,4 @@
-#include "engine/anim/import/json/json_object.h"
+#include "engine/base/json/json_object.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

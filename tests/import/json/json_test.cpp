@@ -1,4 +1,4 @@
-#include "engine/anim/import/json/json.h"
+#include "engine/base/json/json.h"
 
 #include <array>
 #include <cstdint>

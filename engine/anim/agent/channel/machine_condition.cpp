@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::anim {
 namespace {

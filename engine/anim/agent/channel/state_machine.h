@@ -13,7 +13,7 @@
 #include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/agent/blend_space_channel.h"
 #include "engine/anim/asset/machine_description.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/anim/agent/channel/machine_condition.h"
-#include "engine/anim/base/plain_text.h"
+#include "engine/base/text/plain_text.h"
 
 namespace throng::anim {
 namespace {

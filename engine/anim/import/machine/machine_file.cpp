@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/anim/import/json/json_object.h"
-#include "engine/files/input_file.h"
+#include "engine/base/files/input_file.h"
+#include "engine/base/json/json_object.h"
 
 namespace throng::import {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "engine/anim/asset/machine_description.h"
-#include "engine/anim/base/result.h"
+#include "engine/base/result.h"
 
 namespace throng::import {
 

@@ -1,3 +1,3 @@
 #pragma once
 
-#include "engine/result.h"  // An installed tree has that file in place of this one.
+#include "engine/base/result.h"  // An installed tree has that file in place of this one.

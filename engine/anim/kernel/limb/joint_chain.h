@@ -11,8 +11,8 @@
 #include <glm/vec3.hpp>
 
 #include "engine/anim/asset/skeleton.h"
-#include "engine/anim/base/result.h"
 #include "engine/anim/kernel/pose/pose_view.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

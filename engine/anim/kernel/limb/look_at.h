@@ -8,10 +8,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "engine/anim/base/result.h"
 #include "engine/anim/kernel/lanes/smooth_damp.h"
 #include "engine/anim/kernel/limb/joint_chain.h"
 #include "engine/anim/kernel/pose/pose_view.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

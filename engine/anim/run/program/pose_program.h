@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/anim/base/result.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/run/program/cost_model.h"
+#include "engine/base/result.h"
 
 namespace throng::anim {
 

@@ -9,7 +9,7 @@
 
 #include "app/commands/check/git.h"
 #include "app/files/program_words.h"
-#include "engine/files/child_process.h"
+#include "engine/base/files/child_process.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
 

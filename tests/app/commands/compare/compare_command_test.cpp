@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/regression/compare.h"
+#include "app/output/regression/compare.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
 

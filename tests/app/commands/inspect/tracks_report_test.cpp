@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/anim/import/json/json.h"
-#include "tests/app/trajectory/track_file.h"
+#include "engine/base/json/json.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::tracks_report_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/lod/lod_export.h"
+#include "app/show/lod/lod_export.h"
 #include "engine/anim/lod/level_of_detail.h"
 
 namespace throng::app::curve_test {

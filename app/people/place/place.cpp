@@ -1,0 +1,41 @@
+#include "app/people/place/place.h"
+
+#include "app/people/place/placer.h"
+#include "app/people/place/scenes.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint64_t place_stream = 14;
+
+}  // namespace
+
+Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles, Clothes clothes) {
+  Place place;
+  const PlacedCrowd crowd{agents, seed, roles, clothes};
+  Placer placer(place, roles.spacing(), Random(seed, place_stream));
+  switch (scene) {
+    case Scene::plaza:
+      place.ground = plaza_ground(crowd);
+      put_plaza(crowd, placer);
+      break;
+    case Scene::parade:
+      place.ground = parade_ground(crowd);
+      put_parade(crowd, placer);
+      break;
+    case Scene::stadium:
+      place.ground = stadium_ground(crowd);
+      put_stadium(crowd, placer);
+      break;
+    case Scene::film:
+      place.ground = film_ground(crowd);
+      put_film(crowd, placer);
+      break;
+    case Scene::grid:
+    case Scene::tracks:
+      break;
+  }
+  return place;
+}
+
+}  // namespace throng::app

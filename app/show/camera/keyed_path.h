@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/settings/settings.h"
+#include "engine/base/result.h"
+#include "engine/render/camera.h"
+
+namespace throng::app {
+
+/// The place of a camera at a time.
+struct CameraKey {
+  double seconds = 0.0;  ///< since the path began
+  CameraPlace place;
+};
+
+/// Reads a camera path: a table with the header `time,x,y,z,yaw,pitch` or `time,x,y,z,yaw,pitch,fov`, and a row a key,
+/// in ascending time. Numbers are seconds, and values of --camera. From a key to the next the camera turns by the
+/// shorter way. Errors begin with the file's name, and name the line.
+Result<std::vector<CameraKey>> read_camera_keys(const std::string& file);
+
+/// Returns the camera after `seconds`. It passes every key smoothly, and stands still before the first and after the
+/// last. There is at least one key.
+render::Camera along(const std::vector<CameraKey>& keys, double seconds);
+
+}  // namespace throng::app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/character/source.h"
+#include "app/people/wardrobe/clothing.h"
+#include "app/show/lod/shown_poses.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/tracks/trajectories.h"
+
+/// Sentences on the ways in which a run differs from a person's expectation. Each is empty where it does not.
+namespace throng::app {
+
+/// The savings where a processor draws live and the command line does not ask otherwise.
+struct Spared {
+  int agents = 0;  ///< the number that is animated instead of the one asked for; 0: as asked
+  bool multisampling = false, shadows = false;
+  float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: as asked
+  int triangles = 0;   ///< with it: the most of all agents in view
+};
+std::string software_notice(const std::string& renderer, const Spared& spared);
+
+/// Says what import repaired and left out of the characters' files, up to three lines each, how they were changed after
+/// import, and which other characters the files have.
+std::string import_notice(std::span<const CharacterSource> characters);
+
+/// Says, in a line each, which characters are not shown in the size and place of their files, and why.
+std::string placement_notice(std::span<const CharacterSource> characters);
+
+/// Says the doubts of the rules that dress people, up to four lines for each file of rules.
+std::string rules_notice(std::span<const Clothing> clothing);
+
+/// Describes a recorded crowd: its people, the reader's findings, and how many oddities `throng inspect` lists.
+std::string tracks_notice(const Trajectories& trajectories);
+/// Says that the walls and floors of a recorded crowd are too many to be drawn.
+std::string plan_notice(std::size_t lines, std::size_t most);
+
+/// Says that an automatic local store had to be larger than usual.
+std::string local_store_notice(const anim::AnimationSystem& system);
+
+/// Says that fewer PUs run than were asked for, because the system has no more threads.
+std::string pu_notice(int asked, int running);
+
+/// Says how many agents in view have no room for their palettes.
+std::string palette_notice(const ShownPoses& shown);
+
+/// Names the characters whose palettes stay float although packed ones were asked for.
+std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters);
+
+/// Adds `sentence` on a line of its own; an empty one adds no line.
+void add_line(std::string& lines, const std::string& sentence);
+
+}  // namespace throng::app

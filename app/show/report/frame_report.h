@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/character/body_parts.h"
+#include "app/character/bone_lod.h"
+#include "app/character/roles.h"
+#include "app/settings/idle_values.h"
+#include "app/settings/settings.h"
+#include "app/show/lod/lod_thresholds.h"
+#include "app/show/report/camera_report.h"
+#include "app/show/report/error_report.h"
+#include "app/show/report/frame_details.h"
+#include "app/show/report/mesh_report.h"
+#include "app/show/report/messages.h"
+#include "app/show/report/placement_report.h"
+#include "app/show/report/replay_report.h"
+#include "app/show/report/selection_report.h"
+#include "app/show/report/tracks_report.h"
+#include "app/show/report/tuning_sweep.h"
+#include "app/show/report/viewer_report.h"
+#include "app/show/report/wardrobe_report.h"
+#include "engine/anim/agent/character_agents.h"
+#include "engine/anim/agent/frame_work.h"
+#include "engine/anim/lod/level_of_detail.h"
+#include "engine/anim/run/scheduler.h"
+#include "engine/anim/survey/bone_lod.h"
+#include "engine/render/crowd_draw.h"
+
+namespace throng::app {
+
+/// One bone of the level-of-detail order.
+struct BoneRow {
+  std::string name;
+  int depth = 0;    ///< depth in the hierarchy
+  int parent = -1;  ///< its parent's place in the list
+  anim::BoneLodRow lod;
+};
+
+/// The interval and the bone level of an agent, to be written above its head.
+struct HeadFigures {
+  std::uint32_t agent = 0;
+  float x = 0, y = 0, z = 0;  ///< metres, just above the head
+  int interval = 1;
+  int bone_level = 0;
+};
+
+/// A character of the cast.
+struct CastMember {
+  double share = 1.0;
+  double starting_share = 1.0;  ///< as it was loaded
+  int agents = 0;
+};
+
+/// The recording that goes on.
+struct RecordingReport {
+  std::string file;     ///< empty: nothing is recorded
+  double began_at = 0;  ///< on the clock of the messages
+};
+
+/// All that the overlay shows. The demo fills it once a frame, and the overlay only reads it.
+struct FrameReport {
+  std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
+  std::uint32_t character = 0;          ///< index of the character whose roles and bones are below
+  std::vector<CastMember> cast;         ///< [character]
+  WardrobeReport wardrobe;              ///< of the character shown
+  std::string context;                  ///< "window", "egl", "osmesa"
+  std::string gl_version, gl_renderer;
+  std::string notice;  ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
+  Messages messages;   ///< the messages that the person was told
+  RecordingReport recording;
+  int frame = 0;
+  float frame_ms = 0, update_ms = 0, draw_ms = 0;
+  std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240
+  // Crowd
+  int agents = 0, visible = 0, drawn = 0;
+  double seconds = 0;  ///< of the crowd's clock, or of a recorded crowd's file
+  int people = 0;      ///< people who are there; of a recorded crowd some have not come yet, or have gone
+  anim::UpdateReport work;
+  std::uint64_t pose_hash = 0;
+  render::DrawCounts draw_counts;
+  // Roles
+  std::vector<std::string> clip_names;          ///< the character's clips
+  RoleClips role_clips = no_clips();            ///< the clips in use
+  RoleClips suggested_role_clips = no_clips();  ///< the clips that the names suggest
+  BodyParts body;                               ///< the parts of the character's body
+  PlacementReport placement;                    ///< its size and place
+  // Level of detail
+  std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;  ///< [level]
+  std::vector<int> level_bone_counts;     ///< [level]
+  ErrorReport error;                      ///< of the shown poses
+  std::vector<BoneRow> bones;             ///< in level-of-detail order
+  bool can_undo_bones = false;            ///< the last change was made to their order
+  anim::LodFigures lod;
+  MeshReport meshes;                          ///< of the character shown
+  std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
+  std::string threshold_clip;                 ///< the clip that they hold for; empty: they hold for all
+  std::string limit_sentence;                 ///< says what limits the frame rate, with figures
+  std::vector<HeadFigures> heads;             ///< figures of agents near by, if asked for
+  // Scheduling
+  int hardware_threads = 0;
+  anim::ScheduleOptions schedule;
+  std::string simd_target;
+  std::vector<PuReport> pu;
+  std::vector<TimelineFrame> timeline;   ///< the last frames, oldest first
+  KeptFrames kept;                       ///< frames to look at after they have passed
+  std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
+  SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
+  CameraPlace camera;
+  CameraReport cameras;
+  std::optional<ReplayReport> replay;       ///< a recording is repeated
+  std::optional<TracksReport> tracks;       ///< the scene is a recorded crowd
+  Situation situation;                      ///< says which values have no effect
+  std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
+  std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
+  std::vector<float> snapshots;             ///< seconds back to each that the crowd can be taken to, newest first
+  std::optional<SelectionReport> selected;  ///< the agent that was clicked at
+  std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits
+};
+
+}  // namespace throng::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "engine/tracks/presence.h"
+
+namespace throng::app {
+
+/// A foot comes down.
+struct Footfall {
+  double seconds = 0.0;  ///< of the file's clock
+  bool is_left = false;
+};
+
+/// A person of a recorded crowd over the whole time in which the person is there.
+struct TrackedPerson {
+  std::string id;  ///< as the file has it
+  Presence presence;
+  std::size_t rows = 0;
+  float stature = 0.0F;             ///< metres
+  bool file_has_stature = false;    ///< else the crowd's seed chose it
+  glm::dvec2 origin{0.0};           ///< of the file's coordinates (Trajectories::origin)
+  std::vector<float> speeds;        ///< metres a second, evenly over the presence, at least two
+  std::vector<float> ways;          ///< metres walked until each of these times
+  std::vector<Footfall> footfalls;  ///< in ascending time, as far as they are found
+  bool has_all_footfalls = false;
+
+  /// Returns a value at a time of the presence.
+  [[nodiscard]] float speed_at(double seconds) const { return at(speeds, seconds); }
+  [[nodiscard]] float way_at(double seconds) const { return at(ways, seconds); }
+  [[nodiscard]] float fastest() const;
+  /// Returns how many feet came down until a time.
+  [[nodiscard]] std::size_t steps_until(double seconds) const;
+
+ private:
+  [[nodiscard]] float at(const std::vector<float>& values, double seconds) const;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,100 @@
+#include "app/window/crowd_editor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "engine/base/text/joined.h"
+
+namespace throng::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool differ_in_pause_alone(const Tuning& tuning, Tuning other) {
+  other.paused = tuning.paused;
+  return tuning == other;
+}
+
+bool is_step(const CrowdRequest& request, const CrowdRequest& answer) {
+  const auto* const values = std::get_if<Apply>(&request);
+  return values == nullptr || !differ_in_pause_alone(values->tuning, std::get<Apply>(answer).tuning);
+}
+
+bool is_cast(const CrowdRequest& request) {
+  return std::holds_alternative<LoadModels>(request) || std::holds_alternative<SetCast>(request);
+}
+
+/// Returns the one part of the body for which two lists name different bones; nothing where they do for several.
+std::optional<anim::BodyRole> changed_part(const std::vector<RigChoice>& before, const std::vector<RigChoice>& after) {
+  std::optional<anim::BodyRole> changed;
+  for (std::size_t i = 0; i < anim::body_role_count; ++i) {
+    const auto part = static_cast<anim::BodyRole>(i);
+    const auto bone = [part](const std::vector<RigChoice>& choices) {
+      const auto found = std::ranges::find(choices, part, &RigChoice::role);
+      return found == choices.end() ? std::string() : found->bone;
+    };
+    if (bone(before) == bone(after)) continue;
+    if (changed) return {};
+    changed = part;
+  }
+  return changed;
+}
+
+}  // namespace
+
+bool CrowdEditor::take(const CrowdRequest& request, const std::string& file) {
+  const auto answer = answer_to(request, show_.stage(), tuning_);
+  if (!make(request, file)) return false;
+  if (!answer || !is_step(request, *answer)) return true;
+  history_.add(is_cast(request) ? SetCast{exactly(show_.stage().people())} : request, *answer, change_);
+  return true;
+}
+
+bool CrowdEditor::make(const CrowdRequest& request, const std::string& file) {
+  const Clock::time_point start = Clock::now();
+  const anim::Status made = show_.take(request);
+  if (!made) return say_why_not(request, (file.empty() ? "" : file + ": ") + made.error().message), false;
+  if (std::holds_alternative<Apply>(request)) follow();
+  if (is_cast(request)) reporter_.describe_characters(show_);
+  say_what_came_of(request, std::chrono::duration<double>(Clock::now() - start).count());
+  return true;
+}
+
+void CrowdEditor::say_what_came_of(const CrowdRequest& request, double seconds) {
+  const auto* const placement = std::get_if<SetPlacement>(&request);
+  if (placement == nullptr) return;
+  const CharacterSource& placed = show_.stage().people()[placement->character];
+  reporter_.messages().say(placed.name + ": " + placed.placement.reasons + "; made anew in " + fixed(seconds, 1) +
+                           " s");
+}
+
+void CrowdEditor::say_why_not(const CrowdRequest& request, const std::string& why) {
+  const auto* const body = std::get_if<SetBody>(&request);
+  const bool is_known = body != nullptr && body->character < show_.stage().people().size();
+  const auto part = is_known ? changed_part(show_.stage().people()[body->character].rig, body->parts) : std::nullopt;
+  if (part) return reporter_.refuse_body(*part, why);  // which stands in the part's row
+  reporter_.messages().say(why, Message::Kind::refused);
+}
+
+bool CrowdEditor::make_all(const std::vector<CrowdRequest>& requests) {
+  return std::ranges::all_of(requests, [this](CrowdRequest request) {
+    if (auto* const values = std::get_if<Apply>(&request)) values->tuning.paused = tuning_.paused;
+    return make(request);
+  });
+}
+
+void CrowdEditor::undo() {
+  if (history_.last() != nullptr && make_all(history_.last()->back)) history_.took_back();
+}
+
+void CrowdEditor::redo() {
+  if (history_.next() != nullptr && make_all(history_.next()->forth)) history_.made_again();
+}
+
+bool CrowdEditor::can_undo_bones() const {
+  return history_.last() != nullptr && std::holds_alternative<SetBones>(history_.last()->forth.back());
+}
+
+}  // namespace throng::app

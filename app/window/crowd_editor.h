@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/show/request/request.h"
+#include "app/show/request_history.h"
+#include "app/show/show.h"
+#include "app/window/frame_reporter.h"
+
+namespace throng::app {
+
+/// Changes a crowd as a person asks: it makes requests, says what came of them, and takes them back.
+class CrowdEditor {
+ public:
+  CrowdEditor(Show& show, FrameReporter& reporter) : show_(show), reporter_(reporter), tuning_(show.stage().tuning()) {}
+
+  /// Makes a request, which may come from a `file`. Returns whether it was made; if not, the person is told why.
+  bool take(const CrowdRequest& request, const std::string& file = {});
+  /// Takes values that are no step to take back, such as the values of the other of two tunings.
+  bool take_in_passing(const Tuning& tuning) { return make(Apply{tuning}); }
+  /// Takes the last change back, or makes it again. The pause is no part of it.
+  void undo();
+  void redo();
+  /// Ends a change: later requests are another step.
+  void end_change() { ++change_; }
+  /// Returns whether undo() would take back another order of bones.
+  bool can_undo_bones() const;
+
+  /// Returns the values that the person asked for last and that could be.
+  const Tuning& tuning() const { return tuning_; }
+  /// Takes the values of the show, which something else has changed.
+  void follow() { tuning_ = show_.stage().tuning(); }
+
+ private:
+  bool make(const CrowdRequest& request, const std::string& file = {});
+  bool make_all(const std::vector<CrowdRequest>& requests);
+  void say_what_came_of(const CrowdRequest& request, double seconds);
+  void say_why_not(const CrowdRequest& request, const std::string& why);
+
+  Show& show_;
+  FrameReporter& reporter_;
+  Tuning tuning_;
+  RequestHistory history_;
+  std::uint64_t change_ = 0;
+};
+
+}  // namespace throng::app

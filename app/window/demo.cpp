@@ -1,0 +1,186 @@
+#include "app/window/demo.h"
+
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "app/files/exit_status.h"
+#include "app/output/output.h"
+#include "app/output/regression/origin.h"
+#include "app/show/replay.h"
+#include "app/show/show.h"
+#include "app/window/drawn_overlay.h"
+#include "app/window/live_input.h"
+#include "app/window/panel/overlay.h"
+#include "app/window/stop_signals.h"
+#include "app/window/window_loop.h"
+#include "engine/base/files/output_file.h"
+
+namespace throng::app {
+namespace {
+
+anim::Status write_screenshot(Show& show, const std::string& file) {
+  render::Renderer& renderer = show.painter().renderer();
+  const render::Image& image = renderer.read_image();
+  if (anim::Status read = renderer.finish(); !read) return read;
+  return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
+}
+
+/// Tells why something failed, if it did. Returns whether it did not.
+bool tell(const anim::Status& outcome) {
+  if (!outcome) end_with(exit_job_failed, outcome.error().message);
+  return static_cast<bool>(outcome);
+}
+
+/// Writes each file, whatever becomes of the others, and tells of each that could not be written. Returns whether all
+/// could.
+bool write_results(Show& show, const DemoOptions& options) {
+  bool all = true;
+  if (!options.screenshot.empty()) all &= tell(write_screenshot(show, options.screenshot));
+  if (!options.stats.empty()) {
+    all &= tell(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
+  }
+  if (show.figures().timeline()) {
+    all &= tell(write_whole_file(options.trace, show.figures().timeline()->to_json()));
+  }
+  return all;
+}
+
+// A full disk is said when it happens, not hours later.
+void tell_once(const anim::Status& outcome, bool& told) {
+  if (!told) tell(outcome);
+  told = !outcome;
+}
+
+/// Draws one of several frames that are all drawn, or lets the output do it.
+anim::Status draw_one_of_all(Show& show, Output* output, int frame) {
+  return output != nullptr ? output->take(show, frame) : show.draw();
+}
+
+anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
+  const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
+  for (int frame = 1; asked_to_stop() == 0 && (!options.frames_given || frame <= options.frames); ++frame) {
+    const anim::Result<bool> repeated = replay.step(show);
+    if (!repeated) return repeated.error();
+    if (!*repeated) break;
+    if (which != DrawWhich::all) continue;
+    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
+  }
+  return which == DrawWhich::last ? show.draw() : anim::Done{};
+}
+
+anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) {
+  const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
+  const DrawWhich which = drawn_frames(options);
+  const int frames = frames_of_run(options, show);
+  bool last = false, told = false;
+  for (int frame = 1; !last; ++frame) {
+    while (asked_to_stop() == 0 && !show.has_rows_for(step, std::chrono::milliseconds(100))) {
+    }
+    show.animate(step);
+    const LiveCrowd* const live = show.live();
+    last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
+    tell_once(show.recorder().outcome(), told);
+    if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
+    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
+  }
+  return anim::Done{};
+}
+
+/// Ends an output after its run. A screenshot shows the last frame, also where its picture was there before.
+anim::Status finish_output(Show& show, const DemoOptions& options, Output* output) {
+  if (output == nullptr) return anim::Done{};
+  if (anim::Status finished = output->finish(); !finished) return finished;
+  return options.screenshot.empty() || output->drew_last() ? anim::Done{} : show.draw();
+}
+
+anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+  if (options.ui) show.covered = column_share(options.width, options.ui_scale);
+  const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
+  DrawnOverlay overlay(options);
+  std::unique_ptr<Output> output;
+  if (options.output.any()) {
+    auto begun = Output::begin(options, show);
+    if (!begun) return begun.error();
+    output = std::move(*begun);
+    if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
+  }
+  anim::Status run =
+      replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
+  if (!run) return run;
+  if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
+  const LiveCrowd* const live = show.live();
+  if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
+  if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
+  const bool is_over_last = output != nullptr && output->drew_last();
+  if (anim::Status drawn = is_over_last ? anim::Done{} : overlay.draw(show); !drawn) return drawn;
+  return overlay.write_map();
+}
+
+anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
+  if (!options.record.empty()) {
+    if (anim::Status started = show.start_recording(options.record); !started) return started;
+  }
+  if (replay != nullptr) {
+    if (anim::Status begun = replay->begin(show); !begun) return begun;
+  }
+  if (options.selected) {
+    const anim::Status selected = show.take(Select{static_cast<std::uint32_t>(*options.selected)});
+    if (!selected) return selected;
+  }
+  const bool window = options.context == ContextKind::window;
+  return window ? run_window(show, options, replay) : run_headless(show, options, replay);
+}
+
+/// Runs the demo, and makes an error of an exception, so that all that the run has written is kept.
+anim::Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
+  try {
+    return run_and_record(show, options, replay);
+  } catch (...) {
+    return anim::Error{std::string(sentence_of_failure())};
+  }
+}
+
+// Beside JSON on standard output, on standard error.
+anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
+  if (options.stats != "-") return print(replay.summary() + "\n");
+  std::fprintf(stderr, "%s\n", replay.summary().c_str());
+  return anim::Done{};
+}
+
+// Says on stderr the notice that a window shows over the crowd.
+void say_on_stderr(const std::string& notice) {
+  std::istringstream lines(notice);
+  for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
+}
+
+int run_show(const DemoOptions& options, Replay* replay) {
+  const StopSignals signals;
+  StartError error;
+  auto live = open_live_input(options);
+  if (!live) return tell(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
+  const std::unique_ptr<Show> show = Show::create(options, error, std::move(*live));
+  if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
+  const bool ran = tell(run_in_words(*show, options, replay));
+  const bool recorded = tell(show->stop_recording());
+  if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
+  if (replay != nullptr && !tell(say_what_was_repeated(*replay, options))) return exit_job_failed;
+  if (options.context != ContextKind::window) say_on_stderr(show->notice);
+  return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& options) {
+  if (const anim::Status ready = check_output(options.output); !ready) {
+    return end_with(exit_job_failed, ready.error().message);
+  }
+  if (options.replay.empty()) return run_show(options, nullptr);
+  const auto replay = Replay::open(options.replay);
+  if (!replay) return end_with(exit_job_failed, replay.error().message);
+  return run_show((*replay)->options(options), replay->get());
+}
+
+}  // namespace throng::app

@@ -1,0 +1,114 @@
+#include "app/window/file_requests.h"
+
+#include <system_error>
+
+#include "app/show/kept_choices.h"
+#include "app/window/wardrobe_requests.h"
+#include "engine/base/text/plain_text.h"
+
+namespace throng::app {
+namespace {
+
+std::filesystem::path crowd_file(const std::string& name) { return name + crowd_file_ending; }
+
+}  // namespace
+
+void FileRequests::take(const FileRequest& request) {
+  std::visit([this](const auto& asked) { carry_out(asked); }, request);
+}
+
+void FileRequests::carry_out(const SavePreset& asked) {
+  const std::filesystem::path file = preset_file(asked.preset);
+  const Tuning& tuning = session_.editor.tuning();
+  if (!messages().tell(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + file.string())) return;
+  session_.unkept.keep(tuning, overlay_.tuning_pair());
+  session_.reporter.set_preset_names(preset_names());
+}
+
+void FileRequests::carry_out(const LoadPreset& asked) {
+  const anim::Result<Preset> preset = read_preset(preset_file(asked.preset));
+  if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  take(*preset);
+}
+
+void FileRequests::carry_out(const DeletePreset& asked) {
+  const std::filesystem::path file = preset_file(asked.preset);
+  std::error_code failed;
+  std::filesystem::remove(file, failed);
+  messages().tell(failed ? anim::Status(anim::Error{file.string() + ": " + failed.message()}) : anim::Done{},
+                  "Deleted " + file.string());
+  session_.reporter.set_preset_names(preset_names());
+}
+
+void FileRequests::carry_out(const LoadIntoOther& asked) {
+  const anim::Result<Preset> preset = read_preset(preset_file(asked.preset));
+  if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
+  overlay_.tuning_pair().take_other(preset->tuning, asked.preset);
+  session_.unkept.keep_other(preset->tuning);
+}
+
+void FileRequests::carry_out(const SaveCrowd& asked) {
+  const std::filesystem::path file = crowd_file(asked.crowd);
+  const Tuning& tuning = session_.editor.tuning();
+  CrowdSetup setup = crowd_setup(session_.show.stage().people(), {tuning, session_.camera.place()});
+  setup.pair = overlay_.tuning_pair();
+  setup.bookmarks = session_.camera.bookmarks();
+  if (!messages().tell(write_crowd_file(file, setup), "Wrote " + file.string())) return;
+  session_.unkept.keep(tuning);
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
+  session_.reporter.set_crowd_names(crowd_names("."));
+}
+
+void FileRequests::carry_out(const OpenCrowd& asked) { open_crowd(crowd_file(asked.crowd)); }
+
+void FileRequests::open_crowd(const std::filesystem::path& file) {
+  const auto setup = read_crowd_file(file);
+  if (!setup) return messages().say(setup.error().message, Message::Kind::refused);
+  if (!session_.editor.take(SetCast{setup->characters}, file.string())) return;
+  take(setup->preset);
+  take_kept(*setup);
+  messages().say("Opened " + file.string());
+}
+
+void FileRequests::take_kept(const CrowdSetup& setup) {
+  overlay_.tuning_pair() = setup.pair;
+  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
+  session_.camera.take_bookmarks(setup.bookmarks);
+}
+
+void FileRequests::take(const Preset& preset) {
+  Tuning tuning = preset.tuning;
+  tuning.inspection = session_.editor.tuning().inspection;
+  if (!session_.editor.take(Apply{tuning})) return;
+  session_.unkept.keep(session_.editor.tuning(), overlay_.tuning_pair());
+  if (preset.camera) session_.camera.put(*preset.camera, session_.show);
+}
+
+void FileRequests::carry_out(const SaveRules& asked) {
+  const auto rules = saved(asked, session_.show.stage(), shown());
+  if (dress(rules)) messages().say("Wrote " + rules->file);
+}
+
+void FileRequests::carry_out(const LoadRules& asked) {
+  const auto rules = loaded(asked, session_.show.stage(), shown());
+  if (dress(rules)) messages().say("Read " + plain_text(rules->file));
+}
+
+bool FileRequests::dress(const anim::Result<SetRules>& rules) {
+  if (!rules) return messages().say(rules.error().message, Message::Kind::refused), false;
+  if (!session_.editor.take(*rules)) return false;
+  session_.reporter.describe_character(session_.show, shown());
+  return true;
+}
+
+void FileRequests::carry_out(const SaveRoles&) { say_where(save_roles(character())); }
+void FileRequests::carry_out(const SaveBody&) { say_where(save_rig(character())); }
+void FileRequests::carry_out(const SaveBones&) { say_where(save_bone_lod(character())); }
+void FileRequests::carry_out(const ExportLod&) { say_where(export_lod(session_.show, shown())); }
+
+void FileRequests::say_where(const anim::Result<std::filesystem::path>& written) {
+  if (written) return messages().say("Wrote " + written->string());
+  messages().say(written.error().message, Message::Kind::refused);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+
+#include "app/show/report/mesh_report.h"
+#include "app/show/show.h"
+
+namespace throng::app {
+
+/// Reports the meshes with which a character is drawn in the last drawn frame.
+MeshReport report_meshes(const Show& show, std::size_t character);
+
+}  // namespace throng::app

@@ -1,0 +1,258 @@
+// The rows that edit a value: a number, a switch, one of a few words, one of many, and text.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <imgui_internal.h>
+
+#include "app/window/panel/controls/widgets.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float field_width = 64, field_gap = 8, longest_list = 300;
+constexpr float least_margins = 8;  // of a word in a line of them
+
+void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float y = std::floor((place.from.y + place.to.y) / 2), knob_radius = theme.px(lively ? 6.5F : 5.5F);
+  const float margin = theme.px(7), x0 = place.from.x + margin, x1 = place.to.x - margin;
+  const float knob = std::lerp(x0, x1, knob_place), half = theme.px(1.5F);
+  draw.AddRectFilled({x0, y - half}, {x1, y + half}, ImGui::GetColorU32(colour::well_hovered), half);
+  draw.AddRectFilled({x0, y - half}, {knob, y + half}, ImGui::GetColorU32(colour::accent), half);
+  draw.AddCircleFilled({knob, y}, knob_radius, ImGui::GetColorU32(lively ? colour::text : colour::accent));
+}
+
+std::string word_of(int index, std::span<const std::string> words, const char* none) {
+  return index < 0 ? none : words[static_cast<std::size_t>(index)];
+}
+
+void draw_closed(const Theme& theme, const Area& place, const std::string& word, bool lively) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(lively ? colour::well_hovered : colour::well),
+                     theme.px(4));
+  ImGui::PushClipRect(place.from, {place.to.x - theme.px(18), place.to.y}, true);
+  draw_text(theme.small, {place.from.x + theme.px(8), place.from.y + theme.px(4)}, colour::text, word);
+  ImGui::PopClipRect();
+  const ImVec2 tip(place.to.x - theme.px(10), place.from.y + theme.px(13));
+  draw.AddTriangleFilled({tip.x - theme.px(4), tip.y - theme.px(4)}, {tip.x + theme.px(4), tip.y - theme.px(4)}, tip,
+                         colour::dim);
+}
+
+// Returns the place in an open list after the keys of this frame.
+int walked(int place, int first, int last) {
+  place += (ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0) - (ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? 1 : 0);
+  if (ImGui::IsKeyPressed(ImGuiKey_Home)) place = first;
+  if (ImGui::IsKeyPressed(ImGuiKey_End)) place = last;
+  return std::clamp(place, first, std::max(first, last));
+}
+
+// Shares the rest of a width evenly, so that long words have as much room around them as short ones.
+float margins_of_words(const Theme& theme, float width, std::span<const char* const> words) {
+  for (const char* const word : words) width -= text_width(theme.small, word);
+  return width / static_cast<float>(words.size());
+}
+
+// The list of a row at the foot of the screen opens upwards, where it has more room.
+void place_list(const Theme& theme, const Area& row) {
+  const float below = ImGui::GetIO().DisplaySize.y - row.to.y, longest = theme.px(longest_list);
+  const bool opens_up = below < longest && row.from.y > below;
+  ImGui::SetNextWindowPos({row.from.x, opens_up ? row.from.y : row.to.y}, ImGuiCond_Always, {0, opens_up ? 1.0F : 0});
+  ImGui::SetNextWindowSizeConstraints({row.width(), 0},
+                                      {row.width(), std::min(longest, opens_up ? row.from.y : below)});
+}
+
+}  // namespace
+
+bool Widgets::number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help) {
+  if (is_left_out(label, help)) return false;
+  const std::string standard_text = written(scale, standard);
+  Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
+  const float field_x = row.control.to.x - theme_.px(field_width);
+  const Area track{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
+  const Area field{.from = {field_x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  bool changed = drag_track(label, track, value, standard, scale);
+  stop_at(row, label);
+  if (const int steps = focus_.take_step()) {
+    const double before = std::exchange(value, stepped(scale, value, steps));
+    changed |= value != before;
+  }
+  changed |= type_field(label, field, value, scale, focus_.take_activation());
+  if (!end_row(row)) return changed;
+  value = standard;
+  return true;
+}
+
+bool Widgets::drag_track(const char* label, const Area& place, double& value, double standard,
+                         const NumberScale& scale) {
+  pressable(label, place);
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const ImGuiID id = ImGui::GetItemID();
+  const double before = value;
+  if (!active && held_after_reset_ == id) held_after_reset_ = 0;
+  if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    held_after_reset_ = id;
+    value = standard;
+  } else if (active && held_after_reset_ != id) {
+    const float margin = theme_.px(7), pointer = ImGui::GetIO().MousePos.x;
+    value = value_at(scale, static_cast<double>((pointer - place.from.x - margin) / (place.width() - 2 * margin)));
+  }
+  draw_track(theme_, place, static_cast<float>(place_of(scale, value)), active || hovered);
+  return value != before;
+}
+
+bool Widgets::type_field(const char* label, const Area& place, double& value, const NumberScale& scale, bool begins) {
+  ImGui::SetCursorScreenPos(place.from);
+  ImGui::SetNextItemWidth(place.width());
+  const ImGuiID id = ImGui::GetID("field");
+  FieldText shown = {};
+  written(scale, value).copy(shown.data(), shown.size() - 1);
+  const auto typing = typed_.find(id);
+  FieldText& text = typing == typed_.end() ? shown : typing->second;
+  if (begins) imgui::focus_next_item();
+  ImGui::InputText("##field", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+  record(std::string(label) + ".field", place, true);
+  if (ImGui::IsItemActivated()) typed_[id] = text;
+  const double before = value;
+  if (ImGui::IsItemDeactivatedAfterEdit()) value = meant(scale, text.data()).value_or(value);
+  if (ImGui::IsItemDeactivated()) typed_.erase(id);
+  return value != before;
+}
+
+bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& help) {
+  if (is_left_out(label, help)) return false;
+  const bool before = value;
+  const std::string standard_word = standard ? "on" : "off";
+  Row row = begin_row(label, value != standard, help, standard_word);
+  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(4));
+  const ImVec2 size(theme_.px(34), theme_.px(17));
+  const bool clicked = pressable(label, rectangle(from, {from.x + size.x, from.y + size.y}));
+  const bool hovered = ImGui::IsItemHovered();
+  stop_at(row, label);
+  if (focus_.take_activation() || clicked) value = !value;
+  if (const int step = focus_.take_step()) value = step > 0;
+  const float radius = size.y / 2;
+  const float knob_x = value ? from.x + size.x - radius : from.x + radius;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 off = hovered ? colour::well_hovered : colour::well;
+  draw.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(value ? colour::accent : off),
+                     radius);
+  draw.AddCircleFilled({knob_x, from.y + radius}, radius - theme_.px(3),
+                       ImGui::GetColorU32(value ? colour::on_accent : colour::dim));
+  draw_text(theme_.small, {from.x + size.x + theme_.px(8), from.y + theme_.px(1)}, colour::dim, value ? "on" : "off");
+  if (end_row(row)) value = standard;
+  return value != before;
+}
+
+bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
+                     const Help& help) {
+  if (is_left_out(label, help)) return false;
+  const int before = index;
+  const std::string standard_word = words[static_cast<std::size_t>(standard)];
+  Row row = begin_row(label, index != standard, help, standard_word);
+  const bool is_wide = margins_of_words(theme_, row.control.width(), words) < theme_.px(least_margins);
+  const std::size_t first_line = is_wide ? (words.size() + 1) / 2 : words.size();
+  Area line{.from = {row.control.from.x, row.control.from.y + theme_.px(1)},
+            .to = {row.control.to.x, row.control.to.y - theme_.px(2)}};
+  choose_in_line(label, line, words.first(first_line), 0, index);
+  if (is_wide) {
+    const float down = line.to.y - line.from.y + theme_.px(2);
+    line.from.y += down, line.to.y += down, row.control.to.y += down, row.all.to.y += down;
+    choose_in_line(label, line, words.subspan(first_line), static_cast<int>(first_line), index);
+  }
+  if (focus_.has_keys()) {
+    const auto last = static_cast<int>(words.size()) - 1;
+    stop_at(row, std::string(label) + ":" + words[static_cast<std::size_t>(before)]);
+    if (const int step = focus_.take_step()) index = std::clamp(index + step, 0, last);
+    if (focus_.take_activation()) index = index == last ? 0 : index + 1;
+  }
+  if (end_row(row)) index = standard;
+  return index != before;
+}
+
+void Widgets::choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first,
+                             int& index) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(line.from, line.to, ImGui::GetColorU32(colour::well), theme_.px(4));
+  const float margins = margins_of_words(theme_, line.width(), words);
+  float x = line.from.x;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const float next = x + text_width(theme_.small, words[i]) + margins;
+    const Area place = rectangle({std::floor(x), line.from.y}, {std::floor(next), line.to.y});
+    x = next;
+    const int here = first + static_cast<int>(i);
+    if (pressable(std::string(label) + ":" + words[i], place)) index = here;
+    const bool hovered = ImGui::IsItemHovered();
+    if (here == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
+    const ImU32 ink = here == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
+    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, line.from.y + theme_.px(4)}, ink, words[i], 0.5F);
+  }
+}
+
+bool Widgets::pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
+                   const Help& help) {
+  if (is_left_out(label, help)) return false;
+  const int before = index;
+  const std::string standard_word = word_of(standard, words, none);
+  Row row = begin_row(label, index != standard, help, standard_word);
+  Area place = row.control;
+  place.from.y += theme_.px(1);
+  place.to.y -= theme_.px(2);
+  const bool clicked = pressable(label, place), hovered = ImGui::IsItemHovered();
+  stop_at(row, label);
+  if (focus_.take_activation() || clicked) {
+    ImGui::OpenPopup("list");
+    list_place_ = index;
+  }
+  draw_closed(theme_, place, word_of(index, words, none), hovered || ImGui::IsPopupOpen("list"));
+  place_list(theme_, place);
+  if (ImGui::BeginPopup("list")) {
+    show_list(label, index, words, none);
+    ImGui::EndPopup();
+  }
+  if (end_row(row)) index = standard;
+  return index != before;
+}
+
+void Widgets::show_list(const char* label, int& index, std::span<const std::string> words, const char* none) {
+  const int first = none == nullptr ? 0 : -1, last = static_cast<int>(words.size()) - 1;
+  const bool appears = ImGui::IsWindowAppearing();
+  const int place_before = list_place_;
+  if (!appears) list_place_ = walked(list_place_, first, last);
+  const bool takes = !appears && ImGui::IsKeyPressed(ImGuiKey_Enter) && list_place_ <= last;
+  if (takes) index = list_place_;
+  if (takes || ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  for (int i = first; i <= last; ++i) {
+    const std::string word = word_of(i, words, none);
+    ImGui::PushID(i);
+    if (ImGui::Selectable(word.c_str(), i == list_place_)) index = i;
+    const bool comes_into_view = i == list_place_ && (appears || list_place_ != place_before);
+    if (comes_into_view) ImGui::SetScrollHereY();
+    ImGui::PopID();
+    record(std::string(label) + ":" + word, {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
+  }
+}
+
+bool Widgets::text(const char* label, std::string& value, const char* hint, const Help& help) {
+  if (is_left_out(label, help)) return false;
+  Row row = begin_row(label, false, help, "");
+  const Area field{.from = {row.control.from.x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  const bool changed = text_field(std::string(label) + ".field", value, hint, field);
+  end_row(row);
+  return changed;
+}
+
+bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place) {
+  std::array<char, 64> typed = {};
+  value.copy(typed.data(), typed.size() - 1);
+  if (focus_.has_keys() && stop(name, place).take_activation()) imgui::focus_next_item();
+  ImGui::SetCursorScreenPos(place.from);
+  ImGui::SetNextItemWidth(place.width());
+  const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());
+  record(name, place, true);
+  if (changed) value = typed.data();
+  return changed;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,318 @@
+#include "app/window/panel/controls/widgets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <imgui_internal.h>
+
+namespace throng::app {
+namespace {
+
+constexpr float row_height = 25, label_width = 122, reset_width = 20, tooltip_width = 290;
+constexpr float seconds_until_help = 0.5F;
+
+bool resting_on(const Area& place) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return place.hovered && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+         context.ActiveId == 0 && context.HoveredIdTimer > seconds_until_help;
+}
+
+/// ImGui ends a program that asks for a button without a size, as of a window in which there is just no room left.
+bool invisible_button(const char* name, ImVec2 size) {
+  return ImGui::InvisibleButton(name, {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
+}
+
+/// Writes a paragraph; none where the text is empty.
+void write_paragraph(ImFont* font, ImU32 ink, const std::string& text) {
+  if (text.empty()) return;
+  imgui::push_font(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, ink);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+Area rectangle(ImVec2 from, ImVec2 to) {
+  return {.from = from, .to = to, .hovered = ImGui::IsMouseHoveringRect(from, to)};
+}
+
+float text_width(ImFont* font, const std::string& text) {
+  return font->CalcTextSizeA(font_height(font), FLT_MAX, 0, text.c_str()).x;
+}
+
+float wrapped_height(ImFont* font, float width, const std::string& text) {
+  return font->CalcTextSizeA(font_height(font), FLT_MAX, width, text.c_str()).y;
+}
+
+void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text) {
+  ImGui::GetWindowDrawList()->AddText(font, font_height(font), at, colour, text.c_str(), nullptr, width);
+}
+
+void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
+  const float width = align == 0 ? 0 : text_width(font, text);
+  const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));
+  ImGui::GetWindowDrawList()->AddText(font, font_height(font), place, ImGui::GetColorU32(colour), text.c_str());
+}
+
+void tell(std::initializer_list<std::string> lines) {
+  ImGui::BeginTooltip();
+  for (const std::string& line : lines) {
+    if (!line.empty()) ImGui::TextUnformatted(line.c_str());
+  }
+  ImGui::EndTooltip();
+}
+
+ButtonRow::ButtonRow(Widgets& widgets, int count)
+    : widgets_(widgets),
+      width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+             static_cast<float>(count)) {}
+
+void ButtonRow::go_right() {
+  if (begun_) ImGui::SameLine();
+  begun_ = true;
+}
+
+bool ButtonRow::marked_button(const char* words, const std::string& name, const Help& help, bool marked) {
+  if (widgets_.is_searching()) return false;
+  go_right();
+  const bool pressed = widgets_.named_button(words, name, help, width_);
+  if (!marked) return pressed;
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  const float thick = widgets_.theme().px(2), inset = widgets_.theme().px(5);
+  ImGui::GetWindowDrawList()->AddRectFilled({from.x + inset, to.y - thick}, {to.x - inset, to.y}, colour::accent);
+  return pressed;
+}
+
+bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
+  if (widgets_.is_searching()) return false;
+  go_right();
+  widgets_.begin_idle(idle == nullptr ? std::nullopt : std::optional<std::string>(idle));
+  const bool pressed = widgets_.button(label, help, width_);
+  widgets_.end_idle();
+  return pressed;
+}
+
+void Widgets::record(const std::string& name, const Area& place, bool takes_clicks) {
+  ImRect seen(place.from, place.to);
+  seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
+  if (seen.GetWidth() > 0 && seen.GetHeight() > 0) record_whole(name, {.from = seen.Min, .to = seen.Max}, takes_clicks);
+}
+
+void Widgets::record_whole(const std::string& name, const Area& place, bool takes_clicks) {
+  map_.widgets.emplace_back(name, UiRectangle{place.from.x, place.from.y, place.width(), place.height(), takes_clicks});
+}
+
+void Widgets::cover(const Area& place) {
+  map_.over_crowd.push_back({place.from.x, place.from.y, place.width(), place.height()});
+}
+
+PanelFocus& Widgets::stop(const std::string& name, const Area& place) {
+  if (focus_.has_keys()) {
+    focus_.add(ImGui::GetID(name.c_str()), name, place.from, place.to, PanelFocus::Stop::plain);
+  }
+  return focus_;
+}
+
+bool Widgets::clickable(const std::string& name, const Area& place) {
+  const bool clicked = pressable(name, place);
+  return focus_.has_keys() ? stop(name, place).take_activation() || clicked : clicked;
+}
+
+bool Widgets::invisible(const std::string& name, const Area& place, bool takes_clicks) {
+  ImGui::SetCursorScreenPos(place.from);
+  const bool clicked = invisible_button(name.c_str(), {place.width(), place.height()});
+  record(name, place, takes_clicks);
+  return clicked;
+}
+
+Area Widgets::area(const char* name, float height) {
+  assert(!is_searching());
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, theme_.px(height));
+  invisible_button(name, size);
+  const Area place{.from = from, .to = {from.x + size.x, from.y + size.y}, .hovered = ImGui::IsItemHovered()};
+  record(name, place);
+  return place;
+}
+
+void Widgets::begin_idle(std::optional<std::string> reason, std::string_view key) {
+  idle_ = std::move(reason);
+  key_ = key;
+  ImGui::BeginDisabled(idle_.has_value());
+}
+
+void Widgets::end_idle() {
+  ImGui::EndDisabled();
+  idle_.reset();
+  key_ = {};
+}
+
+void Widgets::section(const char* title) {
+  if (is_searching()) return search_->begin_section(title);
+  ImGui::Dummy({0, theme_.px(4)});
+  if (!wanted_section_.empty() && wanted_section_ == title) {
+    ImGui::SetScrollHereY(0);
+    wanted_section_.clear();
+    focus_.go_to_next_row();
+  }
+  draw_title(title, 0);
+}
+
+void Widgets::draw_title(const std::string& title, float free_at_the_right) const {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text(theme_.strong, at, colour::text, title);
+  const float left = at.x + text_width(theme_.strong, title) + theme_.px(10);
+  const float right = at.x + ImGui::GetContentRegionAvail().x - free_at_the_right;
+  const float y = std::floor(at.y + font_height(theme_.strong) * 0.55F);
+  ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, colour::grid);
+  ImGui::Dummy({0, font_height(theme_.strong) + theme_.px(1)});
+}
+
+bool Widgets::is_left_out(const char* label, const Help& help) {
+  if (!is_searching()) return false;
+  if (!search_->finds(label, help.what, key_)) return true;
+  if (const auto place = search_->take_new_place()) show_found_place(*place);
+  return false;
+}
+
+// The name of the tab leads there; it is no part of the value that may be disabled.
+void Widgets::show_found_place(const RowSearch::Place& place) {
+  if (idle_) ImGui::EndDisabled();
+  ImGui::Dummy({0, theme_.px(4)});
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float right = from.x + ImGui::GetContentRegionAvail().x;
+  const float width = text_width(theme_.small, place.tab), height = font_height(theme_.strong);
+  draw_title(place.section, width + theme_.px(10));
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const Area words{.from = {right - width, from.y}, .to = {right, from.y + height}};
+  if (clickable("found:" + place.tab + "/" + place.section, words)) search_->leave_for(place);
+  draw_text(theme_.small, words.from, ImGui::IsItemHovered() ? colour::text : colour::accent, place.tab);
+  ImGui::SetCursorScreenPos(below);
+  if (idle_) ImGui::BeginDisabled();
+}
+
+void Widgets::caption(const std::string& text) const {
+  if (is_searching()) return;
+  ImGui::PushTextWrapPos(0);
+  write_paragraph(theme_.small, colour::dim, text);
+  ImGui::PopTextWrapPos();
+}
+
+void Widgets::tooltip(const char* title, const Help& help, const std::string& standard) const {
+  tooltip_at(ImGui::GetMousePos().y, title, help, standard);
+}
+
+void Widgets::tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const {
+  // It lies beside the column, so that the value it explains stays in sight, and follows the pointer down the screen.
+  const float x = ImGui::GetWindowPos().x - theme_.px(10);
+  ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
+  ImGui::BeginTooltip();
+  const float margins = 2 * ImGui::GetStyle().WindowPadding.x;
+  ImGui::PushTextWrapPos(std::clamp(x - margins, 1.0F, theme_.px(tooltip_width)));
+  std::string measure = help.unit;
+  if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
+  write_paragraph(theme_.strong, colour::text, title);
+  if (idle_) write_paragraph(theme_.regular, colour::changed, "No effect: " + *idle_ + ".");
+  write_paragraph(theme_.regular, colour::text, help.what);
+  write_paragraph(theme_.small, colour::dim, measure);
+  write_paragraph(theme_.small, colour::changed, help.cost);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void Widgets::steady_caption(const std::string& text) const {
+  constexpr float lines = 3;
+  if (is_searching()) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_wrapped(theme_.small, at, colour::dim, width, text);
+  const float kept_free = lines * font_height(theme_.small);
+  ImGui::Dummy({width, std::max(kept_free, wrapped_height(theme_.small, width, text))});
+}
+
+Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& help, const std::string& standard) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float right = from.x + ImGui::GetContentRegionAvail().x, bottom = from.y + theme_.px(row_height);
+  const Area words = rectangle(from, {from.x + theme_.px(label_width), bottom});
+  Row row{.label = label,
+          .help = help,
+          .standard = standard,
+          .all = rectangle(from, {right, bottom}),
+          .control = rectangle({words.to.x, from.y}, {right - theme_.px(reset_width), bottom}),
+          .changed = changed};
+  ImGui::PushID(label);
+  hoverable(std::string(label) + ".label", words);
+  row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(words)) tooltip(label, help, standard);
+  if (idle_) map_.idle.emplace_back(label, *idle_);
+  if (changed) {
+    const float x = from.x - theme_.px(8);
+    ImGui::GetWindowDrawList()->AddRectFilled({x, from.y + theme_.px(5)}, {x + theme_.px(3), bottom - theme_.px(5)},
+                                              colour::changed, theme_.px(1));
+  }
+  const ImU32 ink = words.hovered || changed ? colour::text : colour::dim;
+  draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink, label);
+  return row;
+}
+
+void Widgets::stop_at(Row& row, const std::string& name) {
+  if (!focus_.has_keys()) return;
+  focus_.add(ImGui::GetID(row.label), name, row.all.from, row.control.to, PanelFocus::Stop::row);
+  row.reset |= row.changed && focus_.take_reset();
+  row.explains = focus_.is_at_last_added() && focus_.rests() && !ImGui::IsPopupOpen("list");
+}
+
+bool Widgets::end_row(Row& row) {
+  if (row.changed) row.reset |= reset_arrow(row.label, row.all);
+  if (resting_on(row.control) && typed_.empty()) tooltip(row.label, row.help, row.standard);
+  if (row.explains && typed_.empty()) tooltip_at(row.all.from.y, row.label, row.help, row.standard);
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos(row.all.from);
+  ImGui::Dummy({row.all.width(), row.all.height()});
+  return row.reset;
+}
+
+bool Widgets::reset_arrow(const char* label, const Area& row) {
+  const Area place = rectangle({row.to.x - theme_.px(reset_width), row.from.y}, row.to);
+  const bool clicked = clickable(std::string(label) + ".reset", place);
+  const ImVec2 middle((place.from.x + place.to.x) / 2 + theme_.px(2), (place.from.y + place.to.y) / 2);
+  const float radius = theme_.px(4.5F);
+  const ImU32 ink = ImGui::IsItemHovered() ? colour::changed : colour::dim;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PathArcTo(middle, radius, -2.4F, 2.6F, 16);
+  draw.PathStroke(ink, ImDrawFlags_None, theme_.px(1.5F));
+  const ImVec2 tip(middle.x + radius * std::cos(-2.4F), middle.y + radius * std::sin(-2.4F));
+  draw.AddTriangleFilled({tip.x - theme_.px(2.5F), tip.y - theme_.px(3)}, {tip.x + theme_.px(3.5F), tip.y},
+                         {tip.x - theme_.px(2), tip.y + theme_.px(3)}, ink);
+  return clicked;
+}
+
+bool Widgets::named_button(const char* words, const std::string& name, const Help& help, float width) {
+  if (is_searching()) return false;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Area place = rectangle(from, {from.x + width, from.y + theme_.px(26)});
+  const bool clicked = clickable(name, place);
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  if (idle_) map_.idle.emplace_back(name, *idle_);
+  const ImU32 fill = held ? colour::accent_soft : (hovered ? colour::well_hovered : colour::well);
+  ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(fill), theme_.px(4));
+  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, words, 0.5F);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(place)) tooltip(words, help, "");
+  return clicked;
+}
+
+void Widgets::fact(const char* label, const std::string& value, const Help& help) {
+  if (is_searching()) return;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Area place = rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + theme_.px(19)});
+  hoverable(label, place);
+  if (ImGui::IsItemHovered() && resting_on(place) && *help.what != '\0') tooltip(label, help, "");
+  draw_text(theme_.regular, from, colour::dim, label);
+  draw_text(theme_.regular, {place.to.x - theme_.px(reset_width), from.y}, colour::text, value, 1);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,178 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/window/panel/controls/numbers.h"
+#include "app/window/panel/controls/panel_focus.h"
+#include "app/window/panel/controls/row_search.h"
+#include "app/window/panel/controls/theme.h"
+#include "app/window/panel/controls/ui_map.h"
+
+namespace throng::app {
+
+/// The tooltip of a value; its default is added from the value itself.
+struct Help {
+  const char* what = "";
+  const char* unit = "";
+  const char* cost = "";
+};
+
+/// A rectangle of the screen to draw into.
+struct Area {
+  ImVec2 from, to;
+  bool hovered = false;
+
+  [[nodiscard]] float width() const { return to.x - from.x; }
+  [[nodiscard]] float height() const { return to.y - from.y; }
+};
+
+/// The rows of the tabs: a label, a control, and a way back to the default. Each row looks the same, shows its help
+/// when the pointer rests on it, marks a value that is not the default, and notes its rectangles in the map.
+class Widgets {
+ public:
+  Widgets(const Theme& theme, UiMap& map) : theme_(theme), map_(map) {}
+
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+
+  /// Shows the rows until end_idle() as disabled if there is a reason why they have no effect. The tooltip of each
+  /// row has the reason, and the map lists it. They do not nest. `key` is the key of the value that the rows edit.
+  void begin_idle(std::optional<std::string> reason, std::string_view key = {});
+  void end_idle();
+
+  /// From now on, leaves out the rows that `search` does not find, and all that is no row. Null: shows all again.
+  void search_in(RowSearch* search) { search_ = search; }
+  [[nodiscard]] bool is_searching() const { return search_ != nullptr; }
+  /// Scrolls to the next section of that title that is shown.
+  void scroll_to_section(const std::string& title) { wanted_section_ = title; }
+
+  void section(const char* title);
+  bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
+  bool toggle(const char* label, bool& value, bool standard, const Help& help);
+  bool button(const char* label, const Help& help, float width) { return named_button(label, label, help, width); }
+  /// Shows a button that shares its words with others; `name` tells it apart in the map.
+  bool named_button(const char* words, const std::string& name, const Help& help, float width);
+  /// Shows a field for a few words, at most 63 bytes. `hint` stands in it while it is empty.
+  bool text(const char* label, std::string& value, const char* hint, const Help& help);
+  /// Shows such a field alone, at that place.
+  bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place);
+  void fact(const char* label, const std::string& value, const Help& help);
+  void caption(const std::string& text) const;
+  /// Shows a sentence that comes and goes. It always takes the room of three lines, so that nothing below it moves.
+  void steady_caption(const std::string& text) const;
+
+  /// Offers one of several words. The enumerators count from 0 in the order of `words`.
+  template <class Choice>
+  bool choice(const char* label, Choice& value, Choice standard, std::span<const char* const> words, const Help& help) {
+    int index = static_cast<int>(value);
+    const bool changed = choose(label, index, static_cast<int>(standard), words, help);
+    value = static_cast<Choice>(index);
+    return changed;
+  }
+  bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
+
+  /// Offers one of many words, from a list that opens. `none` is its first entry, index -1; null: the list has no such
+  /// entry.
+  bool pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
+            const Help& help);
+
+  /// Returns an area for a picture named `name`. It takes all of the width that is left, and `height` pixels of a plain
+  /// screen. There is no area while values are searched (TabContext::when_not_searching).
+  Area area(const char* name, float height);
+
+  /// Returns whether a tab or another plain word was clicked, or activated by the keyboard. The caller draws it into
+  /// the rectangle.
+  bool clickable(const std::string& name, const Area& place);
+  /// Notes a place that explains itself under the pointer; returns whether it was clicked. The keyboard passes it by.
+  bool hoverable(const std::string& name, const Area& place) { return invisible(name, place, false); }
+  /// Notes a place that takes clicks, where the keyboard stops at something else, such as its row. Returns whether it
+  /// was clicked.
+  bool pressable(const std::string& name, const Area& place) { return invisible(name, place, true); }
+  /// Lets the keyboard stop at the thing that was shown under that name. Returns the focus, to take its keys.
+  PanelFocus& stop(const std::string& name, const Area& place);
+  [[nodiscard]] PanelFocus& focus() { return focus_; }
+  /// Explains something at the height of the pointer, beside the column.
+  void tooltip(const char* title, const Help& help, const std::string& standard) const;
+  /// Notes a place in the map, as far as the window shows it.
+  void record(const std::string& name, const Area& place, bool takes_clicks = false);
+  /// Notes a place over the crowd that other things over the crowd keep clear of.
+  void cover(const Area& place);
+  /// Notes a place in the map that nothing cuts off.
+  void record_whole(const std::string& name, const Area& place, bool takes_clicks = false);
+
+ private:
+  using FieldText = std::array<char, 32>;
+  struct Row {
+    const char* label;
+    Help help;
+    std::string standard;
+    Area all, control;
+    bool changed = false;   ///< it is not the default
+    bool reset = false;     ///< asked for in this frame, by the arrow, a double click on the label or a key
+    bool explains = false;  ///< the keyboard rests on it
+  };
+
+  void choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first, int& index);
+  bool invisible(const std::string& name, const Area& place, bool takes_clicks);
+  void tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const;
+  bool is_left_out(const char* label, const Help& help);
+  void draw_title(const std::string& title, float free_at_the_right) const;
+  void show_found_place(const RowSearch::Place& place);
+  Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
+  void stop_at(Row& row, const std::string& name);
+  /// Returns whether the value has to go back to its default.
+  bool end_row(Row& row);
+  bool reset_arrow(const char* label, const Area& row);
+  bool drag_track(const char* label, const Area& place, double& value, double standard, const NumberScale& scale);
+  bool type_field(const char* label, const Area& place, double& value, const NumberScale& scale, bool begins);
+  void show_list(const char* label, int& index, std::span<const std::string> words, const char* none);
+
+  const Theme& theme_;
+  UiMap& map_;
+  RowSearch* search_ = nullptr;  ///< null: all is shown
+  PanelFocus focus_;
+  int list_place_ = -1;                 ///< the word of the open list that keys have come to
+  std::string wanted_section_;          ///< empty: none is scrolled to
+  std::string_view key_;                ///< of the value that the rows that are shown now edit
+  std::optional<std::string> idle_;     ///< why the rows that are shown now have no effect
+  std::map<ImGuiID, FieldText> typed_;  ///< text of the field that is typed into; two while one is left for another
+  ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go
+};
+
+/// Buttons of equal width, side by side over all of the width that is left.
+class ButtonRow {
+ public:
+  ButtonRow(Widgets& widgets, int count);
+  /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
+  /// was pressed.
+  bool button(const char* label, const Help& help, const char* idle = nullptr);
+  /// Shows the next one under a name of its own, with a line under its words if it is `marked`.
+  bool marked_button(const char* words, const std::string& name, const Help& help, bool marked);
+
+ private:
+  void go_right();
+
+  Widgets& widgets_;
+  float width_;
+  bool begun_ = false;
+};
+
+/// Returns a rectangle that knows whether the pointer is over it.
+Area rectangle(ImVec2 from, ImVec2 to);
+
+float text_width(ImFont* font, const std::string& text);
+/// Draws text with its left, middle (0.5) or right edge (1) at `at`.
+void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
+/// Returns the height of text in lines of at most that width.
+float wrapped_height(ImFont* font, float width, const std::string& text);
+/// Draws such text with its upper left corner at `at`.
+void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text);
+/// Shows a tooltip at the pointer. Empty lines are left out.
+void tell(std::initializer_list<std::string> lines);
+
+}  // namespace throng::app

@@ -1,0 +1,131 @@
+#include "app/window/panel/hotkeys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace throng::app {
+
+namespace {
+
+// A list closes itself (Widgets::pick).
+void close_the_topmost(const OpenThings& open, OverlaySwitches& switches, Requests& requests) {
+  if (open.list) return;
+  if (!switches.search.empty() && !switches.hidden && !open.viewer) {
+    switches.search.clear();
+  } else if (switches.help && !switches.hidden) {
+    switches.help = false;
+  } else if (switches.log && !switches.hidden) {
+    switches.log = false;
+  } else if (open.viewer) {
+    requests.ask(LeaveViewer{});
+  } else if (open.selected) {
+    requests.ask(Select{});
+  } else {
+    requests.ask(Quit{});
+  }
+}
+
+constexpr std::size_t place_of_digit(Key key) {
+  return static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::digit_1);
+}
+
+void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Requests& requests) {
+  if (key == Key::home) requests.ask(GoHome{});
+  if (key == Key::g && open.selected) {
+    requests.ask(input.down(Key::shift) ? CameraRequest(FollowBehind{}) : CameraRequest(ToggleFollow{}));
+  }
+  const std::size_t place = place_of_digit(key);
+  if (place >= bookmark_count) return;
+  requests.ask(input.down(Key::control) ? CameraRequest(KeepBookmark{place}) : CameraRequest(GoToBookmark{place}));
+}
+
+void add_history_key(const InputFrame& input, Key key, Requests& requests) {
+  if (!input.down(Key::control)) return;
+  const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
+  if (redoes) {
+    requests.ask(Redo{});
+  } else if (key == Key::z) {
+    requests.ask(Undo{});
+  }
+}
+
+void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning, Requests& requests) {
+  if (key == Key::space) tuning.paused = !tuning.paused;
+  if (key == Key::f && !input.down(Key::control)) requests.ask(FrameCrowd{});
+  if (key == Key::c) requests.ask(CopyCamera{});
+  if (key == Key::r) requests.ask(ToggleRecording{});
+  if (key == Key::p && open.selected) requests.ask(Push{*open.selected, open.ahead});
+  add_history_key(input, key, requests);
+}
+
+void ask_the_viewer(Key key, ViewerSettings settings, Requests& requests) {
+  if (key == Key::f) requests.ask(FaceFront{});
+  if (key != Key::space) return;
+  settings.plays = !settings.plays;
+  requests.ask(SetViewer{settings});
+}
+
+bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
+
+// Some keyboards have them above a digit, whose key then means nothing else.
+bool types_sign(const InputFrame& input) { return input.characters.find_first_of(U"/[]") != std::u32string::npos; }
+
+int tabs_further(const InputFrame& input, Key key) {
+  if (!input.down(Key::control)) return 0;
+  if (key == Key::tab) return input.down(Key::shift) ? -1 : 1;
+  return (key == Key::page_down ? 1 : 0) - (key == Key::page_up ? 1 : 0);
+}
+
+void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
+  const bool by_f = input.down(Key::control) && std::ranges::count(input.pressed, Key::f) > 0;
+  if (!by_f && !types_slash(input)) return;
+  switches.hidden = false;
+  switches.enters_search = true;
+}
+
+}  // namespace
+
+void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
+                   Requests& requests) {
+  if (!open.viewer) ask_for_search(input, switches);
+  if (input.down(Key::x) && !open.viewer) requests.ask(ShowExactCrowd{});
+  for (const Key key : input.pressed) {
+    if (key == Key::tab && !input.down(Key::control)) switches.hidden = !switches.hidden;
+    switches.tabs_further += tabs_further(input, key);
+    if (key == Key::f1) switches.help = !switches.help;
+    if (key == Key::l) switches.log = !switches.log;
+    if (key == Key::f5) requests.ask(ReloadShaders{});
+    if (key == Key::f12) requests.ask(TakeScreenshot{});
+    if (key == Key::escape) close_the_topmost(open, switches, requests);
+    if (open.viewer) {
+      ask_the_viewer(key, *open.viewer, requests);
+    } else {
+      ask_the_crowd(input, key, open, tuning, requests);
+      if (!types_sign(input)) add_camera_key(input, key, open, requests);
+    }
+  }
+}
+
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests) {
+  if (std::ranges::count(input.pressed, Key::b) == 0) return;
+  if (!pair.has_two()) {
+    requests.ask(
+        Tell{"There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values."});
+  }
+  pair.change_places(tuning);
+}
+
+std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {
+  constexpr float most_movement = 4.0F;  // pixels that a hand moves while it clicks
+  const bool down = input.down(MouseButton::left), was_down = std::exchange(was_down_, down);
+  if (down && !was_down && pointer_free && !input.down(Key::alt))
+    pressed_at_ = PicturePoint{input.pointer_x, input.pointer_y};
+  if (!pressed_at_) return std::nullopt;
+  const float moved = std::hypot(input.pointer_x - pressed_at_->x, input.pointer_y - pressed_at_->y);
+  if (moved > most_movement) pressed_at_.reset();
+  return down ? std::nullopt : std::exchange(pressed_at_, std::nullopt);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/settings/settings.h"
+#include "app/settings/tuning_pair.h"
+#include "app/show/camera/camera_bookmarks.h"
+#include "app/show/camera/input.h"
+#include "app/show/request/requests.h"
+
+namespace throng::app {
+
+/// The parts of the overlay that keys open and close.
+struct OverlaySwitches {
+  bool hidden = false;
+  bool help = false;
+  bool log = false;            ///< of messages
+  std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
+  bool enters_search = false;  ///< the cursor is wanted in its field
+  int tabs_further = 0;        ///< to the right; negative: to the left
+};
+
+/// Says which parts are open while keys are pressed. Esc closes them from the top down: a list, a search, the help, the
+/// log of messages, the viewer of one character, the card of the selected agent.
+struct OpenThings {
+  bool list = false;
+  std::optional<std::uint32_t> selected = {};  ///< the selected agent
+  glm::vec3 ahead{0.0F};                       ///< where the camera looks
+  std::optional<ViewerSettings> viewer = {};   ///< of the viewer that is open
+};
+
+/// Carries out the keys pressed in this frame (README.md has the table). The caller leaves it out while a text
+/// field has the keys.
+void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
+                   Requests& requests);
+
+/// Brings the other of two tunings into use by B, or says how to get one.
+void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests);
+
+/// Tells a click at the crowd from a drag, and from a click at the overlay.
+class CrowdClick {
+ public:
+  /// Returns the place of a press whose button is let go in this frame. `pointer_free` says that the overlay does not
+  /// use the pointer. Call it once a frame.
+  std::optional<PicturePoint> update(const InputFrame& input, bool pointer_free);
+
+ private:
+  bool was_down_ = false;
+  std::optional<PicturePoint> pressed_at_;  // at the crowd, while the pointer stays there
+};
+
+}  // namespace throng::app

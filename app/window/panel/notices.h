@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "app/window/panel/controls/widgets.h"
+
+namespace throng::app {
+
+struct TabContext;
+
+/// The warnings and messages that the person closed.
+struct NoticeMemory {
+  std::set<std::string> warnings;
+  std::set<std::uint64_t> messages;
+};
+
+/// Shows over the crowd, from its top down, what a person has to know:
+///   - a badge for each state that changes what is seen or kept, such as a recording, as long as it lasts. A click ends
+///     the state, where a click can;
+///   - warnings, which stay until they are closed;
+///   - messages, which fade.
+/// Returns the y below the last of them.
+float show_notices(const TabContext& context, const Area& crowd);
+
+}  // namespace throng::app

@@ -1,0 +1,221 @@
+#include "app/window/panel/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+
+#include <imgui.h>
+
+#include "app/window/panel/cards.h"
+#include "app/window/panel/hotkeys.h"
+#include "app/window/panel/imgui_input.h"
+#include "app/window/panel/panel_column.h"
+#include "app/window/panel/picture_aids.h"
+#include "app/window/panel/replay_bar.h"
+#include "app/window/panel/tabs.h"
+#include "app/window/panel/track_bar.h"
+#include "app/window/panel/viewer_panel.h"
+
+namespace throng::app {
+
+namespace {
+
+constexpr float column_width = 380, strip_height = 132;
+constexpr float most_of_width = 0.6F;  // that the column takes
+
+struct Layout {
+  Area crowd, strip, column;
+};
+
+Layout lay_out(const Theme& theme, ImVec2 size) {
+  const float column_x = size.x - std::min(theme.px(column_width), std::floor(size.x * most_of_width));
+  const float strip_y = size.y - std::min(theme.px(strip_height), std::floor(size.y * 0.4F));
+  return {.crowd = {.from = {0, 0}, .to = {column_x, strip_y}},
+          .strip = {.from = {0, strip_y}, .to = {column_x, size.y}},
+          .column = {.from = {column_x, 0}, .to = size}};
+}
+
+using Context = std::unique_ptr<ImGuiContext, decltype(&ImGui::DestroyContext)>;
+
+// ImGui writes to memory that it asks for without a look, so memory that is not there has to be an exception.
+Context make_context() {
+  ImGui::SetAllocatorFunctions([](std::size_t size, void*) { return ::operator new(size); },
+                               [](void* block, void*) { ::operator delete(block); });
+  return {ImGui::CreateContext(), &ImGui::DestroyContext};
+}
+
+}  // namespace
+
+float column_share(int width, float scale) {
+  const auto all = static_cast<float>(width);
+  return std::min(column_width * scale, std::floor(all * most_of_width)) / all;
+}
+
+struct Overlay::State {
+  Context context = make_context();
+  Theme theme;
+  UiMap map;
+  Widgets widgets{theme, map};
+  Tuning standard;
+  ClipboardText clipboard;
+  InputFrame input;
+  OverlaySwitches switches;
+  CrowdClick click;
+  TabMemory memory;
+  PanelColumn column{widgets};
+  AidsMemory aids;
+  bool shows_viewer = false;  ///< which has no strip
+  bool is_in_a_change = false;
+
+  void take_keys_of_panel(const FrameReport& report);
+  void show_crowd(const Layout& layout, const TabContext& context_of_tab);
+  void show_viewer(const Layout& layout, const TabContext& context_of_tab);
+};
+
+Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
+    : state_(std::make_unique<State>()) {
+  ImGui::SetCurrentContext(state_->context.get());
+  state_->theme = apply_theme(fonts, scale);
+  state_->standard = standard;
+  state_->clipboard.clipboard = clipboard;
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  connect(io, state_->clipboard);
+  io.Fonts->Build();
+  io.Fonts->SetTexID(imgui::texture_id(1));  // until a renderer has one: with none, ImGui misses text drawn without it
+}
+
+Overlay::~Overlay() = default;
+
+void Overlay::begin_frame(int width, int height, double seconds, const InputFrame& input) {
+  state_->input = input;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  state_->map.width = width;
+  state_->map.height = height;
+  io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
+  // Slow frames must not turn a double click into two clicks, so it may last four frames.
+  io.MouseDoubleClickTime = std::max(0.3F, 4 * io.DeltaTime);
+  feed(io, input);
+  ImGui::NewFrame();
+}
+
+Requests Overlay::build(const FrameReport& report, const Tuning& before) {
+  State& state = *state_;
+  Tuning tuning = before;
+  Requests requests;
+  state.map.widgets.clear();
+  state.map.idle.clear();
+  state.map.over_crowd.clear();
+  if (!state.input.dropped.empty()) requests.ask(OpenFiles{state.input.dropped});
+  state.take_keys_of_panel(report);
+  const auto clicked = state.click.update(state.input, !uses_pointer());
+  if (clicked && !report.viewer) requests.ask(SelectAt{*clicked});
+  if (!uses_keyboard()) {
+    const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
+    const auto selected = report.selected ? std::optional(report.selected->agent) : std::nullopt;
+    apply_hotkeys(state.input,
+                  {.list = list_is_open, .selected = selected, .ahead = ahead_of(report.camera), .viewer = viewer},
+                  state.switches, tuning, requests);
+    if (report.replay) apply_replay_keys(state.input, requests);
+    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, requests);
+    if (!viewer && !report.replay) apply_pair_key(state.input, state.memory.pair, tuning, requests);
+  }
+  const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
+  state.shows_viewer = report.viewer.has_value();
+  if (!state.switches.hidden) {
+    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
+    if (report.viewer) {
+      state.show_viewer(layout, context);
+    } else {
+      state.show_crowd(layout, context);
+    }
+    if (state.switches.log && show_log_card(state.widgets, layout.crowd, report.messages)) state.switches.log = false;
+    if (state.switches.help && show_help_card(state.widgets, layout.crowd, state.memory.searched_help)) {
+      state.switches.help = false;
+    }
+    show_picture_aids(context, state.map, layout.crowd, state.aids);
+  }
+  if (state.aids.is_legend_alone) {
+    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
+    show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
+  }
+  if (tuning != before) requests.ask(Apply{tuning});
+  state.is_in_a_change = ImGui::IsAnyItemActive() || state.widgets.focus().is_stepping();
+  state.widgets.focus().end_frame(state.theme);
+  ImGui::Render();
+  state.map.tab = state.column.tab();
+  state.map.hidden = state.switches.hidden;
+  state.map.help = state.switches.help;
+  state.map.shows_b = state.memory.pair.shows_b();
+  state.map.focus = state.widgets.focus().name();
+  state.map.typing = ImGui::GetIO().WantTextInput;
+  return requests;
+}
+
+void Overlay::State::take_keys_of_panel(const FrameReport& report) {
+  if (std::ranges::count(input.pressed, Key::f6) > 0) switches.hidden = false;
+  if (switches.hidden) widgets.focus().give_back();
+  widgets.focus().begin_frame(input, {.typing = ImGui::GetIO().WantTextInput,
+                                      .list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+                                      .search = !switches.search.empty() && !report.viewer});
+}
+
+void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
+  const FrameReport& report = context_of_tab.report;
+  Area below_notices = layout.crowd;
+  below_notices.from.y = show_notices(context_of_tab, layout.crowd);
+  show_frame_strip(widgets, layout.strip, report, context_of_tab.requests);
+  if (last_of<LookAtFrame>(context_of_tab.requests) != nullptr) column.go_to("Scheduling");
+  column.show_tabs(layout.column, context_of_tab, switches);
+  if (report.replay) show_replay_bar(widgets, layout.crowd, *report.replay, context_of_tab.requests);
+  if (report.tracks) show_track_bar(context_of_tab, layout.crowd);
+  if (report.selected) show_selection_card(widgets, below_notices, report, context_of_tab.requests);
+}
+
+void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {
+  show_notices(context_of_tab, layout.crowd);
+  show_bone_name(theme, layout.crowd, *context_of_tab.report.viewer);
+  column.show_viewer(layout.column, context_of_tab, switches);
+}
+
+ImDrawData* Overlay::draw_data() const { return ImGui::GetDrawData(); }
+
+int Overlay::vertex_count() const { return ImGui::GetDrawData()->TotalVtxCount; }
+
+const UiMap& Overlay::ui_map() const { return state_->map; }
+
+UiRectangle Overlay::crowd_area() const {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  if (state_->switches.hidden) return {.width = size.x, .height = size.y};
+  const Area crowd = lay_out(state_->theme, size).crowd;
+  return {.width = crowd.width(), .height = state_->shows_viewer ? size.y : crowd.height()};
+}
+
+bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+
+bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
+
+void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
+
+std::uint32_t Overlay::panel_color() { return colour::panel | IM_COL32_A_MASK; }
+
+void Overlay::show_legend_only() { state_->switches.hidden = state_->aids.is_legend_alone = true; }
+
+bool Overlay::is_in_a_change() const { return state_->is_in_a_change; }
+
+void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
+
+void Overlay::show_tab(const std::string& name) { state_->column.go_to(name); }
+
+TuningPair& Overlay::tuning_pair() { return state_->memory.pair; }
+
+bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }
+
+}  // namespace throng::app

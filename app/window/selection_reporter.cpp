@@ -1,0 +1,103 @@
+#include "app/window/selection_reporter.h"
+
+#include <algorithm>
+
+#include "app/window/agent_layers.h"
+#include "app/window/block_fields.h"
+#include "engine/anim/entity/player.h"
+
+namespace throng::app {
+namespace {
+
+Posture posture_of(const FallenAgents& fallen, std::uint32_t agent) {
+  switch (fallen.phase(agent)) {
+    case FallenAgents::Phase::letting_go:
+      return Posture::falling;
+    case FallenAgents::Phase::down:
+      return fallen.at_rest(agent) ? Posture::down : Posture::falling;
+    case FallenAgents::Phase::recovering:
+      return Posture::getting_up;
+    case FallenAgents::Phase::standing:
+      break;
+  }
+  return Posture::upright;
+}
+
+bool is_player(anim::Handle entity) {
+  const std::uint32_t pool = entity.pool();
+  return pool == anim::EntityPools::sampled_players || pool == anim::EntityPools::keyframe_players;
+}
+
+EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim::Character& character) {
+  const anim::EntityLayout& layout = pools.layout(entity);
+  const anim::AnimationStateHeader& state = pools.state(entity);
+  EntityRow row{.kind = layout.kind->name,
+                .clip = {},
+                .handle = entity,
+                .priority = state.priority - anim::highest_priority,
+                .resident = layout.is_resident(),
+                .shared = anim::EntityPools::is_shared(entity)};
+  const std::byte* const block = pools.block(entity);
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(block);
+  row.block.assign(bytes, bytes + layout.total_size);
+  row.fields = block_fields(state);
+  if (!is_player(entity)) return row;
+  const auto& player = pools.as<anim::Player>(entity);
+  const anim::BakedClip& clip = character.clips[player.clip];
+  row.clip = clip.name;
+  row.position_seconds =
+      static_cast<float>(anim::to_seconds(anim::position_in_clip(player, clip.duration) / anim::fine_ticks_per_tick));
+  row.duration_seconds = static_cast<float>(anim::to_seconds(clip.duration));
+  return row;
+}
+
+void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
+  const std::vector<anim::Handle>& entities = system.agent(report.agent).graph().entities;
+  const anim::PoseWeights weights = system.agent(report.agent).motion().weights(system.clock());
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    report.entities.push_back(
+        row_of(entities[i], system.agent(report.agent).pools(), system.agent(report.agent).character()));
+    report.entities.back().weight = weights[i];
+    report.bytes += static_cast<std::uint32_t>(report.entities.back().block.size());
+  }
+  report.layers = agent_layers(system, report.agent);
+}
+
+void add_level_of_detail(const Stage& stage, SelectionReport& report) {
+  const std::span<const anim::VisibleAgent> visible = stage.posed().selection().visible;
+  const auto found = std::ranges::lower_bound(visible, report.agent, {}, &anim::VisibleAgent::agent);
+  if (found == visible.end() || found->agent != report.agent) return;
+  report.visible = true;
+  report.interval = report.posture == Posture::upright ? found->interval : 1;
+  report.mesh_lod = stage.posed().mesh_choice().lods()[static_cast<std::size_t>(found - visible.begin())];
+  report.bone_level = stage.posed().shown().pose(report.agent).to_level;
+  const anim::Skeleton& skeleton = stage.character_of(report.agent).character->skeleton;
+  report.bones = skeleton.level_bone_counts[static_cast<std::size_t>(report.bone_level)];
+}
+
+}  // namespace
+
+std::optional<SelectionReport> report_selection(const Stage& stage) {
+  if (!stage.selected()) return std::nullopt;
+  const std::uint32_t agent = *stage.selected();
+  const Crowd& crowd = stage.crowd();
+  const glm::vec3& position = crowd.positions()[agent];
+  SelectionReport report{.agent = agent,
+                         .role = crowd.minds().roles()[agent],
+                         .habit = crowd.minds().habits()[agent],
+                         .posture = posture_of(stage.animated().fallen(), agent),
+                         .x = position.x,
+                         .y = position.y,
+                         .z = position.z,
+                         .speed = crowd.speeds()[agent],
+                         .can_fall = stage.animated().can_fall(agent),
+                         .channels = static_cast<int>(stage.system().agent(agent).channel_count()),
+                         .entities = {}};
+  if (stage.animated().held_clip()) report.held_at = stage.animated().held_clip()->seconds;
+  report.clip_seconds = stage.animated().clip_seconds(agent);
+  add_level_of_detail(stage, report);
+  add_graph(stage.system(), report);
+  return report;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,41 @@
+#include "app/window/unkept_values.h"
+
+#include <utility>
+
+namespace throng::app {
+namespace {
+
+// Leaves out pauses and ways to look, which are not missed.
+Tuning worth_keeping(Tuning tuning) {
+  const Tuning standard;
+  tuning.paused = standard.paused;
+  tuning.inspection = standard.inspection;
+  tuning.taken_away = standard.taken_away;
+  tuning.debug_view = standard.debug_view;
+  tuning.trail_seconds = standard.trail_seconds;
+  tuning.bones_as_lines = standard.bones_as_lines;
+  return tuning;
+}
+
+}  // namespace
+
+void UnkeptValues::keep(const Tuning& tuning, const TuningPair& pair) {
+  std::optional<Tuning> other;
+  if (pair.has_two()) other = worth_keeping(pair.other());
+  kept_other_ = other && is_kept(*other) ? other : std::nullopt;
+  kept_ = worth_keeping(tuning);
+  asked_about_.clear();
+}
+
+void UnkeptValues::keep_other(const Tuning& tuning) { kept_other_ = worth_keeping(tuning); }
+
+bool UnkeptValues::ask_about(const Tuning& tuning, const TuningPair& pair) {
+  std::vector<Tuning> unkept{worth_keeping(tuning)};
+  if (pair.has_two()) unkept.push_back(worth_keeping(pair.other()));
+  std::erase_if(unkept, [this](const Tuning& each) { return is_kept(each); });
+  if (unkept.empty() || unkept == asked_about_) return false;
+  asked_about_ = std::move(unkept);
+  return true;
+}
+
+}  // namespace throng::app

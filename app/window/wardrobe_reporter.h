@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+#include "app/show/report/wardrobe_report.h"
+#include "app/show/stage/stage.h"
+
+namespace throng::app {
+
+/// Reports the rules of a character. `standard` stays as it is.
+void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);
+/// Reads the file of the rules, for the defaults to go back to; without a readable file, takes the rules in force.
+void read_standard_rules(const Stage& stage, std::size_t character, WardrobeReport& report);
+
+}  // namespace throng::app

@@ -1,0 +1,103 @@
+#include "app/window/window_camera.h"
+
+#include <vector>
+
+#include "app/people/crowd/crowd.h"
+#include "app/show/crowd_framing.h"
+
+namespace throng::app {
+namespace {
+
+// The middle of the selected agent, or of the crowd.
+glm::vec3 middle_of_interest(const Stage& stage) {
+  const std::optional<std::uint32_t> agent = stage.selected();
+  if (!agent) return middle_of(stage.crowd());
+  const UprightBody body = body_of(stage, *agent);
+  return body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
+}
+
+PicturePart part_of(const UiRectangle& area, int width, int height) {
+  const auto across = static_cast<float>(width), along = static_cast<float>(height);
+  return {.left = area.x / across,
+          .top = area.y / along,
+          .right = (area.x + area.width) / across,
+          .bottom = (area.y + area.height) / along};
+}
+
+}  // namespace
+
+WindowCamera::WindowCamera(const Show& show) : fly_(place_of(show.camera)), scene_(show.stage().tuning().scene) {}
+
+void WindowCamera::steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds) {
+  const render::Camera before = fly_.camera();
+  FlyControls controls = free;
+  if (orbits(input)) controls.orbit_about = middle_of_interest(show.stage());
+  fly_.update(input, controls, seconds);
+  if (fly_.camera() != before) show.films = false;
+}
+
+void WindowCamera::take(const CameraRequest& request, Show& show) {
+  std::visit([&](const auto& asked) { carry_out(asked, show); }, request);
+}
+
+void WindowCamera::carry_out(const GoHome& /*asked*/, Show& show) {
+  show.guide.follow(false);
+  put(place_of(show.guide.home(show.stage())), show);
+  show.films = true;
+}
+
+void WindowCamera::carry_out(const GoToCamera& asked, Show& show) {
+  const std::vector<NamedCamera> cameras = cameras_of(show.stage());
+  if (asked.camera < cameras.size()) put(cameras[asked.camera].place, show);
+}
+
+void WindowCamera::carry_out(const ToggleFollow& /*asked*/, Show& show) {
+  show.guide.follow(!show.guide.follows());
+  show.films = false;
+}
+
+void WindowCamera::carry_out(const FollowBehind& /*asked*/, Show& show) {
+  if (!show.stage().selected()) return;
+  show.guide.follow_behind(FollowCamera(*show.stage().selected()), true);
+  show.films = false;
+}
+
+void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
+  if (const auto& kept = bookmarks_.at(asked.place)) put(*kept, show);
+}
+
+void WindowCamera::put(const CameraPlace& place, Show& show) {
+  fly_.set_camera(camera_at(place));
+  show.films = false;
+  was_put_ = true;
+}
+
+void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
+  const std::vector<FramedBox> boxes = boxes_of(show.stage());
+  if (boxes.empty()) return;
+  const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
+  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.width, show.height)));
+  show.films = false;
+}
+
+void WindowCamera::hand_over(Show& show) {
+  const bool is_another_scene = show.stage().tuning().scene != scene_;
+  scene_ = show.stage().tuning().scene;
+  if (is_another_scene && !was_put_) fly_.set_camera(show.camera);
+  if (is_another_scene && was_put_) show.films = false;
+  was_put_ = false;
+  show.camera = fly_.camera();
+}
+
+void WindowCamera::report(CameraReport& report) const {
+  report.fly_speed = fly_.speed();
+  for (std::size_t i = 0; i < bookmark_count; ++i) report.kept.at(i) = bookmarks_.at(i).has_value();
+}
+
+void report_cameras(const Show& show, CameraReport& report) {
+  report.can_film = show.guide.can_film(show.stage());
+  report.films = show.films && report.can_film;
+  report.follows = show.guide.follows();
+}
+
+}  // namespace throng::app

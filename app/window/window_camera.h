@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "app/settings/settings.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/camera/input.h"
+#include "app/show/report/camera_report.h"
+#include "app/show/request/request.h"
+#include "app/show/show.h"
+#include "app/window/panel/controls/ui_map.h"
+
+namespace throng::app {
+
+/// The camera of the person at the window: flown by hand, sent to a place, or left to the show. In a frame:
+///     steer(...)  take(...)  show.take(...)  hand_over(...)  show.animate(...)  take_back(...)
+class WindowCamera {
+ public:
+  explicit WindowCamera(const Show& show);
+
+  /// Moves the camera as mouse and keys say. A person who takes it in hand has it from then on. `free` says what the
+  /// overlay leaves to it.
+  void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
+  /// Carries out the person's requests.
+  void take(const CameraRequest& request, Show& show);
+  /// Puts the camera where the person says, even if the scene changes in this frame.
+  void put(const CameraPlace& place, Show& show);
+  /// Moves the camera until the whole crowd is seen in `area` of the picture, in pixels from the top left.
+  void frame_crowd(const UiRectangle& area, Show& show);
+
+  /// Gives the show its camera for this frame. Another scene than before has brought its own.
+  void hand_over(Show& show);
+  /// Takes the camera as the show has moved it.
+  void take_back(const Show& show) { fly_.set_camera(show.camera); }
+
+  const render::Camera& camera() const { return fly_.camera(); }
+  CameraPlace place() const { return fly_.place(); }
+  /// Returns the places that the person keeps.
+  const CameraBookmarks& bookmarks() const { return bookmarks_; }
+  /// Takes other places for the kept ones.
+  void take_bookmarks(const CameraBookmarks& bookmarks) { bookmarks_ = bookmarks; }
+  /// Adds the values that only this camera knows.
+  void report(CameraReport& report) const;
+
+ private:
+  void carry_out(const GoHome& asked, Show& show);
+  void carry_out(const GoToCamera& asked, Show& show);
+  void carry_out(const ToggleFollow& asked, Show& show);
+  void carry_out(const FollowBehind& asked, Show& show);
+  void carry_out(const SetFlySpeed& asked, Show& /*show*/) { fly_.set_speed(asked.speed); }
+  void carry_out(const KeepBookmark& asked, Show& /*show*/) { bookmarks_.at(asked.place) = place(); }
+  void carry_out(const GoToBookmark& asked, Show& show);
+
+  FlyCamera fly_;
+  CameraBookmarks bookmarks_;
+  Scene scene_;
+  bool was_put_ = false;  // in this frame
+};
+
+/// Reports what moves the camera of the show.
+void report_cameras(const Show& show, CameraReport& report);
+
+}  // namespace throng::app

@@ -1,0 +1,232 @@
+#include "app/window/window_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "app/files/data_folder.h"
+#include "app/settings/preset.h"
+#include "app/show/request/crowd_file.h"
+#include "app/window/panel/overlay.h"
+#include "app/window/stop_signals.h"
+#include "app/window/window_replay.h"
+#include "app/window/window_requests.h"
+#include "app/window/window_session.h"
+#include "engine/base/files/output_file.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
+constexpr double single_step = 1.0 / 60.0;
+
+class WindowLoop {
+ public:
+  WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
+      : session_(show, options),
+        overlay_(fonts_folder(options), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
+    if (replay != nullptr) replay_.emplace(*replay);
+    overlay_.set_hidden(options.hide_ui);
+    session_.reporter.set_preset_names(preset_names());
+    session_.reporter.set_crowd_names(crowd_names("."));
+    session_.reporter.report_recording(options.record);
+    show.keep_moments();
+    if (!options.crowd_file.empty()) take_kept(options.crowd_file);
+    overlay_.show_tab(options.ui_tab);
+  }
+
+  anim::Status run() {
+    const DemoOptions& options = session_.options;
+    if (anim::Status prepared = renderer().prepare_overlay(); !prepared) return prepared;
+    if (session_.show.painter().is_on_software()) overlay_.leave_ground_out();
+    for (int frame = 1; !done_ && (!options.frames_given || frame <= options.frames); ++frame) {
+      run_frame();
+      if (frame == 1) announce();
+    }
+    return failed_ && replay_ ? replay_->outcome() : failed_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static std::filesystem::path fonts_folder(const DemoOptions& options) {
+    const auto fonts = find_data(data_folders(options.data), "assets/fonts");
+    return fonts ? *fonts : std::filesystem::path();
+  }
+
+  void take_kept(const std::string& crowd_file) {
+    const auto setup = read_crowd_file(crowd_file);
+    if (setup) requests_.take_kept(*setup);  // else it has gone since the characters were read
+  }
+
+  // Programs that drive the window wait for this line.
+  static void announce() { static_cast<void>(print("READY\n")); }
+
+  render::Renderer& renderer() { return session_.show.painter().renderer(); }
+
+  void run_frame() {
+    Show& show = session_.show;
+    FrameReporter& reporter = session_.reporter;
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
+    last_frame_ = now;
+    fit_to_window();
+    const InputFrame& input = session_.input.next_frame();
+    const Clock::time_point overlay_start = Clock::now();
+    overlay_.begin_frame(show.width, show.height, seconds, input);
+    if (!replay_) fly(input, static_cast<float>(seconds));
+    reporter.see_from(session_.camera.place());
+    session_.camera.report(reporter.cameras());
+    reporter.messages().pass(seconds);
+    reporter.report_undo(session_.editor.can_undo_bones());
+    const Requests requests = overlay_.build(reporter.report(), session_.editor.tuning());
+    show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
+    if (replay_) {
+      repeat(requests, seconds);
+    } else {
+      requests_.take(requests);
+      show_what_is_wanted(last_of<ShowExactCrowd>(requests) != nullptr);
+      session_.camera.hand_over(show);
+      show.animate(step(seconds, last_of<StepFrame>(requests) != nullptr));
+      measure_for_sweep();
+    }
+    session_.camera.take_back(show);
+    present();
+    requests_.take_after_drawing(requests);
+    build_saved_shaders(now);
+    const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
+    reporter.update(show, session_.camera.place(), frame_ms);
+    write_ui_map();
+    reporter.messages().tell(show.recorder().outcome());
+    done_ = done_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
+            asked_to_stop() != 0;
+  }
+
+  // A person who writes a shader sees it as soon as it is saved.
+  void build_saved_shaders(Clock::time_point now) {
+    if (now < next_look_at_shaders_) return;
+    next_look_at_shaders_ = now + std::chrono::milliseconds(500);
+    if (!renderer().shaders_are_out_of_date()) return;
+    session_.messages().tell(renderer().reload_shaders(), "Built the shaders, which were saved");
+  }
+
+  bool may_leave() {
+    if (replay_ || !session_.unkept.ask_about(session_.editor.tuning(), overlay_.tuning_pair())) return true;
+    session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
+    overlay_.set_hidden(false);  // which shows the message
+    return false;
+  }
+
+  void refuse_drop(const std::string& file) {
+    session_.messages().say(file + ": a replay shows what was recorded; drop it on a window without --replay",
+                            Message::Kind::refused);
+  }
+
+  // Recorded requests happen, and no others.
+  void repeat(const Requests& requests, double seconds) {
+    for (const Request& request : requests) {
+      if (const auto* const asked = std::get_if<ReplayRequest>(&request)) replay_->take(*asked);
+      if (const auto* const drop = as<OpenFiles>(request)) refuse_drop(drop->files.front());
+    }
+    replay_->advance(session_.show, seconds);
+    session_.reporter.report_replay(replay_->report());
+    session_.editor.follow();
+  }
+
+  void fly(const InputFrame& input, float seconds) {
+    const FlyControls free{.pointer_free = !overlay_.uses_pointer(), .keyboard_free = !overlay_.uses_keyboard()};
+    if (Viewer* const viewer = session_.show.viewer()) return viewer->turntable().update(input, free);
+    session_.camera.steer(session_.show, input, free, seconds);
+  }
+
+  anim::Ticks step(double seconds, bool single) const {
+    const Tuning& tuning = session_.editor.tuning();
+    if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
+    if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
+    return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
+  }
+
+  // A minimised window has no pixels: the crowd goes on, unseen.
+  void fit_to_window() {
+    Show& show = session_.show;
+    const glm::ivec2 size = show.painter().context().framebuffer_size();
+    minimised_ = size.x <= 0 || size.y <= 0;
+    if (minimised_ || size == glm::ivec2(show.width, show.height)) return;
+    if (!session_.messages().tell(renderer().set_size(size))) return;  // the picture keeps its size and is stretched
+    show.width = size.x;
+    show.height = size.y;
+  }
+
+  void present() {
+    if (minimised_) return;
+    const UiRectangle crowd = overlay_.crowd_area();
+    session_.show.covered = 1.0F - crowd.width / static_cast<float>(session_.show.width);
+    if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd), Overlay::panel_color());
+    if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
+      // A person can take back a value that is too much to draw, but not before the first picture.
+      if (session_.show.stage().posed().frame() <= 1) failed_ = drawn, done_ = true;
+    }
+    renderer().draw_overlay(*overlay_.draw_data());
+    renderer().present();
+  }
+
+  // A processor that draws leaves out the part under the panel, which is half of its work.
+  render::PixelRect part_of_picture(const UiRectangle& crowd) const {
+    const int height = static_cast<int>(std::ceil(crowd.height));
+    return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};
+  }
+
+  // The exact crowd while its key is held, the next stop of a sweep, or the values that the person asks for.
+  void show_what_is_wanted(bool exact_crowd) {
+    const Tuning& tuning = session_.editor.tuning();
+    TuningSweep& sweep = session_.sweep;
+    if (!sweep.began_with(tuning)) sweep.stop();
+    while (sweep.runs() && !exact_crowd) {
+      const anim::Status shown = show(sweep.tuning());
+      if (shown) return;
+      sweep.refuse(shown.error().message);
+    }
+    session_.messages().tell(show(exact_crowd ? without_level_of_detail(tuning) : tuning));
+  }
+
+  anim::Status show(const Tuning& tuning) {
+    return tuning == session_.show.stage().tuning() ? anim::Done{} : session_.show.take(Apply{tuning});
+  }
+
+  // Frames in which no agent was posed, or the exact crowd was, tell nothing.
+  void measure_for_sweep() {
+    TuningSweep& sweep = session_.sweep;
+    const anim::AnimationSystem& system = session_.show.stage().system();
+    const bool tells = sweep.runs() && session_.show.stage().tuning() == sweep.tuning();
+    if (tells && system.figures().report().agents_updated > 0) sweep.add(cost_of_last_update(system));
+    session_.reporter.show_sweep(sweep.curve());
+  }
+
+  void write_ui_map() {
+    const std::string& file = session_.options.ui_map;
+    if (file.empty()) return;
+    session_.messages().tell(
+        write_whole_file(file, to_json(overlay_.ui_map(), session_.editor.tuning(), session_.reporter.report()),
+                         OutputFile::Sync::system));
+  }
+
+  WindowSession session_;
+  std::optional<WindowReplay> replay_;  // none: people make the requests
+  Overlay overlay_;
+  WindowRequests requests_{session_, overlay_};
+  Clock::time_point last_frame_ = Clock::now();
+  Clock::time_point next_look_at_shaders_ = last_frame_;
+  anim::Status failed_ = anim::Done{};
+  bool minimised_ = false;
+  bool done_ = false;
+};
+
+}  // namespace
+
+anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+  return WindowLoop(show, options, replay).run();
+}
+
+}  // namespace throng::app

@@ -1,0 +1,132 @@
+#include "app/window/window_requests.h"
+
+#include <algorithm>
+
+#include "app/output/regression/origin.h"
+#include "app/show/agent_at.h"
+#include "app/show/request/cast_options.h"
+#include "app/window/viewer_requests.h"
+#include "app/window/wardrobe_requests.h"
+#include "engine/base/files/output_file.h"
+
+namespace throng::app {
+namespace {
+
+// "throng-1.png", in the working folder.
+std::string unused_file(const char* ending, int& number) {
+  std::string file;
+  do file = "throng-" + std::to_string(++number) + ending;
+  while (std::filesystem::exists(file));
+  return file;
+}
+
+}  // namespace
+
+void WindowRequests::take(const Requests& requests) {
+  const bool changes_places = overlay_.tuning_pair().shows_b() != shows_b_;
+  shows_b_ = overlay_.tuning_pair().shows_b();
+  for (const Request& request : requests) {
+    const auto* const values = as<Apply>(request);
+    if (values != nullptr && changes_places) {
+      session_.editor.take_in_passing(values->tuning);  // B takes that back by itself
+    } else {
+      std::visit([this](const auto& part) { take(part); }, request);
+    }
+  }
+  if (session_.show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
+  if (!overlay_.is_in_a_change()) session_.editor.end_change();
+}
+
+void WindowRequests::take_after_drawing(const Requests& requests) {
+  tracks_.read_when_said(session_);
+  if (last_of<TakeScreenshot>(requests) != nullptr) take_screenshot();
+}
+
+void WindowRequests::take(const CrowdRequest& request) {
+  const auto* const values = std::get_if<Apply>(&request);
+  if (values == nullptr) return static_cast<void>(session_.editor.take(request));
+  Apply lifted = *values;
+  lift_triangle_limit(lifted.tuning);
+  session_.editor.take(lifted);
+}
+
+void WindowRequests::take(const WindowRequest& request) {
+  std::visit([this](const auto& asked) { carry_out(asked); }, request);
+}
+
+void WindowRequests::take(const ViewerRequest& request) {
+  const bool applies = std::holds_alternative<ApplyPreview>(request);
+  const auto roles = applies ? previewed_roles(session_.show) : std::nullopt;
+  messages().tell(app::take(request, session_.show));
+  if (roles) session_.editor.take(*roles);
+}
+
+// An error limit that a person sets goes before the triangles that a device affords, as on the command line.
+void WindowRequests::lift_triangle_limit(Tuning& tuning) {
+  const Tuning& before = session_.editor.tuning();
+  const int afforded = session_.show.painter().spared().triangles;
+  const bool sets_error = tuning.error_px != before.error_px || tuning.mesh_error_px != before.mesh_error_px;
+  if (!sets_error || afforded == 0 || tuning.triangle_budget != afforded) return;
+  tuning.triangle_budget = 0;
+  messages().say("The error limit decides over meshes now: the triangle limit of this device is off.");
+}
+
+void WindowRequests::carry_out(const SelectAt& asked) {
+  session_.editor.take(Select{agent_at(session_.show, asked.point.x, asked.point.y)});
+}
+
+void WindowRequests::carry_out(const OpenFiles& asked) {
+  const std::vector<std::string>& files = asked.files;
+  const auto crowd = std::ranges::find_if(files, is_crowd_file);
+  if (crowd != files.end() && files.size() == 1) return files_.open_crowd(*crowd);
+  if (crowd != files.end()) {
+    return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
+  }
+  if (!tracks_.takes(files, session_)) session_.editor.take(LoadModels{files});
+}
+
+void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {
+  Show& show = session_.show;
+  const std::string file = session_.reporter.report().recording.file;
+  if (show.recorder().is_recording()) return static_cast<void>(messages().tell(show.stop_recording(), "Wrote " + file));
+  const std::string unused = unused_file(".rec", recordings_);
+  if (!messages().tell(show.start_recording(unused))) return;
+  session_.reporter.report_recording(unused);
+  messages().say("The crowd begins anew and is recorded; R writes " + unused);
+}
+
+void WindowRequests::carry_out(const CopyCamera& /*asked*/) { copy(camera_option(session_.camera.place())); }
+
+void WindowRequests::carry_out(const CopyCommandLine& /*asked*/) {
+  const std::string cast = cast_options(session_.show.stage().people());
+  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.editor.tuning(), Tuning(), session_.camera.place()));
+}
+
+void WindowRequests::copy(const std::string& options) {
+  session_.input.clipboard().set(options);
+  static_cast<void>(print(options + "\n"));  // a window may have no reader of its output
+  messages().say("Copied: " + options);
+}
+
+void WindowRequests::carry_out(const ReloadShaders& /*asked*/) {
+  messages().tell(session_.show.painter().renderer().reload_shaders(), "Built the shaders again");
+}
+
+void WindowRequests::carry_out(const ShowCharacter& asked) {
+  session_.reporter.describe_character(session_.show, asked.character);
+}
+
+void WindowRequests::carry_out(const TuneRules& asked) { session_.editor.take(tuned(asked, session_.show.stage())); }
+
+void WindowRequests::carry_out(const StartSweep& asked) {
+  session_.sweep.start(asked.value, session_.editor.tuning(), session_.reporter.report().hardware_threads);
+}
+
+void WindowRequests::take_screenshot() {
+  const std::string file = unused_file(".png", screenshots_);
+  Painter& painter = session_.show.painter();
+  messages().tell(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
+                  "Wrote " + file);
+}
+
+}  // namespace throng::app

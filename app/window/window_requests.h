@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/show/request/requests.h"
+#include "app/window/dropped_tracks.h"
+#include "app/window/file_requests.h"
+#include "app/window/panel/overlay.h"
+#include "app/window/window_session.h"
+
+namespace throng::app {
+
+/// Takes the requests of a person at a window, in order, at a frame boundary, and says what came of them.
+class WindowRequests {
+ public:
+  WindowRequests(WindowSession& session, Overlay& overlay)
+      : session_(session), overlay_(overlay), files_(session, overlay) {}
+
+  void take(const Requests& requests);
+  /// Carries out requests for the picture, once it is drawn.
+  void take_after_drawing(const Requests& requests);
+  /// Takes the parts of a crowd file that only a window keeps.
+  void take_kept(const CrowdSetup& setup) { files_.take_kept(setup); }
+
+ private:
+  void take(const CrowdRequest& request);
+  void take(const WindowRequest& request);
+  void take(const FileRequest& request) { files_.take(request); }
+  void take(const CameraRequest& request) { session_.camera.take(request, session_.show); }
+  void take(const ViewerRequest& request);
+  void take(const ReplayRequest& /*request*/) {}  // there is no replay
+  void carry_out(const SelectAt& asked);
+  void carry_out(const OpenFiles& asked);
+  void carry_out(const Undo& /*asked*/) { session_.editor.undo(); }
+  void carry_out(const Redo& /*asked*/) { session_.editor.redo(); }
+  void carry_out(const Tell& asked) { messages().say(asked.words, Message::Kind::refused); }
+  void carry_out(const ToggleRecording& asked);
+  void carry_out(const CopyCamera& asked);
+  void carry_out(const CopyCommandLine& asked);
+  void carry_out(const ReloadShaders& asked);
+  void carry_out(const ShowCharacter& asked);
+  void carry_out(const TuneRules& asked);
+  void carry_out(const StartSweep& asked);
+  void carry_out(const StopSweep& /*asked*/) { session_.sweep.stop(); }
+  void carry_out(const LookAtFrame& asked) { session_.reporter.look_at(asked.frame); }
+  void carry_out(const LookAtLastFrames& /*asked*/) { session_.reporter.look_at_last(); }
+  void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(overlay_.crowd_area(), session_.show); }
+  // The loop does these with the frame.
+  void carry_out(const StepFrame& /*asked*/) {}
+  void carry_out(const ShowExactCrowd& /*asked*/) {}
+  void carry_out(const TakeScreenshot& /*asked*/) {}
+  void carry_out(const Quit& /*asked*/) {}
+  void lift_triangle_limit(Tuning& tuning);
+  void copy(const std::string& options);
+  void take_screenshot();
+  Messages& messages() { return session_.messages(); }
+
+  WindowSession& session_;
+  Overlay& overlay_;
+  FileRequests files_;
+  DroppedTracks tracks_;
+  bool shows_b_ = false;  // of two tunings
+  int screenshots_ = 0;
+  int recordings_ = 0;
+};
+
+}  // namespace throng::app

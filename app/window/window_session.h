@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/settings/settings.h"
+#include "app/show/report/tuning_sweep.h"
+#include "app/show/show.h"
+#include "app/window/crowd_editor.h"
+#include "app/window/frame_reporter.h"
+#include "app/window/unkept_values.h"
+#include "app/window/window_camera.h"
+#include "app/window/window_input.h"
+
+namespace throng::app {
+
+/// All that the parts of a window's loop share.
+struct WindowSession {
+  WindowSession(Show& show_in_window, const DemoOptions& given)
+      : show(show_in_window),
+        options(given),
+        unkept(show.stage().tuning()),
+        input(show.painter().context().window()),
+        camera(show),
+        reporter(show),
+        editor(show, reporter) {}
+
+  Messages& messages() { return reporter.messages(); }
+
+  Show& show;
+  const DemoOptions& options;
+  UnkeptValues unkept;
+  WindowInput input;
+  WindowCamera camera;
+  FrameReporter reporter;
+  CrowdEditor editor;  ///< it has the values that the person asks for
+  TuningSweep sweep;
+};
+
+}  // namespace throng::app

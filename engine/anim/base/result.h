@@ -1,3 +1,0 @@
-#pragma once
-
-#include "engine/result.h"  // Both libraries share it; files of this one include it from here.

@@ -1,0 +1,49 @@
+#include "app/people/crowd/steering/gathered.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/run/pu_threads.h"
+
+namespace throng::app::gathered_test {
+namespace {
+
+constexpr std::size_t count = 5000;  // ends within a tile
+
+bool is_picked(std::size_t i) { return i % 7 == 0 || i / 300 == 4; }
+
+std::vector<std::uint32_t> picked_by(anim::Executor& executor, int jobs) {
+  Gathered<std::uint32_t> gathered;
+  gathered.set_aside(count);
+  const auto list = gathered.gather(count, executor, jobs, [](std::size_t i, std::uint32_t& listed) {
+    listed = static_cast<std::uint32_t>(i);
+    return is_picked(i);
+  });
+  return {list.begin(), list.end()};
+}
+
+TEST(Gathered, ListsThoseWhoArePickedInTheSameOrderForAnyNumberOfJobs) {
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (is_picked(i)) expected.push_back(i);
+  }
+  for (const int jobs : {1, 2, 3, 8}) {
+    anim::PuThreads threads(jobs);
+    EXPECT_EQ(picked_by(threads, jobs), expected) << jobs << " jobs";
+  }
+}
+
+TEST(Gathered, ListsNobodyOfNobody) {
+  Gathered<std::uint32_t> gathered;
+  gathered.set_aside(count);
+  anim::InOrder here;
+  const auto none = gathered.gather(count, here, 1, [](std::size_t, std::uint32_t&) { return false; });
+  EXPECT_TRUE(none.empty());
+  EXPECT_TRUE(gathered.gather(0, here, 1, [](std::size_t, std::uint32_t&) { return true; }).empty());
+}
+
+}  // namespace
+}  // namespace throng::app::gathered_test

@@ -1,0 +1,67 @@
+#include "app/window/frame_reporter.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "tests/app/show/recording/recorded_run.h"
+
+namespace throng::app::frame_reporter_test {
+namespace {
+
+class ReportedShow : public testing::Test {
+ protected:
+  void pass(int frames, double frame_ms) {
+    for (int i = 0; i < frames; ++i) {
+      show_->animate(test::sixtieth);
+      reporter_.update(*show_, {}, frame_ms);
+    }
+  }
+
+  std::unique_ptr<Show> show_ = test::show_of(test::demo("--agents 60 --pus 2"));
+  FrameReporter reporter_{*show_};
+  const FrameReport& report_ = reporter_.report();
+};
+
+TEST_F(ReportedShow, HasTheErrorWithItsIntervalAndItsHistoryWithinASecond) {
+  pass(60, 10);
+  EXPECT_TRUE(report_.error.figures.p99_is_known());
+  EXPECT_TRUE(report_.error.intervals.p99.high);
+  EXPECT_EQ(report_.error.p99_history.size(), 30U);
+  EXPECT_EQ(report_.error.pop_history.size(), 30U);
+}
+
+TEST_F(ReportedShow, KnowsWhatMakesValuesIdle) {
+  pass(1, 10);
+  EXPECT_FALSE(report_.situation.selected);
+  EXPECT_TRUE(report_.situation.places_feet);
+  EXPECT_TRUE(report_.situation.can_pack);
+  EXPECT_EQ(report_.situation.bone_levels, 3);
+  EXPECT_EQ(report_.situation.mesh_levels, 1) << "nothing is drawn";
+  EXPECT_TRUE(show_->take(Select{3}));
+  pass(1, 10);
+  EXPECT_TRUE(report_.situation.selected);
+}
+
+TEST_F(ReportedShow, ShowsASlowFrameAfterItHasPassed) {
+  pass(20, 10);
+  pass(1, 200);
+  const int slow = report_.frame;
+  pass(40, 10);
+  reporter_.look_at(slow + 1);
+  pass(1, 10);
+  ASSERT_TRUE(report_.kept.looked_at);
+  const FrameDetails& frame = *report_.kept.looked_at;
+  EXPECT_EQ(frame.number(), slow);
+  EXPECT_EQ(frame.frame_ms, 200);
+  EXPECT_GT(frame.work.agents_updated, 0U);
+  EXPECT_GT(frame.tiles(), 0U);
+  EXPECT_EQ(frame.pu.size(), 2U);
+  EXPECT_EQ(frame.timeline.lanes.size(), 2U);
+  reporter_.look_at_last();
+  pass(1, 10);
+  EXPECT_FALSE(report_.kept.looked_at);
+}
+
+}  // namespace
+}  // namespace throng::app::frame_reporter_test

@@ -1,0 +1,120 @@
+// Key F: the camera goes where the whole crowd fills what the panel leaves free.
+#include <algorithm>
+#include <string>
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <gtest/gtest.h>
+
+#include "app/show/crowd_framing.h"
+#include "app/window/window_camera.h"
+#include "tests/app/show/recording/recorded_run.h"
+#include "tests/app/window/panel/overlay_driver.h"
+
+namespace throng::app::framing_test {
+namespace {
+
+/// Where the crowd is seen, in shares of the free part of the picture: 0 at its left or upper edge, 1 at the others.
+struct Seen {
+  glm::vec2 low{1e9F}, high{-1e9F};
+  float nearest = 1e9F;  // metres ahead of the camera
+};
+
+Seen seen_in(const UiRectangle& area, glm::ivec2 size, const Stage& stage, const render::Camera& camera) {
+  const glm::vec2 pixels(size);
+  const render::CameraView view = render::view_of(camera, pixels.x / pixels.y);
+  Seen seen;
+  for (const FramedBox& box : boxes_of(stage)) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const glm::vec3 at((corner & 1U) != 0 ? box.low.x : box.high.x, (corner & 2U) != 0 ? box.low.y : box.high.y,
+                         (corner & 4U) != 0 ? box.low.z : box.high.z);
+      const glm::vec4 clip = view.projection * view.view * glm::vec4(at, 1.0F);
+      EXPECT_GT(clip.w, render::Camera::near_distance) << "too near to be drawn";
+      seen.nearest = std::min(seen.nearest, clip.w);
+      const glm::vec2 pixel((0.5F + 0.5F * clip.x / clip.w) * pixels.x, (0.5F - 0.5F * clip.y / clip.w) * pixels.y);
+      const glm::vec2 share((pixel.x - area.x) / area.width, (pixel.y - area.y) / area.height);
+      seen.low = glm::min(seen.low, share);
+      seen.high = glm::max(seen.high, share);
+    }
+  }
+  return seen;
+}
+
+void expect_filled(const Show& show, const render::Camera& camera, const UiRectangle& area, glm::ivec2 size) {
+  const Seen seen = seen_in(area, size, show.stage(), camera);
+  EXPECT_GE(seen.low.x, 0.0F);
+  EXPECT_GE(seen.low.y, 0.0F);
+  EXPECT_LE(seen.high.x, 1.0F);
+  EXPECT_LE(seen.high.y, 1.0F);
+  const float nearest_edge = std::min({seen.low.x, seen.low.y, 1.0F - seen.high.x, 1.0F - seen.high.y});
+  const bool is_as_near_as_it_gets = seen.nearest < 1.1F * render::Camera::near_distance;
+  EXPECT_TRUE(nearest_edge < 0.1F || is_as_near_as_it_gets) << "there is room to go nearer: " << nearest_edge;
+}
+
+UiRectangle free_area(glm::ivec2 size) {
+  OverlayDriver person;
+  person.overlay.begin_frame(size.x, size.y, 1.0 / 60, {});
+  person.overlay.build(person.report, person.tuning);
+  return person.overlay.crowd_area();
+}
+
+void expect_framed(Show& show) {
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), {2560, 1440}, {600, 400}, {500, 1200}}) {
+    SCOPED_TRACE(std::to_string(size.x) + "x" + std::to_string(size.y));
+    const UiRectangle area = free_area(size);
+    show.width = size.x;
+    show.height = size.y;
+    for (const float turned : {0.0F, 1.0F, 4.0F}) {
+      for (const float pitch : {-0.1F, -0.5F, -1.4F}) {
+        WindowCamera camera(show);
+        camera.put({.x = 3, .y = 2, .z = 5, .yaw = 57.3F * turned, .pitch = 57.3F * pitch}, show);
+        const render::Camera before = camera.camera();
+        camera.frame_crowd(area, show);
+        EXPECT_EQ(camera.camera().yaw, before.yaw);
+        EXPECT_EQ(camera.camera().pitch, before.pitch);
+        expect_filled(show, camera.camera(), area, size);
+      }
+    }
+  }
+}
+
+TEST(Framing, FillsTheFreePartOfThePictureWithEachScene) {
+  for (const char* const scene : {"plaza", "parade", "stadium", "grid"}) {
+    SCOPED_TRACE(scene);
+    expect_framed(*test::show_of(test::demo("--agents 300 --scene " + std::string(scene))));
+  }
+}
+
+TEST(Framing, FillsItWithOneAgent) { expect_framed(*test::show_of(test::demo("--agents 1"))); }
+
+TEST(Framing, HoldsAllThatAnAgentAnimates) {
+  const auto show = test::show_of(test::demo("--agents 1"));
+  const FramedBox box = boxes_of(show->stage()).front();
+  const anim::CharacterBounds& bounds = show->stage().people().front().character->bounds;
+  const float scale = show->stage().crowd().scales().front();
+  const auto reach = scale * static_cast<float>(bounds.reach), tall = scale * static_cast<float>(bounds.height);
+  EXPECT_GE(box.high.y - box.low.y, 0.5F * tall + reach - 1e-4F) << "arms that wave are above the head";
+  EXPECT_GE(box.high.x - box.low.x, 2.0F * reach - 1e-4F);
+}
+
+TEST(Framing, FillsItWithCharactersOfFiveCentimetres) {
+  for (const char* const agents : {"1", "20"}) {
+    SCOPED_TRACE(agents);
+    const auto show = test::show_of(test::demo("--agents " + std::string(agents)));
+    ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 0.028}}));
+    const FramedBox box = boxes_of(show->stage()).front();
+    ASSERT_LT(box.high.y - box.low.y, 0.08F) << "arms reach above the head";
+    expect_framed(*show);
+  }
+}
+
+TEST(Framing, FillsItWithAgentsOfSeventyNineMetres) {
+  const auto show = test::show_of(test::demo("--agents 20"));
+  ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 44}}));
+  ASSERT_GT(boxes_of(show->stage()).front().high.y, 60.0F);
+  expect_framed(*show);
+}
+
+}  // namespace
+}  // namespace throng::app::framing_test

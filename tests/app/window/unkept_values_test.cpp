@@ -1,0 +1,52 @@
+#include "app/window/unkept_values.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::app::unkept_values_test {
+namespace {
+
+Tuning with_error(float pixels) { return {.error_px = pixels}; }
+
+TEST(UnkeptValues, AreAskedAboutOnce) {
+  UnkeptValues unkept{Tuning()};
+  EXPECT_FALSE(unkept.ask_about(Tuning())) << "nothing was changed";
+  EXPECT_TRUE(unkept.ask_about(with_error(3)));
+  EXPECT_FALSE(unkept.ask_about(with_error(3))) << "the second time they are left";
+  EXPECT_TRUE(unkept.ask_about(with_error(4))) << "but others are not";
+}
+
+TEST(UnkeptValues, AreNoneOnceAPresetHasThem) {
+  UnkeptValues unkept{Tuning()};
+  unkept.keep(with_error(3));
+  EXPECT_FALSE(unkept.ask_about(with_error(3)));
+  EXPECT_TRUE(unkept.ask_about(Tuning())) << "the preset has others";
+}
+
+TEST(UnkeptValues, AreThoseThatWaitToo) {
+  UnkeptValues unkept{Tuning()};
+  TuningPair pair;
+  pair.copy_to_other(Tuning());
+  EXPECT_FALSE(unkept.ask_about(Tuning(), pair)) << "a copy";
+  pair.copy_to_other(with_error(3));
+  EXPECT_TRUE(unkept.ask_about(Tuning(), pair));
+  EXPECT_FALSE(unkept.ask_about(Tuning(), pair)) << "the second time they are left";
+  unkept.keep_other(with_error(3));
+  EXPECT_FALSE(unkept.ask_about(Tuning(), pair));
+  unkept.keep(with_error(4), pair);
+  EXPECT_FALSE(unkept.ask_about(with_error(4), pair)) << "each is in a preset";
+  EXPECT_FALSE(unkept.ask_about(with_error(3), TuningPair())) << "and stays in it when they change places";
+  unkept.keep(with_error(5));
+  EXPECT_TRUE(unkept.ask_about(with_error(3))) << "nothing waited, so one is kept";
+}
+
+TEST(UnkeptValues, AreNotAWayToLook) {
+  UnkeptValues unkept{Tuning()};
+  Tuning looked_at;
+  looked_at.paused = true;
+  looked_at.inspection.thresholds = true;
+  looked_at.debug_view = DebugView::error;
+  EXPECT_FALSE(unkept.ask_about(looked_at));
+}
+
+}  // namespace
+}  // namespace throng::app::unkept_values_test

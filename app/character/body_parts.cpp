@@ -8,6 +8,8 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/rig_table.h"
+#include "app/character/source.h"
+#include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/rig/ragdoll_bones.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/base/text/joined.h"

@@ -5,11 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "app/character/source.h"
-#include "engine/anim/agent/character_rigs.h"
+#include "app/character/rig_choice.h"
 #include "engine/anim/asset/body_role.h"
+#include "engine/base/result.h"
+
+namespace throng::anim {
+class CharacterRigs;
+}
 
 namespace throng::app {
+
+struct CharacterSource;
 
 /// The parts of a character's body, as a person sees and chooses them.
 struct BodyParts {

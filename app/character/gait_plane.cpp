@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/agent/blend_space_2d_channel.h"
+
 namespace throng::app {
 namespace {
 

@@ -6,8 +6,11 @@
 #include <glm/vec2.hpp>
 
 #include "app/character/roles.h"
-#include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/base/result.h"
+
+namespace throng::anim {
+class BlendSpace2d;
+}
 
 namespace throng::app {
 

@@ -9,6 +9,7 @@
 #include "app/files/memory_check.h"
 #include "app/output/label_text.h"
 #include "app/output/regression/compare.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {

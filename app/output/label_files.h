@@ -10,6 +10,7 @@
 #include "app/settings/settings.h"
 #include "app/show/show.h"
 #include "engine/base/files/output_file.h"
+#include "engine/render/image.h"
 
 namespace throng::app {
 

@@ -12,6 +12,8 @@
 
 #include "app/output/coco.h"
 #include "app/show/show.h"
+#include "engine/render/camera.h"
+#include "engine/render/instance_record.h"
 #include "engine/render/label_picture.h"
 
 namespace throng::app {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/output/regression/origin.h"
+#include "app/show/painter.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/base/cores.h"
 #include "engine/base/text/joined.h"
 #include "engine/base/text/size_text.h"

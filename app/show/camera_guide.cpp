@@ -8,6 +8,7 @@
 #include "app/people/crowd/cast.h"
 #include "app/show/camera/camera_path.h"
 #include "app/show/camera/fly_camera.h"
+#include "app/show/stage/stage.h"
 #include "app/show/track_cameras.h"
 
 namespace throng::app {

@@ -10,10 +10,12 @@
 #include "app/show/camera/keyed_path.h"
 #include "app/show/camera/scenes.h"
 #include "app/show/follow_camera.h"
-#include "app/show/stage/stage.h"
 #include "engine/render/camera.h"
+#include "engine/tracks/ground_bounds.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Returns the named cameras of the scene on a stage.
 /// `aspect` is the aspect ratio of the picture.

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/show/stage/stage.h"
 #include "app/show/track_cameras.h"
 
 namespace throng::app {

@@ -5,10 +5,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/show/stage/stage.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// An upright box, metres.
 struct FramedBox {

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/nearest_names.h"
+#include "app/show/stage/stage.h"
 #include "engine/tracks/smooth_track.h"
 
 namespace throng::app {

@@ -6,10 +6,13 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/show/stage/stage.h"
+#include "engine/anim/base/units.h"
+#include "engine/base/result.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// A camera behind and above an agent. It goes where the agent goes and turns with the agent lazily. A person who moves
 /// it by hand goes on from there. It waits at the agent's first row, and stays at the last one.

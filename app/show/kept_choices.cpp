@@ -5,7 +5,9 @@
 #include "app/character/skin_choice.h"
 #include "app/show/lod/lod_export.h"
 #include "app/show/lod/mesh_lods.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 
@@ -43,7 +45,7 @@ anim::Result<std::filesystem::path> export_lod(const Show& show, std::size_t ind
       .tuning = show.stage().tuning(),
       .character = lod_character(character),
       .tolerance_pixels = exported_tolerance(show.stage()),
-      .pixels_per_unit = render::pixels_tall(show.camera, static_cast<float>(show.height), 1.0F, 1.0F)};
+      .pixels_per_unit = render::pixels_tall(show.view().camera, static_cast<float>(show.view().height), 1.0F, 1.0F)};
   return KeptFile(character.file, ".lod.export.json", "The level of detail")
       .write(lod_as_json(character, lod_levels(character), show.painter().mesh_levels(index), in_force));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 namespace {
 

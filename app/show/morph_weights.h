@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "app/show/stage/stage.h"
-
 namespace throng::app {
+
+class Stage;
 
 /// The weights that the morphs of some agents in a picture have now. Agents without morphs cost nothing, nor do agents
 /// too small on screen to show any. Memory is kept from frame to frame.

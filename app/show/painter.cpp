@@ -9,6 +9,7 @@
 #include "app/people/place/plan_mesh.h"
 #include "app/people/place/props.h"
 #include "app/show/contexts.h"
+#include "app/show/stage/stage.h"
 #include "app/show/worn_pieces.h"
 
 namespace throng::app {

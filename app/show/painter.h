@@ -16,6 +16,7 @@
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
 #include "app/show/scenery.h"
+#include "app/show/show_view.h"
 #include "app/show/thresholds_in_view.h"
 #include "app/show/trails.h"
 #include "engine/render/gl/context.h"
@@ -23,16 +24,6 @@
 #include "engine/render/renderer.h"
 
 namespace throng::app {
-
-/// Says from where a picture is drawn, and from where level of detail looks in it.
-struct PaintedView {
-  render::Camera camera;
-  std::optional<render::Camera> frozen;  ///< the camera from which level of detail looks instead
-  int width = 0, height = 0;
-
-  const render::Camera& lod_camera() const { return frozen ? *frozen : camera; }
-  float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
-};
 
 /// Draws a stage, with lines over it and the exact crowd beside it where a person asks for them. Without a context it
 /// draws nothing, and palettes live on the heap.

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 namespace {
 

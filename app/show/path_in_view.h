@@ -7,9 +7,11 @@
 #include <glm/vec3.hpp>
 
 #include "app/show/lod_view.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Followers;
+class Stage;
 
 /// The whole path of the selected person of a recorded crowd, as a line on the ground.
 class PathInView {

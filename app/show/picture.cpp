@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/settings/agent_colors.h"
+#include "app/show/stage/stage.h"
 #include "app/show/worn_pieces.h"
 #include "engine/anim/base/run_jobs.h"
 

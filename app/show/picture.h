@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "app/show/morph_weights.h"
-#include "app/show/stage/stage.h"
 #include "engine/render/crowd_draw.h"
 
 namespace throng::app {
+
+class Stage;
+struct CrowdLooks;
 
 /// Sorts the visible agents of a stage into runs of the same palette page, character and mesh LOD, so that one
 /// instanced draw shows a run. The runs ascend by page, then by character, and the agents within a run. Where agents

@@ -6,6 +6,9 @@
 
 #include "app/files/byte_hash.h"
 #include "app/settings/tuning_values.h"
+#include "app/show/show.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {

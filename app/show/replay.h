@@ -9,13 +9,16 @@
 
 #include "app/settings/settings.h"
 #include "app/show/recording/reader.h"
-#include "app/show/show.h"
 #include "engine/base/result.h"
 
 namespace throng::app {
 
+class Show;
+class Stage;
+struct CharacterSource;
+
 /// Repeats a recording and compares the poses:
-///     show = Show::create(replay->options(given)); replay->begin(show); while (replay->step(show)) draw
+///     show = open_show(replay->options(given)); replay->begin(show); while (replay->step(show)) draw
 class Replay {
  public:
   /// Opens a recording. Errors: those of RecordingReader::open.

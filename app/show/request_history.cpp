@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 namespace {
 
@@ -82,6 +84,14 @@ std::optional<CrowdRequest> answer_to(const CrowdRequest& request, const Stage& 
     return is_about_character(asked, answer) ? answer.to(asked) : std::nullopt;
   };
   return std::visit(find, request);
+}
+
+bool brings_characters(const CrowdRequest& request) {
+  return std::holds_alternative<LoadModels>(request) || std::holds_alternative<SetCast>(request);
+}
+
+CrowdRequest as_made(const CrowdRequest& request, const Stage& stage) {
+  return brings_characters(request) ? SetCast{exactly(stage.people())} : request;
 }
 
 void RequestHistory::add(CrowdRequest made, CrowdRequest answer, std::uint64_t change) {

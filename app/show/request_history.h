@@ -6,13 +6,21 @@
 #include <vector>
 
 #include "app/show/request/request.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Returns the request that takes another one back, which is not made yet; nothing for a request that passes, such as a
 /// push. `tuning` has the values in use.
 std::optional<CrowdRequest> answer_to(const CrowdRequest& request, const Stage& stage, const Tuning& tuning);
+
+/// Returns whether a request brings other characters.
+bool brings_characters(const CrowdRequest& request);
+
+/// Returns a request that was made as it is to be made again: characters that came of files stay as they are on the
+/// stage, whatever lies beside their files by then.
+CrowdRequest as_made(const CrowdRequest& request, const Stage& stage);
 
 /// The requests that changed values or characters, to be taken back and made again, the last first. Each step goes from
 /// one state that was there to another.

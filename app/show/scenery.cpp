@@ -5,6 +5,7 @@
 
 #include "app/people/crowd/crowd.h"
 #include "app/people/place/plan_mesh.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {

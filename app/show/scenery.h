@@ -9,10 +9,11 @@
 
 #include "app/people/place/place.h"
 #include "app/settings/settings.h"
-#include "app/show/stage/stage.h"
 #include "engine/render/renderer.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// The place around a crowd, as the renderer draws it.
 class Scenery {

@@ -1,5 +1,7 @@
 #include "app/show/thresholds_in_view.h"
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 namespace {
 

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "app/show/lod/lod_thresholds.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// The distances from the camera of level of detail where the interval changes. By the distance rule they are the same
 /// for all agents. By the error in pixels they differ from clip to clip, so they hold for the clip that most agents in

@@ -10,6 +10,7 @@
 
 #include "app/people/crowd/numbers/turn.h"
 #include "app/settings/agent_colors.h"
+#include "app/show/stage/stage.h"
 #include "engine/tracks/trajectories.h"
 
 namespace throng::app {

@@ -8,9 +8,11 @@
 #include <glm/vec3.hpp>
 
 #include "app/show/lod_view.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Followers;
+class Stage;
 
 /// Lines on the ground where people of a recorded crowd went in the last seconds. They follow from the time alone, so
 /// they are right after any jump of the clock. Places are kept at even times, so a frame computes only the new ones.

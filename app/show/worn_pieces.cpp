@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 namespace {
 

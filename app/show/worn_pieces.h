@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "app/show/lod/lod_export.h"
-#include "app/show/stage/stage.h"
 #include "engine/render/agent_look.h"
 #include "engine/render/mesh/mesh.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Calls visit(piece) for each piece with which the wearer of an outfit is drawn at a mesh LOD: its pieces, or its
 /// silhouette far away; without any, all of the character.

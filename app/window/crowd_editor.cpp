@@ -5,6 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
+#include "app/window/frame_reporter.h"
 #include "engine/base/text/joined.h"
 
 namespace throng::app {
@@ -20,10 +23,6 @@ bool differ_in_pause_alone(const Tuning& tuning, Tuning other) {
 bool is_step(const CrowdRequest& request, const CrowdRequest& answer) {
   const auto* const values = std::get_if<Apply>(&request);
   return values == nullptr || !differ_in_pause_alone(values->tuning, std::get<Apply>(answer).tuning);
-}
-
-bool is_cast(const CrowdRequest& request) {
-  return std::holds_alternative<LoadModels>(request) || std::holds_alternative<SetCast>(request);
 }
 
 /// Returns the one part of the body for which two lists name different bones; nothing where they do for several.
@@ -44,11 +43,16 @@ std::optional<anim::BodyRole> changed_part(const std::vector<RigChoice>& before,
 
 }  // namespace
 
+CrowdEditor::CrowdEditor(Show& show, FrameReporter& reporter)
+    : show_(show), reporter_(reporter), tuning_(show.stage().tuning()) {}
+
+void CrowdEditor::follow() { tuning_ = show_.stage().tuning(); }
+
 bool CrowdEditor::take(const CrowdRequest& request, const std::string& file) {
   const auto answer = answer_to(request, show_.stage(), tuning_);
   if (!make(request, file)) return false;
   if (!answer || !is_step(request, *answer)) return true;
-  history_.add(is_cast(request) ? SetCast{exactly(show_.stage().people())} : request, *answer, change_);
+  history_.add(as_made(request, show_.stage()), *answer, change_);
   return true;
 }
 
@@ -57,7 +61,7 @@ bool CrowdEditor::make(const CrowdRequest& request, const std::string& file) {
   const anim::Status made = show_.take(request);
   if (!made) return say_why_not(request, (file.empty() ? "" : file + ": ") + made.error().message), false;
   if (std::holds_alternative<Apply>(request)) follow();
-  if (is_cast(request)) reporter_.describe_characters(show_);
+  if (brings_characters(request)) reporter_.describe_characters(show_);
   say_what_came_of(request, std::chrono::duration<double>(Clock::now() - start).count());
   return true;
 }

@@ -6,15 +6,16 @@
 
 #include "app/show/request/request.h"
 #include "app/show/request_history.h"
-#include "app/show/show.h"
-#include "app/window/frame_reporter.h"
 
 namespace throng::app {
+
+class FrameReporter;
+class Show;
 
 /// Changes a crowd as a person asks: it makes requests, says what came of them, and takes them back.
 class CrowdEditor {
  public:
-  CrowdEditor(Show& show, FrameReporter& reporter) : show_(show), reporter_(reporter), tuning_(show.stage().tuning()) {}
+  CrowdEditor(Show& show, FrameReporter& reporter);
 
   /// Makes a request, which may come from a `file`. Returns whether it was made; if not, the person is told why.
   bool take(const CrowdRequest& request, const std::string& file = {});
@@ -31,7 +32,7 @@ class CrowdEditor {
   /// Returns the values that the person asked for last and that could be.
   const Tuning& tuning() const { return tuning_; }
   /// Takes the values of the show, which something else has changed.
-  void follow() { tuning_ = show_.stage().tuning(); }
+  void follow();
 
  private:
   bool make(const CrowdRequest& request, const std::string& file = {});

@@ -9,8 +9,12 @@
 #include "app/files/exit_status.h"
 #include "app/output/output.h"
 #include "app/output/regression/origin.h"
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
+#include "app/show/recording/recorder.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "app/window/drawn_overlay.h"
 #include "app/window/live_input.h"
 #include "app/window/panel/overlay.h"
@@ -97,7 +101,7 @@ anim::Status finish_output(Show& show, const DemoOptions& options, Output* outpu
 }
 
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
-  if (options.ui) show.covered = column_share(options.width, options.ui_scale);
+  if (options.ui) show.view().covered = column_share(options.width, options.ui_scale);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
@@ -161,13 +165,13 @@ int run_show(const DemoOptions& options, Replay* replay) {
   StartError error;
   auto live = open_live_input(options);
   if (!live) return tell(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
-  const std::unique_ptr<Show> show = Show::create(options, error, std::move(*live));
+  const std::unique_ptr<Show> show = open_show(options, error, std::move(*live));
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
   const bool ran = tell(run_in_words(*show, options, replay));
   const bool recorded = tell(show->stop_recording());
   if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
   if (replay != nullptr && !tell(say_what_was_repeated(*replay, options))) return exit_job_failed;
-  if (options.context != ContextKind::window) say_on_stderr(show->notice);
+  if (options.context != ContextKind::window) say_on_stderr(show->notice());
   return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }
 

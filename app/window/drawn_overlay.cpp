@@ -4,6 +4,8 @@
 
 #include "app/files/data_folder.h"
 #include "app/show/camera/fly_camera.h"
+#include "app/show/painter.h"
+#include "app/show/stage/stage.h"
 #include "engine/base/files/output_file.h"
 
 namespace throng::app {
@@ -24,7 +26,7 @@ anim::Status DrawnOverlay::begin(Show& show) {
 
 anim::Status DrawnOverlay::report(Show& show) {
   const FrameTimes& times = show.figures().times();
-  reporter_->update(show, place_of(show.camera), times.animation_ms + times.drawing_ms());
+  reporter_->update(show, place_of(show.view().camera), times.animation_ms + times.drawing_ms());
   if (!options_.ui_fixed) return anim::Done{};
   const auto figures = find_data(data_folders(options_.data), "assets/fixed_report.json");
   return figures ? reporter_->fix_measured(*figures) : anim::Status(figures.error());
@@ -33,7 +35,7 @@ anim::Status DrawnOverlay::report(Show& show) {
 void DrawnOverlay::build(Show& show) {
   const auto start = std::chrono::steady_clock::now();
   tuning_ = show.stage().tuning();
-  overlay_->begin_frame(show.width, show.height, options_.dt.value_or(usual_frame_seconds), {});
+  overlay_->begin_frame(show.view().width, show.view().height, options_.dt.value_or(usual_frame_seconds), {});
   overlay_->build(reporter_->report(), tuning_);
   show.figures().add_overlay(
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());

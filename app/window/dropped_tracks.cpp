@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "app/show/camera/fly_camera.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "engine/base/text/joined.h"
 #include "engine/tracks/read.h"
 
@@ -76,7 +79,7 @@ void DroppedTracks::read(WindowSession& session) const {
   const anim::Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
   if (!session.messages().tell(shown)) return;
   session.editor.follow();
-  session.camera.put(place_of(show.camera), show);
+  session.camera.put(place_of(show.view().camera), show);
   session.reporter.describe_characters(show);
   session.messages().say("Opened " + next_.file + ": " + counted_people(people));
 }

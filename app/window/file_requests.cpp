@@ -3,6 +3,8 @@
 #include <system_error>
 
 #include "app/show/kept_choices.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "app/window/wardrobe_requests.h"
 #include "engine/base/text/plain_text.h"
 
@@ -69,6 +71,8 @@ void FileRequests::open_crowd(const std::filesystem::path& file) {
   take_kept(*setup);
   messages().say("Opened " + file.string());
 }
+
+const CharacterSource& FileRequests::character() const { return session_.show.stage().characters()[shown()]; }
 
 void FileRequests::take_kept(const CrowdSetup& setup) {
   overlay_.tuning_pair() = setup.pair;

@@ -37,7 +37,7 @@ class FileRequests {
   void say_where(const anim::Result<std::filesystem::path>& written);
   bool dress(const anim::Result<SetRules>& rules);
   CharacterNumber shown() const { return session_.reporter.report().character; }
-  const CharacterSource& character() const { return session_.show.stage().characters()[shown()]; }
+  const CharacterSource& character() const;
   Messages& messages() { return session_.messages(); }
 
   WindowSession& session_;

@@ -2,6 +2,12 @@
 
 #include <algorithm>
 
+#include "app/show/painter.h"
+#include "app/show/recording/recorder.h"
+#include "app/show/show.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
+#include "app/show/viewer/viewer.h"
 #include "app/window/mesh_reporter.h"
 #include "app/window/selection_reporter.h"
 #include "app/window/wardrobe_reporter.h"
@@ -170,7 +176,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
     read_standard_rules(show.stage(), report_.character, report_.wardrobe);  // it has other styles
   }
   ++report_.frame;
-  report_.notice = show.notice;
+  report_.notice = show.notice();
   if (!show.recorder().is_recording()) report_.recording.file.clear();
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;

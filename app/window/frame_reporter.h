@@ -8,13 +8,15 @@
 
 #include "app/show/figures/limiter.h"
 #include "app/show/report/frame_report.h"
-#include "app/show/show.h"
 #include "app/window/fixed_report.h"
 #include "app/window/selection_log.h"
 #include "app/window/slow_frames.h"
 #include "app/window/tracked_person_reporter.h"
 
 namespace throng::app {
+
+class Show;
+class Stage;
 
 /// Fills the report that the overlay shows, once a frame.
 class FrameReporter {

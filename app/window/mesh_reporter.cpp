@@ -1,5 +1,9 @@
 #include "app/window/mesh_reporter.h"
 
+#include "app/show/painter.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 
 MeshReport report_meshes(const Show& show, std::size_t character) {

@@ -3,9 +3,10 @@
 #include <cstddef>
 
 #include "app/show/report/mesh_report.h"
-#include "app/show/show.h"
 
 namespace throng::app {
+
+class Show;
 
 /// Reports the meshes with which a character is drawn in the last drawn frame.
 MeshReport report_meshes(const Show& show, std::size_t character);

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 
 void SelectionLog::begin(const Stage& stage, const SelectionReport& selected) {

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "app/show/report/selection_report.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Logs the selected agent since it was selected: its level of detail in each frame, and its events.
 class SelectionLog {

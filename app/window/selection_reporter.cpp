@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/show/stage/stage.h"
 #include "app/window/agent_layers.h"
 #include "app/window/block_fields.h"
 #include "engine/anim/entity/player.h"

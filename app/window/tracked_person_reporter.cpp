@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/people/measure/crowd_measures.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {

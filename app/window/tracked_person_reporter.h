@@ -4,9 +4,10 @@
 #include <memory>
 
 #include "app/show/report/tracked_person.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Reports the selected person of a recorded crowd. Facts that follow from the file are found once. Footfalls of a long
 /// time are found in the frames after that, so that no frame waits for them.

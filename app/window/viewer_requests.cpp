@@ -1,5 +1,9 @@
 #include "app/window/viewer_requests.h"
 
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
+#include "app/show/viewer/viewer.h"
+
 namespace throng::app {
 namespace {
 
@@ -7,14 +11,14 @@ class ViewerTaker {
  public:
   explicit ViewerTaker(Show& show) : show_(show) {}
 
-  anim::Status take(const View& view) const { return show_.view(view.what); }
+  anim::Status take(const View& view) const { return show_.open_viewer(view.what); }
   anim::Status take(const ViewSelected&) const {
     const auto selected = show_.stage().selected();
     if (!selected) return anim::Done{};
     const std::size_t character = show_.stage().crowd().characters()[*selected];
     if (character >= show_.stage().people().size())
       return anim::Error{"a thing is not shown alone, only a character is"};
-    return show_.view({.character = character, .agent = selected});
+    return show_.open_viewer({.character = character, .agent = selected});
   }
   anim::Status take(const LeaveViewer&) const { return show_.leave_viewer(), anim::Done{}; }
   anim::Status take(const SetViewer& asked) const {

@@ -3,9 +3,10 @@
 #include <optional>
 
 #include "app/show/request/request.h"
-#include "app/show/show.h"
 
 namespace throng::app {
+
+class Show;
 
 /// Carries out a request about the viewer of one character. A request about a viewer that is not there does nothing.
 /// Errors: the character cannot be shown alone, or the crowd refuses the choice that was looked at.

@@ -3,9 +3,10 @@
 #include <cstddef>
 
 #include "app/show/report/wardrobe_report.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Reports the rules of a character. `standard` stays as it is.
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);

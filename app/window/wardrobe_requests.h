@@ -3,10 +3,11 @@
 #include <string>
 
 #include "app/show/request/request.h"
-#include "app/show/stage/stage.h"
 #include "engine/base/result.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Returns the request for a character's rules with other values.
 SetRules tuned(const TuneRules& asked, const Stage& stage);

@@ -4,6 +4,10 @@
 
 #include "app/people/crowd/crowd.h"
 #include "app/show/crowd_framing.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
+#include "app/show/viewer/viewer.h"
 
 namespace throng::app {
 namespace {
@@ -26,24 +30,28 @@ PicturePart part_of(const UiRectangle& area, int width, int height) {
 
 }  // namespace
 
-WindowCamera::WindowCamera(const Show& show) : fly_(place_of(show.camera)), scene_(show.stage().tuning().scene) {}
+WindowCamera::WindowCamera(const Show& show)
+    : fly_(place_of(show.view().camera)), scene_(show.stage().tuning().scene) {}
 
 void WindowCamera::steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds) {
+  if (Viewer* const viewer = show.viewer()) return viewer->turntable().update(input, free);
   const render::Camera before = fly_.camera();
   FlyControls controls = free;
   if (orbits(input)) controls.orbit_about = middle_of_interest(show.stage());
   fly_.update(input, controls, seconds);
-  if (fly_.camera() != before) show.films = false;
+  if (fly_.camera() != before) show.view().films = false;
 }
+
+void WindowCamera::take_back(const Show& show) { fly_.set_camera(show.view().camera); }
 
 void WindowCamera::take(const CameraRequest& request, Show& show) {
   std::visit([&](const auto& asked) { carry_out(asked, show); }, request);
 }
 
 void WindowCamera::carry_out(const GoHome& /*asked*/, Show& show) {
-  show.guide.follow(false);
-  put(place_of(show.guide.home(show.stage())), show);
-  show.films = true;
+  show.view().guide.follow(false);
+  put(place_of(show.view().guide.home(show.stage())), show);
+  show.view().films = true;
 }
 
 void WindowCamera::carry_out(const GoToCamera& asked, Show& show) {
@@ -52,14 +60,14 @@ void WindowCamera::carry_out(const GoToCamera& asked, Show& show) {
 }
 
 void WindowCamera::carry_out(const ToggleFollow& /*asked*/, Show& show) {
-  show.guide.follow(!show.guide.follows());
-  show.films = false;
+  show.view().guide.follow(!show.view().guide.follows());
+  show.view().films = false;
 }
 
 void WindowCamera::carry_out(const FollowBehind& /*asked*/, Show& show) {
   if (!show.stage().selected()) return;
-  show.guide.follow_behind(FollowCamera(*show.stage().selected()), true);
-  show.films = false;
+  show.view().guide.follow_behind(FollowCamera(*show.stage().selected()), true);
+  show.view().films = false;
 }
 
 void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
@@ -68,25 +76,25 @@ void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
 
 void WindowCamera::put(const CameraPlace& place, Show& show) {
   fly_.set_camera(camera_at(place));
-  show.films = false;
+  show.view().films = false;
   was_put_ = true;
 }
 
 void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
   const std::vector<FramedBox> boxes = boxes_of(show.stage());
   if (boxes.empty()) return;
-  const float aspect = static_cast<float>(show.width) / static_cast<float>(show.height);
-  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.width, show.height)));
-  show.films = false;
+  const float aspect = static_cast<float>(show.view().width) / static_cast<float>(show.view().height);
+  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.view().width, show.view().height)));
+  show.view().films = false;
 }
 
 void WindowCamera::hand_over(Show& show) {
   const bool is_another_scene = show.stage().tuning().scene != scene_;
   scene_ = show.stage().tuning().scene;
-  if (is_another_scene && !was_put_) fly_.set_camera(show.camera);
-  if (is_another_scene && was_put_) show.films = false;
+  if (is_another_scene && !was_put_) fly_.set_camera(show.view().camera);
+  if (is_another_scene && was_put_) show.view().films = false;
   was_put_ = false;
-  show.camera = fly_.camera();
+  show.view().camera = fly_.camera();
 }
 
 void WindowCamera::report(CameraReport& report) const {
@@ -95,9 +103,9 @@ void WindowCamera::report(CameraReport& report) const {
 }
 
 void report_cameras(const Show& show, CameraReport& report) {
-  report.can_film = show.guide.can_film(show.stage());
-  report.films = show.films && report.can_film;
-  report.follows = show.guide.follows();
+  report.can_film = show.view().guide.can_film(show.stage());
+  report.films = show.view().films && report.can_film;
+  report.follows = show.view().guide.follows();
 }
 
 }  // namespace throng::app

@@ -9,10 +9,11 @@
 #include "app/show/camera/input.h"
 #include "app/show/report/camera_report.h"
 #include "app/show/request/request.h"
-#include "app/show/show.h"
 #include "app/window/panel/controls/ui_map.h"
 
 namespace throng::app {
+
+class Show;
 
 /// The camera of the person at the window: flown by hand, sent to a place, or left to the show. In a frame:
 ///     steer(...)  take(...)  show.take(...)  hand_over(...)  show.animate(...)  take_back(...)
@@ -20,8 +21,8 @@ class WindowCamera {
  public:
   explicit WindowCamera(const Show& show);
 
-  /// Moves the camera as mouse and keys say. A person who takes it in hand has it from then on. `free` says what the
-  /// overlay leaves to it.
+  /// Moves the camera as mouse and keys say, or that of the viewer. A person who takes it in hand has it from then on.
+  /// `free` says what the overlay leaves to it.
   void steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds);
   /// Carries out the person's requests.
   void take(const CameraRequest& request, Show& show);
@@ -33,7 +34,7 @@ class WindowCamera {
   /// Gives the show its camera for this frame. Another scene than before has brought its own.
   void hand_over(Show& show);
   /// Takes the camera as the show has moved it.
-  void take_back(const Show& show) { fly_.set_camera(show.camera); }
+  void take_back(const Show& show);
 
   const render::Camera& camera() const { return fly_.camera(); }
   CameraPlace place() const { return fly_.place(); }

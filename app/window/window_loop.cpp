@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "app/files/data_folder.h"
 #include "app/settings/preset.h"
+#include "app/show/figures/run_figures.h"
+#include "app/show/recording/recorder.h"
 #include "app/show/request/crowd_file.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
+#include "app/window/wanted_values.h"
+#include "app/window/window_picture.h"
 #include "app/window/window_replay.h"
 #include "app/window/window_requests.h"
 #include "app/window/window_session.h"
@@ -39,8 +44,7 @@ class WindowLoop {
 
   anim::Status run() {
     const DemoOptions& options = session_.options;
-    if (anim::Status prepared = renderer().prepare_overlay(); !prepared) return prepared;
-    if (session_.show.painter().is_on_software()) overlay_.leave_ground_out();
+    if (anim::Status prepared = picture_.prepare(overlay_); !prepared) return prepared;
     for (int frame = 1; !done_ && (!options.frames_given || frame <= options.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();
@@ -64,18 +68,16 @@ class WindowLoop {
   // Programs that drive the window wait for this line.
   static void announce() { static_cast<void>(print("READY\n")); }
 
-  render::Renderer& renderer() { return session_.show.painter().renderer(); }
-
   void run_frame() {
     Show& show = session_.show;
     FrameReporter& reporter = session_.reporter;
     const Clock::time_point now = Clock::now();
     const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
     last_frame_ = now;
-    fit_to_window();
+    picture_.fit_to_window();
     const InputFrame& input = session_.input.next_frame();
     const Clock::time_point overlay_start = Clock::now();
-    overlay_.begin_frame(show.width, show.height, seconds, input);
+    overlay_.begin_frame(show.view().width, show.view().height, seconds, input);
     if (!replay_) fly(input, static_cast<float>(seconds));
     reporter.see_from(session_.camera.place());
     session_.camera.report(reporter.cameras());
@@ -87,29 +89,21 @@ class WindowLoop {
       repeat(requests, seconds);
     } else {
       requests_.take(requests);
-      show_what_is_wanted(last_of<ShowExactCrowd>(requests) != nullptr);
+      show_wanted_values(session_, last_of<ShowExactCrowd>(requests) != nullptr);
       session_.camera.hand_over(show);
       show.animate(step(seconds, last_of<StepFrame>(requests) != nullptr));
-      measure_for_sweep();
+      measure_for_sweep(session_);
     }
     session_.camera.take_back(show);
-    present();
+    failed_ = picture_.present(overlay_);
     requests_.take_after_drawing(requests);
-    build_saved_shaders(now);
+    picture_.build_saved_shaders(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().tell(show.recorder().outcome());
-    done_ = done_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
+    done_ = !failed_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
             asked_to_stop() != 0;
-  }
-
-  // A person who writes a shader sees it as soon as it is saved.
-  void build_saved_shaders(Clock::time_point now) {
-    if (now < next_look_at_shaders_) return;
-    next_look_at_shaders_ = now + std::chrono::milliseconds(500);
-    if (!renderer().shaders_are_out_of_date()) return;
-    session_.messages().tell(renderer().reload_shaders(), "Built the shaders, which were saved");
   }
 
   bool may_leave() {
@@ -137,7 +131,6 @@ class WindowLoop {
 
   void fly(const InputFrame& input, float seconds) {
     const FlyControls free{.pointer_free = !overlay_.uses_pointer(), .keyboard_free = !overlay_.uses_keyboard()};
-    if (Viewer* const viewer = session_.show.viewer()) return viewer->turntable().update(input, free);
     session_.camera.steer(session_.show, input, free, seconds);
   }
 
@@ -146,62 +139,6 @@ class WindowLoop {
     if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
     if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
-  }
-
-  // A minimised window has no pixels: the crowd goes on, unseen.
-  void fit_to_window() {
-    Show& show = session_.show;
-    const glm::ivec2 size = show.painter().context().framebuffer_size();
-    minimised_ = size.x <= 0 || size.y <= 0;
-    if (minimised_ || size == glm::ivec2(show.width, show.height)) return;
-    if (!session_.messages().tell(renderer().set_size(size))) return;  // the picture keeps its size and is stretched
-    show.width = size.x;
-    show.height = size.y;
-  }
-
-  void present() {
-    if (minimised_) return;
-    const UiRectangle crowd = overlay_.crowd_area();
-    session_.show.covered = 1.0F - crowd.width / static_cast<float>(session_.show.width);
-    if (session_.show.painter().is_on_software()) renderer().draw_only(part_of_picture(crowd), Overlay::panel_color());
-    if (const anim::Status drawn = session_.show.draw(); !session_.messages().tell(drawn)) {
-      // A person can take back a value that is too much to draw, but not before the first picture.
-      if (session_.show.stage().posed().frame() <= 1) failed_ = drawn, done_ = true;
-    }
-    renderer().draw_overlay(*overlay_.draw_data());
-    renderer().present();
-  }
-
-  // A processor that draws leaves out the part under the panel, which is half of its work.
-  render::PixelRect part_of_picture(const UiRectangle& crowd) const {
-    const int height = static_cast<int>(std::ceil(crowd.height));
-    return {{0, session_.show.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}};
-  }
-
-  // The exact crowd while its key is held, the next stop of a sweep, or the values that the person asks for.
-  void show_what_is_wanted(bool exact_crowd) {
-    const Tuning& tuning = session_.editor.tuning();
-    TuningSweep& sweep = session_.sweep;
-    if (!sweep.began_with(tuning)) sweep.stop();
-    while (sweep.runs() && !exact_crowd) {
-      const anim::Status shown = show(sweep.tuning());
-      if (shown) return;
-      sweep.refuse(shown.error().message);
-    }
-    session_.messages().tell(show(exact_crowd ? without_level_of_detail(tuning) : tuning));
-  }
-
-  anim::Status show(const Tuning& tuning) {
-    return tuning == session_.show.stage().tuning() ? anim::Done{} : session_.show.take(Apply{tuning});
-  }
-
-  // Frames in which no agent was posed, or the exact crowd was, tell nothing.
-  void measure_for_sweep() {
-    TuningSweep& sweep = session_.sweep;
-    const anim::AnimationSystem& system = session_.show.stage().system();
-    const bool tells = sweep.runs() && session_.show.stage().tuning() == sweep.tuning();
-    if (tells && system.figures().report().agents_updated > 0) sweep.add(cost_of_last_update(system));
-    session_.reporter.show_sweep(sweep.curve());
   }
 
   void write_ui_map() {
@@ -216,10 +153,9 @@ class WindowLoop {
   std::optional<WindowReplay> replay_;  // none: people make the requests
   Overlay overlay_;
   WindowRequests requests_{session_, overlay_};
+  WindowPicture picture_{session_.show, session_.messages()};
   Clock::time_point last_frame_ = Clock::now();
-  Clock::time_point next_look_at_shaders_ = last_frame_;
   anim::Status failed_ = anim::Done{};
-  bool minimised_ = false;
   bool done_ = false;
 };
 

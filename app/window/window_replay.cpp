@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/show/replay.h"
+#include "app/show/show.h"
+
 namespace throng::app {
 namespace {
 

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 
-#include "app/show/replay.h"
 #include "app/show/report/replay_report.h"
 #include "app/show/request/request.h"
-#include "app/show/show.h"
 #include "engine/base/result.h"
 
 namespace throng::app {
+
+class Replay;
+class Show;
 
 /// A replay in a window: it plays at the speed of the recording, pauses, steps, and goes to any frame. At its end, and
 /// where a frame differs, it stays and says so.

@@ -4,7 +4,12 @@
 
 #include "app/output/regression/origin.h"
 #include "app/show/agent_at.h"
+#include "app/show/painter.h"
+#include "app/show/recording/recorder.h"
 #include "app/show/request/cast_options.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
+#include "app/show/viewer/viewer.h"
 #include "app/window/viewer_requests.h"
 #include "app/window/wardrobe_requests.h"
 #include "engine/base/files/output_file.h"

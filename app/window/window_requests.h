@@ -26,6 +26,7 @@ class WindowRequests {
  private:
   void take(const CrowdRequest& request);
   void take(const WindowRequest& request);
+  void take(const FrameRequest& /*request*/) {}  // the loop does it
   void take(const FileRequest& request) { files_.take(request); }
   void take(const CameraRequest& request) { session_.camera.take(request, session_.show); }
   void take(const ViewerRequest& request);
@@ -46,11 +47,6 @@ class WindowRequests {
   void carry_out(const LookAtFrame& asked) { session_.reporter.look_at(asked.frame); }
   void carry_out(const LookAtLastFrames& /*asked*/) { session_.reporter.look_at_last(); }
   void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(overlay_.crowd_area(), session_.show); }
-  // The loop does these with the frame.
-  void carry_out(const StepFrame& /*asked*/) {}
-  void carry_out(const ShowExactCrowd& /*asked*/) {}
-  void carry_out(const TakeScreenshot& /*asked*/) {}
-  void carry_out(const Quit& /*asked*/) {}
   void lift_triangle_limit(Tuning& tuning);
   void copy(const std::string& options);
   void take_screenshot();

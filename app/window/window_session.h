@@ -2,7 +2,6 @@
 
 #include "app/settings/settings.h"
 #include "app/show/report/tuning_sweep.h"
-#include "app/show/show.h"
 #include "app/window/crowd_editor.h"
 #include "app/window/frame_reporter.h"
 #include "app/window/unkept_values.h"
@@ -11,16 +10,11 @@
 
 namespace throng::app {
 
+class Show;
+
 /// All that the parts of a window's loop share.
 struct WindowSession {
-  WindowSession(Show& show_in_window, const DemoOptions& given)
-      : show(show_in_window),
-        options(given),
-        unkept(show.stage().tuning()),
-        input(show.painter().context().window()),
-        camera(show),
-        reporter(show),
-        editor(show, reporter) {}
+  WindowSession(Show& show_in_window, const DemoOptions& given);
 
   Messages& messages() { return reporter.messages(); }
 

@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "app/commands/bench/drawing.h"
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app::draw_bench_test {
 namespace {
@@ -116,7 +119,7 @@ std::uint32_t draw_calls_of(int agents) {
   options.agents_given = true;
   options.camera_name = "above";  // everybody is in view
   StartError error;
-  const std::unique_ptr<Show> show = Show::create(options, error);
+  const std::unique_ptr<Show> show = open_show(options, error);
   if (show == nullptr) return ADD_FAILURE() << error.message, 0;
   show->animate(anim::ticks_per_second / 60);
   EXPECT_TRUE(show->draw());

@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "app/output/label_frame.h"
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/asset/skeleton.h"
 #include "tests/gl/small_picture.h"
 
@@ -36,7 +39,7 @@ class LabelledCrowd {
     options.longest_tile = longest_tile;
     options.output.labels = "labels";  // nothing is written there
     StartError error;
-    show_ = Show::create(options, error);
+    show_ = open_show(options, error);
     EXPECT_NE(show_, nullptr) << error.message;
     for (int frame = 0; frame < 20; ++frame) show_->animate(anim::ticks_per_second / 60);
     maker_ = std::make_unique<LabelMaker>(show_->stage());
@@ -53,7 +56,7 @@ class LabelledCrowd {
   /// A frame of the crowd as it was drawn, in a light that computes the same wherever it is drawn.
   render::CrowdFrame crowd_frame() const {
     const Picture& picture = show_->painter().picture();
-    return {.camera = render::view_of(show_->camera, static_cast<float>(width) / height),
+    return {.camera = render::view_of(show_->view().camera, static_cast<float>(width) / height),
             .instances = picture.instances(),
             .batches = picture.batches(),
             .now = stage().now(),

@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "app/show/lod/mesh_lods.h"
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/image.h"
 #include "tests/gl/small_picture.h"
 
@@ -86,7 +89,7 @@ class MeshSwitch : public testing::Test {
   void begin(const std::string& model = {}, bool dressed = false) {
     show_.reset();  // The context of the last one made is the current one.
     StartError error;
-    show_ = Show::create(one_figure(model, dressed), error);
+    show_ = open_show(one_figure(model, dressed), error);
     ASSERT_NE(show_, nullptr) << error.message;
     for (int frame = 0; frame < 40; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
   }
@@ -96,12 +99,12 @@ class MeshSwitch : public testing::Test {
   /// Draws the figure with a mesh LOD, `tall` pixels tall, from one of the views.
   Image picture(int lod, float tall, int view) {
     const float size = static_cast<float>(show_->stage().characters().front().character->bounds.height);
-    const float away = render::pixels_tall(show_->camera, height, size, 1.0F) / tall;
+    const float away = render::pixels_tall(show_->view().camera, height, size, 1.0F) / tall;
     const float angle = 6.2831853F * static_cast<float>(view) / views, up = view % 2 == 0 ? 0.1F : 0.6F;
-    show_->camera.yaw = angle;
-    show_->camera.pitch = -up;
-    show_->camera.position = show_->stage().crowd().positions()[0] + glm::vec3(0.0F, size / 2.0F, 0.0F) -
-                             away * render::forward(show_->camera);
+    show_->view().camera.yaw = angle;
+    show_->view().camera.pitch = -up;
+    show_->view().camera.position = show_->stage().crowd().positions()[0] + glm::vec3(0.0F, size / 2.0F, 0.0F) -
+                                    away * render::forward(show_->view().camera);
     Tuning tuning = show_->stage().tuning();
     tuning.mesh_lod = lod;
     EXPECT_TRUE(show_->take(Apply{tuning}));

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
 
 namespace throng::app::placed_meshes_test {
@@ -18,7 +20,7 @@ std::unique_ptr<Show> show_of_three() {
   options.tuning.agents = 6;
   options.cast.assign(3, {.file = THRONG_SOURCE_DIR "/assets/mannequin.glb"});
   StartError error;
-  auto show = Show::create(options, error);
+  auto show = open_show(options, error);
   EXPECT_NE(show, nullptr) << error.message;
   return show;
 }

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/image.h"
 #include "tests/gl/picture_tolerance.h"
 #include "tests/gl/small_picture.h"
@@ -46,7 +49,7 @@ class SplitView : public testing::Test {
   void begin(const DemoOptions& options) {
     show_.reset();
     StartError error;
-    show_ = Show::create(options, error);
+    show_ = open_show(options, error);
     ASSERT_NE(show_, nullptr) << error.message;
     for (int frame = 0; frame < 27; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
   }

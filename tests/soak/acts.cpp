@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "app/show/agent_at.h"
+#include "app/show/painter.h"
 #include "app/show/request/request_json.h"
+#include "app/show/stage/stage.h"
 #include "tests/soak/round.h"
 
 namespace throng::soak {
@@ -60,13 +62,14 @@ Wished one_value(const Show& show, const Models&, Random& random) {
 
 Wished select(const Show& show, const Models&, Random& random) {
   if (random.chance(0.5F)) return app::Select{any_agent(show, random)};
-  const float x = static_cast<float>(show.width) * random.unit(), y = static_cast<float>(show.height) * random.unit();
+  const float x = static_cast<float>(show.view().width) * random.unit(),
+              y = static_cast<float>(show.view().height) * random.unit();
   return app::Select{app::agent_at(show, x, y)};
 }
 
 Wished push(const Show& show, const Models&, Random& random) {
   const auto selected = show.stage().selected();
-  if (selected && random.chance(0.3F)) return app::Push{*selected, render::forward(show.camera)};
+  if (selected && random.chance(0.3F)) return app::Push{*selected, render::forward(show.view().camera)};
   return app::Push{any_agent(show, random), {random.between(-1, 1), random.unit(), random.between(-1, 1)}};
 }
 
@@ -118,10 +121,10 @@ Wished models(const Show&, const Models& all, Random& random) {
 }
 
 anim::Status fly(Show& show, Random& random) {
-  show.camera.position = {random.between(-30, 30), random.between(0.2F, 20), random.between(-30, 30)};
-  show.camera.yaw = random.between(-3, 3);
-  show.camera.pitch = random.between(-1.5F, 0.5F);
-  show.films = random.chance(0.3F);
+  show.view().camera.position = {random.between(-30, 30), random.between(0.2F, 20), random.between(-30, 30)};
+  show.view().camera.yaw = random.between(-3, 3);
+  show.view().camera.pitch = random.between(-1.5F, 0.5F);
+  show.view().films = random.chance(0.3F);
   return anim::Done{};
 }
 
@@ -130,8 +133,8 @@ anim::Status resize(Show& show, Random& random) {
   if (show.painter().draws()) {
     if (anim::Status set = show.painter().renderer().set_size({width, height}); !set) return set;
   }
-  show.width = width;
-  show.height = height;
+  show.view().width = width;
+  show.view().height = height;
   return anim::Done{};
 }
 

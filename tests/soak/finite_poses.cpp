@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "app/show/painter.h"
+#include "app/show/stage/stage.h"
 #include "engine/render/palette/palette_slots.h"
 
 namespace throng::soak {

@@ -2,7 +2,11 @@
 
 #include <unistd.h>
 
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/replay.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
 #include "tests/sanitized.h"
 #include "tests/soak/acts.h"
 #include "tests/soak/finite_poses.h"
@@ -62,7 +66,7 @@ Fault ShowRounds::run(const RoundPlace& place) {
 Fault ShowRounds::open() {
   if (show_ != nullptr) return {};
   app::StartError error;
-  show_ = app::Show::create(rest_options(context_), error);
+  show_ = app::open_show(rest_options(context_), error);
   if (show_ == nullptr) return "there is no show: " + error.message;
   show_->keep_moments();
   return rest();
@@ -94,7 +98,7 @@ Fault ShowRounds::replay(const RoundPlace& place, Random& random) {
   options.tuning.system.schedule = random.chance(0.5F) ? anim::Schedule::levels : anim::Schedule::fused;
   options = (*replay)->options(options);
   app::StartError error;
-  const auto show = app::Show::create(options, error);
+  const auto show = app::open_show(options, error);
   if (show == nullptr) return "the recording has no show: " + error.message;
   if (const anim::Status begun = (*replay)->begin(*show); !begun) return begun.error().message;
   while (true) {
@@ -112,10 +116,10 @@ Fault ShowRounds::rest() {
   if (const anim::Status applied = show_->take(app::Apply{rest_tuning()}); !applied) return applied.error().message;
   const anim::Status replaced = show_->take(app::LoadModels{{models_->built_in}});
   if (!replaced) return replaced.error().message;
-  show_->width = rest_width;
-  show_->height = rest_height;
-  show_->camera = {};
-  show_->films = false;
+  show_->view().width = rest_width;
+  show_->view().height = rest_height;
+  show_->view().camera = {};
+  show_->view().films = false;
   const bool draws = show_->painter().draws();
   if (draws) {
     const anim::Status set = show_->painter().renderer().set_size({rest_width, rest_height});

@@ -15,7 +15,10 @@
 #include "app/files/progress_line.h"
 #include "app/settings/choices.h"
 #include "app/show/figures/statistics.h"
+#include "app/show/opened_show.h"
+#include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {
@@ -193,7 +196,7 @@ anim::Result<BenchReport> measure_drawing(const BenchOptions& options) {
     show_progress(std::to_string(agents) + " agents");
     const DemoOptions shown = shown_options(options, agents);
     StartError error;
-    const std::unique_ptr<Show> show = Show::create(shown, error);
+    const std::unique_ptr<Show> show = open_show(shown, error);
     if (show == nullptr) return anim::Error{error.message};
     show->painter().time_device();
     DrawnFrames frames(*show, options);

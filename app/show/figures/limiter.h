@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "app/show/stage/stage.h"
+#include "app/show/stage/stage_times.h"
 
 namespace throng::app {
 

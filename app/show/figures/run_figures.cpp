@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 
 void RunFigures::add_update(const Stage& stage, Clock::time_point start, double milliseconds) {

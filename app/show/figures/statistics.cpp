@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/files/byte_hash.h"
+#include "app/show/stage/stage.h"
 #include "engine/base/files/output_file.h"
 #include "engine/base/json/json.h"
 

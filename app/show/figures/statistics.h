@@ -7,10 +7,11 @@
 
 #include "app/show/figures/lod_sums.h"
 #include "app/show/figures/sample_counts.h"
-#include "app/show/stage/stage.h"
 #include "engine/base/result.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Names the context that drew the frames, as `--stats` has it.
 struct DrawnBy {
@@ -30,7 +31,7 @@ struct StartTimes {
 /// grow with the run.
 class Statistics {
  public:
-  StartTimes start;  ///< Show::create writes it
+  StartTimes start;  ///< open_show() writes it
 
   void add_update(double milliseconds);
   void add_drawn_frame(double milliseconds);

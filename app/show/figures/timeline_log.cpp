@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/anim/agent/animation_system.h"
+
 namespace throng::app {
 namespace {
 

@@ -6,7 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/run/program/task_content.h"
+
+namespace throng::anim {
+class AnimationSystem;
+}
 
 namespace throng::app {
 

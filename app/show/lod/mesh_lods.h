@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "app/character/source.h"
 #include "app/settings/settings.h"
 #include "engine/render/mesh/mesh_error_value.h"
 
@@ -36,8 +35,7 @@ float fine_below(const render::MeshError& shares, const MeshTolerance& tolerance
 /// Chooses the mesh LOD of each agent by the error that it shows on screen. A mesh LOD depends on no bone level.
 class MeshLods {
  public:
-  explicit MeshLods(std::span<const CharacterSource> characters)
-      : shares_(characters.size()), triangles_(characters.size()) {}
+  explicit MeshLods(std::size_t characters) : shares_(characters), triangles_(characters) {}
 
   /// Takes the errors of a character's mesh LODs, the full mesh first, in shares of the character's height, and their
   /// numbers of triangles.

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/anim/agent/frame_work.h"
-#include "engine/anim/run/scheduler.h"
+#include "engine/anim/run/update_report.h"
 
 namespace throng::app {
 

@@ -23,10 +23,9 @@
 #include "app/show/report/tuning_sweep.h"
 #include "app/show/report/viewer_report.h"
 #include "app/show/report/wardrobe_report.h"
-#include "engine/anim/agent/character_agents.h"
-#include "engine/anim/agent/frame_work.h"
+#include "engine/anim/agent/kind_memory.h"
 #include "engine/anim/lod/level_of_detail.h"
-#include "engine/anim/run/scheduler.h"
+#include "engine/anim/run/schedule_options.h"
 #include "engine/anim/survey/bone_lod.h"
 #include "engine/render/crowd_draw.h"
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/anim/agent/animation_system.h"
+
 namespace throng::app {
 namespace {
 

@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "app/show/report/swept_value.h"
-#include "engine/anim/agent/animation_system.h"
+
+namespace throng::anim {
+class AnimationSystem;
+}
 
 namespace throng::app {
 

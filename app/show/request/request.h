@@ -320,9 +320,10 @@ struct SetReplaySpeed {
 };
 
 using WindowRequest =
-    std::variant<SelectAt, OpenFiles, Undo, Redo, StepFrame, ShowExactCrowd, Tell, Quit, TakeScreenshot,
-                 ToggleRecording, CopyCamera, CopyCommandLine, ReloadShaders, ShowCharacter, TuneRules, StartSweep,
-                 StopSweep, LookAtFrame, LookAtLastFrames, FrameCrowd>;
+    std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine, ReloadShaders,
+                 ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame, LookAtLastFrames, FrameCrowd>;
+/// What the loop does with the frame in which it is asked for.
+using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, Quit>;
 using FileRequest = std::variant<SavePreset, LoadPreset, DeletePreset, LoadIntoOther, SaveCrowd, OpenCrowd, SaveRules,
                                  LoadRules, SaveRoles, SaveBody, SaveBones, ExportLod>;
 using CameraRequest =
@@ -330,6 +331,7 @@ using CameraRequest =
 using ViewerRequest = std::variant<View, ViewSelected, LeaveViewer, SetViewer, ScrubViewer, FaceFront, ApplyPreview>;
 using ReplayRequest = std::variant<ToggleReplayPause, ToggleReplayLoop, StepReplay, SeekReplay, SetReplaySpeed>;
 
-using Request = std::variant<CrowdRequest, WindowRequest, FileRequest, CameraRequest, ViewerRequest, ReplayRequest>;
+using Request =
+    std::variant<CrowdRequest, WindowRequest, FrameRequest, FileRequest, CameraRequest, ViewerRequest, ReplayRequest>;
 
 }  // namespace throng::app

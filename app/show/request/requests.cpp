@@ -6,6 +6,7 @@ namespace throng::app {
 
 void Requests::ask(CrowdRequest request) { all_.emplace_back(std::move(request)); }
 void Requests::ask(WindowRequest request) { all_.emplace_back(std::move(request)); }
+void Requests::ask(FrameRequest request) { all_.emplace_back(std::move(request)); }
 void Requests::ask(FileRequest request) { all_.emplace_back(std::move(request)); }
 void Requests::ask(CameraRequest request) { all_.emplace_back(std::move(request)); }
 void Requests::ask(ViewerRequest request) { all_.emplace_back(std::move(request)); }

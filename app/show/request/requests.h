@@ -13,6 +13,7 @@ class Requests {
  public:
   void ask(CrowdRequest request);
   void ask(WindowRequest request);
+  void ask(FrameRequest request);
   void ask(FileRequest request);
   void ask(CameraRequest request);
   void ask(ViewerRequest request);

@@ -90,7 +90,7 @@ PosedCrowd::PosedCrowd(std::span<const CharacterSource> characters, render::Pale
       shown_(slots_),
       exact_(slots_),
       meter_(characters),
-      mesh_lods_(characters),
+      mesh_lods_(characters.size()),
       frame_(first_frame) {
   learn_level_of_detail();
 }

@@ -19,18 +19,12 @@
 #include "app/show/lod/shown_poses.h"
 #include "app/show/stage/animated_crowd.h"
 #include "app/show/stage/kept_joints.h"
+#include "app/show/stage/stage_times.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/render/camera.h"
 #include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
-
-/// The milliseconds that the parts of the last frame took on the calling thread.
-struct StageTimes {
-  double crowd_ms = 0;      ///< Stage::move: where agents go, and which clips they play
-  double selection_ms = 0;  ///< which agents are in view, and how exactly each is posed
-  double pose_ms = 0;       ///< the rest of Stage::pose: slots, feet, palettes, errors
-};
 
 /// Tells the milliseconds since the last question, or since it was made.
 class StopWatch {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/show/stage/stage.h"
+
 namespace throng::app {
 
 void Rewind::watch(const Stage& stage) {

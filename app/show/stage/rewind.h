@@ -5,9 +5,10 @@
 #include <memory>
 
 #include "app/show/stage/moment.h"
-#include "app/show/stage/stage.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// A few snapshots of the crowd in the last seconds, to go back to.
 class Rewind {
@@ -27,9 +28,9 @@ class Rewind {
   /// Forgets all moments; call it when the crowd has started anew.
   void forget() { moments_.clear(); }
 
-  [[nodiscard]] std::size_t count() const { return moments_.size(); }
+  std::size_t count() const { return moments_.size(); }
   /// Returns the time from a moment, 0 the newest, to the stage's clock; 0 if there is no such moment.
-  [[nodiscard]] anim::Ticks age(const Stage& stage, std::size_t moment = 0) const;
+  anim::Ticks age(const Stage& stage, std::size_t moment = 0) const;
 
  private:
   std::deque<std::unique_ptr<StageMoment>> moments_;  // oldest first

@@ -5,6 +5,7 @@
 
 #include "app/people/wardrobe/cast_rules_text.h"
 #include "app/settings/option_values.h"
+#include "app/show/stage/stage.h"
 #include "engine/base/text/plain_text.h"
 
 namespace throng::app {

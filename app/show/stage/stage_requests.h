@@ -1,12 +1,13 @@
 #pragma once
 
 #include "app/show/request/request.h"
-#include "app/show/stage/stage.h"
 #include "engine/base/result.h"
 
 /// Requests that a stage carries out alone, without files and without the painter. Errors: they cannot be; then
 /// nothing has changed.
 namespace throng::app {
+
+class Stage;
 
 anim::Status carry_out(const SetShare& share, Stage& stage);
 anim::Status carry_out(const SetRoles& roles, Stage& stage);

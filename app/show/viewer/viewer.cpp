@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/settings/agent_colors.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app {
 namespace {

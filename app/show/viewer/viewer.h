@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "app/show/report/viewer_report.h"
-#include "app/show/stage/stage.h"
 #include "app/show/viewer/turntable.h"
 #include "app/show/viewer/viewed_character.h"
+#include "engine/render/agent_look.h"
 #include "engine/render/crowd_draw.h"
+#include "engine/render/instance_record.h"
+#include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
+
+class Stage;
 
 /// Shows one character of a stage alone, at the origin, at a time of its clips that a person sets. It is drawn so large
 /// that all its poses fill the same sphere, whatever its size. The stage waits meanwhile; the viewer borrows a palette

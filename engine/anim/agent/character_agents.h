@@ -7,19 +7,13 @@
 
 #include "engine/anim/agent/agent_graphs.h"
 #include "engine/anim/agent/agent_motion.h"
+#include "engine/anim/agent/kind_memory.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/program/agent_work.h"
 
 namespace throng::anim {
-
-/// The main memory that the blocks of one kind take: blocks of single agents, and blocks that agents share.
-struct KindMemory {
-  const char* kind = "";
-  PoolMemory own;
-  PoolMemory shared;
-};
 
 /// The blocks and graphs of all agents of a character at a moment.
 struct CharacterAgentsSnapshot {

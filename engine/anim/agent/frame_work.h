@@ -6,17 +6,9 @@
 
 #include "engine/anim/agent/fitted_scheduler.h"
 #include "engine/anim/run/agent_update.h"
+#include "engine/anim/run/update_report.h"
 
 namespace throng::anim {
-
-/// The figures of the last update.
-struct UpdateReport {
-  std::uint32_t agents_updated = 0;
-  std::uint64_t bones_evaluated = 0;
-  std::uint64_t palette_bytes = 0;
-  double predicted_nanoseconds = 0;  ///< time of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
-  CopyCounts copies;
-};
 
 /// The hashes of the palettes of all updates so far.
 struct FrameHashes {

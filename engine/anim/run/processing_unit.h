@@ -8,16 +8,9 @@
 #include "engine/anim/run/store/double_buffer.h"
 #include "engine/anim/run/store/local_store.h"
 #include "engine/anim/run/store/trace.h"
+#include "engine/anim/run/update_report.h"
 
 namespace throng::anim {
-
-/// The work that one PU did in one update.
-struct PuActivity {
-  std::uint32_t tasks = 0;
-  std::uint32_t agents = 0;
-  double busy_ms = 0;
-  CopyCounts copies;
-};
 
 /// A worker with a local memory of its own. It runs tasks of any kind through that memory.
 class alignas(block_alignment) ProcessingUnit {

@@ -11,22 +11,11 @@
 #include "engine/anim/run/processing_unit.h"
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/program/work_order.h"
+#include "engine/anim/run/schedule_options.h"
 #include "engine/anim/run/store/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
 
 namespace throng::anim {
-
-struct ScheduleOptions {
-  Schedule schedule = Schedule::fused;
-  DoubleBuffering double_buffering = DoubleBuffering::interleaved;
-  LocalStorePlan plan;
-  std::size_t local_store_bytes = 0;
-  int pus = 1;
-  CostModel cost{};
-  StorePolicy stores = StorePolicy::prefetched;
-  Tracing trace = Tracing::on;                              ///< the work of each PU is recorded, span by span
-  BlockChanges block_changes = BlockChanges::written_back;  ///< only for `fused`; `levels` writes all back
-};
 
 /// Poses the agents of a frame (paper 2.2.3, 2.2.5, 3.2). Here are the steps of an update, in this order, and why.
 ///

@@ -13,6 +13,7 @@
 #include "app/character/files.h"
 #include "app/character/gait_plane.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/base/aligned_bytes.h"
 
 namespace throng::app::gait_blend_test {

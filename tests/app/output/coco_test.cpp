@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app/character/files.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/asset/joint_list.h"
 #include "tests/app/show/recording/recorded_run.h"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 #include "tests/app/temporary_folder.h"
 

@@ -10,6 +10,8 @@
 #include "app/character/body_parts.h"
 #include "app/character/role_table.h"
 #include "app/show/kept_choices.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::body_test {

@@ -12,6 +12,9 @@
 
 #include "app/settings/tuning_values.h"
 #include "app/show/request/cast_options.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/program_run.h"
 #include "tests/app/show/recording/recorded_run.h"
 
@@ -65,7 +68,7 @@ TEST_F(CrowdFile, BringsBackTheCrowdThatWasSaved) {
   EXPECT_EQ(show->stage().people()[0].roles.share, 3.0);
   const RoleClips& clips = show->stage().people()[0].roles.clips;
   EXPECT_EQ(clips[index_of(Role::walk)], clips[index_of(Role::run)]);
-  EXPECT_EQ(show->camera.position, glm::vec3(1, 2, 3));
+  EXPECT_EQ(show->view().camera.position, glm::vec3(1, 2, 3));
   hash = hash_after(*show, 20);
   EXPECT_EQ(hash_after(*again(saved), 20), hash) << "the same crowd each time";
   EXPECT_EQ(crowd_setup(show->stage().people(), {show->stage().tuning(), {}}).characters,

@@ -7,6 +7,9 @@
 
 #include "app/show/agent_at.h"
 #include "app/show/request/request_json.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::crowd_requests_test {
@@ -32,8 +35,8 @@ TEST_F(CrowdRequests, SelectTheAgentThatIsSeenAtAPixel) {
   const auto bodies = bodies_in_view(show_->stage());
   ASSERT_FALSE(bodies.empty());
   const UprightBody& body = bodies.back();
-  show_->camera = {.position = body.foot + glm::vec3(0, 0.5F * body.height, 1.0F)};
-  const auto middle = glm::vec2(glm::ivec2(show_->width, show_->height)) * 0.5F;
+  show_->view().camera = {.position = body.foot + glm::vec3(0, 0.5F * body.height, 1.0F)};
+  const auto middle = glm::vec2(glm::ivec2(show_->view().width, show_->view().height)) * 0.5F;
   EXPECT_TRUE(show_->take(Select{agent_at(*show_, middle.x, middle.y)}));
   EXPECT_EQ(show_->stage().selected(), body.agent);
 }
@@ -41,7 +44,7 @@ TEST_F(CrowdRequests, SelectTheAgentThatIsSeenAtAPixel) {
 TEST_F(CrowdRequests, DeselectWhereAClickMeetsTheSky) {
   EXPECT_TRUE(show_->take(Select{3}));
   ASSERT_EQ(show_->stage().selected(), 3U);
-  show_->camera.pitch = 1.5F;
+  show_->view().camera.pitch = 1.5F;
   EXPECT_TRUE(show_->take(Select{agent_at(*show_, 1, 1)}));
   EXPECT_FALSE(show_->stage().selected());
 }

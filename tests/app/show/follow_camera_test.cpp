@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
 #include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 #include "tests/tracks/track_file.h"
 
@@ -38,14 +41,14 @@ class FollowsInShow : public testing::Test {
   }
   /// Returns where somebody is, seen by the camera: ahead and to the right.
   static glm::vec2 seen(const Show& show, std::size_t agent) {
-    const glm::vec3 way = show.stage().crowd().positions()[agent] - show.camera.position;
-    glm::vec3 ahead = render::forward(show.camera);
+    const glm::vec3 way = show.stage().crowd().positions()[agent] - show.view().camera.position;
+    glm::vec3 ahead = render::forward(show.view().camera);
     ahead = glm::normalize(glm::vec3(ahead.x, 0.0F, ahead.z));
-    return {glm::dot(way, ahead), glm::dot(way, render::right(show.camera))};
+    return {glm::dot(way, ahead), glm::dot(way, render::right(show.view().camera))};
   }
   static std::string refusal(const std::string& options) {
     StartError error;
-    EXPECT_EQ(Show::create(demo(options), error), nullptr);
+    EXPECT_EQ(open_show(demo(options), error), nullptr);
     return error.message;
   }
 
@@ -60,35 +63,35 @@ TEST_F(FollowsInShow, StaysBehindAndTurnsLazily) {
   EXPECT_GT(before.x, 3.0F);
   EXPECT_LT(before.x, 6.0F);
   EXPECT_LT(std::abs(before.y), 0.2F);
-  const float yaw = show->camera.yaw;
+  const float yaw = show->view().camera.yaw;
   pass(*show, 2.2);
-  EXPECT_LT(show->camera.yaw - yaw, 0.6F) << "it turns late";
+  EXPECT_LT(show->view().camera.yaw - yaw, 0.6F) << "it turns late";
   pass(*show, 4.5);
-  EXPECT_NEAR(show->camera.yaw - yaw, 1.5708F, 0.15F);
+  EXPECT_NEAR(show->view().camera.yaw - yaw, 1.5708F, 0.15F);
   EXPECT_LT(std::abs(seen(*show, 0).y), 0.4F);
   EXPECT_NEAR(seen(*show, 0).x, before.x, 0.3F);
 }
 
 TEST_F(FollowsInShow, WaitsForTheFirstRowAndStaysAtTheLast) {
   const auto show = this->show("--camera follow:bob");
-  const render::Camera before = show->camera;
+  const render::Camera before = show->view().camera;
   pass(*show, 3.5);
-  EXPECT_LT(glm::distance(show->camera.position, before.position), 1e-3F);
+  EXPECT_LT(glm::distance(show->view().camera.position, before.position), 1e-3F);
   pass(*show, 1.5);
-  EXPECT_GT(glm::distance(show->camera.position, before.position), 0.5F);
+  EXPECT_GT(glm::distance(show->view().camera.position, before.position), 0.5F);
   pass(*show, 2.0);
-  const render::Camera after = show->camera;
+  const render::Camera after = show->view().camera;
   pass(*show, 2.0);
-  EXPECT_LT(glm::distance(show->camera.position, after.position), 0.02F);
+  EXPECT_LT(glm::distance(show->view().camera.position, after.position), 0.02F);
 }
 
 TEST_F(FollowsInShow, GoesOnFromWhereAHandMovedIt) {
   const auto show = this->show("--camera follow:ann");
   pass(*show, 2.0);
-  show->camera.position.y += 3.0F;
-  const float height = show->camera.position.y;
+  show->view().camera.position.y += 3.0F;
+  const float height = show->view().camera.position.y;
   pass(*show, 2.0);
-  EXPECT_NEAR(show->camera.position.y, height, 0.01F);
+  EXPECT_NEAR(show->view().camera.position.y, height, 0.01F);
   EXPECT_LT(std::abs(seen(*show, 0).y), 0.2F);
 }
 
@@ -102,20 +105,20 @@ TEST_F(FollowsInShow, NamesWhomItDoesNotKnow) {
 TEST_F(FollowsInShow, FollowsAnAgentOfAnyCrowdByItsNumber) {
   const auto show = show_of(demo("--agents 12 --camera follow:#0"));
   pass(*show, 5.0);
-  EXPECT_NEAR(glm::distance(show->camera.position, show->stage().crowd().positions()[0]), 5.0F, 1.2F);
+  EXPECT_NEAR(glm::distance(show->view().camera.position, show->stage().crowd().positions()[0]), 5.0F, 1.2F);
 }
 
 TEST_F(FollowsInShow, EndsWithTheSelectionInAWindow) {
   const auto show = show_of(demo("--agents 12"));
   EXPECT_TRUE(show->take(Select{0}));
-  show->guide.follow_behind(FollowCamera(0), true);
+  show->view().guide.follow_behind(FollowCamera(0), true);
   pass(*show, 1.0);
-  EXPECT_TRUE(show->guide.follows_behind());
+  EXPECT_TRUE(show->view().guide.follows_behind());
   EXPECT_TRUE(show->take(Select{}));
-  const render::Camera before = show->camera;
+  const render::Camera before = show->view().camera;
   pass(*show, 1.0);
-  EXPECT_FALSE(show->guide.follows_behind());
-  EXPECT_EQ(show->camera, before);
+  EXPECT_FALSE(show->view().guide.follows_behind());
+  EXPECT_EQ(show->view().camera, before);
 }
 
 }  // namespace

@@ -8,7 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
 #include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 #include "tests/tracks/live/live_feed.h"
 #include "tests/tracks/track_file.h"
@@ -40,7 +43,7 @@ class LiveShow : public testing::Test {
   std::unique_ptr<Show> live(const std::string& options, const std::string& text) {
     feed_.send_all(text);
     StartError error;
-    auto show = Show::create(demo("--trajectories - " + options), error, feed_.read());
+    auto show = open_show(demo("--trajectories - " + options), error, feed_.read());
     EXPECT_NE(show, nullptr) << error.message;
     return show;
   }
@@ -91,7 +94,7 @@ TEST_F(LiveShow, EndsWithWhatItHasWhereTheTextIsWrong) {
   while (!is_over(*show)) animate(*show);
   EXPECT_EQ(absent_of(show->stage().crowd())[0], 0);
   EXPECT_FALSE(show->live()->status());
-  EXPECT_THAT(show->notice, HasSubstr("-: line 4: \"two\" is not a number"));
+  EXPECT_THAT(show->notice(), HasSubstr("-: line 4: \"two\" is not a number"));
 }
 
 TEST_F(LiveShow, HasItsWallsAboutTheFirstRow) {
@@ -133,9 +136,9 @@ TEST_F(LiveShow, HoldsAllThatCameInItsPicture) {
     text += "ann," + std::to_string(0.1 * row) + "," + std::to_string(0.4 * row) + ",0\n";
   const auto show = live("--agents 5", text);
   animate(*show);
-  const float before = show->camera.position.y;
+  const float before = show->view().camera.position.y;
   while (!is_over(*show)) animate(*show);
-  EXPECT_GT(show->camera.position.y, before + 3.0F);
+  EXPECT_GT(show->view().camera.position.y, before + 3.0F);
 }
 
 }  // namespace

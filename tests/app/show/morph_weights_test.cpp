@@ -9,6 +9,7 @@
 
 #include "app/show/camera/fly_camera.h"
 #include "app/show/picture.h"
+#include "app/show/stage/stage.h"
 
 namespace throng::app::morph_weights_test {
 namespace {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::painter_test {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/show/camera/fly_camera.h"
+#include "app/show/stage/stage.h"
 #include "tests/counting/hot_path_counter.h"
 
 namespace throng::app::picture_test {

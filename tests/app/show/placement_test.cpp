@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/character/bone_lod.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::placement_test {
@@ -41,7 +43,7 @@ TEST_F(Placements, MakeACharacterLarger) {
   const double height = person(*show).character->bounds.height;
   place(*show, 0, twice);
   EXPECT_NEAR(person(*show).character->bounds.height, 2.0 * height, 1e-3);
-  EXPECT_THAT(show->notice, HasSubstr("3.6 m tall: scaled by 2 as asked"));
+  EXPECT_THAT(show->notice(), HasSubstr("3.6 m tall: scaled by 2 as asked"));
   place(*show, 0, {});
   EXPECT_NEAR(person(*show).character->bounds.height, height, 1e-6) << "as it is guessed";
   for (int frame = 0; frame < 3; ++frame) show->animate(test::sixtieth);

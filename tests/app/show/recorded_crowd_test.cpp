@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/tracks/track_file.h"
@@ -40,7 +41,7 @@ TEST(ReplacedTrajectories, TakeThePlaceOfEverybodyAndOfEachOther) {
     EXPECT_EQ(show->stage().tuning().scene, Scene::tracks);
     EXPECT_EQ(show->stage().crowd().size(), static_cast<std::size_t>(count));
     EXPECT_TRUE(show->stage().crowd().tracks()->clock().repeats);
-    EXPECT_THAT(show->notice, HasSubstr(std::to_string(count) + " people"));
+    EXPECT_THAT(show->notice(), HasSubstr(std::to_string(count) + " people"));
   }
   test::change(*show, [](Tuning& tuning) { tuning.scene = Scene::plaza; });
   EXPECT_EQ(show->stage().crowd().tracks(), nullptr);

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/program_run.h"
 #include "tests/app/show/recording/recorded_run.h"
 
@@ -55,7 +57,7 @@ class CastShow : public test::RecordedRun {
 TEST_F(CastShow, HasAsManyAgentsOfEachAsItsShareAsksFor) {
   const auto show = show_of(demo(cast()));
   EXPECT_THAT(members(*show), ElementsAre(6, 6, 18));
-  EXPECT_THAT(show->notice, HasSubstr("broken.glb"));
+  EXPECT_THAT(show->notice(), HasSubstr("broken.glb"));
   EXPECT_TRUE(show->take(SetShare{2, 1.0}));
   EXPECT_THAT(members(*show), ElementsAre(10, 10, 10));
 }
@@ -75,7 +77,7 @@ TEST_F(CastShow, IsRepeatedWhereItWasDropped) {
     const anim::Status replaced = show.take(LoadModels{dropped});
     EXPECT_TRUE(replaced) << replaced.error().message;
     EXPECT_THAT(members(show), ElementsAre(4, 4, 4));
-    EXPECT_THAT(show.notice, HasSubstr("broken.glb"));
+    EXPECT_THAT(show.notice(), HasSubstr("broken.glb"));
   });
   EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 12 agents");
 }
@@ -83,7 +85,7 @@ TEST_F(CastShow, IsRepeatedWhereItWasDropped) {
 TEST_F(CastShow, OfAnotherFolderNamesNobodyThatWasLeftOutBefore) {
   const auto show = show_of(demo(cast()));
   ASSERT_TRUE(show->take(LoadModels{std::vector{plain()}}));
-  EXPECT_THAT(show->notice, testing::Not(HasSubstr("broken.glb")));
+  EXPECT_THAT(show->notice(), testing::Not(HasSubstr("broken.glb")));
 }
 
 TEST_F(CastShow, RefusesARecordingWithAShareThatIsNone) {

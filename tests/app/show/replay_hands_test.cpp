@@ -9,6 +9,9 @@
 
 #include "app/show/kept_choices.h"
 #include "app/show/replay.h"
+#include "app/show/show.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::replay_hands_test {

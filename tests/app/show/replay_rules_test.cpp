@@ -9,6 +9,8 @@
 
 #include "app/people/wardrobe/cast_rules_text.h"
 #include "app/show/request/crowd_file.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/program_run.h"
 #include "tests/app/show/recording/recorded_run.h"
 

@@ -9,6 +9,9 @@
 
 #include "app/commands/command_line/options.h"
 #include "app/settings/tuning_values.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/commands/command_line/command_words.h"
 #include "tests/app/program_run.h"
 #include "tests/app/show/recording/recorded_run.h"
@@ -31,8 +34,8 @@ void push_selected(Show& show) {
 
 /// What somebody does at the window before each of 120 frames.
 void act(Show& show, int frame) {
-  show.camera.position.x += 0.05F;
-  show.camera.yaw += 0.002F;
+  show.view().camera.position.x += 0.05F;
+  show.view().camera.yaw += 0.002F;
   if (frame == 10) change(show, [](Tuning& tuning) { tuning.lod.full_rate_distance = 3.0F; });
   if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = anim::LodRule::distance; });
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.lod.largest_interval = 3; });
@@ -50,7 +53,7 @@ void act(Show& show, int frame) {
     clips[index_of(Role::walk)] = clips[index_of(Role::run)];
     EXPECT_TRUE(show.take(SetRoles{0, clips}));
   }
-  if (frame == 110) show.width = 800;
+  if (frame == 110) show.view().width = 800;
 }
 
 using Replays = test::RecordedRun;

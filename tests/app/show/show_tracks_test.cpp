@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
 #include "app/show/path_in_view.h"
+#include "app/show/recording/recorder.h"
+#include "app/show/stage/rewind.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::show_tracks_test {
@@ -26,7 +30,7 @@ class ShowOfTracks : public test::TemporaryFolder {
   }
   std::string refusal(const std::string& more) const {
     StartError error;
-    return Show::create(options(more), error) == nullptr ? error.message : "";
+    return open_show(options(more), error) == nullptr ? error.message : "";
   }
   static const TrackClock& clock(const Show& show) { return show.stage().crowd().tracks()->clock(); }
 

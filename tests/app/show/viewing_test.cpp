@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/opened_show.h"
+#include "app/show/stage/stage.h"
+#include "app/show/viewer/viewer.h"
 #include "app/window/viewer_requests.h"
 #include "tests/app/show/recording/recorded_run.h"
 
@@ -54,7 +57,7 @@ TEST(ViewedCharacterOfACrowd, IsNoneWhereNoAgentIsSelected) {
 
 TEST(ViewedCharacterOfACrowd, GivesWayToTheFirstOfOthersThatCome) {
   const auto show = show_of(demo("--agents 4"));
-  ASSERT_TRUE(show->view({}));
+  ASSERT_TRUE(show->open_viewer({}));
   const std::vector<std::string> files = {THRONG_SOURCE_DIR "/tests/data/features/plain.glb"};
   ASSERT_TRUE(show->take(LoadModels{files}));
   ASSERT_NE(show->viewer(), nullptr);
@@ -73,7 +76,7 @@ TEST(ViewOnTheCommandLine, BeginsWithTheClipThatItNames) {
 
 TEST(ViewOnTheCommandLine, SaysWhichClipsComeNearest) {
   StartError error;
-  EXPECT_EQ(Show::create(demo("--agents 4 --view=wolk"), error), nullptr);
+  EXPECT_EQ(open_show(demo("--agents 4 --view=wolk"), error), nullptr);
   EXPECT_NE(error.message.find("nearest are"), std::string::npos) << error.message;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/show/show.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::frame_reporter_test {

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "app/show/crowd_framing.h"
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "app/window/window_camera.h"
 #include "tests/app/show/recording/recorded_run.h"
 #include "tests/app/window/panel/overlay_driver.h"
@@ -63,8 +66,8 @@ void expect_framed(Show& show) {
   for (const glm::ivec2 size : {glm::ivec2(1280, 720), {2560, 1440}, {600, 400}, {500, 1200}}) {
     SCOPED_TRACE(std::to_string(size.x) + "x" + std::to_string(size.y));
     const UiRectangle area = free_area(size);
-    show.width = size.x;
-    show.height = size.y;
+    show.view().width = size.x;
+    show.view().height = size.y;
     for (const float turned : {0.0F, 1.0F, 4.0F}) {
       for (const float pitch : {-0.1F, -0.5F, -1.4F}) {
         WindowCamera camera(show);

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/people/wardrobe/cast_rules_text.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "app/window/wardrobe_reporter.h"
 #include "tests/app/show/recording/recorded_run.h"
 

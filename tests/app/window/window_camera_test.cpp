@@ -6,6 +6,9 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
+#include "app/show/camera_guide.h"
+#include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::window_camera_test {

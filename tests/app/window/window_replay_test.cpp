@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/show/show.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::window_replay_test {
@@ -30,7 +33,7 @@ void reorder_bones(Show& show) {
 
 /// What somebody does before each of 60 frames: everything that a replay has to take back to begin anew.
 void act(Show& show, int frame) {
-  show.camera.position.x += 0.02F;
+  show.view().camera.position.x += 0.02F;
   if (frame == 10) test::ask(show, Select{3});
   if (frame == 12) expect_done(show.take(test::push_of_selected(show)));
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.agents = 25; });

@@ -15,6 +15,7 @@
 #include "app/show/camera/scenes.h"
 #include "app/show/picture.h"
 #include "app/show/pu_jobs.h"
+#include "app/show/stage/stage.h"
 #include "engine/anim/base/cores.h"
 #include "engine/render/passes/casters.h"
 #include "tests/benchmark/programs/program.h"

@@ -7,14 +7,9 @@
 #include "engine/anim/run/fused/tile_in_store.h"
 #include "engine/anim/run/fused/tile_lists.h"
 #include "engine/anim/run/store/copy_engine.h"
+#include "engine/anim/run/store/schedule.h"
 
 namespace throng::anim {
-
-/// The fate of the blocks that an update has changed in the local store.
-enum class BlockChanges : std::uint8_t {
-  written_back,
-  dropped,  ///< the update was only a look, and entities stay where they stand
-};
 
 /// Copies the blocks of a tile into a fetch buffer and back. It finds the address of a block once, when it fetches it,
 /// and writes the block back there. A shared source is fetched once a tile and never written back.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/anim/run/program/agent_work.h"
+#include "engine/anim/run/program/task_content.h"
 
 namespace throng::anim {
 
@@ -52,6 +53,26 @@ void for_each_run(std::span<const AgentRun> runs, std::size_t first, std::size_t
     const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(run.end(), first + count));
     if (begin < end) visit(AgentRun{run.program, begin - static_cast<std::uint32_t>(first), end - begin});
   }
+}
+
+inline TaskContent content_of(std::uint32_t agent, std::uint8_t bone_level) {
+  if ((agent & shared_owner) != 0) return {};
+  return {.first_agent = agent, .last_agent = agent, .agents = 1, .bone_level = bone_level};
+}
+
+inline TaskContent content_of(std::span<const AgentWork> tile) {
+  std::uint32_t first = tile.front().agent;
+  std::uint32_t last = first;
+  std::size_t next = 1;
+  while (next < tile.size() && tile[next].agent > last) last = tile[next++].agent;  // nearly always all of them
+  for (const AgentWork& work : tile.subspan(next)) {
+    first = std::min(first, work.agent);
+    last = std::max(last, work.agent);
+  }
+  return {.first_agent = first,
+          .last_agent = last,
+          .agents = static_cast<std::uint16_t>(tile.size()),
+          .bone_level = tile.front().level};
 }
 
 }  // namespace throng::anim

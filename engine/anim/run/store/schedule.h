@@ -17,6 +17,12 @@ enum class Schedule : std::uint8_t {
 ///                slices, as a controller would have them under way, and are here with the last slice
 enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 
+/// The fate of the blocks that an update has changed in the local store.
+enum class BlockChanges : std::uint8_t {
+  written_back,
+  dropped,  ///< the update was only a look, and entities stay where they stand
+};
+
 enum class Tracing : std::uint8_t {
   off,
   on,          ///< tasks too short to be timed one by one share a compute span, copies included: costs under 1%

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/app/program_run.h"
 #include "tests/own_folder.h"

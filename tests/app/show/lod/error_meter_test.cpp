@@ -281,7 +281,7 @@ class DisplacedBone : public testing::Test {
   ShownPoses shown_{slots_};
   ErrorMeter meter_{characters_};
   Tuning tuning_;
-  MeshLods mesh_lods_{characters_};
+  MeshLods mesh_lods_{characters_.size()};
   Crowd crowd_{Scene::grid, 1, 1, characters_.front().roles};
   render::Camera camera_{.position = crowd_.positions()[0] + glm::vec3(0.0F, 0.5F, 8.0F)};
   std::uint64_t frame_ = 0;

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/character/source.h"
+
 namespace throng::app::mesh_choice_test {
 namespace {
 
@@ -47,8 +49,7 @@ class MeshesWithinABudget : public testing::Test {
     return lods_.seen_px(tuning_, character_of_[at], lod, visible_[at].pixels_tall);
   }
 
-  std::vector<CharacterSource> characters_ = std::vector<CharacterSource>(2);
-  MeshLods lods_{characters_};
+  MeshLods lods_{2};
   Tuning tuning_{.error_px = 1.0F};
   std::vector<anim::VisibleAgent> visible_;
   std::vector<std::uint8_t> character_of_;

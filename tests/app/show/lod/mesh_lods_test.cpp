@@ -17,8 +17,7 @@ class ChosenMeshes : public testing::Test {
  protected:
   ChosenMeshes() { lods_.set(0, {{}, {0.004F, 0.002F}, {0.02F, 0.006F}}, {1000, 500, 100}); }
 
-  std::vector<CharacterSource> characters_ = std::vector<CharacterSource>(2);
-  MeshLods lods_{characters_};
+  MeshLods lods_{2};
   Tuning tuning_{.error_px = 1.0F};
 };
 

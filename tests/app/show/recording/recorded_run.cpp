@@ -6,7 +6,10 @@
 
 #include "app/commands/command_line/options.h"
 #include "app/files/byte_hash.h"
+#include "app/show/opened_show.h"
 #include "app/show/recording/bytes.h"
+#include "app/show/show_view.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/commands/command_line/command_words.h"
 
 namespace throng::app::test {
@@ -20,7 +23,7 @@ DemoOptions demo(const std::string& line) {
 
 std::unique_ptr<Show> show_of(const DemoOptions& options) {
   StartError error;
-  auto show = Show::create(options, error);
+  auto show = open_show(options, error);
   EXPECT_NE(show, nullptr) << error.message;
   return show;
 }
@@ -36,7 +39,7 @@ void ask(Show& show, const CrowdRequest& request) {
   EXPECT_TRUE(taken) << taken.error().message;
 }
 
-Push push_of_selected(const Show& show) { return {*show.stage().selected(), render::forward(show.camera)}; }
+Push push_of_selected(const Show& show) { return {*show.stage().selected(), render::forward(show.view().camera)}; }
 
 std::string with_true_checksum(std::string recording) {
   recording.resize(recording.size() - sizeof(std::uint64_t));

@@ -1,0 +1,217 @@
+#include "app/show/opened_show.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/character/files.h"
+#include "app/files/exit_status.h"
+#include "app/files/nearest_names.h"
+#include "app/files/progress_line.h"
+#include "app/files/start_line.h"
+#include "app/show/camera/fly_camera.h"
+#include "app/show/lod/mesh_lods.h"
+#include "app/show/show_parts.h"
+#include "app/show/stage/memory_needs.h"
+#include "engine/base/text/joined.h"
+#include "engine/tracks/file_plan.h"
+#include "engine/tracks/read.h"
+
+namespace throng::app {
+namespace {
+
+// So much of a start is done, by and large, when characters are there and when the crowd is.
+constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
+
+double milliseconds_since(RunFigures::Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
+}
+
+Tuning with_savings(Tuning tuning, const Spared& spared) {
+  if (spared.agents > 0) tuning.agents = spared.agents;
+  if (spared.shadows) tuning.shadows = tuning.crowd_shade = false;
+  if (spared.error_px == 0.0F) return tuning;
+  tuning.triangle_budget = spared.triangles;
+  tuning.error_px = spared.error_px;
+  tuning.mesh_error_px = spared.error_px * mesh_share_of_error;
+  return tuning;
+}
+
+std::shared_ptr<const Trajectories> read_tracks(const TrajectoryOptions& options, StartError& error) {
+  const auto show_share = [&](double share) {
+    show_progress("reading " + options.file + ": " + std::to_string(static_cast<int>(100.0 * share)) + "%");
+  };
+  auto read = read_trajectories(options.file, options.reading, show_share);
+  show_progress("");
+  if (!read) return fail(error, exit_job_failed, read.error().message), nullptr;
+  return std::make_shared<const Trajectories>(std::move(*read));
+}
+
+std::unique_ptr<LiveCrowd> open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error) {
+  GroundPlan plan;
+  const std::string& walls = options.trajectories.reading.walls;
+  if (!walls.empty()) {
+    auto read = read_ground_plan(walls, live->head()->origin);
+    if (!read) return fail(error, exit_job_failed, read.error().message), nullptr;
+    plan = std::move(*read);
+  }
+  const auto pace = options.context == ContextKind::window ? LiveCrowd::Pace::of_the_rows : LiveCrowd::Pace::of_the_run;
+  return std::make_unique<LiveCrowd>(std::move(live), static_cast<std::size_t>(options.tuning.agents), std::move(plan),
+                                     pace);
+}
+
+/// Takes a recorded crowd to the part and the moment that the command line names.
+bool begin_tracks(Stage& stage, const DemoOptions& options, StartError& error) {
+  const Trajectories* const all = stage.trajectories().get();
+  if (all == nullptr || all->is_live) return true;
+  TrackClock clock = stage.crowd().tracks()->clock();
+  const TrajectoryOptions& asked = options.trajectories;
+  const auto has = [clock](double seconds) { return seconds >= clock.first && seconds <= clock.last; };
+  const auto refuse = [&](const std::string& option) {
+    return fail(error, exit_usage,
+                option + ": " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
+                    std::to_string(clock.last) + " s of its clock");
+  };
+  if (asked.part && !(has(asked.part->first) && has(asked.part->second))) return refuse("--track-part");
+  if (asked.start && !has(*asked.start)) return refuse("--start");
+  clock.repeats = asked.repeats || options.context == ContextKind::window;
+  clock.rate = asked.rate.value_or(1.0);
+  if (asked.part) clock = with_part(clock, asked.part->first, asked.part->second);
+  if (asked.start && (*asked.start < clock.first || *asked.start > clock.last)) {
+    return fail(error, exit_usage, "--start: lies outside of the part that --track-part names");
+  }
+  clock.seconds = asked.start.value_or(clock.rate < 0.0 ? clock.last : clock.first);
+  stage.set_track_clock(clock);
+  return true;
+}
+
+bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
+                StartError& error) {
+  Tuning tuning = with_savings(options.tuning, show.painter->spared());
+  std::shared_ptr<const Trajectories> trajectories = show.live != nullptr ? show.live->trajectories() : nullptr;
+  if (show.live == nullptr && !options.trajectories.file.empty()) {
+    trajectories = read_tracks(options.trajectories, error);
+    if (trajectories == nullptr) return false;
+  }
+  if (trajectories != nullptr) tuning.agents = static_cast<int>(trajectories->persons.size());
+  if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
+    return fail(error, exit_job_failed, fits.error().message);
+  }
+  line.tell(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
+  const auto start = RunFigures::Clock::now();
+  auto stage = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), 0, std::move(trajectories));
+  show.figures.start().spawn_ms = milliseconds_since(start);
+  if (!stage) return fail(error, exit_usage, stage.error().message);
+  show.stage = std::move(*stage);
+  if (!begin_tracks(*show.stage, options, error)) return false;
+  if (options.events) show.stage->animated().sum_up_events();
+  if (!options.output.labels.empty()) {
+    if (const anim::Status kept = show.stage->posed().keep_joints(show.stage->animated().system()); !kept)
+      return fail(error, exit_job_failed, kept.error().message);
+  }
+  const int agents = tuning.agents;
+  if (!options.selected || *options.selected < agents) return true;
+  return fail(
+      error, exit_usage,
+      "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
+}
+
+// At a window the person is selected too, so that its card is there, and Esc ends it.
+bool follow_from_start(const std::string& name, ShowParts& show, const DemoOptions& options, StartError& error) {
+  const auto follow = follow_camera(*show.stage, name);
+  if (!follow) return fail(error, exit_usage, "--camera " + options.camera_name + ": " + follow.error().message);
+  const bool selects = options.context == ContextKind::window && follow->agent() && !options.selected;
+  if (selects) show.stage->select(follow->agent());
+  show.view.guide.follow_behind(*follow, selects);
+  show.view.camera = show.view.guide.moved(*show.stage, show.view.camera, false);
+  return true;
+}
+
+bool place_camera(ShowParts& show, const DemoOptions& options, StartError& error) {
+  constexpr std::string_view follows = "follow:";
+  ShowView& view = show.view;
+  const bool follows_person = options.camera_name.starts_with(follows);
+  const auto cameras = cameras_of(*show.stage, view.aspect());
+  const NamedCamera* named = find_camera(cameras, follows_person ? "" : options.camera_name);
+  if (named == nullptr) {
+    std::vector<std::string> names;
+    names.reserve(cameras.size());
+    for (const NamedCamera& each : cameras) names.emplace_back(each.name);
+    return fail(error, exit_usage,
+                "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
+  }
+  view.camera = camera_at(options.camera.value_or(named->place));
+  view.guide.take_path(options.camera_path, view.camera);
+  if (!options.camera_path_file.empty()) {
+    auto keys = read_camera_keys(options.camera_path_file);
+    if (!keys) return fail(error, exit_job_failed, keys.error().message);
+    view.camera = along(*keys, 0.0);
+    view.guide.take_path(CameraPath::none, view.camera);
+    view.guide.take_keys(std::move(*keys));
+  }
+  if (show.live != nullptr && !options.camera) view.guide.frame_live(std::string(named->name));
+  view.films = options.camera_path != CameraPath::none || !options.camera_path_file.empty() ||
+               (!options.camera && (options.camera_name.empty() || show.live != nullptr));
+  return !follows_person || follow_from_start(options.camera_name.substr(follows.size()), show, options, error);
+}
+
+bool begin_viewing(Show& show, const std::string& clip, StartError& error) {
+  ViewRequest request;
+  const std::vector<std::string>& names = show.stage().people().front().clip_names;
+  if (!clip.empty()) {
+    const auto found = std::ranges::find(names, clip);
+    if (found == names.end()) {
+      return fail(error, exit_usage,
+                  "--view=" + clip + ": the model has no such clip; nearest are " + nearest_names(clip, names));
+    }
+    request.clip = static_cast<int>(found - names.begin());
+  }
+  const anim::Status viewed = show.open_viewer(request);
+  return viewed ? true : fail(error, exit_job_failed, viewed.error().message);
+}
+
+}  // namespace
+
+std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, std::unique_ptr<LiveTracks> live) {
+  auto parts = std::make_unique<ShowParts>();
+  parts->view.width = options.width;
+  parts->view.height = options.height;
+  parts->models = {.options = load_options(options), .data = options.data, .left_out = {}};
+  StartTimes& times = parts->figures.start();
+  auto start = RunFigures::Clock::now();
+  const auto lap = [&start] { return milliseconds_since(std::exchange(start, RunFigures::Clock::now())); };
+  StartLine line;
+  line.tell(0, "reading characters");
+  auto cast = load_starting_characters(
+      options, error, [&line](double share, const std::string& what) { line.tell(share_of_characters * share, what); });
+  if (!cast) return nullptr;
+  line.tell(share_of_characters, "opening the device");
+  times.characters_ms = lap();
+  parts->models.left_out = std::move(cast->left_out);
+  if (!options.trace.empty()) parts->figures.keep_timeline();
+  auto painter = Painter::create(options);
+  if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
+  parts->painter = std::move(*painter);
+  times.device_ms = lap();
+  line.tell(share_of_characters, "");  // trajectories have lines of their own
+  if (live != nullptr) {
+    parts->live = open_live(options, std::move(live), error);
+    if (parts->live == nullptr) return nullptr;
+  }
+  if (!open_stage(*parts, std::move(cast->characters), options, line, error)) return nullptr;
+  start = RunFigures::Clock::now();
+  line.tell(share_of_crowd, "making meshes");
+  if (const anim::Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {
+    return fail(error, exit_job_failed, loaded.error().message), nullptr;
+  }
+  times.meshes_ms = lap();
+  if (!place_camera(*parts, options, error)) return nullptr;
+  auto show = std::make_unique<Show>(std::move(parts));
+  if (options.view && !begin_viewing(*show, *options.view, error)) return nullptr;
+  return show;
+}
+
+}  // namespace throng::app

@@ -39,7 +39,7 @@ struct Run {
   int operator()(const auto& options) const {
     const RunFiles files = files_of(options);
     if (const anim::Status checked = check(files); !checked) return end_with(exit_job_failed, checked.error().message);
-    for (const std::string& line : tend_to_parts(files)) end_with(exit_done, line);
+    for (const std::string& line : report_or_remove_parts(files)) end_with(exit_done, line);
     choose_kernels(options);
     return run(options);
   }

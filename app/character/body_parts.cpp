@@ -102,7 +102,7 @@ BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& r
   const std::vector<std::string> keys = bone_keys(skeleton);
   const anim::RigMap map = anim::find_rig(skeleton);
   BodyParts parts{.bones = keys,
-                  .said = source.rig,
+                  .chosen = source.rig,
                   .guessed = {},
                   .follows = what_follows(skeleton, map, rigs),
                   .refused = {},

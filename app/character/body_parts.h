@@ -20,7 +20,7 @@ struct CharacterSource;
 /// The parts of a character's body, as a person sees and chooses them.
 struct BodyParts {
   std::vector<std::string> bones;  ///< keys of all bones, sorted
-  std::vector<RigChoice> said;     ///< chosen by a person
+  std::vector<RigChoice> chosen;   ///< chosen by a person
   /// The bone of each part without a person's choice: the bone that the file names, or that names and shape suggest.
   /// Empty where none is certain.
   std::array<std::string, anim::body_role_count> guessed;

@@ -110,7 +110,7 @@ class CastLoader {
     for (const auto step : {&CastLoader::list, &CastLoader::read_all, &CastLoader::make_all}) {
       if (const anim::Status done = (this->*step)(); !done) return done.error();
     }
-    if (cast_.characters.empty()) return nobody();
+    if (cast_.characters.empty()) return no_characters();
     if (!unexplained_.empty()) {
       cast_.left_out.push_back("Left out as well: " + joined(unexplained_, ", ", " and ") + ".");
     }
@@ -300,10 +300,10 @@ class CastLoader {
     }
   }
 
-  anim::Error nobody() const {
+  anim::Error no_characters() const {
     if (!cast_.left_out.empty()) return {"there is no character to show: " + cast_.left_out.front()};
     const std::string first = entries_.empty() ? "" : plain_text(entries_.front().file) + ": ";
-    return {first + "there are clips and nobody to play them; give the file of a character with them"};
+    return {first + "there are clips and no character to play them; give the file of a character with them"};
   }
 
   std::span<const CastEntry> entries_;

@@ -19,7 +19,7 @@ constexpr glm::dvec3 hand{-0.34, 0.86, 0.12};  // of an actor at the origin, at 
 
 using Turn = glm::dquat;
 
-struct ScenePlace {
+struct ClipKey {
   glm::dvec3 position{0.0};
   Turn rotation{1.0, 0.0, 0.0, 0.0};
 };
@@ -41,7 +41,7 @@ anim::Clip clip_of(const std::string& name, double duration, const auto& place_a
   const int last = static_cast<int>(std::lround(duration * keys_a_second));
   for (int key = 0; key <= last; ++key) {
     const double seconds = duration * key / last;
-    const ScenePlace place = place_at(seconds);
+    const ClipKey place = place_at(seconds);
     bone.translation.times.push_back(static_cast<float>(seconds));
     bone.translation.values.emplace_back(place.position);
     bone.rotation.values.emplace_back(place.rotation);
@@ -52,12 +52,12 @@ anim::Clip clip_of(const std::string& name, double duration, const auto& place_a
 
 double turn(double seconds, double period) { return 2.0 * std::numbers::pi * seconds / period; }
 
-ScenePlace carried_at(double seconds, double size) {
+ClipKey carried_at(double seconds, double size) {
   const glm::dvec3 bob(0.0, 0.02 * std::sin(turn(seconds, 1.0)), 0.0);
   return {size * (hand + bob), glm::angleAxis(0.07 * std::sin(turn(seconds, 2.0)), glm::dvec3(0.0, 0.0, 1.0))};
 }
 
-ScenePlace rising_at(double seconds, double size) {
+ClipKey rising_at(double seconds, double size) {
   return {balloon_place(seconds, size), glm::angleAxis(0.16 * std::sin(1.3 * seconds), glm::dvec3(0.0, 0.0, 1.0))};
 }
 
@@ -132,7 +132,7 @@ glm::dvec3 through(const std::array<glm::dvec3, 4>& p, double t) {
   return 0.5 * (a + t * (b + t * (c + t * d)));
 }
 
-ScenePlace camera_at_time(double seconds, double size) {
+ClipKey camera_at_time(double seconds, double size) {
   std::size_t view = 0;
   while (view + 2 < views.size() && seconds >= views[view + 1].seconds) ++view;
   const double share = (seconds - views[view].seconds) / (views[view + 1].seconds - views[view].seconds);

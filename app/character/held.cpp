@@ -10,94 +10,94 @@ namespace {
 
 using enum anim::ClipRole;
 
-constexpr std::array<std::pair<std::string_view, Held>, 13> held_names{{{"handbag", Held::bag},
-                                                                        {"tote", Held::bag},
-                                                                        {"shopping_bag", Held::bag},
-                                                                        {"bag", Held::bag},
-                                                                        {"briefcase", Held::briefcase},
-                                                                        {"umbrella", Held::umbrella},
-                                                                        {"phone", Held::phone},
-                                                                        {"cup", Held::cup},
-                                                                        {"stick", Held::stick},
-                                                                        {"balloon", Held::balloon},
-                                                                        {"flag", Held::flag},
-                                                                        {"camera", Held::camera},
-                                                                        {"pushchair", Held::pushchair}}};
+constexpr std::array<std::pair<std::string_view, HeldThing>, 13> held_names{{{"handbag", HeldThing::bag},
+                                                                             {"tote", HeldThing::bag},
+                                                                             {"shopping_bag", HeldThing::bag},
+                                                                             {"bag", HeldThing::bag},
+                                                                             {"briefcase", HeldThing::briefcase},
+                                                                             {"umbrella", HeldThing::umbrella},
+                                                                             {"phone", HeldThing::phone},
+                                                                             {"cup", HeldThing::cup},
+                                                                             {"stick", HeldThing::stick},
+                                                                             {"balloon", HeldThing::balloon},
+                                                                             {"flag", HeldThing::flag},
+                                                                             {"camera", HeldThing::camera},
+                                                                             {"pushchair", HeldThing::pushchair}}};
 
 constexpr bool is_one_of(Role role, std::initializer_list<Role> roles) {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-constexpr bool takes_the_right_hand(Held held) { return held != Held::nothing && held != Held::child; }
+constexpr bool takes_the_right_hand(HeldThing held) { return held != HeldThing::nothing && held != HeldThing::child; }
 
 bool is_of_whole_body(Role role) { return is_one_of(role, {phone, call, drink, take_picture}); }
 
 }  // namespace
 
-Held held_named(std::string_view part) {
-  const auto* const found = std::ranges::find(held_names, part, &std::pair<std::string_view, Held>::first);
-  return found == held_names.end() ? Held::nothing : found->second;
+HeldThing held_named(std::string_view part) {
+  const auto* const found = std::ranges::find(held_names, part, &std::pair<std::string_view, HeldThing>::first);
+  return found == held_names.end() ? HeldThing::nothing : found->second;
 }
 
-std::optional<Role> arm_of(Held held) {
+std::optional<Role> arm_of(HeldThing held) {
   switch (held) {
-    case Held::bag:
-    case Held::briefcase:
+    case HeldThing::bag:
+    case HeldThing::briefcase:
       return carry;
-    case Held::umbrella:
-    case Held::balloon:
-    case Held::flag:
+    case HeldThing::umbrella:
+    case HeldThing::balloon:
+    case HeldThing::flag:
       return hold_up;
-    case Held::phone:
+    case HeldThing::phone:
       return hold_phone;
-    case Held::cup:
+    case HeldThing::cup:
       return drink;
-    case Held::camera:
+    case HeldThing::camera:
       return take_picture;
-    case Held::stick:
+    case HeldThing::stick:
       return stick;
-    case Held::child:
+    case HeldThing::child:
       return lead;
-    case Held::grown_up:
+    case HeldThing::grown_up:
       return led;
-    case Held::pushchair:
+    case HeldThing::pushchair:
       return push;
     default:
       return std::nullopt;
   }
 }
 
-bool arm_lies_over(Held held, Role role) {
-  if (held == Held::nothing || is_of_whole_body(role)) return false;
-  const bool is_light = held == Held::umbrella || held == Held::balloon || held == Held::phone;
+bool arm_lies_over(HeldThing held, Role role) {
+  if (held == HeldThing::nothing || is_of_whole_body(role)) return false;
+  const bool is_light = held == HeldThing::umbrella || held == HeldThing::balloon || held == HeldThing::phone;
   if (role == sit || role == sit_on_step) return is_light;
-  if (role == lean) return is_light || held == Held::bag || held == Held::briefcase;
-  if (held == Held::flag || held == Held::balloon) return !is_one_of(role, {wave, cheer});
+  if (role == lean) return is_light || held == HeldThing::bag || held == HeldThing::briefcase;
+  if (held == HeldThing::flag || held == HeldThing::balloon) return !is_one_of(role, {wave, cheer});
   return true;
 }
 
-bool is_in_hand(Held held, Role role) {
-  if (held == Held::nothing) return false;
-  if (role == phone || role == call) return held == Held::phone;
-  if (role == drink) return held == Held::cup;
-  if (role == take_picture) return held == Held::camera;
-  return arm_lies_over(held, role) || held == Held::flag || held == Held::balloon;
+bool is_drawn_in_role(HeldThing held, Role role) {
+  if (held == HeldThing::nothing) return false;
+  if (role == phone || role == call) return held == HeldThing::phone;
+  if (role == drink) return held == HeldThing::cup;
+  if (role == take_picture) return held == HeldThing::camera;
+  return arm_lies_over(held, role) || held == HeldThing::flag || held == HeldThing::balloon;
 }
 
-bool can_do(Held held, Role role) {
+bool allows_role(HeldThing held, Role role) {
   switch (role) {
     case phone:
     case call:
-      return held == Held::phone;
+      return held == HeldThing::phone;
     case drink:
-      return held == Held::cup;
+      return held == HeldThing::cup;
     case take_picture:
-      return held == Held::camera;
+      return held == HeldThing::camera;
     case wave:
     case cheer:
-      return !takes_the_right_hand(held) || held == Held::flag || held == Held::balloon;
+      return !takes_the_right_hand(held) || held == HeldThing::flag || held == HeldThing::balloon;
     case clap:
-      return held == Held::nothing;
+      return held == HeldThing::nothing;
     case jog:
     case run:
       return !is_one_of(arm_of(held).value_or(carry), {stick, push, lead, led, drink});

@@ -10,7 +10,7 @@
 namespace throng::app {
 
 /// The thing that an agent has in its hands.
-enum class Held : std::uint8_t {
+enum class HeldThing : std::uint8_t {
   nothing,
   bag,  ///< a handbag, a tote, a shopping bag
   briefcase,
@@ -28,16 +28,16 @@ enum class Held : std::uint8_t {
 inline constexpr std::size_t held_count = 13;
 
 /// Returns the thing that a part of this name is in a hand; nothing for other names.
-Held held_named(std::string_view part);
+HeldThing held_named(std::string_view part);
 
 /// Returns the role whose clip an arm plays while it holds the thing; nothing where no arm does.
-std::optional<Role> arm_of(Held held);
+std::optional<Role> arm_of(HeldThing held);
 /// Returns whether the arm's clip lies over the body's clip in a role. It does not where the hand has another way to
 /// hold the thing, or puts it away.
-bool arm_lies_over(Held held, Role role);
+bool arm_lies_over(HeldThing held, Role role);
 /// Returns whether the thing is in the hand in a role, or else is put away.
-bool is_in_hand(Held held, Role role);
+bool is_drawn_in_role(HeldThing held, Role role);
 /// Returns whether an agent that holds the thing may go over to a role.
-bool can_do(Held held, Role role);
+bool allows_role(HeldThing held, Role role);
 
 }  // namespace throng::app

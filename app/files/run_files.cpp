@@ -93,7 +93,7 @@ anim::Status check(const RunFiles& files) {
   return anim::Done{};
 }
 
-std::vector<std::string> tend_to_parts(const RunFiles& files) {
+std::vector<std::string> report_or_remove_parts(const RunFiles& files) {
   std::vector<std::string> lines;
   for (const auto& [option, file] : files.written) {
     if (file.empty() || file == standard_output || is_device_or_pipe(file)) continue;

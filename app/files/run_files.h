@@ -31,6 +31,6 @@ struct RunFiles {
 anim::Status check(const RunFiles& files);
 
 /// Names in a line each the remains of killed runs beside the files to write, or removes them and says so.
-std::vector<std::string> tend_to_parts(const RunFiles& files);
+std::vector<std::string> report_or_remove_parts(const RunFiles& files);
 
 }  // namespace throng::app

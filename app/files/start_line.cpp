@@ -21,7 +21,7 @@ std::string bar_text(double share, const std::string& what) {
   return "[" + std::string(done, '=') + std::string(width - done, ' ') + "] " + what;
 }
 
-// A thread shows the line, because the work may take long from one tell() to the next.
+// A thread shows the line, because the work may take long from one show() to the next.
 StartLine::StartLine() {
   if (!shows_progress()) return;
   try {
@@ -40,7 +40,7 @@ StartLine::~StartLine() {
   shows_.join();
 }
 
-void StartLine::tell(double share, std::string what) {
+void StartLine::show(double share, std::string what) {
   const std::scoped_lock lock(mutex_);
   share_ = share;
   what_ = std::move(what);

@@ -19,7 +19,7 @@ class StartLine {
 
   /// Names the step that begins now. `share` of 0 to 1 is done. Nothing is shown while `what` is empty, for other
   /// output. Any thread may call it.
-  void tell(double share, std::string what);
+  void show(double share, std::string what);
 
  private:
   void show();

@@ -90,7 +90,7 @@ bool Output::is_there(int frame) const {
 anim::Status Output::take(Show& show, int frame) {
   frames_ = frame;
   anim::Status taken = is_there(frame) ? use_again(frame) : draw(show, frame);
-  progress_.tell(frame);
+  progress_.show(frame);
   return taken;
 }
 

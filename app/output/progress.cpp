@@ -30,7 +30,7 @@ Progress::Progress(int frames) : frames_(frames) {}
 
 Progress::~Progress() { end(); }
 
-void Progress::tell(int frame) {
+void Progress::show(int frame) {
   constexpr std::chrono::milliseconds least_pause(250);
   const Clock::time_point now = Clock::now();
   if (now - told_ < least_pause) return;

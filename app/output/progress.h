@@ -16,7 +16,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void tell(int frame);
+  void show(int frame);
   /// Clears the line, for other output.
   void end();
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -68,9 +68,9 @@ anim::Status check_encoder(const std::filesystem::path& file) {
   if (!asked) return not_started(asked.error().message);
   const int status = asked->finish();
   const std::string encoder = encoder_of(file);
-  const std::string words = last_line(asked->said());
+  const std::string words = last_line(asked->answer());
   if (status != 0) return not_started(words.empty() ? "it ends with status " + std::to_string(status) : words);
-  if (asked->said().find(" " + encoder + " ") != std::string::npos) return anim::Done{};
+  if (asked->answer().find(" " + encoder + " ") != std::string::npos) return anim::Done{};
   return anim::Error{"--video " + file.string() + ": this ffmpeg has no encoder " + encoder +
                      "; install the package ffmpeg, or name a " + (is_webm(file) ? ".mp4" : ".webm")};
 }
@@ -105,13 +105,13 @@ anim::Status VideoFile::add(const render::Image& frame) {
 anim::Status VideoFile::finish() {
   const int status = encoder_.finish();
   if (status != 0) return ended("failed at the end of the video", status);
-  const bool is_whole = !file_.full_disk_in(encoder_.said()) && is_whole_video(file_.part());
+  const bool is_whole = !file_.full_disk_in(encoder_.answer()) && is_whole_video(file_.part());
   return is_whole ? file_.commit() : ended("left a video that is not whole", status);
 }
 
 anim::Error VideoFile::ended(const std::string& how, int status) const {
-  if (auto full = file_.full_disk_in(encoder_.said())) return *full;
-  const std::string words = last_line(encoder_.said());
+  if (auto full = file_.full_disk_in(encoder_.answer())) return *full;
+  const std::string words = last_line(encoder_.answer());
   return {file_.file().string() + ": ffmpeg " + how + " (status " + std::to_string(status) + ")" +
           (words.empty() ? "" : ": " + words) + "; write --pictures instead"};
 }

@@ -9,7 +9,7 @@ namespace {
 using anim::LodRule;
 using Reason = const char*;  // null: the value has an effect
 
-constexpr Reason nobody_selected = "it would be forced on the selected agent, and none is selected";
+constexpr Reason no_agent_selected = "it would be forced on the selected agent, and none is selected";
 constexpr Reason time_stands_still = "No animation is on, so time stands still";
 constexpr Reason nothing_drawn = "No drawing is on, so the picture stays";
 
@@ -78,12 +78,12 @@ Reason of_time_limit(const Tuning& tuning, const Situation&) {
 
 Reason of_forced_interval(const Tuning& tuning, const Situation& situation) {
   if (tuning.lod.rule == LodRule::off) return "with the rule off all agents are posed in each frame";
-  return tuning.inspection.force_selected_only && !situation.selected ? nobody_selected : nullptr;
+  return tuning.inspection.force_selected_only && !situation.selected ? no_agent_selected : nullptr;
 }
 
 Reason of_forced_level(const Tuning& tuning, const Situation& situation) {
   if (situation.bone_levels < 2) return "the character has one bone level";
-  return tuning.inspection.force_selected_only && !situation.selected ? nobody_selected : nullptr;
+  return tuning.inspection.force_selected_only && !situation.selected ? no_agent_selected : nullptr;
 }
 
 Reason of_selected_only(const Tuning& tuning, const Situation&) {

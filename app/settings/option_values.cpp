@@ -33,9 +33,9 @@ bool can_be_a_camera(const std::vector<double>& numbers) {
   return std::abs(numbers[4]) <= 90 && field_of_view_fits;
 }
 
-CameraPlace camera_from(const std::vector<double>& numbers) {
+CameraPose camera_from(const std::vector<double>& numbers) {
   const auto at = [&](std::size_t i) { return static_cast<float>(numbers[i]); };
-  CameraPlace place{.x = at(0), .y = at(1), .z = at(2), .yaw = at(3), .pitch = at(4)};
+  CameraPose place{.x = at(0), .y = at(1), .z = at(2), .yaw = at(3), .pitch = at(4)};
   if (numbers.size() == 6) place.field_of_view = at(5);
   return place;
 }
@@ -185,7 +185,7 @@ ValueReader camera(DemoOptions& options) {
       options.camera.reset();
       return any_text(options.camera_name)(text);
     }
-    options.camera = camera_place_in(text);
+    options.camera = camera_pose_in(text);
     if (!options.camera) {
       return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to "
              "90, fov 1 to 170";
@@ -194,7 +194,7 @@ ValueReader camera(DemoOptions& options) {
   };
 }
 
-std::optional<CameraPlace> camera_place_in(const std::string& text) {
+std::optional<CameraPose> camera_pose_in(const std::string& text) {
   const auto numbers = numbers_in(text);
   return numbers && can_be_a_camera(*numbers) ? std::optional(camera_from(*numbers)) : std::nullopt;
 }

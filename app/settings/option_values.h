@@ -65,11 +65,11 @@ ValueReader scale_above_zero(std::optional<double>& target);
 ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to most_picture_pixels
-ValueReader camera(DemoOptions& options);             ///< a name, follow:ID, or a text of camera_place_in()
+ValueReader camera(DemoOptions& options);             ///< a name, follow:ID, or a text of camera_pose_in()
 /// Returns the finite number in a text; nothing where it is none.
 std::optional<double> finite_number_in(const std::string& text);
 /// Returns a camera of x,y,z,yaw,pitch[,fov], in metres and degrees; nothing where the text is none.
-std::optional<CameraPlace> camera_place_in(const std::string& text);
+std::optional<CameraPose> camera_pose_in(const std::string& text);
 ValueReader sun(render::SceneLight& light);  ///< a time of day, or elevation,azimuth in degrees
 /// Reads the name of a SIMD target that this build has and this machine runs.
 ValueReader simd_target(const anim::Kernels*& target);

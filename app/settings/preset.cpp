@@ -32,7 +32,7 @@ Complaint take_value(const ValueReader& reader, const std::string& key, const Js
 }
 
 Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
-  if (key == "camera") return read_camera_place(key, value, preset.camera);
+  if (key == "camera") return read_camera_pose(key, value, preset.camera);
   const TuningValue* const row = find_tuning_value(key);
   if (row == nullptr) return "unknown key \"" + key + "\"; it knows camera, " + known_preset_keys();
   return take_value([&](const std::string& text) { return row->read(preset.tuning, text); }, key, value);
@@ -70,7 +70,7 @@ Json to_json(const Preset& preset) {
   return json;
 }
 
-Complaint read_camera_place(const std::string& key, const Json& json, std::optional<CameraPlace>& place) {
+Complaint read_camera_pose(const std::string& key, const Json& json, std::optional<CameraPose>& place) {
   DemoOptions options;
   Complaint complaint = take_value(camera(options), key, json);
   if (!complaint && !options.camera) complaint = "\"" + key + "\" must be x,y,z,yaw,pitch[,fov] in a string";
@@ -159,7 +159,7 @@ ValueReader set_values(Tuning& tuning) {
   };
 }
 
-std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera) {
+std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPose>& camera) {
   const Tuning expected = settled(defaults, tuning);
   std::string line, set;
   for (const TuningValue& row : tuning_values()) {
@@ -177,7 +177,7 @@ std::string command_line(const Tuning& tuning, const Tuning& defaults, const std
   return line;
 }
 
-std::string camera_text(const CameraPlace& place) {
+std::string camera_text(const CameraPose& place) {
   std::string text;
   for (const float number : {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view}) {
     text.append(text.empty() ? "" : ",").append(shortest_text(number));

@@ -16,7 +16,7 @@ namespace throng::app {
 /// The values that a person tuned, to come back to or to hand on.
 struct Preset {
   Tuning tuning;
-  std::optional<CameraPlace> camera;  ///< none: the camera stays where it is
+  std::optional<CameraPose> camera;  ///< none: the camera stays where it is
 };
 
 /// Returns one flat JSON object with the keys of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
@@ -26,7 +26,7 @@ Json to_json(const Preset& preset);
 /// and what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, Preset& preset);
 /// Reads the place of a camera, as "camera" has it. A complaint names the key.
-Complaint read_camera_place(const std::string& key, const Json& json, std::optional<CameraPlace>& place);
+Complaint read_camera_pose(const std::string& key, const Json& json, std::optional<CameraPose>& place);
 /// Reads a text, which may not be JSON, as from_json() does.
 Complaint from_json_text(std::string_view text, Preset& preset);
 
@@ -54,9 +54,9 @@ ValueReader set_values(Tuning& tuning);
 
 /// Returns the options that turn `defaults` into `tuning` and place the camera: "--agents 5000 --set
 /// full_rate_distance=20 --camera 0,2,9,0,-5,50". Values that do not differ are left out.
-std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera);
+std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPose>& camera);
 
 /// Returns the text that `--camera` takes: x,y,z,yaw,pitch,fov.
-std::string camera_text(const CameraPlace& place);
+std::string camera_text(const CameraPose& place);
 
 }  // namespace throng::app

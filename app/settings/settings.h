@@ -34,12 +34,12 @@ enum class Weather : std::uint8_t { mild, warm, cold, rain };
 enum class CameraPath : std::uint8_t { none, orbit, pan };
 
 /// The place of the camera: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
-struct CameraPlace {
+struct CameraPose {
   float x = 0, y = 0, z = 0;
   float yaw = 0, pitch = 0;
   float field_of_view = 50;
 
-  friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
+  friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
 /// Leaves out parts of a frame, to show the cost of each.
@@ -183,7 +183,7 @@ struct DemoOptions {
   bool shadows_given = false;      ///< a software renderer draws no shadows and no crowd shade unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
   bool force_software = false;     ///< EGL: never the graphics card; for tests
-  std::optional<CameraPlace> camera;
+  std::optional<CameraPose> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_path_file;                        ///< a path of keys in place of camera_path; empty: there is none
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first

@@ -105,7 +105,7 @@ anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& 
   if (all->is_live) return FollowCamera(name);
   std::vector<std::string> ids;
   for (const PersonTrack& person : all->persons) ids.push_back(person.id);
-  return anim::Error{all->file + " has nobody of that id; nearest are " + nearest_names(name, ids)};
+  return anim::Error{all->file + " has no person of that id; nearest are " + nearest_names(name, ids)};
 }
 
 }  // namespace throng::app

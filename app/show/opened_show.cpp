@@ -30,7 +30,7 @@ double milliseconds_since(RunFigures::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
 
-Tuning with_savings(Tuning tuning, const Spared& spared) {
+Tuning with_savings(Tuning tuning, const SoftwareSavings& spared) {
   if (spared.agents > 0) tuning.agents = spared.agents;
   if (spared.shadows) tuning.shadows = tuning.crowd_shade = false;
   if (spared.error_px == 0.0F) return tuning;
@@ -90,7 +90,7 @@ bool begin_tracks(Stage& stage, const DemoOptions& options, StartError& error) {
 
 bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
                 StartError& error) {
-  Tuning tuning = with_savings(options.tuning, show.painter->spared());
+  Tuning tuning = with_savings(options.tuning, show.painter->savings());
   std::shared_ptr<const Trajectories> trajectories = show.live != nullptr ? show.live->trajectories() : nullptr;
   if (show.live == nullptr && !options.trajectories.file.empty()) {
     trajectories = read_tracks(options.trajectories, error);
@@ -100,7 +100,7 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
   if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
-  line.tell(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
+  line.show(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
   const auto start = RunFigures::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), 0, std::move(trajectories));
   show.figures.start().spawn_ms = milliseconds_since(start);
@@ -184,11 +184,11 @@ std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, s
   auto start = RunFigures::Clock::now();
   const auto lap = [&start] { return milliseconds_since(std::exchange(start, RunFigures::Clock::now())); };
   StartLine line;
-  line.tell(0, "reading characters");
+  line.show(0, "reading characters");
   auto cast = load_starting_characters(
-      options, error, [&line](double share, const std::string& what) { line.tell(share_of_characters * share, what); });
+      options, error, [&line](double share, const std::string& what) { line.show(share_of_characters * share, what); });
   if (!cast) return nullptr;
-  line.tell(share_of_characters, "opening the device");
+  line.show(share_of_characters, "opening the device");
   times.characters_ms = lap();
   parts->models.left_out = std::move(cast->left_out);
   if (!options.trace.empty()) parts->figures.keep_timeline();
@@ -196,14 +196,14 @@ std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, s
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   parts->painter = std::move(*painter);
   times.device_ms = lap();
-  line.tell(share_of_characters, "");  // trajectories have lines of their own
+  line.show(share_of_characters, "");  // trajectories have lines of their own
   if (live != nullptr) {
     parts->live = open_live(options, std::move(live), error);
     if (parts->live == nullptr) return nullptr;
   }
   if (!open_stage(*parts, std::move(cast->characters), options, line, error)) return nullptr;
   start = RunFigures::Clock::now();
-  line.tell(share_of_crowd, "making meshes");
+  line.show(share_of_crowd, "making meshes");
   if (const anim::Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }

@@ -102,15 +102,15 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   const bool modest = is_on_software() && draws_live(options);
   const bool in_window = is_on_software() && options.context == ContextKind::window;
   const bool coarse = in_window && !options.error_given;
-  spared_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
-             .multisampling = modest && options.msaa < 0,
-             .shadows = modest && !options.shadows_given,
-             .error_px = coarse ? software_error_px : 0.0F,
-             .triangles = coarse ? software_triangles : 0};
+  savings_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
+              .multisampling = modest && options.msaa < 0,
+              .shadows = modest && !options.shadows_given,
+              .error_px = coarse ? software_error_px : 0.0F,
+              .triangles = coarse ? software_triangles : 0};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
-                  .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
+                  .samples = options.msaa >= 0 ? options.msaa : (savings_.multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
                   .lights_at_vertices = modest,
                   .lens = lens_of(options)});
@@ -132,7 +132,7 @@ DrawnBy Painter::drawn_by() const {
 
 std::string Painter::notice() const {
   if (context_ == nullptr) return {};
-  std::string notice = software_notice(context_->renderer(), spared_);
+  std::string notice = software_notice(context_->renderer(), savings_);
   if (lines_left_out() > 0) add_line(notice, plan_notice(lines_left_out(), most_plan_lines));
   return notice;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "app/show/lod/shown_poses.h"
 #include "app/show/morph_weights.h"
 #include "engine/render/crowd_draw.h"
 

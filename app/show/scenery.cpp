@@ -79,7 +79,7 @@ anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
                     roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
   if (placed_ == cause) return anim::Done{};
   placed_ = cause;
-  const Place place = place_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);
+  const Surroundings place = surroundings_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);
   ground_ = place.ground;
   std::vector<render::SceneryInstance> instances;
   std::vector<render::SceneryLamp> lamps;

@@ -10,6 +10,7 @@
 #include "app/people/place/place.h"
 #include "app/settings/settings.h"
 #include "engine/render/renderer.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 

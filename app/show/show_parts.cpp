@@ -12,7 +12,7 @@ std::string notice_of(const ShowParts& show) {
   for (const std::string& sentence : show.models.left_out) add_line(notice, sentence);
   if (stage.trajectories() != nullptr) add_line(notice, tracks_notice(*stage.trajectories()));
   if (show.live != nullptr) {
-    for (const std::string& sentence : show.live->said()) add_line(notice, sentence);
+    for (const std::string& sentence : show.live->remarks()) add_line(notice, sentence);
   }
   add_line(notice, import_notice(stage.people()));
   add_line(notice, placement_notice(stage.people()));

@@ -16,7 +16,7 @@ struct Look {
 };
 
 /// Stands at a side of the crowd at the height of eyes, and looks across.
-CameraPlace close_to(const FramedBox& box, float height) {
+CameraPose close_to(const FramedBox& box, float height) {
   const glm::vec3 middle = 0.5F * (box.low + box.high);
   return {middle.x, box.low.y + 0.95F * height, box.high.z + 2.5F * height, 0.0F, -5.0F, 50.0F};
 }

@@ -33,7 +33,7 @@ anim::Status write_screenshot(Show& show, const std::string& file) {
 }
 
 /// Tells why something failed, if it did. Returns whether it did not.
-bool tell(const anim::Status& outcome) {
+bool report(const anim::Status& outcome) {
   if (!outcome) end_with(exit_job_failed, outcome.error().message);
   return static_cast<bool>(outcome);
 }
@@ -42,20 +42,20 @@ bool tell(const anim::Status& outcome) {
 /// could.
 bool write_results(Show& show, const DemoOptions& options) {
   bool all = true;
-  if (!options.screenshot.empty()) all &= tell(write_screenshot(show, options.screenshot));
+  if (!options.screenshot.empty()) all &= report(write_screenshot(show, options.screenshot));
   if (!options.stats.empty()) {
-    all &= tell(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
+    all &= report(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
   }
   if (show.figures().timeline()) {
-    all &= tell(write_whole_file(options.trace, show.figures().timeline()->to_json()));
+    all &= report(write_whole_file(options.trace, show.figures().timeline()->to_json()));
   }
   return all;
 }
 
 // A full disk is said when it happens, not hours later.
-void tell_once(const anim::Status& outcome, bool& told) {
-  if (!told) tell(outcome);
-  told = !outcome;
+void report_once(const anim::Status& outcome, bool& reported) {
+  if (!reported) report(outcome);
+  reported = !outcome;
 }
 
 /// Draws one of several frames that are all drawn, or lets the output do it.
@@ -79,14 +79,14 @@ anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) 
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
-  bool last = false, told = false;
+  bool last = false, reported = false;
   for (int frame = 1; !last; ++frame) {
     while (asked_to_stop() == 0 && !show.has_rows_for(step, std::chrono::milliseconds(100))) {
     }
     show.animate(step);
     const LiveCrowd* const live = show.live();
     last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
-    tell_once(show.recorder().outcome(), told);
+    report_once(show.recorder().outcome(), reported);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
     if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
@@ -164,13 +164,13 @@ int run_show(const DemoOptions& options, Replay* replay) {
   const StopSignals signals;
   StartError error;
   auto live = open_live_input(options);
-  if (!live) return tell(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
+  if (!live) return report(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
   const std::unique_ptr<Show> show = open_show(options, error, std::move(*live));
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
-  const bool ran = tell(run_in_words(*show, options, replay));
-  const bool recorded = tell(show->stop_recording());
+  const bool ran = report(run_in_words(*show, options, replay));
+  const bool recorded = report(show->stop_recording());
   if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
-  if (replay != nullptr && !tell(say_what_was_repeated(*replay, options))) return exit_job_failed;
+  if (replay != nullptr && !report(say_what_was_repeated(*replay, options))) return exit_job_failed;
   if (options.context != ContextKind::window) say_on_stderr(show->notice());
   return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }

@@ -77,7 +77,7 @@ void DroppedTracks::read(WindowSession& session) const {
   const std::size_t people = tracks->persons.size();
   Show& show = session.show;
   const anim::Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
-  if (!session.messages().tell(shown)) return;
+  if (!session.messages().report(shown)) return;
   session.editor.follow();
   session.camera.put(place_of(show.view().camera), show);
   session.reporter.describe_characters(show);

@@ -22,8 +22,8 @@ void FileRequests::take(const FileRequest& request) {
 void FileRequests::carry_out(const SavePreset& asked) {
   const std::filesystem::path file = preset_file(asked.preset);
   const Tuning& tuning = session_.editor.tuning();
-  if (!messages().tell(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + file.string())) return;
-  session_.unkept.keep(tuning, overlay_.tuning_pair());
+  if (!messages().report(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + file.string())) return;
+  session_.unsaved.keep(tuning, overlay_.tuning_pair());
   session_.reporter.set_preset_names(preset_names());
 }
 
@@ -37,8 +37,8 @@ void FileRequests::carry_out(const DeletePreset& asked) {
   const std::filesystem::path file = preset_file(asked.preset);
   std::error_code failed;
   std::filesystem::remove(file, failed);
-  messages().tell(failed ? anim::Status(anim::Error{file.string() + ": " + failed.message()}) : anim::Done{},
-                  "Deleted " + file.string());
+  messages().report(failed ? anim::Status(anim::Error{file.string() + ": " + failed.message()}) : anim::Done{},
+                    "Deleted " + file.string());
   session_.reporter.set_preset_names(preset_names());
 }
 
@@ -46,7 +46,7 @@ void FileRequests::carry_out(const LoadIntoOther& asked) {
   const anim::Result<Preset> preset = read_preset(preset_file(asked.preset));
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
   overlay_.tuning_pair().take_other(preset->tuning, asked.preset);
-  session_.unkept.keep_other(preset->tuning);
+  session_.unsaved.keep_other(preset->tuning);
 }
 
 void FileRequests::carry_out(const SaveCrowd& asked) {
@@ -55,9 +55,9 @@ void FileRequests::carry_out(const SaveCrowd& asked) {
   CrowdSetup setup = crowd_setup(session_.show.stage().people(), {tuning, session_.camera.place()});
   setup.pair = overlay_.tuning_pair();
   setup.bookmarks = session_.camera.bookmarks();
-  if (!messages().tell(write_crowd_file(file, setup), "Wrote " + file.string())) return;
-  session_.unkept.keep(tuning);
-  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
+  if (!messages().report(write_crowd_file(file, setup), "Wrote " + file.string())) return;
+  session_.unsaved.keep(tuning);
+  if (setup.pair.has_two()) session_.unsaved.keep_other(setup.pair.other());
   session_.reporter.set_crowd_names(crowd_names("."));
 }
 
@@ -76,7 +76,7 @@ const CharacterSource& FileRequests::character() const { return session_.show.st
 
 void FileRequests::take_kept(const CrowdSetup& setup) {
   overlay_.tuning_pair() = setup.pair;
-  if (setup.pair.has_two()) session_.unkept.keep_other(setup.pair.other());
+  if (setup.pair.has_two()) session_.unsaved.keep_other(setup.pair.other());
   session_.camera.take_bookmarks(setup.bookmarks);
 }
 
@@ -84,7 +84,7 @@ void FileRequests::take(const Preset& preset) {
   Tuning tuning = preset.tuning;
   tuning.inspection = session_.editor.tuning().inspection;
   if (!session_.editor.take(Apply{tuning})) return;
-  session_.unkept.keep(session_.editor.tuning(), overlay_.tuning_pair());
+  session_.unsaved.keep(session_.editor.tuning(), overlay_.tuning_pair());
   if (preset.camera) session_.camera.put(*preset.camera, session_.show);
 }
 

@@ -164,13 +164,13 @@ void FrameReporter::describe_bones(const anim::Character& character) {
   }
 }
 
-void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms) {
+void FrameReporter::update(const Show& show, const CameraPose& camera, double frame_ms) {
   const anim::AnimationSystem& system = show.stage().system();
   if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
     describe_characters(show);  // a replay has others from here on
   }
   const CharacterSource& shown = show.stage().characters()[report_.character];
-  if (shown.character != described_ || shown.rig != report_.body.said) describe_character(show, report_.character);
+  if (shown.character != described_ || shown.rig != report_.body.chosen) describe_character(show, report_.character);
   if (show.stage().tuning().scene != described_scene_) {
     described_scene_ = show.stage().tuning().scene;
     read_standard_rules(show.stage(), report_.character, report_.wardrobe);  // it has other styles

@@ -32,7 +32,7 @@ class FrameReporter {
   void refuse_body(anim::BodyRole part, const std::string& why);
 
   /// Reports a frame that was animated and drawn. `frame_ms` is the time from its start to its end.
-  void update(const Show& show, const CameraPlace& camera, double frame_ms);
+  void update(const Show& show, const CameraPose& camera, double frame_ms);
   /// Reports a recording that begins, until the show records no more.
   void report_recording(const std::string& file) {
     report_.recording = {.file = file, .began_at = report_.messages.now()};
@@ -53,7 +53,7 @@ class FrameReporter {
   /// Reports whether the last change was made to an order of bones.
   void report_undo(bool is_of_bones) { report_.can_undo_bones = is_of_bones; }
   /// Reports the camera of the frame that begins.
-  void see_from(const CameraPlace& camera) { report_.camera = camera; }
+  void see_from(const CameraPose& camera) { report_.camera = camera; }
 
   /// Does what app::fix_measured does.
   anim::Status fix_measured(const std::filesystem::path& report_file) {

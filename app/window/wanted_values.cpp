@@ -22,7 +22,7 @@ void show_wanted_values(WindowSession& session, bool exact_crowd) {
     if (given) return;
     sweep.refuse(given.error().message);
   }
-  session.messages().tell(give(exact_crowd ? without_level_of_detail(tuning) : tuning, session.show));
+  session.messages().report(give(exact_crowd ? without_level_of_detail(tuning) : tuning, session.show));
 }
 
 // Frames in which no agent was posed, or the exact crowd was, tell nothing.

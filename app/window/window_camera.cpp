@@ -74,7 +74,7 @@ void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
   if (const auto& kept = bookmarks_.at(asked.place)) put(*kept, show);
 }
 
-void WindowCamera::put(const CameraPlace& place, Show& show) {
+void WindowCamera::put(const CameraPose& place, Show& show) {
   fly_.set_camera(camera_at(place));
   show.view().films = false;
   was_put_ = true;

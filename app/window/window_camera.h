@@ -27,7 +27,7 @@ class WindowCamera {
   /// Carries out the person's requests.
   void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
-  void put(const CameraPlace& place, Show& show);
+  void put(const CameraPose& place, Show& show);
   /// Moves the camera until the whole crowd is seen in `area` of the picture, in pixels from the top left.
   void frame_crowd(const UiRectangle& area, Show& show);
 
@@ -37,7 +37,7 @@ class WindowCamera {
   void take_back(const Show& show);
 
   const render::Camera& camera() const { return fly_.camera(); }
-  CameraPlace place() const { return fly_.place(); }
+  CameraPose place() const { return fly_.place(); }
   /// Returns the places that the person keeps.
   const CameraBookmarks& bookmarks() const { return bookmarks_; }
   /// Takes other places for the kept ones.

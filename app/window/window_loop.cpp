@@ -101,13 +101,13 @@ class WindowLoop {
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
-    reporter.messages().tell(show.recorder().outcome());
+    reporter.messages().report(show.recorder().outcome());
     done_ = !failed_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
             asked_to_stop() != 0;
   }
 
   bool may_leave() {
-    if (replay_ || !session_.unkept.ask_about(session_.editor.tuning(), overlay_.tuning_pair())) return true;
+    if (replay_ || !session_.unsaved.ask_about(session_.editor.tuning(), overlay_.tuning_pair())) return true;
     session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
     overlay_.set_hidden(false);  // which shows the message
     return false;
@@ -144,7 +144,7 @@ class WindowLoop {
   void write_ui_map() {
     const std::string& file = session_.options.ui_map;
     if (file.empty()) return;
-    session_.messages().tell(
+    session_.messages().report(
         write_whole_file(file, to_json(overlay_.ui_map(), session_.editor.tuning(), session_.reporter.report()),
                          OutputFile::Sync::system));
   }

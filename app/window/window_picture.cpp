@@ -21,7 +21,7 @@ void WindowPicture::fit_to_window() {
   const glm::ivec2 size = show_.painter().context().framebuffer_size();
   minimised_ = size.x <= 0 || size.y <= 0;
   if (minimised_ || size == glm::ivec2(view.width, view.height)) return;
-  const bool fits = messages_.tell(show_.painter().renderer().set_size(size));
+  const bool fits = messages_.report(show_.painter().renderer().set_size(size));
   if (!fits) return;  // the picture keeps its size and is stretched
   view.width = size.x;
   view.height = size.y;
@@ -41,7 +41,7 @@ anim::Status WindowPicture::present(Overlay& overlay) {
   }
   anim::Status drawn = show_.draw();
   const bool is_first = show_.stage().posed().frame() <= 1;
-  if (messages_.tell(drawn) || !is_first) drawn = anim::Done{};
+  if (messages_.report(drawn) || !is_first) drawn = anim::Done{};
   renderer.draw_overlay(*overlay.draw_data());
   renderer.present();
   return drawn;
@@ -52,7 +52,7 @@ void WindowPicture::build_saved_shaders(Clock::time_point now) {
   next_look_at_shaders_ = now + std::chrono::milliseconds(500);
   render::Renderer& renderer = show_.painter().renderer();
   if (renderer.shaders_are_out_of_date()) {
-    messages_.tell(renderer.reload_shaders(), "Built the shaders, which were saved");
+    messages_.report(renderer.reload_shaders(), "Built the shaders, which were saved");
   }
 }
 

@@ -62,14 +62,14 @@ void WindowRequests::take(const WindowRequest& request) {
 void WindowRequests::take(const ViewerRequest& request) {
   const bool applies = std::holds_alternative<ApplyPreview>(request);
   const auto roles = applies ? previewed_roles(session_.show) : std::nullopt;
-  messages().tell(app::take(request, session_.show));
+  messages().report(app::take(request, session_.show));
   if (roles) session_.editor.take(*roles);
 }
 
 // An error limit that a person sets goes before the triangles that a device affords, as on the command line.
 void WindowRequests::lift_triangle_limit(Tuning& tuning) {
   const Tuning& before = session_.editor.tuning();
-  const int afforded = session_.show.painter().spared().triangles;
+  const int afforded = session_.show.painter().savings().triangles;
   const bool sets_error = tuning.error_px != before.error_px || tuning.mesh_error_px != before.mesh_error_px;
   if (!sets_error || afforded == 0 || tuning.triangle_budget != afforded) return;
   tuning.triangle_budget = 0;
@@ -93,9 +93,10 @@ void WindowRequests::carry_out(const OpenFiles& asked) {
 void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {
   Show& show = session_.show;
   const std::string file = session_.reporter.report().recording.file;
-  if (show.recorder().is_recording()) return static_cast<void>(messages().tell(show.stop_recording(), "Wrote " + file));
+  if (show.recorder().is_recording())
+    return static_cast<void>(messages().report(show.stop_recording(), "Wrote " + file));
   const std::string unused = unused_file(".rec", recordings_);
-  if (!messages().tell(show.start_recording(unused))) return;
+  if (!messages().report(show.start_recording(unused))) return;
   session_.reporter.report_recording(unused);
   messages().say("The crowd begins anew and is recorded; R writes " + unused);
 }
@@ -114,7 +115,7 @@ void WindowRequests::copy(const std::string& options) {
 }
 
 void WindowRequests::carry_out(const ReloadShaders& /*asked*/) {
-  messages().tell(session_.show.painter().renderer().reload_shaders(), "Built the shaders again");
+  messages().report(session_.show.painter().renderer().reload_shaders(), "Built the shaders again");
 }
 
 void WindowRequests::carry_out(const ShowCharacter& asked) {
@@ -130,8 +131,8 @@ void WindowRequests::carry_out(const StartSweep& asked) {
 void WindowRequests::take_screenshot() {
   const std::string file = unused_file(".png", screenshots_);
   Painter& painter = session_.show.painter();
-  messages().tell(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
-                  "Wrote " + file);
+  messages().report(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
+                    "Wrote " + file);
 }
 
 }  // namespace throng::app

@@ -9,7 +9,7 @@ namespace throng::app {
 WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
     : show(show_in_window),
       options(given),
-      unkept(show.stage().tuning()),
+      unsaved(show.stage().tuning()),
       input(show.painter().context().window()),
       camera(show),
       reporter(show),

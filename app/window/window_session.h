@@ -4,7 +4,7 @@
 #include "app/show/report/tuning_sweep.h"
 #include "app/window/crowd_editor.h"
 #include "app/window/frame_reporter.h"
-#include "app/window/unkept_values.h"
+#include "app/window/unsaved_values.h"
 #include "app/window/window_camera.h"
 #include "app/window/window_input.h"
 
@@ -20,7 +20,7 @@ struct WindowSession {
 
   Show& show;
   const DemoOptions& options;
-  UnkeptValues unkept;
+  UnsavedValues unsaved;
   WindowInput input;
   WindowCamera camera;
   FrameReporter reporter;

@@ -13,6 +13,7 @@
 #include "assets/sheet/contact_sheet.h"
 #include "assets/sheet/studio.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/blend_space_2d_channel.h"
 
 namespace throng::sheet {
 namespace {

@@ -138,7 +138,7 @@ void add_doubts(const RowFacts& facts, Trajectories& tracks) {
   if (of_unit.empty()) of_unit = doubt_of_speeds(facts, tracks);
   for (std::string doubt : {std::move(of_unit), doubt_of_statures(tracks), doubt_of_heights(facts, tracks),
                             doubt_of_place(tracks, people), doubt_of_shapes(tracks.plan)}) {
-    if (!doubt.empty()) tracks.said.push_back(std::move(doubt));
+    if (!doubt.empty()) tracks.remarks.push_back(std::move(doubt));
   }
 }
 

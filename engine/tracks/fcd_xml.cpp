@@ -127,7 +127,7 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
   parser.when_people_come([&] { tracks.blocks.clear(); });
   ProgressClock clock(progress);
   std::string piece(piece_bytes, '\0');
-  std::vector<std::string> said;
+  std::vector<std::string> remarks;
   std::size_t done = 0;
   for (bool is_last = false; !is_last;) {
     const auto read = input->read(std::as_writable_bytes(std::span(piece)));
@@ -137,19 +137,19 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
     const bool is_read = parser.read({piece.data(), *read}, is_last);
     if (!is_read && parser.ends_early() && options.lenient) {
       const std::string& fault = parser.fault();
-      said.push_back("The file ends early, in " + fault.substr(0, fault.find(':')) +
-                     "; its rows up to there are read.");
+      remarks.push_back("The file ends early, in " + fault.substr(0, fault.find(':')) +
+                        "; its rows up to there are read.");
     } else if (!is_read) {
       if (sink.ids.size() > most_people) return too_many_people(file);
       return parser.is_row_at_fault() ? row_error(file, parser.fault(), "") : Error{file + ": " + parser.fault()};
     }
     if (!sink.rows.empty()) tracks.blocks.push_back({take_rows_of(sink), 0});
-    clock.tell(static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(input->size(), 1)));
+    clock.show(static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(input->size(), 1)));
   }
   tracks.facts = fcd_facts();
   tracks.facts.format += parser.has_people() ? "" : " of vehicles";
   tracks.facts.has_z = parser.has_z();
-  tracks.facts.said = std::move(said);
+  tracks.facts.remarks = std::move(remarks);
   tracks.tables.push_back(std::move(sink.ids));
   tracks.bad_rows = parser.bad_rows();
   tracks.first_bad_row = parser.first_bad_row();

@@ -118,7 +118,7 @@ bool read_page_rows(const std::string& file, const Database::Table& table, const
                                        [&] { return take_row(values, columns, ids, part.sink); });
       if (!is_read || part.sink.ids.size() > most_people) is_usual = false;
       part.blocks.emplace_back(first, RowBlock{take_rows_of(part.sink), thread});
-      if (thread == 0) clock.tell(static_cast<double>(last) / static_cast<double>(leaf_count));
+      if (thread == 0) clock.show(static_cast<double>(last) / static_cast<double>(leaf_count));
     }
   });
   if (!is_usual) return false;

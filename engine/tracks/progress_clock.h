@@ -11,7 +11,7 @@ class ProgressClock {
  public:
   explicit ProgressClock(const ReadProgress& progress) : progress_(progress) {}
 
-  void tell(double share) {
+  void show(double share) {
     const auto now = std::chrono::steady_clock::now();
     if (!progress_ || now - last_ < std::chrono::milliseconds(90)) return;
     last_ = now;

@@ -86,7 +86,7 @@ struct RowFacts {
   bool has_z = false;
   bool z_is_head = false;
   bool repeats_ends = false;  ///< a row at the time and place of the row before is no duplicate
-  std::vector<std::string> said = {};
+  std::vector<std::string> remarks = {};
 };
 
 /// Takes the rows of one thread.

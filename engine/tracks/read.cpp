@@ -46,14 +46,14 @@ void take_scenario(const std::string& file, const TrackReading& options, RawTrac
   if (!scenario_file) return;
   auto scenario = scenario_in(*scenario_file);
   if (!scenario) {
-    tracks.facts.said.push_back(*scenario_file + " is left out: " + scenario.error().message +
-                                "; --walls gives the place.");
+    tracks.facts.remarks.push_back(*scenario_file + " is left out: " + scenario.error().message +
+                                   "; --walls gives the place.");
     return;
   }
   if (tracks.facts.has_frames) tracks.facts.rate = 1.0 / scenario->seconds_a_step;
   if (!options.walls.empty()) return;
   tracks.plan = std::move(scenario->plan);
-  tracks.facts.said.push_back("The place is that of " + *scenario_file + ".");
+  tracks.facts.remarks.push_back("The place is that of " + *scenario_file + ".");
 }
 
 Status read_text_rows(const std::string& file, std::string_view head, const TrackReading& options,
@@ -103,8 +103,8 @@ double unit_of_walls(const FilePlan& plan, Trajectories& tracks) {
     if (misfit(unit) + 1.0 < misfit(best)) best = unit;
   }
   if (best < 1.0) {
-    tracks.said.push_back(std::string("Walls are taken as ") + (best < 0.005 ? "millimetres" : "centimetres") +
-                          ", for so they are about as wide as the crowd.");
+    tracks.remarks.push_back(std::string("Walls are taken as ") + (best < 0.005 ? "millimetres" : "centimetres") +
+                             ", for so they are about as wide as the crowd.");
   }
   return best;
 }
@@ -125,7 +125,7 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
     for (RowBlock& block : raw.blocks) std::ranges::for_each(block.rows, swap_up);
     raw.facts.has_z = true;
   }
-  if (beside) raw.facts.said.push_back("The place is that of " + *beside + ".");
+  if (beside) raw.facts.remarks.push_back("The place is that of " + *beside + ".");
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
   const bool has_walls = !walls->is_empty() || walls->unknown_shapes > 0;

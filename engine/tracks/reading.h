@@ -17,7 +17,7 @@ enum class TrackHeight : std::uint8_t {
 
 /// Says what a file's angles are.
 enum class TrackAngle : std::uint8_t {
-  told_apart,
+  guessed,
   degrees,  ///< counterclockwise from +x, as radians are
   radians,
   north,  ///< degrees clockwise from north
@@ -34,7 +34,7 @@ struct TrackReading {
   std::optional<double> metres_a_unit = {};   ///< metres that a unit of x, y and z is
   TrackUp up = TrackUp::z;
   TrackHeight height = TrackHeight::by_format;
-  TrackAngle angle = TrackAngle::told_apart;
+  TrackAngle angle = TrackAngle::guessed;
   std::optional<double> start_seconds = {};  ///< rows before this time of the file's clock are left out
   std::string walls = {};                    ///< a file of read_ground_plan(); empty: the plan in or beside the file
   bool lenient = false;                      ///< skip rows that are wrong, and count them

@@ -58,7 +58,7 @@ Status read_metadata(Database& database, const Tables& tables, RowFacts& facts) 
 }
 
 /// Reads the place. Where it changes, the first place counts.
-Status read_place(Database& database, const Tables& tables, FilePlan& plan, std::vector<std::string>& said) {
+Status read_place(Database& database, const Tables& tables, FilePlan& plan, std::vector<std::string>& remarks) {
   const Database::Table* const geometry = table_named(tables, "geometry");
   if (!has_columns(geometry, {"wkt"})) return Done{};
   const bool has_hash = has_columns(geometry, {"hash"});
@@ -82,8 +82,8 @@ Status read_place(Database& database, const Tables& tables, FilePlan& plan, std:
   if (!read || !parsed) return read ? parsed : read;
   return database.for_rows("SELECT count(*) FROM geometry", [&](const DatabaseRow& row) {
     if (row.whole(0) > 1) {
-      said.push_back("The place changes " + counted(static_cast<std::size_t>(row.whole(0) - 1), "time") +
-                     "; it is drawn as it is at first.");
+      remarks.push_back("The place changes " + counted(static_cast<std::size_t>(row.whole(0) - 1), "time") +
+                        "; it is drawn as it is at first.");
     }
     return false;
   });
@@ -223,7 +223,7 @@ Status read_with_sqlite(const std::string& file, Database& database, bool has_di
     read[i].sink.most = most_metres / options.metres_a_unit.value_or(1.0);
     const double span = static_cast<double>(ranges[i].last) - static_cast<double>(ranges[i].first) + 1.0;
     read_range(*own, ranges[i], has_direction, options.lenient, i, read[i], [&](std::size_t count) {
-      if (i == 0) clock.tell(std::min(1.0, static_cast<double>(count) / span));
+      if (i == 0) clock.show(std::min(1.0, static_cast<double>(count) / span));
     });
   });
   for (ReadRange& range : read) {
@@ -253,7 +253,7 @@ Status read_sqlite(const std::string& file, const TrackReading& options, const R
   if (has_direction) tracks.facts.angle = AngleMeaning::heading;
   if (const Status read = read_metadata(*database, *tables, tracks.facts); !read) return named(read.error());
   if (options.walls.empty()) {
-    const Status read = read_place(*database, *tables, tracks.plan, tracks.facts.said);
+    const Status read = read_place(*database, *tables, tracks.plan, tracks.facts.remarks);
     if (!read) return named(read.error());
   }
   if (read_page_rows(file, *rows, options, progress, tracks)) return Done{};
@@ -268,8 +268,8 @@ Result<FilePlan> read_sqlite_plan(const std::string& file) {
   const auto tables = database->tables();
   if (!tables) return Error{file + ": " + tables.error().message};
   FilePlan plan;
-  std::vector<std::string> said;
-  if (const Status read = read_place(*database, *tables, plan, said); !read) {
+  std::vector<std::string> remarks;
+  if (const Status read = read_place(*database, *tables, plan, remarks); !read) {
     return Error{file + ": " + read.error().message};
   }
   return plan;

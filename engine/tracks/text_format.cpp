@@ -115,7 +115,7 @@ void take_comments(const HeadLines& lines, RowFacts& facts) {
     if (comment.find("x/cm") != std::string::npos || comment.find("in cm") != std::string::npos) facts.unit = 0.01;
     if (comment.find("x/m") != std::string::npos || comment.find("in m") != std::string::npos) facts.unit = 1.0;
     if (facts.unit)
-      facts.said.emplace_back(*facts.unit < 1.0 ? "A comment says centimetres." : "A comment says metres.");
+      facts.remarks.emplace_back(*facts.unit < 1.0 ? "A comment says centimetres." : "A comment says metres.");
   }
 }
 
@@ -220,8 +220,8 @@ void prefer_frames(std::string_view rows, TableLayout& layout, RowFacts& facts) 
   const RoundedTimes times = rounded_times_of(rows, layout);
   if (!times.are_rounded) return;
   const auto time = std::ranges::find(layout.columns, TrackField::time, &TableColumn::field);
-  facts.said.push_back("Times are rounded: several rows of a person have one " + in_quotes(time->name) +
-                       ". Frames are taken instead; --fps gives their rate.");
+  facts.remarks.push_back("Times are rounded: several rows of a person have one " + in_quotes(time->name) +
+                          ". Frames are taken instead; --fps gives their rate.");
   if (times.rate) facts.rate = *times.rate * units_a_second(time->unit);
   time->field = TrackField::none;
 }
@@ -267,7 +267,7 @@ void take_columns(const TableLayout& layout, RowFacts& facts) {
   if (time != nullptr) facts.times_a_second = units_a_second(time->unit);
   if (const auto metres = metres_of(layout.column_of(TrackField::x)->unit)) {
     facts.unit = metres;
-    facts.said.push_back("The header says that x is in " + layout.column_of(TrackField::x)->unit + ".");
+    facts.remarks.push_back("The header says that x is in " + layout.column_of(TrackField::x)->unit + ".");
   }
   facts.has_z = layout.has(TrackField::z);
   if (layout.has(TrackField::direction_x) && layout.has(TrackField::direction_y)) {

@@ -153,7 +153,7 @@ Status read_rows(const std::string& file, const TextFormat& format, const TrackR
       done.rows.table = thread;
       read_lines(block, options.lenient, *parser, sink, done);
       if (done.is_refused || sink.ids.size() > most_people) source.stop();
-      if (thread == 0) clock.tell(block.share);
+      if (thread == 0) clock.show(block.share);
     }
   };
   anim::in_parallel(thread_count, work);

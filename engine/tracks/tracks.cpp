@@ -241,7 +241,7 @@ Result<Trajectories> tracks_of_rows(RawTracks& tracks, const std::string& file, 
   result.plan = placed_plan(tracks.plan, scale->metres_a_unit, result.origin);
   result.file = file;
   result.format = tracks.facts.format;
-  result.said = tracks.facts.said;
+  result.remarks = tracks.facts.remarks;
   return result;
 }
 

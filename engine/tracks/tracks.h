@@ -4,7 +4,7 @@
 
 #include "engine/tracks/raw_rows.h"
 #include "engine/tracks/reading.h"
-#include "engine/tracks/told_apart.h"
+#include "engine/tracks/row_meaning.h"
 #include "engine/tracks/trajectories.h"
 
 namespace throng {

@@ -47,9 +47,9 @@ struct Trajectories {
   double rows_a_second = 0.0;                      ///< of most people; 0 where no person has two rows
   double first_seconds = 0.0, last_seconds = 0.0;  ///< of all rows
   std::size_t row_count = 0;
-  std::string file;               ///< as it was named; "-" for standard input
-  std::string format;             ///< "JuPedSim SQLite", for people
-  std::vector<std::string> said;  ///< sentences on findings of the reader: unit, frame rate, heights, doubts
+  std::string file;                  ///< as it was named; "-" for standard input
+  std::string format;                ///< "JuPedSim SQLite", for people
+  std::vector<std::string> remarks;  ///< sentences on findings of the reader: unit, frame rate, heights, doubts
   TrackReport report;
   /// Rows still come. `persons` are places then, each taken by a person who is there or was there, or free: LiveCrowd.
   bool is_live = false;

@@ -102,15 +102,15 @@ anim::Status write_crowd_files(const std::filesystem::path& folder) {
       .bones = app::bone_keys(skeleton),
       .level_counts = {5, 2},
       .rig = {{anim::BodyRole::hips, skeleton.bones[0].name}}};
-  app::CrowdSetup setup{.characters = {person, plain, person}, .preset = {.tuning = {}, .camera = app::CameraPlace{}}};
+  app::CrowdSetup setup{.characters = {person, plain, person}, .preset = {.tuning = {}, .camera = app::CameraPose{}}};
   setup.preset.tuning.agents = 30;
   app::Tuning other;
   other.error_px = 4;
   setup.pair.take_other(other, "loose");
   setup.pair.change_places(setup.preset.tuning);
   setup.pair.names.front() = "baseline";
-  setup.bookmarks.front() = app::CameraPlace{.x = 1, .y = 2, .z = 3};
-  setup.bookmarks.back() = app::CameraPlace{.pitch = -20};
+  setup.bookmarks.front() = app::CameraPose{.x = 1, .y = 2, .z = 3};
+  setup.bookmarks.back() = app::CameraPose{.pitch = -20};
   if (anim::Status written = app::write_crowd_file(folder / "everything.throng", setup); !written) return written;
   return app::write_crowd_file(folder / "built-in.throng", {.characters = {{}}, .preset = {}});
 }

@@ -22,7 +22,7 @@ void read_as_it_comes(const std::uint8_t* data, std::size_t size) {
   close(ends[1]);
   {
     LiveTracks live(ends[0], {.lenient = true});
-    std::vector<app::LiveRow> rows;
+    std::vector<LiveRow> rows;
     while (live.take(rows)) usleep(20);
     static_cast<void>(live.head());
   }
@@ -50,7 +50,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (const auto strict = read_trajectories(file.path(), {})) fuzz::check(*strict);
   const TrackReading lenient{.up = TrackUp::y, .angle = TrackAngle::radians, .lenient = true};
   if (const auto skipped = read_trajectories(file.path(), lenient)) fuzz::check(*skipped);
-  static_cast<void>(app::looks_like_trajectories(file.path()));
+  static_cast<void>(looks_like_trajectories(file.path()));
   fuzz::read_as_it_comes(data, size);
   return 0;
 }

@@ -70,7 +70,7 @@ std::string any_crowd_file(const Maker& maker) {
   }
   change_some_values(setup.preset.tuning, maker.random);
   if (maker.random.chance(0.5F)) setup.pair.take_other(app::Tuning(), "other");
-  if (maker.random.chance(0.5F)) setup.bookmarks.at(maker.random.below(app::bookmark_count)) = app::CameraPlace{};
+  if (maker.random.chance(0.5F)) setup.bookmarks.at(maker.random.below(app::bookmark_count)) = app::CameraPose{};
   const fs::path file = maker.folder / "some.throng";
   static_cast<void>(app::write_crowd_file(file, setup));
   return file.string();

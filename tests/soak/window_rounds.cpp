@@ -19,7 +19,7 @@ app::Preset rest_preset() {
   app::Preset preset;
   preset.tuning.agents = rest_agents;
   preset.tuning.system.pus = 2;
-  preset.camera = app::CameraPlace{.x = 0, .y = 3, .z = 12, .yaw = 0, .pitch = -10};
+  preset.camera = app::CameraPose{.x = 0, .y = 3, .z = 12, .yaw = 0, .pitch = -10};
   return preset;
 }
 

@@ -49,7 +49,7 @@ inline glm::dvec2 file_place(const Trajectories& tracks, const TrackRow& row) {
 /// Returns all that was told apart, as one text.
 inline std::string all_said(const Trajectories& tracks) {
   std::string text;
-  for (const std::string& said : tracks.said) text += said + "\n";
+  for (const std::string& remark : tracks.remarks) text += remark + "\n";
   return text;
 }
 

@@ -32,12 +32,12 @@ class CamerasOfAWindow : public WindowDriver {
 
 render::CameraView view_in(const Json& map) {
   const Json& camera = map["camera"];
-  const CameraPlace place{.x = camera["x"],
-                          .y = camera["y"],
-                          .z = camera["z"],
-                          .yaw = camera["yaw"],
-                          .pitch = camera["pitch"],
-                          .field_of_view = camera["field_of_view"]};
+  const CameraPose place{.x = camera["x"],
+                         .y = camera["y"],
+                         .z = camera["z"],
+                         .yaw = camera["yaw"],
+                         .pitch = camera["pitch"],
+                         .field_of_view = camera["field_of_view"]};
   return render::view_of(camera_at(place), map["size"][0].get<float>() / map["size"][1].get<float>());
 }
 

@@ -162,12 +162,12 @@ void WindowDriver::bring_into_sight(const std::string& widget) {
 
 void WindowDriver::click_at(const glm::vec3& point) {
   const Json camera = next_map()["camera"];
-  const CameraPlace place{.x = camera["x"],
-                          .y = camera["y"],
-                          .z = camera["z"],
-                          .yaw = camera["yaw"],
-                          .pitch = camera["pitch"],
-                          .field_of_view = camera["field_of_view"]};
+  const CameraPose place{.x = camera["x"],
+                         .y = camera["y"],
+                         .z = camera["z"],
+                         .yaw = camera["yaw"],
+                         .pitch = camera["pitch"],
+                         .field_of_view = camera["field_of_view"]};
   const render::CameraView view = render::view_of(camera_at(place), 1280.0F / 720.0F);
   const glm::vec4 clip = view.projection * view.view * glm::vec4(point, 1.0F);
   point_at((static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * 1280,

@@ -115,7 +115,7 @@ DemoOptions shown_options(const BenchOptions& options, int agents) {
 /// Describes the device and the show.
 Json description(const Show& show, const DemoOptions& shown) {
   const DrawnBy drawn_by = show.painter().drawn_by();
-  const Spared& spared = show.painter().spared();
+  const SoftwareSavings& spared = show.painter().savings();
   const Tuning& tuning = show.stage().tuning();
   return {{"device", drawn_by.gl_renderer},
           {"gl_version", drawn_by.gl_version},

@@ -74,7 +74,7 @@ std::string danger_of_update(const std::vector<RegressionCase>& cases, const Che
   for (const RegressionCase& each : cases) {
     if (std::ranges::find(files, each.expected) == files.end()) files.push_back(each.expected);
   }
-  const auto unkept = unkept_by_git(files);
+  const auto unkept = missing_in_git(files);
   return unkept ? "--update: " + *unkept + "; --force replaces them all the same" : std::string();
 }
 

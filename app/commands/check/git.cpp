@@ -48,7 +48,7 @@ std::optional<std::string> unkept_in(const fs::path& folder, const std::vector<s
 
 }  // namespace
 
-std::optional<std::string> unkept_by_git(const std::vector<fs::path>& files) {
+std::optional<std::string> missing_in_git(const std::vector<fs::path>& files) {
   std::map<fs::path, std::vector<std::string>> by_folder;
   for (const fs::path& file : files) {
     std::error_code error;

@@ -101,10 +101,10 @@ void OptionReader::parts_remover(bool& target) {
   flag("--remove-parts", target, "Remove FILE.*.part, which a run that was killed left beside a file to write");
 }
 
-CLI::Option* OptionReader::optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
-                                          const std::string& description, ValueReader reader) {
-  const auto said = [unsaid, reader = std::move(reader)](const std::string& text) {
-    return reader(text == "true" ? unsaid : text);  // CLI11's word for a flag without a value
+CLI::Option* OptionReader::optional_value(const std::string& name, const std::string& value_if_omitted,
+                                          const std::string& hint, const std::string& description, ValueReader reader) {
+  const auto said = [value_if_omitted, reader = std::move(reader)](const std::string& text) {
+    return reader(text == "true" ? value_if_omitted : text);  // CLI11's word for a flag without a value
   };
   return add_flag(name, description)
       ->multi_option_policy(CLI::MultiOptionPolicy::Throw)

@@ -28,8 +28,8 @@ class OptionReader : public CLI::App {
   /// Adds the flag that removes remains of killed runs beside the files to write.
   void parts_remover(bool& target);
 
-  /// Adds an option that takes a value only after `=`; without one, `reader` gets `unsaid`.
-  CLI::Option* optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
+  /// Adds an option that takes a value only after `=`; without one, `reader` gets `value_if_omitted`.
+  CLI::Option* optional_value(const std::string& name, const std::string& value_if_omitted, const std::string& hint,
                               const std::string& description, ValueReader reader);
 
   /// Adds the option of one value of the tuning.

@@ -103,8 +103,8 @@ std::string tracks_text(const Trajectories& tracks) {
   text +=
       std::string("  angles  ") + (sums.has_headings ? "the file says where people look" : "none in the file") + "\n";
   text += "  plan    " + plan_text(tracks.plan) + "\n";
-  if (!tracks.said.empty() || !tracks.report.found.empty()) text += "\n";
-  for (const std::string& said : tracks.said) text += "noted: " + said + "\n";
+  if (!tracks.remarks.empty() || !tracks.report.found.empty()) text += "\n";
+  for (const std::string& remark : tracks.remarks) text += "noted: " + remark + "\n";
   for (const OddityCount& found : tracks.report.found) {
     const OddityWords words = words_of(found.oddity);
     text += "odd: " + std::to_string(found.count) + " " + (found.count == 1 ? words.one : words.many) + "; first " +
@@ -137,7 +137,7 @@ std::string tracks_json(const Trajectories& tracks) {
                {"report", std::move(report)},
                {"rows", tracks.row_count},
                {"rows_a_second", tracks.rows_a_second},
-               {"said", tracks.said}};
+               {"said", tracks.remarks}};
   json["stature_m"] = sums.stature.is_empty() ? Json() : pair_json(sums.stature.least, sums.stature.most);
   return json.dump(2) + "\n";
 }

@@ -151,10 +151,10 @@ std::string pixel_kind_name(PixelKind kind) {
 render::Result<ComparedPicture> read_compared(const std::filesystem::path& file) {
   auto image = render::read_any_png(file);
   if (!image) return image.error();
-  const PixelKind unsaid = image->channels == 1 ? PixelKind::numbers : PixelKind::colours;
-  ComparedPicture picture(std::move(*image), unsaid);
+  const PixelKind value_if_omitted = image->channels == 1 ? PixelKind::numbers : PixelKind::colours;
+  ComparedPicture picture(std::move(*image), value_if_omitted);
   const auto texts = render::read_png_texts(file);
-  if (!texts || unsaid == PixelKind::colours) return picture;
+  if (!texts || value_if_omitted == PixelKind::colours) return picture;
   for (const render::PngText& each : *texts) {
     if (each == label_texts().front()) picture.kind = PixelKind::labels;
     if (each.keyword != step_keyword) continue;

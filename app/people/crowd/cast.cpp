@@ -58,14 +58,14 @@ CrowdCast::CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayo
   Random random(seed, cast_stream);
   ShareDealer dealer(characters);
   const auto is = [&](Part part) {
-    return static_cast<std::size_t>(std::ranges::count(layout.standers, part, &StanderPlace::part));
+    return static_cast<std::size_t>(std::ranges::count(layout.standers, part, &StanderStart::part));
   };
   numbers_ = dealer.deal(walking, layout.walkers.size(), random);
   numbers_.insert(numbers_.end(), layout.marchers.size(), leader);
   const Numbers bystanders = dealer.deal(people, is(Part::bystander), random);
   const Numbers things = dealer.deal(props, is(Part::prop), random);
   auto bystander = bystanders.begin(), thing = things.begin();
-  for (const StanderPlace& place : layout.standers) {
+  for (const StanderStart& place : layout.standers) {
     if (place.part == Part::actor) numbers_.push_back(leader);
     if (place.part == Part::bystander) numbers_.push_back(*bystander++);
     if (place.part == Part::prop) numbers_.push_back(*thing++);

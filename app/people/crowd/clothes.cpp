@@ -78,7 +78,7 @@ std::uint32_t tint_of_paint(const Paint& paint, float light) {
 
 }  // namespace
 
-ClothesPattern::ClothesPattern(Motif motif, std::span<const glm::dvec3> places, const CameraPlace& tower)
+ClothesPattern::ClothesPattern(Motif motif, std::span<const glm::dvec3> places, const CameraPose& tower)
     : motif_(motif), eye_(tower.x, tower.y, tower.z) {
   const double yaw = glm::radians(static_cast<double>(tower.yaw)),
                pitch = glm::radians(static_cast<double>(tower.pitch));
@@ -150,7 +150,7 @@ std::vector<glm::dvec3> places_of(const CrowdLayout& layout) {
   const auto add = [&](glm::dvec2 place, double height) { places.emplace_back(place.x, height, place.y); };
   for (const WalkerStart& walker : layout.walkers) add(layout.lanes[walker.lane].at(walker.distance).position, 0.0);
   for (const MarcherStart& marcher : layout.marchers) add(marcher_place(layout.route, marcher, 0.0).position, 0.0);
-  for (const StanderPlace& stander : layout.standers) add(stander.position, stander.height);
+  for (const StanderStart& stander : layout.standers) add(stander.position, stander.height);
   return places;
 }
 

@@ -26,7 +26,7 @@ enum class Motif : std::uint8_t {
 class ClothesPattern {
  public:
   /// Makes a pattern that fills the ground on which these places lie, as far as it is seen from the tower.
-  ClothesPattern(Motif motif, std::span<const glm::dvec3> places, const CameraPlace& tower);
+  ClothesPattern(Motif motif, std::span<const glm::dvec3> places, const CameraPose& tower);
 
   /// Returns the colours of a person at `place`, whose own colours are `own`. Skin and hair stay.
   Tints at(const glm::dvec3& place, const Tints& own, Random& random) const;

@@ -27,16 +27,16 @@ constexpr double others_away = 0.70;    // to the people in the picture
 constexpr double abreast = 0.54;        // from one to the next of a row
 constexpr double farthest_sight = 22.0;
 
-using Gathering = std::span<StanderPlace>;
+using Gathering = std::span<StanderStart>;
 
 glm::dvec2 middle_of_feet(Gathering group) {
   glm::dvec2 sum(0.0);
-  for (const StanderPlace& place : group) sum += place.position;
+  for (const StanderStart& place : group) sum += place.position;
   return sum / static_cast<double>(group.size());
 }
 
 /// Returns the groups of people who stand about, in the order in which they were placed.
-std::vector<Gathering> gatherings_in(std::span<StanderPlace> standers, double spacing) {
+std::vector<Gathering> gatherings_in(std::span<StanderStart> standers, double spacing) {
   std::vector<Gathering> groups;
   std::size_t begin = 0;
   for (std::size_t next = 1; next <= standers.size(); ++next) {
@@ -54,7 +54,7 @@ std::vector<Gathering> gatherings_in(std::span<StanderPlace> standers, double sp
 bool is_ring(Gathering group, double spacing) {
   const glm::dvec2 middle = middle_of_feet(group);
   return std::ranges::all_of(
-      group, [&](const StanderPlace& place) { return glm::distance(place.position, middle) < widest_ring * spacing; });
+      group, [&](const StanderStart& place) { return glm::distance(place.position, middle) < widest_ring * spacing; });
 }
 
 /// Stands people in a row across `way`; all look along it.
@@ -72,7 +72,7 @@ void face_a_camera(Gathering group, double spacing) {
   const glm::dvec2 way = glm::normalize(group.front().position - middle);
   const Gathering others = group.subspan(1);
   stand_in_a_row(others, middle - others_away * spacing * way, way, spacing);
-  for (StanderPlace& place : others) {
+  for (StanderStart& place : others) {
     place.heading = heading_along(glm::normalize(middle + camera_away * spacing * way - place.position));
     place.habit = Habit::pose;
   }
@@ -84,7 +84,7 @@ void face_a_camera(Gathering group, double spacing) {
 void face_a_sight(Gathering group, glm::dvec2 sight, double spacing) {
   const glm::dvec2 middle = middle_of_feet(group);
   stand_in_a_row(group, middle, glm::normalize(sight - middle), spacing);
-  for (StanderPlace& place : group) place.habit = Habit::wait;
+  for (StanderStart& place : group) place.habit = Habit::wait;
   group.front().habit = Habit::photograph;
 }
 

@@ -106,7 +106,7 @@ Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::sp
 
 void Crowd::place(const CrowdLayout& layout) {
   state_.marchers.begin(state_.places);
-  for (std::size_t agent = first_stander(); const StanderPlace& place : layout.standers) {
+  for (std::size_t agent = first_stander(); const StanderStart& place : layout.standers) {
     state_.places.positions[agent] = {place.position.x, place.height, place.position.y};
     state_.places.headings[agent++] = place.heading;
   }

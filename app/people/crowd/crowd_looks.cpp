@@ -99,8 +99,8 @@ class Bodies {
     const std::size_t before = layout_.walkers.size() + layout_.marchers.size();
     if (agent < layout_.walkers.size()) return layout_.company.follows(agent);
     if (agent <= before) return false;
-    const StanderPlace& own = layout_.standers[agent - before];
-    const StanderPlace& other = layout_.standers[agent - before - 1];
+    const StanderStart& own = layout_.standers[agent - before];
+    const StanderStart& other = layout_.standers[agent - before - 1];
     const auto may_have_children = [](Habit habit) { return habit == Habit::stand_about || habit == Habit::pose; };
     return may_have_children(own.habit) && may_have_children(other.habit) &&
            glm::distance(own.position, other.position) < beside_grown_ups * cast_.spacing();
@@ -138,7 +138,7 @@ std::vector<Habit> habits_of(const CrowdLayout& layout) {
     if (layout.company.follows(walker)) habits[walker] = Habit::accompany;
   }
   habits.insert(habits.end(), layout.marchers.size(), Habit::march);
-  for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
+  for (const StanderStart& place : layout.standers) habits.push_back(place.habit);
   return habits;
 }
 

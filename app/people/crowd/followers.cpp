@@ -95,7 +95,7 @@ void FollowedTracks::place(const CrowdCast& cast, std::span<const float> scales,
     places.positions[agent] = people_->position(agent, clock_.seconds);
     places.headings[agent] = {std::cos(step.heading), std::sin(step.heading)};
     places.speeds[agent] = glm::length(step.velocity) * scales[agent];
-    minds.tell(agent, gait_at(cast.of(agent), glm::length(step.velocity)));
+    minds.note_role(agent, gait_at(cast.of(agent), glm::length(step.velocity)));
   });
 }
 

@@ -64,11 +64,11 @@ Heading looking_at(glm::dvec2 viewpoint, glm::dvec2 from, Random& random) {
 
 }  // namespace
 
-std::vector<StanderPlace> stand_in_formation(std::size_t people, const FormationGround& ground, Random random) {
+std::vector<StanderStart> stand_in_formation(std::size_t people, const FormationGround& ground, Random random) {
   auto rows = std::max(1, static_cast<int>(ground.side / (row_pitch * ground.spacing)));
   std::vector<glm::dvec2> places = free_places(rows, ground, random);
   while (places.size() < people) places = free_places(++rows, ground, random);
-  std::vector<StanderPlace> standers;
+  std::vector<StanderStart> standers;
   standers.reserve(people);
   for (std::size_t i = 0; i < places.size() && standers.size() < people; ++i) {
     // The places that are left over are spread evenly.

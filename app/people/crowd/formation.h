@@ -22,6 +22,6 @@ struct FormationGround {
 
 /// Places people in rows, as close as in a concert, a little out of line, and clear of obstacles. Rows are added past
 /// the square's edge where it has no room for all.
-std::vector<StanderPlace> stand_in_formation(std::size_t people, const FormationGround& ground, Random random);
+std::vector<StanderStart> stand_in_formation(std::size_t people, const FormationGround& ground, Random random);
 
 }  // namespace throng::app

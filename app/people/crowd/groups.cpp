@@ -184,7 +184,7 @@ Heading facing_inward(glm::dvec2 outward, Random& random) {
 }
 
 void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& random,
-                   std::vector<StanderPlace>& standers) {
+                   std::vector<StanderStart>& standers) {
   const double first = 4.0 * static_cast<double>(random.unit());
   for (std::size_t member = 0; member < size; ++member) {
     const double quarters = first + 4.0 * static_cast<double>(member) / static_cast<double>(size);
@@ -287,8 +287,8 @@ class GroupPlacer {
 
 }  // namespace
 
-std::vector<StanderPlace> place_groups(std::size_t standers, const GroupGround& ground, Random random) {
-  std::vector<StanderPlace> places;
+std::vector<StanderStart> place_groups(std::size_t standers, const GroupGround& ground, Random random) {
+  std::vector<StanderStart> places;
   places.reserve(standers);
   GroupPlacer placer(ground, random);
   for (std::size_t group = 0; places.size() < standers; ++group) {

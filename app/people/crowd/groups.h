@@ -31,6 +31,6 @@ struct GroupGround {
 /// Places loose groups of one to six, each a ring that faces its middle, at uneven distances, clear of lanes, obstacles
 /// and each other.
 /// Spreads past the square's edge when it is full, so all `standers` find a place.
-std::vector<StanderPlace> place_groups(std::size_t standers, const GroupGround& ground, Random random);
+std::vector<StanderStart> place_groups(std::size_t standers, const GroupGround& ground, Random random);
 
 }  // namespace throng::app

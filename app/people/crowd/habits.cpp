@@ -180,7 +180,7 @@ std::span<const Transition> transitions() { return all_transitions; }
 
 Stay stay_in(Role role) { return stays[index_of(role)]; }
 
-Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held) {
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim, HeldThing held) {
   Role rest = resting_role(habit);
   if (!is_gait(rest) && !character.playable(rest)) rest = stand;
   if (!character.playable(rest)) return Role::other;
@@ -188,9 +188,9 @@ Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held
   return acts ? next_role(habit, rest, character, whim, held) : rest;
 }
 
-Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, Held held) {
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, HeldThing held) {
   const auto is_open = [&](const Transition& transition) {
-    return transition.habit == habit && transition.from == from && can_do(held, transition.to) &&
+    return transition.habit == habit && transition.from == from && allows_role(held, transition.to) &&
            character.playable(transition.to);
   };
   float total = 0.0F;

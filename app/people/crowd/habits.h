@@ -55,11 +55,12 @@ struct Stay {
 Stay stay_in(Role role);
 
 /// Returns the role that an agent of `habit` begins with, as far as the character has a clip for it.
-Role first_role(Habit habit, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim, HeldThing held = HeldThing::nothing);
 
 /// Returns the role that follows `from`, by a transition whose role the character can play with the thing that it
 /// holds; `from` if there is none.
-Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim, Held held = Held::nothing);
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim,
+               HeldThing held = HeldThing::nothing);
 
 constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }
 

@@ -42,7 +42,7 @@ PathPoint along_half(const Lane& lane, double distance) {
 
 double Lane::length() const { return 2.0 * half_length(*this); }
 
-LanePlace Lane::at(double distance) const {
+LanePoint Lane::at(double distance) const {
   const double half = half_length(*this);
   const double halves = std::floor(distance * direction / half);
   const PathPoint point = along_half(*this, std::max(0.0, distance * direction - halves * half));

@@ -10,7 +10,7 @@ struct Heading {
   float sine = 0.0F;
 };
 
-struct LanePlace {
+struct LanePoint {
   glm::dvec2 position{0.0};  ///< x, z in metres
   Heading heading;
 };
@@ -26,7 +26,7 @@ struct Lane {
 
   double length() const;
   /// Returns the place at `distance` metres from the lane's start in the direction of walking. Any distance wraps.
-  LanePlace at(double distance) const;
+  LanePoint at(double distance) const;
   /// Returns the metres from `point` (x, z) to the lane: negative inside the loop, positive outside.
   double signed_distance(glm::dvec2 point) const;
 };

@@ -63,12 +63,12 @@ std::vector<BenchSeat> seats_in(double side, double spacing, std::span<const Fix
 }
 
 // Some of the seats stay empty, and few people sit.
-std::vector<StanderPlace> seat_some(std::vector<BenchSeat> seats, std::size_t people, Random random) {
+std::vector<StanderStart> seat_some(std::vector<BenchSeat> seats, std::size_t people, Random random) {
   for (std::size_t i = seats.size(); i > 1; --i) {
     std::swap(seats[i - 1], seats[random.below(static_cast<std::uint32_t>(i))]);
   }
   seats.resize(std::min(seats.size() * 2 / 3, static_cast<std::size_t>(most_seated * static_cast<double>(people))));
-  std::vector<StanderPlace> places;
+  std::vector<StanderStart> places;
   for (const BenchSeat& seat : seats) {
     places.push_back({.position = seat.position, .heading = seat.heading, .habit = Habit::rest});
   }
@@ -116,7 +116,7 @@ CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const Character
   const double side = plaza_side(agents, spacing);
   const std::vector<BenchSeat> seats = seats_in(side, spacing, plan.fixtures);
   const std::vector<Obstacle> taken = with_seats(layout.obstacles, seats, spacing);
-  const std::vector<StanderPlace> seated = seat_some(seats, left, Random(seed, 12));
+  const std::vector<StanderStart> seated = seat_some(seats, left, Random(seed, 12));
   const GroupGround ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
   layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
   layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());

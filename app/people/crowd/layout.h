@@ -31,7 +31,7 @@ struct MarcherStart {
 /// The part that an agent at a place plays.
 enum class Part : std::uint8_t { bystander, actor, prop };
 
-struct StanderPlace {
+struct StanderStart {
   glm::dvec2 position{0.0};  ///< x, z in metres
   Heading heading{};
   double height = 0.0;  ///< metres above the ground
@@ -48,7 +48,7 @@ struct CrowdLayout {
   Habit walkers_habit = Habit::stroll;
   Lane route;  ///< the marchers' route, with its speed
   std::vector<MarcherStart> marchers;
-  std::vector<StanderPlace> standers;
+  std::vector<StanderStart> standers;
   std::vector<Fixture> fixtures;    ///< the things that stand about in a plaza
   std::vector<Obstacle> obstacles;  ///< ground that no agent walks on
   double wave_seconds = 0.0;        ///< time that a wave of cheering takes to come round; 0: there is none

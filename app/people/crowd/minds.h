@@ -44,7 +44,7 @@ class CrowdMinds {
   void show(std::size_t agent, Role role);
 
   /// Notes the role of an agent that another class moves, without a request.
-  void tell(std::size_t agent, Role role) {
+  void note_role(std::size_t agent, Role role) {
     const auto played = cast_->of(agent).playable(role);
     if (played) roles_[agent] = *played, clips_[agent] = cast_->of(agent).clip(*played);
   }
@@ -65,9 +65,9 @@ class CrowdMinds {
   std::span<const Role> roles() const { return roles_; }  ///< shown
   std::span<const int> clips() const { return clips_; }   ///< index, or no_clip for a character that has none
   /// Takes the things that agents hold from now on; empty: none. They decide which roles agents go over to.
-  void give(std::vector<Held> things) { things_ = std::move(things); }
+  void give(std::vector<HeldThing> things) { things_ = std::move(things); }
   /// Returns [agent] the things that agents hold; empty: none.
-  std::span<const Held> things() const { return things_; }
+  std::span<const HeldThing> things() const { return things_; }
   Random& whim(std::size_t agent) { return whims_[agent]; }
 
   /// Returns the requests of this frame, at most one an agent.
@@ -77,7 +77,7 @@ class CrowdMinds {
 
  private:
   void begin(std::size_t agent);
-  Held thing_of(std::size_t agent) const { return things_.empty() ? Held::nothing : things_[agent]; }
+  HeldThing thing_of(std::size_t agent) const { return things_.empty() ? HeldThing::nothing : things_[agent]; }
   bool is_on_its_way(std::size_t agent) const;
   void take_new_clip(std::size_t agent);
   void change_role(std::size_t agent, anim::Ticks now);
@@ -104,7 +104,7 @@ class CrowdMinds {
   std::vector<anim::Ticks> next_changes_;
   std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> held_;
-  std::vector<Held> things_;
+  std::vector<HeldThing> things_;
   std::vector<Random> whims_;  // [agent] its own random numbers
   std::vector<ClipRequest> requests_;
   std::vector<std::uint32_t> changed_;

@@ -90,7 +90,7 @@ void add_row(const Stand& stand, std::size_t count, double spacing, Random& rand
   const double loose = std::min(step - 0.7 * spacing, 3.0 * spacing);
   for (std::size_t spectator = 0; spectator < count; ++spectator) {
     const double jitter = std::max(0.0, loose) * static_cast<double>(random.between(-0.5F, 0.5F));
-    const LanePlace place = stand.row.at(static_cast<double>(spectator) * step + jitter);
+    const LanePoint place = stand.row.at(static_cast<double>(spectator) * step + jitter);
     const auto facing = static_cast<float>(stand.facing);
     // The way walked, turned a quarter towards the loop's middle.
     const Heading inward{facing * place.heading.sine, -facing * place.heading.cosine};
@@ -132,8 +132,8 @@ CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const Characte
   return layout;
 }
 
-LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds) {
-  LanePlace place = route.at(marcher.distance + route.speed * seconds);
+LanePoint marcher_place(const Lane& route, const MarcherStart& marcher, double seconds) {
+  LanePoint place = route.at(marcher.distance + route.speed * seconds);
   const glm::dvec2 forward(static_cast<double>(place.heading.sine), static_cast<double>(place.heading.cosine));
   place.position += marcher.offset * route.direction * glm::dvec2(forward.y, -forward.x);
   return place;
@@ -141,7 +141,7 @@ LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double s
 
 void Marchers::begin(CrowdPlaces& places) const {
   for (std::size_t agent = first_; const MarcherStart& start : starts_) {
-    const LanePlace place = marcher_place(route_, start, 0.0);
+    const LanePoint place = marcher_place(route_, start, 0.0);
     places.positions[agent] = {place.position.x, 0.0, place.position.y};
     places.headings[agent] = place.heading;
     places.speeds[agent++] = static_cast<float>(route_.speed);
@@ -162,7 +162,7 @@ void Marchers::advance(anim::Ticks dt, anim::Ticks now, const CrowdMinds& minds,
   for (std::size_t marcher = 0; marcher < count(); ++marcher) {
     const std::size_t agent = first_ + marcher;
     const double time = marching_time(marcher, dt, now, minds.holds(agent));
-    const LanePlace place = marcher_place(route_, starts_[marcher], time);
+    const LanePoint place = marcher_place(route_, starts_[marcher], time);
     const glm::vec3 position(place.position.x, 0.0, place.position.y);
     places.speeds[agent] = static_cast<float>(static_cast<double>(glm::distance(position, places.positions[agent])) /
                                               anim::to_seconds(dt));

@@ -16,7 +16,7 @@ namespace throng::app {
 CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 /// Returns the place of a marcher after `seconds`.
-LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds);
+LanePoint marcher_place(const Lane& route, const MarcherStart& marcher, double seconds);
 
 /// Returns the phase of the walk clip, 0 to below 1, that a marcher starts with, so that all of its file and rank are
 /// in step.

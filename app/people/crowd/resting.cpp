@@ -46,26 +46,26 @@ bool has_bench_near(std::span<const Fixture> fixtures, glm::dvec2 place, double 
   });
 }
 
-RestPlace place_against(glm::dvec2 middle, glm::dvec2 out, double wall, double spacing) {
+RestSpot place_against(glm::dvec2 middle, glm::dvec2 out, double wall, double spacing) {
   return {.position = middle + (wall + back_behind_root) * spacing * out, .heading = heading_along(out)};
 }
 
-void add_trunk(const Fixture& tree, std::span<const Fixture> fixtures, double spacing, std::vector<RestPlace>& places) {
+void add_trunk(const Fixture& tree, std::span<const Fixture> fixtures, double spacing, std::vector<RestSpot>& places) {
   for (const double quarters : {0.0, 1.0, 3.0}) {
-    const RestPlace place = place_against(tree.position, way_at(tree.heading, quarters), trunk_radius, spacing);
+    const RestSpot place = place_against(tree.position, way_at(tree.heading, quarters), trunk_radius, spacing);
     if (has_bench_near(fixtures, place.position, room_of_bench * spacing)) continue;
     places.push_back(place);
     return;
   }
 }
 
-void add_kiosk(const Fixture& kiosk, double spacing, std::vector<RestPlace>& places) {
+void add_kiosk(const Fixture& kiosk, double spacing, std::vector<RestSpot>& places) {
   for (const int side : closed_sides) {
     places.push_back(place_against(kiosk.position, way_at(kiosk.heading, 0.5 * side), kiosk_wall, spacing));
   }
 }
 
-void add_rim(const Fixture& fountain, double spacing, std::vector<RestPlace>& places) {
+void add_rim(const Fixture& fountain, double spacing, std::vector<RestSpot>& places) {
   for (const int eighth : rim_middles) {
     for (const double offset : rim_offsets) {
       const glm::dvec2 out = way_at({}, 0.5 * eighth + offset);
@@ -77,17 +77,17 @@ void add_rim(const Fixture& fountain, double spacing, std::vector<RestPlace>& pl
   }
 }
 
-bool can_rest(const RestPlace& place, const CharacterRoles& roles) {
+bool can_rest(const RestSpot& place, const CharacterRoles& roles) {
   const Role role =
       place.habit == Habit::lean ? Role::lean : (place.habit == Habit::rest ? Role::sit : Role::sit_on_step);
   return roles.clip(role) != no_clip;
 }
 
-float chance_to_rest(const RestPlace& place) { return place.habit == Habit::lean ? chance_to_lean : chance_to_sit; }
+float chance_to_rest(const RestSpot& place) { return place.habit == Habit::lean ? chance_to_lean : chance_to_sit; }
 
 /// Returns the places at which people rest: some of the places that the roles can take, in any order.
-std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const CharacterRoles& roles, Random random) {
-  std::erase_if(places, [&](const RestPlace& place) {
+std::vector<RestSpot> chosen_places(std::vector<RestSpot> places, const CharacterRoles& roles, Random random) {
+  std::erase_if(places, [&](const RestSpot& place) {
     const bool is_taken = random.chance(chance_to_rest(place));
     return !is_taken || !can_rest(place, roles);
   });
@@ -100,10 +100,10 @@ std::vector<RestPlace> chosen_places(std::vector<RestPlace> places, const Charac
 /// Finds whether a person stands near a place while standers move to places.
 class StandersNear {
  public:
-  StandersNear(std::span<const StanderPlace> standers, std::span<const RestPlace> places, double room)
+  StandersNear(std::span<const StanderStart> standers, std::span<const RestSpot> places, double room)
       : room_(room), stander_count_(standers.size()) {
-    for (const StanderPlace& stander : standers) add(stander.position, true);
-    for (const RestPlace& place : places) add(place.position, false);
+    for (const StanderStart& stander : standers) add(stander.position, true);
+    for (const RestSpot& place : places) add(place.position, false);
     glm::vec2 lowest(0.0F), highest(0.0F);
     for (const Body& body : bodies_) {
       lowest = glm::min(lowest, body.position);
@@ -145,8 +145,8 @@ class StandersNear {
 
 }  // namespace
 
-std::vector<RestPlace> rest_places(std::span<const Fixture> fixtures, double spacing) {
-  std::vector<RestPlace> places;
+std::vector<RestSpot> rest_spots(std::span<const Fixture> fixtures, double spacing) {
+  std::vector<RestSpot> places;
   for (const Fixture& fixture : fixtures) {
     if (fixture.kind == FixtureKind::tree) add_trunk(fixture, fixtures, spacing, places);
     if (fixture.kind == FixtureKind::kiosk) add_kiosk(fixture, spacing, places);
@@ -162,8 +162,8 @@ std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes c
   return {{{front, -width * spacing}, towards_crowd}, {{front, 0.0}, towards_crowd}};
 }
 
-std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spacing) {
-  std::vector<RestPlace> places;
+std::vector<RestSpot> step_places(std::span<const BenchSeat> steps, double spacing) {
+  std::vector<RestSpot> places;
   for (const BenchSeat& flight : steps) {
     for (const double along : along_steps) {
       const glm::dvec2 way = along * beside(flight.heading) + heels_behind_root * forward_of(flight.heading);
@@ -176,14 +176,14 @@ std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spac
 
 void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   const double spacing = roles.spacing();
-  std::vector<RestPlace> places = rest_places(layout.fixtures, spacing);
-  const std::vector<RestPlace> on_steps = step_places(plaza_steps(agents, spacing), spacing);
+  std::vector<RestSpot> places = rest_spots(layout.fixtures, spacing);
+  const std::vector<RestSpot> on_steps = step_places(plaza_steps(agents, spacing), spacing);
   places.insert(places.end(), on_steps.begin(), on_steps.end());
   places = chosen_places(std::move(places), roles, Random(seed, resting_stream));
 
   StandersNear near(layout.standers, places, room_of_person * spacing);
   // The last groups stand where the crowd is thin already.
-  const auto stands = [](const StanderPlace& place) { return place.habit == Habit::stand_about; };
+  const auto stands = [](const StanderStart& place) { return place.habit == Habit::stand_about; };
   auto last = std::find_if_not(layout.standers.begin(), layout.standers.end(), stands);
   auto left = static_cast<std::size_t>(most_resting * static_cast<double>(layout.standers.size()));
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -192,7 +192,7 @@ void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, 
     --left;
     --last;
     near.move(static_cast<std::size_t>(last - layout.standers.begin()), i);
-    const RestPlace& place = places[i];
+    const RestSpot& place = places[i];
     *last = {.position = place.position, .heading = place.heading, .height = place.height, .habit = place.habit};
   }
 }

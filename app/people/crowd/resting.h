@@ -14,7 +14,7 @@
 namespace throng::app {
 
 /// A place where a person leans or sits: the place of the feet, and the habit.
-struct RestPlace {
+struct RestSpot {
   glm::dvec2 position{0.0};
   Heading heading{};
   double height = 0.0;
@@ -23,12 +23,12 @@ struct RestPlace {
 
 /// Returns the places at the trunks of trees, the closed sides of kiosks and the rims of fountains. A bench before a
 /// trunk takes that side of the trunk.
-std::vector<RestPlace> rest_places(std::span<const Fixture> fixtures, double spacing);
+std::vector<RestSpot> rest_spots(std::span<const Fixture> fixtures, double spacing);
 
 /// Returns the flights of steps of a plaza: the middle of the lowest front, and the way that it looks.
 std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 /// Returns the places on these steps.
-std::vector<RestPlace> step_places(std::span<const BenchSeat> steps, double spacing);
+std::vector<RestSpot> step_places(std::span<const BenchSeat> steps, double spacing);
 
 /// Moves some people who stand about in a plaza to its trunks, kiosks, rims and steps, as far as `roles` can lean and
 /// sit there. No person goes where others stand.

@@ -49,7 +49,7 @@ std::size_t athletes_of(std::size_t agents, const CharacterRoles& roles) {
 
 void seat_tier(const StadiumTier& tier, CrowdLayout& layout) {
   for (std::size_t seat = 0; seat < tier.seats; ++seat) {
-    const LanePlace place = stadium_seat(tier, seat);
+    const LanePoint place = stadium_seat(tier, seat);
     const double round = static_cast<double>(seat) / static_cast<double>(tier.seats);
     layout.standers.push_back({place.position, place.heading, tier.height, Habit::sit, round});
   }
@@ -102,11 +102,11 @@ std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles&
   return tiers_for(agents - athletes.walkers.size(), lowest, roles.spacing());
 }
 
-LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat) {
+LanePoint stadium_seat(const StadiumTier& tier, std::size_t seat) {
   const Lane& lane = tier.lane;
   const double corner = std::numbers::pi / 2.0 * lane.corner_radius;
   const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the side at -Z: its middle
-  const LanePlace place =
+  const LanePoint place =
       lane.at(far_side + static_cast<double>(seat) / static_cast<double>(tier.seats) * lane.length());
   // The way round, turned a quarter towards the field.
   return {place.position, {place.heading.sine, -place.heading.cosine}};

@@ -23,7 +23,7 @@ struct StadiumTier {
 /// Returns all tiers, the lowest first.
 std::vector<StadiumTier> stadium_tiers(std::size_t agents, const CharacterRoles& roles);
 /// Returns the place of the feet before a seat, facing the field.
-LanePlace stadium_seat(const StadiumTier& tier, std::size_t seat);
+LanePoint stadium_seat(const StadiumTier& tier, std::size_t seat);
 
 /// A wave of cheering that goes round the standers of a crowd again and again.
 class Wave {

@@ -9,7 +9,7 @@ namespace throng::app {
 namespace {
 
 // From the open corner over the crowd to the far one, where a street leaves between the houses.
-CameraPlace plaza_tower(std::size_t agents, double spacing, Clothes clothes) {
+CameraPose plaza_tower(std::size_t agents, double spacing, Clothes clothes) {
   const auto unit = static_cast<float>(spacing), side = static_cast<float>(plaza_side(agents, spacing, clothes));
   const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing, clothes).x);
   const float height = 8.0F * unit + 0.085F * side;
@@ -17,7 +17,7 @@ CameraPlace plaza_tower(std::size_t agents, double spacing, Clothes clothes) {
 }
 
 // From one end along both straights, to the end where a street goes on. Yaw 90 looks along -X.
-CameraPlace parade_tower(std::size_t agents, const CharacterRoles& roles) {
+CameraPose parade_tower(std::size_t agents, const CharacterRoles& roles) {
   const ParadeSize size = parade_size(agents, roles);
   const auto unit = static_cast<float>(roles.spacing());
   const auto end = static_cast<float>(size.half_length + size.radius + size.half_width);
@@ -27,7 +27,7 @@ CameraPlace parade_tower(std::size_t agents, const CharacterRoles& roles) {
 }
 
 // From above one corner of the last tier, across the field.
-CameraPlace stadium_tower(std::size_t agents, const CharacterRoles& roles) {
+CameraPose stadium_tower(std::size_t agents, const CharacterRoles& roles) {
   const StadiumSize size = stadium_size(agents, roles);
   const auto unit = static_cast<float>(roles.spacing()), depth = static_cast<float>(size.depth);
   const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
@@ -36,18 +36,18 @@ CameraPlace stadium_tower(std::size_t agents, const CharacterRoles& roles) {
 }
 
 // From a little beside the middle, so that the rows do not line up to the camera.
-CameraPlace grid_tower(std::size_t agents, double spacing) {
+CameraPose grid_tower(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
   const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(spacing));
   const float height = 4.0F * unit + 0.17F * side;
   return {0.2F * side, height, 0.5F * height, 17.0F, -19.0F, 45.0F};
 }
 
-CameraPlace cut_scene_tower(float unit) { return {3.0F * unit, 22.0F * unit, 24.0F * unit, 7.0F, -38.0F, 45.0F}; }
+CameraPose cut_scene_tower(float unit) { return {3.0F * unit, 22.0F * unit, 24.0F * unit, 7.0F, -38.0F, 45.0F}; }
 
 }  // namespace
 
-CameraPlace tower_view(Scene scene, std::size_t agents, const CharacterRoles& roles, Clothes clothes) {
+CameraPose tower_view(Scene scene, std::size_t agents, const CharacterRoles& roles, Clothes clothes) {
   switch (scene) {
     case Scene::plaza:
       return plaza_tower(agents, roles.spacing(), clothes);

@@ -33,7 +33,7 @@ constexpr float share_of_walk_to_step = 0.25F;
 constexpr float gait_band = 1.08F;  // by which a speed must leave a gait's range
 constexpr double turns_a_second = 0.75;
 
-glm::vec2 on_ground(const LanePlace& place) { return {place.position}; }
+glm::vec2 on_ground(const LanePoint& place) { return {place.position}; }
 
 std::pair<glm::vec2, glm::vec2> extent_of(std::span<const Body> bodies) {
   glm::vec2 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
@@ -87,7 +87,7 @@ CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::
 
 void CrowdWalkers::begin_walking(std::size_t walker) {
   const WalkerStart& start = starts_[walker];
-  const LanePlace place = lanes_[start.lane].at(start.distance);
+  const LanePoint place = lanes_[start.lane].at(start.distance);
   headings_[walker] = place.heading;
   ahead_[walker] = bodies_[walker].position = on_ground(place);
   if (company_.follows(walker)) bodies_[walker].position = place_beside(walker);

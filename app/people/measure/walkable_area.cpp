@@ -15,11 +15,11 @@
 namespace throng::app {
 namespace {
 
-constexpr double wall_half_width = 1e-3;     // metres
-constexpr double narrowest_opening = 2e-3;   // metres: narrower gaps are between lines that ought to meet
-constexpr double same_level = 1e-7;          // metres
-constexpr double beyond_everybody = 20'000;  // metres from the obstacles, where a plan has no floor
-constexpr double square = 2.0;               // metres
+constexpr double wall_half_width = 1e-3;    // metres
+constexpr double narrowest_opening = 2e-3;  // metres: narrower gaps are between lines that ought to meet
+constexpr double same_level = 1e-7;         // metres
+constexpr double floor_margin = 20'000;     // metres from the obstacles, where a plan has no floor
+constexpr double square = 2.0;              // metres
 constexpr double most_squares = 200'000;
 constexpr std::uint32_t no_piece = 0xFFFFFFFF;
 
@@ -36,7 +36,7 @@ DoubleRing floor_around(const GroundPlan& plan) {
   Box box;
   for (const GroundRing& ring : plan.obstacles) box.add(doubled(ring));
   for (const GroundLine& line : plan.walls) box.add(doubled(line.points));
-  const glm::dvec2 low = box.low - beyond_everybody, high = box.high + beyond_everybody;
+  const glm::dvec2 low = box.low - floor_margin, high = box.high + floor_margin;
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
@@ -151,7 +151,7 @@ void WalkableArea::sort_into_squares() {
   Box box;
   for (const Piece& piece : pieces_) {
     for (const glm::dvec2& corner : piece.corners) {
-      const bool is_far = std::max(std::abs(corner.x), std::abs(corner.y)) > 0.5 * beyond_everybody;
+      const bool is_far = std::max(std::abs(corner.x), std::abs(corner.y)) > 0.5 * floor_margin;
       if (!is_far) box.add(std::span(&corner, 1));
     }
   }

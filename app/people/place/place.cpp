@@ -10,9 +10,10 @@ constexpr std::uint64_t place_stream = 14;
 
 }  // namespace
 
-Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles, Clothes clothes) {
-  Place place;
-  const PlacedCrowd crowd{agents, seed, roles, clothes};
+Surroundings surroundings_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                             Clothes clothes) {
+  Surroundings place;
+  const SceneCrowd crowd{agents, seed, roles, clothes};
   Placer placer(place, roles.spacing(), Random(seed, place_stream));
   switch (scene) {
     case Scene::plaza:

@@ -21,14 +21,14 @@ struct PlacedProp {
 };
 
 /// The things that stand around a crowd, and the ground under it.
-struct Place {
+struct Surroundings {
   std::vector<PlacedProp> props;
   render::SceneGround ground;
 };
 
 /// Returns the place of a scene. It follows from its arguments alone, grows with the crowd, and stands clear of all
 /// agents: a prop among people is an obstacle of the crowd's layout. The grid has no place.
-Place place_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
-               Clothes clothes = Clothes::own);
+Surroundings surroundings_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,
+                             Clothes clothes = Clothes::own);
 
 }  // namespace throng::app

@@ -27,7 +27,7 @@ constexpr std::uint32_t tint_of(std::uint32_t red, std::uint32_t green, std::uin
 /// Puts props into a place. Props are as large as the characters need.
 class Placer {
  public:
-  Placer(Place& place, double unit, Random random) : place_(place), unit_(unit), random_(random) {}
+  Placer(Surroundings& place, double unit, Random random) : place_(place), unit_(unit), random_(random) {}
 
   /// How a prop stands where it is put.
   struct Stance {
@@ -57,7 +57,7 @@ class Placer {
   Random& random() { return random_; }
 
  private:
-  Place& place_;
+  Surroundings& place_;
   double unit_;
   Random random_;
 };

@@ -72,7 +72,7 @@ void put_far_street(double edge, Placer& placer) {
   placer.put(Prop::tower, end + tower_aside * unit * across, heading_along(-away));
 }
 
-void put_steps(const PlacedCrowd& crowd, Placer& placer) {
+void put_steps(const SceneCrowd& crowd, Placer& placer) {
   constexpr double half_depth = 0.45;
   for (const BenchSeat& flight : plaza_steps(crowd.agents, placer.unit(), crowd.clothes)) {
     placer.put(Prop::steps, flight.position - half_depth * placer.unit() * forward_of(flight.heading), flight.heading);
@@ -81,13 +81,13 @@ void put_steps(const PlacedCrowd& crowd, Placer& placer) {
 
 }  // namespace
 
-render::SceneGround plaza_ground(const PlacedCrowd& crowd) {
+render::SceneGround plaza_ground(const SceneCrowd& crowd) {
   const double unit = crowd.roles.spacing();
   const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit, crowd.clothes));
   return {.unit = static_cast<float>(unit), .core = {edge, edge}, .paved = static_cast<float>(paved_around * unit)};
 }
 
-void put_plaza(const PlacedCrowd& crowd, Placer& placer) {
+void put_plaza(const SceneCrowd& crowd, Placer& placer) {
   const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit, crowd.clothes);
   for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles, crowd.clothes).fixtures) {
     put_fixture(fixture, placer);

@@ -10,7 +10,7 @@
 namespace throng::app {
 
 /// The crowd of a scene, as far as its place follows from it.
-struct PlacedCrowd {
+struct SceneCrowd {
   std::size_t agents;
   std::uint32_t seed;
   const CharacterRoles& roles;
@@ -18,15 +18,15 @@ struct PlacedCrowd {
 };
 
 /// These functions put the props of a scene.
-void put_plaza(const PlacedCrowd& crowd, Placer& placer);
-void put_parade(const PlacedCrowd& crowd, Placer& placer);
-void put_film(const PlacedCrowd& crowd, Placer& placer);
-void put_stadium(const PlacedCrowd& crowd, Placer& placer);
+void put_plaza(const SceneCrowd& crowd, Placer& placer);
+void put_parade(const SceneCrowd& crowd, Placer& placer);
+void put_film(const SceneCrowd& crowd, Placer& placer);
+void put_stadium(const SceneCrowd& crowd, Placer& placer);
 
 /// These functions return the ground of a scene.
-render::SceneGround plaza_ground(const PlacedCrowd& crowd);
-render::SceneGround parade_ground(const PlacedCrowd& crowd);
-render::SceneGround film_ground(const PlacedCrowd& crowd);
-render::SceneGround stadium_ground(const PlacedCrowd& crowd);
+render::SceneGround plaza_ground(const SceneCrowd& crowd);
+render::SceneGround parade_ground(const SceneCrowd& crowd);
+render::SceneGround film_ground(const SceneCrowd& crowd);
+render::SceneGround stadium_ground(const SceneCrowd& crowd);
 
 }  // namespace throng::app

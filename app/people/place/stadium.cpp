@@ -72,7 +72,7 @@ Heading inward(const Heading& outward) { return {-outward.cosine, -outward.sine}
 void put_tier(const StadiumTier& tier, double half_length, Placer& placer) {
   const double unit = placer.unit(), back = tread_back * unit, depth = (tread_front + tread_back) * unit;
   for (std::size_t seat = 0; seat < tier.seats; ++seat) {
-    const LanePlace place = stadium_seat(tier, seat);
+    const LanePoint place = stadium_seat(tier, seat);
     const glm::dvec2 at = place.position - seat_behind_feet * unit * forward_of(place.heading);
     placer.put(Prop::seat, at, place.heading, {.height = tier.height, .tint = team_of(at, half_length)});
   }
@@ -170,7 +170,7 @@ void put_roof(const StadiumTier& last, double depth, Placer& placer) {
 
 }  // namespace
 
-render::SceneGround stadium_ground(const PlacedCrowd& crowd) {
+render::SceneGround stadium_ground(const SceneCrowd& crowd) {
   const std::vector<StadiumTier> tiers = stadium_tiers(crowd.agents, crowd.roles);
   const StadiumTier& last = tiers.back();
   const Lane lowest = tiers.front().lane;
@@ -183,7 +183,7 @@ render::SceneGround stadium_ground(const PlacedCrowd& crowd) {
           .paved = static_cast<float>(last.lane.corner_radius - lowest.corner_radius + stadium_paved * unit)};
 }
 
-void put_stadium(const PlacedCrowd& crowd, Placer& placer) {
+void put_stadium(const SceneCrowd& crowd, Placer& placer) {
   const std::vector<StadiumTier> tiers = stadium_tiers(crowd.agents, crowd.roles);
   const double half_length = tiers.front().lane.core.x + tiers.front().lane.corner_radius;
   for (const StadiumTier& tier : tiers) put_tier(tier, half_length, placer);

@@ -37,7 +37,7 @@ Lane beside_route(const ParadeSize& size, double away) {
 void go_round(const Lane& lane, double pitch, const auto& put) {
   const auto count = static_cast<int>(lane.length() / pitch);
   for (int i = 0; i < count; ++i) {
-    const LanePlace place = lane.at(lane.length() * i / count);
+    const LanePoint place = lane.at(lane.length() * i / count);
     put(place.position, Heading{place.heading.sine, -place.heading.cosine}, i);
   }
 }
@@ -143,7 +143,7 @@ double film_houses(const CutSceneStreet& street, double unit) {
 
 }  // namespace
 
-render::SceneGround parade_ground(const PlacedCrowd& crowd) {
+render::SceneGround parade_ground(const SceneCrowd& crowd) {
   const ParadeSize size = parade_size(crowd.agents, crowd.roles);
   const double unit = crowd.roles.spacing();
   return {.style = render::GroundStyle::street,
@@ -154,7 +154,7 @@ render::SceneGround parade_ground(const PlacedCrowd& crowd) {
           .paved = static_cast<float>(size.outside + street_paved * unit)};
 }
 
-void put_parade(const PlacedCrowd& crowd, Placer& placer) {
+void put_parade(const SceneCrowd& crowd, Placer& placer) {
   const ParadeSize size = parade_size(crowd.agents, crowd.roles);
   put_barriers(size, placer);
   put_flags_and_lamps(size, placer);
@@ -165,7 +165,7 @@ void put_parade(const PlacedCrowd& crowd, Placer& placer) {
   placer.put_horizon(houses.x);
 }
 
-render::SceneGround film_ground(const PlacedCrowd& crowd) {
+render::SceneGround film_ground(const SceneCrowd& crowd) {
   const CutSceneStreet street = cut_scene_street(crowd.agents, crowd.roles);
   return {.style = render::GroundStyle::street,
           .unit = static_cast<float>(crowd.roles.spacing()),
@@ -173,7 +173,7 @@ render::SceneGround film_ground(const PlacedCrowd& crowd) {
           .half_width = static_cast<float>(street.half_road)};
 }
 
-void put_film(const PlacedCrowd& crowd, Placer& placer) {
+void put_film(const SceneCrowd& crowd, Placer& placer) {
   const double unit = placer.unit();
   const CutSceneStreet street = cut_scene_street(crowd.agents, crowd.roles);
   const double houses = film_houses(street, unit), far = street.first_end - 30.0 * unit;

@@ -96,14 +96,14 @@ std::vector<std::uint32_t> groups_of(const Crowd& crowd) {
 }
 
 /// A grown-up with a child at the left leads it by the hand.
-std::vector<Held> hands_of(const Crowd& crowd) {
-  std::vector<Held> hands(crowd.size());
+std::vector<HeldThing> hands_of(const Crowd& crowd) {
+  std::vector<HeldThing> hands(crowd.size());
   for (std::size_t walker = 1; walker < crowd.walkers().count(); ++walker) {
     const bool is_first =
         crowd.minds().habits()[walker] == Habit::accompany && crowd.minds().habits()[walker - 1] != Habit::accompany;
     if (!is_first || !is_child(crowd, walker)) continue;
-    hands[walker - 1] = Held::child;
-    hands[walker] = Held::grown_up;
+    hands[walker - 1] = HeldThing::child;
+    hands[walker] = HeldThing::grown_up;
   }
   return hands;
 }
@@ -115,7 +115,7 @@ bool takes_no_pushchair(Habit habit) {
 }
 
 bool has_pushchair(const Dressed& worn) {
-  return worn.in_hand != nullptr && held_named(worn.in_hand->name) == Held::pushchair;
+  return worn.in_hand != nullptr && held_named(worn.in_hand->name) == HeldThing::pushchair;
 }
 
 /// Teams have their sides of a scene.
@@ -168,7 +168,7 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
                   .body = crowd.looks().bodies[agent],
                   .group = groups[agent],
                   .team = team_of(crowd.positions()[agent]),
-                  .hand_is_taken = dressed.things[agent] != Held::nothing,
+                  .hand_is_taken = dressed.things[agent] != HeldThing::nothing,
                   .brings = crowd.minds().habits()[agent] == Habit::photograph ? "camera" : ""};
     fall_in(crowd, person);
     Dressed worn = dress_unlike_others(*dresser, person, lookalikes, dressed.looks[agent]);
@@ -186,7 +186,7 @@ DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing,
     dressed.outfits[agent] = worn.outfit;
     if (worn.in_hand == nullptr) continue;
     dressed.things[agent] = held_named(worn.in_hand->name);
-    if (dressed.things[agent] != Held::nothing) dressed.in_hand[agent] = worn.in_hand->piece;
+    if (dressed.things[agent] != HeldThing::nothing) dressed.in_hand[agent] = worn.in_hand->piece;
   }
   return dressed;
 }

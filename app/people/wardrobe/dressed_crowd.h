@@ -21,7 +21,7 @@ inline constexpr float upper_alike_reach = 6.0F;
 struct DressedCrowd {
   std::vector<render::AgentLook> looks;
   std::vector<render::Outfit> outfits;
-  std::vector<Held> things;            ///< in the agents' hands
+  std::vector<HeldThing> things;       ///< in the agents' hands
   std::vector<std::uint16_t> in_hand;  ///< the pieces of these things, as CrowdLooks has them
 };
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/people/wardrobe/told_apart.h"
+#include "app/people/wardrobe/distinct_colors.h"
 
 namespace throng::app {
 namespace {
@@ -113,7 +113,7 @@ Dresser::Dresser(const CastRules& rules, const Wardrobe& wardrobe, const Occasio
   const auto marching = std::ranges::find(rules.scenes, marching_scene, &SceneRule::scene);
   styles_ = choices_of(*rules.scene(occasion.scene), factors);
   marching_ = marching == rules.scenes.end() ? styles_ : choices_of(*marching, factors);
-  for (const Palette& palette : rules.palettes) seen_colors_.push_back(colors_told_apart(palette));
+  for (const Palette& palette : rules.palettes) seen_colors_.push_back(distinct_colors(palette));
   for (const BodyRule& body : rules.bodies) {
     silhouettes_.push_back(silhouettes_for(body.name));
     std::vector<const WardrobePart*>& skin = skin_.emplace_back();

@@ -90,7 +90,7 @@ class Dresser {
   Choices styles_, marching_;                            // of the scene, and of marchers
   std::vector<Silhouettes> silhouettes_;                 // [body]
   std::vector<std::vector<const WardrobePart*>> skin_;   // [body]
-  std::vector<std::vector<std::uint32_t>> seen_colors_;  // [palette][color] colors_told_apart
+  std::vector<std::vector<std::uint32_t>> seen_colors_;  // [palette][color] distinct_colors
 };
 
 }  // namespace throng::app

@@ -49,7 +49,7 @@ class RuleDoubts {
   void doubt_bodies() {
     const auto has_share = [](const BodyRule& body) { return body.share > 0.0F; };
     if (!rules_.bodies.empty() && std::ranges::none_of(rules_.bodies, has_share)) {
-      doubt("the shares of all bodies are 0, so everybody is the last one, " + in_quotes(rules_.bodies.back().name) +
+      doubt("the shares of all bodies are 0, so every agent is the last one, " + in_quotes(rules_.bodies.back().name) +
             "; give a body a share above 0");
     }
     for (const BodyRule& body : rules_.bodies) doubt_weights("body " + in_quotes(body.name), body.wears);
@@ -59,7 +59,7 @@ class RuleDoubts {
     for (const SlotRule& slot : slots) {
       if (!are_all_zero(slot.parts)) continue;
       doubt(owner + " gives no part of " + in_quotes(slot.slot) +
-            " a weight above 0, so nobody wears one; raise a weight, or take the slot out");
+            " a weight above 0, so no agent wears one; raise a weight, or take the slot out");
     }
   }
 
@@ -74,7 +74,7 @@ class RuleDoubts {
     }
     const std::string first_style = in_quotes(scene.styles.front().name);
     if (are_all_zero(scene.styles)) {
-      return doubt(name + ": all weights are 0, so everybody wears the first style, " + first_style +
+      return doubt(name + ": all weights are 0, so all agents wear the first style, " + first_style +
                    "; give a style a weight above 0");
     }
     for (const BodyRule& body : rules_.bodies) {
@@ -83,7 +83,7 @@ class RuleDoubts {
       };
       if (body.share <= 0.0F || std::ranges::any_of(scene.styles, suits)) continue;
       std::string text = name + ": no style is for the body " + in_quotes(body.name);
-      text.append(", who wears ").append(first_style).append(" for want of one; add a style for this body");
+      text.append(", which wears ").append(first_style).append(" for want of one; add a style for this body");
       doubt(std::move(text));
     }
   }

@@ -17,13 +17,13 @@ std::uint16_t drawn_piece(const WardrobePart& part, std::span<const WardrobePart
 
 Wardrobe::Wardrobe(std::span<const anim::ModelPart> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const anim::ModelPart& said = parts[i];
-    WardrobePart part{.name = said.name,
-                      .slot = said.slot,
-                      .body = said.body,
-                      .covers = said.covers,
-                      .keeps_out = said.keeps_out,
-                      .tags = said.tags,
+    const anim::ModelPart& described = parts[i];
+    WardrobePart part{.name = described.name,
+                      .slot = described.slot,
+                      .body = described.body,
+                      .covers = described.covers,
+                      .keeps_out = described.keeps_out,
+                      .tags = described.tags,
                       .piece = static_cast<std::uint16_t>(i + 1),  // piece 0 is the mesh without parts
                       .below = {}};
     if (!add_below(part)) parts_.push_back(std::move(part));

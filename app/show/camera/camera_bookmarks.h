@@ -10,6 +10,6 @@ namespace throng::app {
 
 /// Places of the camera that a person keeps, at the keys 1 to 9.
 inline constexpr std::size_t bookmark_count = 9;
-using CameraBookmarks = std::array<std::optional<CameraPlace>, bookmark_count>;
+using CameraBookmarks = std::array<std::optional<CameraPose>, bookmark_count>;
 
 }  // namespace throng::app

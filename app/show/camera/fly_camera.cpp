@@ -33,14 +33,14 @@ bool orbits(const InputFrame& input) {
   return input.down(MouseButton::middle) || (input.down(MouseButton::left) && input.down(Key::alt));
 }
 
-render::Camera camera_at(const CameraPlace& place) {
+render::Camera camera_at(const CameraPose& place) {
   return {.position = {place.x, place.y, place.z},
           .yaw = glm::radians(place.yaw),
           .pitch = std::clamp(glm::radians(place.pitch), -render::Camera::pitch_limit, render::Camera::pitch_limit),
           .vertical_view = glm::radians(place.field_of_view)};
 }
 
-CameraPlace place_of(const render::Camera& camera) {
+CameraPose place_of(const render::Camera& camera) {
   return {.x = camera.position.x,
           .y = camera.position.y,
           .z = camera.position.z,
@@ -49,7 +49,7 @@ CameraPlace place_of(const render::Camera& camera) {
           .field_of_view = glm::degrees(camera.vertical_view)};
 }
 
-std::string camera_option(const CameraPlace& place) {
+std::string camera_option(const CameraPose& place) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(6);

@@ -12,11 +12,11 @@
 namespace throng::app {
 
 /// Converts between the degrees of the command line and the radians of the camera.
-render::Camera camera_at(const CameraPlace& place);
-CameraPlace place_of(const render::Camera& camera);
+render::Camera camera_at(const CameraPose& place);
+CameraPose place_of(const render::Camera& camera);
 
 /// Returns "--camera x,y,z,yaw,pitch,fov", the option that puts a camera at this place.
-std::string camera_option(const CameraPlace& place);
+std::string camera_option(const CameraPose& place);
 
 /// Mouse and keyboard of a frame, as far as the camera may use them.
 struct FlyControls {
@@ -35,12 +35,12 @@ bool orbits(const InputFrame& input);
 /// left one, turns about a point. The wheel sets the speed, Shift is faster and Ctrl slower.
 class FlyCamera {
  public:
-  explicit FlyCamera(const CameraPlace& place) : camera_(camera_at(place)) {}
+  explicit FlyCamera(const CameraPose& place) : camera_(camera_at(place)) {}
 
   void update(const InputFrame& input, const FlyControls& controls, float seconds);
 
   [[nodiscard]] const render::Camera& camera() const { return camera_; }
-  [[nodiscard]] CameraPlace place() const { return place_of(camera_); }
+  [[nodiscard]] CameraPose place() const { return place_of(camera_); }
   [[nodiscard]] float speed() const { return speed_; }
   void set_speed(float speed) { speed_ = std::clamp(speed, lowest_fly_speed, highest_fly_speed); }
   void set_camera(const render::Camera& camera) { camera_ = camera; }

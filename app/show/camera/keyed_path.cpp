@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_path_bytes = std::size_t{16} << 20U;
 using Values = std::array<float, 6>;
 
-Values values_of(const CameraPlace& place) {
+Values values_of(const CameraPose& place) {
   return {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view};
 }
 
@@ -75,7 +75,7 @@ Result<std::vector<CameraKey>> read_camera_keys(const std::string& file) {
     if (row.empty() || is_comment(row)) continue;
     const std::size_t comma = row.find(',');
     const auto seconds = finite_number_in(row.substr(0, comma));
-    const auto place = comma == std::string::npos ? std::nullopt : camera_place_in(row.substr(comma + 1));
+    const auto place = comma == std::string::npos ? std::nullopt : camera_pose_in(row.substr(comma + 1));
     if (!seconds || !place)
       return fault(file, number, "it is no key; write seconds and then a place as --camera has it");
     if (!keys.empty() && *seconds <= keys.back().seconds) {

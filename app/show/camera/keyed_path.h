@@ -12,7 +12,7 @@ namespace throng::app {
 /// The place of a camera at a time.
 struct CameraKey {
   double seconds = 0.0;  ///< since the path began
-  CameraPlace place;
+  CameraPose place;
 };
 
 /// Reads a camera path: a table with the header `time,x,y,z,yaw,pitch` or `time,x,y,z,yaw,pitch,fov`, and a row a key,

@@ -65,9 +65,9 @@ std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles
   const auto end =
       static_cast<float>(size.half_length + size.radius + size.outside) + 2.2F * unit;  // before the houses
   const float above = 0.62F * across + 10.0F * unit;  // above the roofs beside the street
-  const CameraPlace front{ahead, 2.6F * unit, -straight - wide - 0.4F * unit, 105.0F, -7.5F, 42.0F};
+  const CameraPose front{ahead, 2.6F * unit, -straight - wide - 0.4F * unit, 105.0F, -7.5F, 42.0F};
   // A single file has trees beside it.
-  const CameraPlace street{std::min(ahead + 9.0F * unit, end), 1.7F * unit, 0.3F * wide - straight, 90.0F, 1.0F, 34.0F};
+  const CameraPose street{std::min(ahead + 9.0F * unit, end), 1.7F * unit, 0.3F * wide - straight, 90.0F, 1.0F, 34.0F};
   return {
       {"front", front},
       {"above", {0.0F, above, 0.3F * above, 0.0F, -73.0F, 50.0F}},
@@ -84,9 +84,9 @@ std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRole
   const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
   const auto depth = static_cast<float>(size.depth), height = static_cast<float>(size.height);
   const float above = 1.5F * (length + depth) + 6.0F * unit;
-  const CameraPlace front{0.55F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 46.0F, -7.0F, 46.0F};
-  const CameraPlace tiers{
-      0.35F * length, 0.4F * height + 2.0F * unit, width + 0.4F * depth - 2.2F * unit, 108.0F, -6.0F, 40.0F};
+  const CameraPose front{0.55F * length, 0.62F * height + 2.2F * unit, width + 0.62F * depth, 46.0F, -7.0F, 46.0F};
+  const CameraPose tiers{0.35F * length, 0.4F * height + 2.0F * unit, width + 0.4F * depth - 2.2F * unit, 108.0F, -6.0F,
+                         40.0F};
   const bool has_tiers = depth > 3.0F * unit;  // behind one another
   return {
       {"front", front},

@@ -13,7 +13,7 @@ namespace throng::app {
 
 struct NamedCamera {
   std::string_view name;
-  CameraPlace place;
+  CameraPose place;
 };
 
 /// The vertical field of view of the film's own camera, in degrees.

@@ -26,7 +26,7 @@ std::string milliseconds(double value) {
 
 }  // namespace
 
-Limiter who_limits(const FrameTimes& times) {
+Limiter limiting_part(const FrameTimes& times) {
   const std::array<double, 4> parts = parts_of(times);
   return static_cast<Limiter>(std::ranges::max_element(parts) - parts.begin());
 }
@@ -35,7 +35,7 @@ std::string limit_sentence(const FrameTimes& times) {
   const std::array<double, 4> parts = parts_of(times);
   const double whole = times.frame_ms();
   if (whole <= 0.0) return {};
-  const auto most = static_cast<std::size_t>(who_limits(times));
+  const auto most = static_cast<std::size_t>(limiting_part(times));
   std::string others;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i == most) continue;

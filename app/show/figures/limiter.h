@@ -25,7 +25,7 @@ struct FrameTimes {
 enum class Limiter : std::uint8_t { animation, upload, submission, gpu };
 
 /// Returns the part that takes most of the frame, the earlier one of two that take equally long.
-Limiter who_limits(const FrameTimes& times);
+Limiter limiting_part(const FrameTimes& times);
 
 /// Returns "Animation limits you: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3", or nothing before
 /// the first frame.

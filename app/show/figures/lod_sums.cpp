@@ -16,12 +16,12 @@ SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule) {
           .bones_percent = percent_of(cost.due_all_bones - cost.due, cost.visible)};
 }
 
-void LodSums::Held::add(bool holds) {
+void LodSums::LimitCount::add(bool holds) {
   ++frames;
   held += holds ? 1U : 0U;
 }
 
-double LodSums::Held::percent() const { return percent_of(held, frames); }
+double LodSums::LimitCount::percent() const { return percent_of(held, frames); }
 
 void LodSums::add(const anim::LodFigures& figures) {
   last = figures;

@@ -16,7 +16,7 @@ SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule);
 
 /// Sums up level of detail over the frames of a run.
 struct LodSums {
-  struct Held {
+  struct LimitCount {
     std::uint64_t frames = 0, held = 0;
     void add(bool holds);
     double percent() const;
@@ -26,8 +26,8 @@ struct LodSums {
   double predicted_ms = 0.0;
   std::uint64_t frames = 0;
   anim::LodCost cost;
-  Held error;  ///< frames in which something was measured
-  Held budget;
+  LimitCount error;  ///< frames in which something was measured
+  LimitCount budget;
 
   void add(const anim::LodFigures& figures);
   double predicted_ms_a_frame() const;

@@ -58,7 +58,7 @@ std::string cast_sentence(const CharacterSource& character, const std::string& n
 
 }  // namespace
 
-std::string software_notice(const std::string& renderer, const Spared& spared) {
+std::string software_notice(const std::string& renderer, const SoftwareSavings& spared) {
   std::string list;
   const auto add = [&list](bool is_spared, const std::string& words) {
     if (is_spared) list += (list.empty() ? "" : ", ") + words;
@@ -115,7 +115,7 @@ std::string tracks_notice(const Trajectories& trajectories) {
                                                   : counted_people(trajectories.persons.size()) + ", " +
                                                         std::to_string(trajectories.row_count) + " rows.";
   std::string notice = trajectories.file + ": " + trajectories.format + ", " + counts;
-  for (const std::string& sentence : trajectories.said) notice += " " + sentence;
+  for (const std::string& sentence : trajectories.remarks) notice += " " + sentence;
   std::size_t odd = 0;
   for (const OddityCount& found : trajectories.report.found) odd += found.count;
   if (odd > 0) notice += " " + std::to_string(odd) + " odd things in it are listed by throng inspect.";

@@ -13,13 +13,13 @@
 namespace throng::app {
 
 /// The savings where a processor draws live and the command line does not ask otherwise.
-struct Spared {
+struct SoftwareSavings {
   int agents = 0;  ///< the number that is animated instead of the one asked for; 0: as asked
   bool multisampling = false, shadows = false;
   float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: as asked
   int triangles = 0;   ///< with it: the most of all agents in view
 };
-std::string software_notice(const std::string& renderer, const Spared& spared);
+std::string software_notice(const std::string& renderer, const SoftwareSavings& spared);
 
 /// Says what import repaired and left out of the characters' files, up to three lines each, how they were changed after
 /// import, and which other characters the files have.

@@ -94,7 +94,7 @@ void add_error(Json& json, const ErrorMeter& meter) {
 void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
   const bool by_error = tuning.lod.rule == anim::LodRule::budget;
   const SavedCost saved = sums.saved(tuning.lod.rule);
-  const auto held = [&](const LodSums::Held& limit, float asked) {
+  const auto held = [&](const LodSums::LimitCount& limit, float asked) {
     return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
   };
   json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);

@@ -52,7 +52,7 @@ class Statistics {
   std::uint64_t palette_bytes_ = 0, dma_in_ = 0, dma_out_ = 0, dma_transfers_ = 0, stream_bytes_ = 0;
   std::uint64_t agents_updated_ = 0, bones_evaluated_ = 0;
   std::uint64_t agents_demoted_ = 0;
-  LodSums::Held triangle_budget_;
+  LodSums::LimitCount triangle_budget_;
   LodSums lod_;
 };
 

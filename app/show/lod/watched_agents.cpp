@@ -17,7 +17,7 @@ void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t e
   free_.reserve(watched);
   lots_.clear();
   lots_.reserve(watched);
-  place_of_.assign(agents, WatchedAgent::nobody);
+  place_of_.assign(agents, WatchedAgent::no_agent);
   std::byte* next = palettes_.get();
   for (WatchedAgent& each : watched_) {
     for (std::byte** const palette : {&each.from, &each.to}) {
@@ -28,13 +28,13 @@ void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t e
 }
 
 void WatchedAgents::stop(WatchedAgent& watched) {
-  place_of_[watched.agent] = WatchedAgent::nobody;
+  place_of_[watched.agent] = WatchedAgent::no_agent;
   free_.push_back(static_cast<std::uint32_t>(&watched - watched_.data()));
-  watched.agent = WatchedAgent::nobody;
+  watched.agent = WatchedAgent::no_agent;
 }
 
 void WatchedAgents::watch(std::uint32_t agent) {
-  if (free_.empty() || place_of_[agent] != WatchedAgent::nobody) return;
+  if (free_.empty() || place_of_[agent] != WatchedAgent::no_agent) return;
   const std::uint32_t place = free_.back();
   free_.pop_back();
   place_of_[agent] = place;
@@ -48,7 +48,7 @@ void WatchedAgents::watch(std::uint32_t agent) {
 void WatchedAgents::choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown) {
   const bool watches_all = watched_.size() == place_of_.size();
   for (WatchedAgent& watched : watched_) {
-    if (watched.agent == WatchedAgent::nobody) continue;
+    if (watched.agent == WatchedAgent::no_agent) continue;
     const bool over = !watches_all && watched.frames_left-- == 0;
     if (over || !shown.pose(watched.agent).shown()) stop(watched);
   }
@@ -79,7 +79,7 @@ void WatchedAgents::fill_by_height(std::span<const anim::VisibleAgent> visible) 
 anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
                                                     anim::PaletteDestination slot_memory) {
   const std::uint32_t place = place_of_[agent];
-  if (place == WatchedAgent::nobody || slot_memory == nullptr) return slot_memory;
+  if (place == WatchedAgent::no_agent || slot_memory == nullptr) return slot_memory;
   WatchedAgent& watched = watched_[place];
   watched.blends = pose.from.first_line != pose.to.first_line;
   watched.from_known = watched.to_known && pose.from_format == pose.to_format &&

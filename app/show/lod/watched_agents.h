@@ -16,10 +16,10 @@ namespace throng::app {
 /// An agent whose palettes are kept where they can be read, because the device's memory is only written
 /// (engine/render).
 struct WatchedAgent {
-  static constexpr std::uint32_t nobody = UINT32_MAX;
+  static constexpr std::uint32_t no_agent = UINT32_MAX;
   static constexpr std::uint64_t never = UINT64_MAX - 1;
 
-  std::uint32_t agent = nobody;
+  std::uint32_t agent = no_agent;
   std::uint32_t frames_left = 0;
   std::byte* from = nullptr;     ///< the palette of the slot that the agent blends from; room for matrices
   std::byte* to = nullptr;       ///< the palette of the slot that the agent blends to; room for matrices
@@ -34,7 +34,7 @@ struct WatchedAgent {
   std::uint64_t measured_in = never;
   std::uint64_t measured_again_in = never;  ///< the second of a pair of frames
 
-  bool can_be_measured() const { return agent != nobody && to_known && (from_known || !blends); }
+  bool can_be_measured() const { return agent != no_agent && to_known && (from_known || !blends); }
 };
 
 /// The agents that the meter watches: all in view, or some of them for a while, drawn by chance in proportion to their
@@ -68,7 +68,7 @@ class WatchedAgents {
 
   std::vector<WatchedAgent> watched_;
   std::vector<std::uint32_t> free_;      // places in watched_
-  std::vector<std::uint32_t> place_of_;  // [agent] in watched_, or nobody
+  std::vector<std::uint32_t> place_of_;  // [agent] in watched_, or no_agent
   std::vector<float> lots_;
   anim::AlignedBytes palettes_;
   Random random_{1, 0x6d65746572};

@@ -109,7 +109,7 @@ struct FrameReport {
   KeptFrames kept;                       ///< frames to look at after they have passed
   std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
   SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
-  CameraPlace camera;
+  CameraPose camera;
   CameraReport cameras;
   std::optional<ReplayReport> replay;       ///< a recording is repeated
   std::optional<TracksReport> tracks;       ///< the scene is a recorded crowd

@@ -22,13 +22,13 @@ void Messages::say(std::string words, Message::Kind kind) {
   if (messages_.size() > most_messages) messages_.pop_front();
 }
 
-bool Messages::tell(const anim::Status& outcome) {
+bool Messages::report(const anim::Status& outcome) {
   if (!outcome) say(outcome.error().message, Message::Kind::refused);
   return static_cast<bool>(outcome);
 }
 
-bool Messages::tell(const anim::Status& outcome, const std::string& done) {
-  if (!tell(outcome)) return false;
+bool Messages::report(const anim::Status& outcome, const std::string& done) {
+  if (!report(outcome)) return false;
   say(done);
   return true;
 }

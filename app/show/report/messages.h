@@ -28,9 +28,9 @@ class Messages {
   /// Says something. A message that is still seen and has the same words appears again in its place.
   void say(std::string words, Message::Kind kind = Message::Kind::done);
   /// Says why something failed, if it did. Returns whether it did not.
-  bool tell(const anim::Status& outcome);
+  bool report(const anim::Status& outcome);
   /// Says `done` if the outcome is a success, else why it failed. Returns whether it is a success.
-  bool tell(const anim::Status& outcome, const std::string& done);
+  bool report(const anim::Status& outcome, const std::string& done);
 
   /// Lets the window's clock go on.
   void pass(double seconds) { clock_ += seconds; }

@@ -55,7 +55,7 @@ void read_bookmarks(const Json& json, std::optional<std::string>& complaint, Cam
   for (std::size_t i = 0; i < bookmarks.size(); ++i) {
     const std::string digit = std::to_string(i + 1);
     if (!object.has(digit)) continue;
-    if (const Complaint wrong = read_camera_place(digit, object[digit], bookmarks.at(i))) object.complain(*wrong);
+    if (const Complaint wrong = read_camera_pose(digit, object[digit], bookmarks.at(i))) object.complain(*wrong);
   }
 }
 

@@ -101,7 +101,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, std::span<cons
   if (tuning.wardrobe) dress(clothing, tuning);
 }
 
-void AnimatedCrowd::give(std::vector<Held> things) {
+void AnimatedCrowd::give(std::vector<HeldThing> things) {
   crowd_->minds().give(std::move(things));
   details_->find_things();
 }

@@ -48,7 +48,7 @@ class AnimatedCrowd {
   void populate(const Tuning& tuning, Clocks clocks, std::span<const Clothing> clothing,
                 const TrackSource& tracks = {});
   /// Gives each agent the thing that its hands hold, [agent]; empty: nothing. Agents are as they were made.
-  void give(std::vector<Held> things);
+  void give(std::vector<HeldThing> things);
 
   /// Lets all agents go on where they are, by the clips that the roles of the characters have now. Each character can
   /// walk as before.

@@ -53,7 +53,7 @@ bool AnimatedCrowd::can_fall(std::uint32_t agent) const { return fallen_->possib
 anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& direction) {
   const CharacterSource& character = character_of(agent);
   if (follows_a_script(agent)) {
-    return anim::Error{"nobody who acts in the cut scene or follows a file can be pushed over"};
+    return anim::Error{"an agent that acts in the cut scene or follows a file cannot be pushed over"};
   }
   if (!can_fall(agent)) {
     const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing(), "; ", "; ");

@@ -78,12 +78,12 @@ void HeldArms::reset(const Crowd& crowd) {
   arm_of_.assign(crowd.size(), none);
   arms_.clear();
   shown_.clear();
-  const std::span<const Held> things = crowd.minds().things();
+  const std::span<const HeldThing> things = crowd.minds().things();
   for (std::uint32_t agent = 0; agent < things.size(); ++agent) give(crowd, agent, things[agent]);
   shown_.reserve(arms_.size());
 }
 
-void HeldArms::give(const Crowd& crowd, std::uint32_t agent, Held thing) {
+void HeldArms::give(const Crowd& crowd, std::uint32_t agent, HeldThing thing) {
   const auto arm = app::arm_of(thing);
   if (!arm) return;
   const std::size_t character = crowd.characters()[agent];
@@ -137,7 +137,7 @@ bool HeldArms::goes_on(std::uint32_t agent) {
 
 void HeldArms::show(const Crowd& crowd, std::span<const anim::VisibleAgent> near, std::span<const std::uint8_t> away) {
   const std::uint32_t before = frame_++;
-  const std::span<const Held> things = crowd.minds().things();
+  const std::span<const HeldThing> things = crowd.minds().things();
   for (const anim::VisibleAgent& seen : near) {
     const std::uint32_t agent = seen.agent;
     if (arm_of_[agent] == none) continue;

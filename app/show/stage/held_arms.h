@@ -43,7 +43,7 @@ class HeldArms {
   bool shows_thing(const Crowd& crowd, std::uint32_t agent) const {
     if (agent >= arm_of_.size() || arm_of_[agent] == none) return true;
     return arms_[arm_of_[agent]].near_in == frame_ &&
-           is_in_hand(crowd.minds().things()[agent], crowd.minds().roles()[agent]);
+           is_drawn_in_role(crowd.minds().things()[agent], crowd.minds().roles()[agent]);
   }
   /// Returns whether the arm of an agent holds something now, over the clips of the whole body.
   bool holds(std::uint32_t agent) const {
@@ -64,7 +64,7 @@ class HeldArms {
   static constexpr std::uint32_t none = ~0U;
 
   int mask_of(std::size_t character, Role arm);
-  void give(const Crowd& crowd, std::uint32_t agent, Held thing);
+  void give(const Crowd& crowd, std::uint32_t agent, HeldThing thing);
   void turn_on(std::uint32_t agent, Arm& arm, bool at_once);
   void turn_off(std::uint32_t agent, Arm& arm);
   bool goes_on(std::uint32_t agent);

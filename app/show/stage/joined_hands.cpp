@@ -135,9 +135,9 @@ void JoinedHands::reset(const Crowd& crowd) {
   pairs_.clear();
   lent_.reset(crowd.size());
   away_.assign(crowd.size(), 0);
-  const std::span<const Held> things = crowd.minds().things();
+  const std::span<const HeldThing> things = crowd.minds().things();
   for (std::uint32_t agent = 1; agent < things.size(); ++agent) {
-    if (things[agent] != Held::grown_up || things[agent - 1] != Held::child) continue;
+    if (things[agent] != HeldThing::grown_up || things[agent - 1] != HeldThing::child) continue;
     const std::uint8_t grown_up = crowd.characters()[agent - 1], child = crowd.characters()[agent];
     const bool have_arms = arms_[grown_up][0].length > 0.0F && arms_[child][1].length > 0.0F;
     if (have_arms) pairs_.push_back({.grown_up = agent - 1, .child = agent, .characters = {grown_up, child}});

@@ -19,14 +19,14 @@ std::string label_of(anim::BodyRole part) {
 
 /// Returns the place of the bone that a person says for a part, or -1.
 int said_bone(const BodyParts& body, anim::BodyRole part) {
-  const auto said = std::ranges::find(body.said, part, &RigChoice::role);
-  if (said == body.said.end()) return -1;
-  const auto bone = std::ranges::find(body.bones, said->bone);
+  const auto choice = std::ranges::find(body.chosen, part, &RigChoice::role);
+  if (choice == body.chosen.end()) return -1;
+  const auto bone = std::ranges::find(body.bones, choice->bone);
   return bone == body.bones.end() ? -1 : static_cast<int>(bone - body.bones.begin());
 }
 
 std::vector<RigChoice> with_part(const BodyParts& body, anim::BodyRole part, int bone) {
-  std::vector<RigChoice> parts = body.said;
+  std::vector<RigChoice> parts = body.chosen;
   std::erase_if(parts, [&](const RigChoice& choice) { return choice.role == part; });
   if (bone >= 0) parts.push_back({part, body.bones[static_cast<std::size_t>(bone)]});
   std::ranges::sort(parts, {}, &RigChoice::role);
@@ -64,7 +64,7 @@ void show_open_list(const TabContext& context) {
                    "the ground and clips of other files go by it from then on."}))
     requests.ask(SaveBody{});
   if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."},
-                     report.body.said.empty() ? "every part is as it is guessed" : nullptr)) {
+                     report.body.chosen.empty() ? "every part is as it is guessed" : nullptr)) {
     requests.ask(SetBody{report.character, {}});
   }
 }

@@ -29,17 +29,17 @@ void show_ways_to_go(const TabContext& context) {
           "Home",
           {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."}))
     context.requests.ask(GoHome{});
-  if (buttons.button("Frame crowd", {.what = "Moves the camera until everybody is seen beside the panel. Key F."}))
+  if (buttons.button("Frame crowd", {.what = "Moves the camera until all agents are seen beside the panel. Key F."}))
     context.requests.ask(FrameCrowd{});
-  const char* const nobody = context.report.selected ? nullptr : "Nobody is selected. Click at somebody first.";
+  const char* const why_not = context.report.selected ? nullptr : "No agent is selected. Click at one first.";
   ButtonRow follow(context.widgets, 2);
   if (follow.button(cameras.follows ? "Stop following" : "Follow",
-                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, nobody))
+                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, why_not))
     context.requests.ask(ToggleFollow{});
   if (follow.button("From behind",
                     {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
                              "go round."},
-                    nobody))
+                    why_not))
     context.requests.ask(FollowBehind{});
 }
 
@@ -92,7 +92,7 @@ void show_camera_section(const TabContext& context) {
     context.requests.ask(SetFlySpeed{static_cast<float>(speed)});
   }
   if (widgets.is_searching()) return;
-  const CameraPlace& camera = context.report.camera;
+  const CameraPose& camera = context.report.camera;
   const auto number = [](float value) { return fixed(value, 1); };
   widgets.fact("Camera at", number(camera.x) + ", " + number(camera.y) + ", " + number(camera.z),
                {.what = "Where the camera stands.", .unit = "metres"});

@@ -32,7 +32,7 @@ void show_selection_card(Widgets& widgets, const Area& place, const FrameReport&
 void show_view_button(Widgets& widgets, const std::string& name, float width, Requests& requests);
 
 /// Returns the way in which an agent is pushed that is seen from a camera.
-glm::vec3 ahead_of(const CameraPlace& camera);
+glm::vec3 ahead_of(const CameraPose& camera);
 
 /// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);

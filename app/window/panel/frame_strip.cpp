@@ -95,9 +95,9 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report, Requ
   const std::size_t index = count - 1 - frames_ago;
   const float x = x_of(graph, static_cast<int>(frames_ago));
   ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
-  tell({"frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
-            short_milliseconds(report.update_ms_history[index]) + " ms",
-        report.kept.numbers.empty() ? "" : "click: what the slow frame nearest to it did, one with a dot"});
+  show_lines({"frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
+                  short_milliseconds(report.update_ms_history[index]) + " ms",
+              report.kept.numbers.empty() ? "" : "click: what the slow frame nearest to it did, one with a dot"});
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     requests.ask(LookAtFrame{report.frame - static_cast<int>(frames_ago)});
   }

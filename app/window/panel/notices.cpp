@@ -61,7 +61,7 @@ void show_pill(Widgets& widgets, const Area& crowd, const Pill& pill) {
   const bool clicked = pill.close ? widgets.clickable(pill.name, pill.place) : widgets.hoverable(pill.name, pill.place);
   const bool hovered = ImGui::IsItemHovered();
   draw_pill(widgets.theme(), crowd, pill, hovered);
-  if (hovered && !pill.help.empty()) tell({pill.help});
+  if (hovered && !pill.help.empty()) show_lines({pill.help});
   if (clicked && pill.close) pill.close();
 }
 

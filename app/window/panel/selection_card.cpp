@@ -159,7 +159,7 @@ void show_view_button(Widgets& widgets, const std::string& name, float width, Re
     requests.ask(ViewSelected{});
 }
 
-glm::vec3 ahead_of(const CameraPlace& camera) { return render::forward(camera_at(camera)); }
+glm::vec3 ahead_of(const CameraPose& camera) { return render::forward(camera_at(camera)); }
 
 std::string place_in_clip(const EntityRow& row) {
   if (row.duration_seconds <= 0) return "";

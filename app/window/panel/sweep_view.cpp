@@ -145,9 +145,9 @@ void take_by_keys(PanelFocus& focus, const SweepCurve& curve, Tuning& tuning) {
 }
 
 void tell_of(const SweepCurve& curve, const SweepStop& stop) {
-  tell({with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds),
-        with_thousands(stop.cost.tasks) + " tasks, " + size_text(stop.cost.bytes) + " copied an update",
-        curve.runs ? "" : "Click: take this value."});
+  show_lines({with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds),
+              with_thousands(stop.cost.tasks) + " tasks, " + size_text(stop.cost.bytes) + " copied an update",
+              curve.runs ? "" : "Click: take this value."});
 }
 
 std::string summary(const SweepCurve& curve) {

@@ -39,13 +39,13 @@ std::string agents_of(const anim::TaskContent& content) {
 
 void tell_of(const anim::TraceSpan& span, const TimelineFrame& frame) {
   const double begin = frame.time.ms(span.begin), end = frame.time.ms(span.end);
-  tell({look_of(span).words,
-        "frame " + std::to_string(frame.frame) + ", " + fixed(begin, 3) + " to " + fixed(end, 3) + " ms, " +
-            fixed(1000 * (end - begin), 1) + " \xC2\xB5s",
-        span.content.agents == 0 ? "" : agents_of(span.content),
-        span.transfers == 0 ? ""
-                            : size_text(span.bytes_in) + " in, " + size_text(span.bytes_out) + " out, " +
-                                  with_thousands(span.transfers) + " transfers"});
+  show_lines({look_of(span).words,
+              "frame " + std::to_string(frame.frame) + ", " + fixed(begin, 3) + " to " + fixed(end, 3) + " ms, " +
+                  fixed(1000 * (end - begin), 1) + " \xC2\xB5s",
+              span.content.agents == 0 ? "" : agents_of(span.content),
+              span.transfers == 0 ? ""
+                                  : size_text(span.bytes_in) + " in, " + size_text(span.bytes_out) + " out, " +
+                                        with_thousands(span.transfers) + " transfers"});
 }
 
 /// Turns milliseconds of the axis into pixels of a lane.

@@ -125,8 +125,8 @@ void show_end(Widgets& widgets, const Area& handles, const TimeAxis& axis, bool 
   if (ImGui::IsItemActive()) {
     move(axis.time_at(ImGui::GetIO().MousePos.x - out / 2));
   } else if (ImGui::IsItemHovered()) {
-    tell({(is_last ? "The part ends at " : "The part begins at ") + seconds_text(end()),
-          std::string("Drag it. The key ") + (is_last ? "]" : "[") + " puts it at the present time."});
+    show_lines({(is_last ? "The part ends at " : "The part begins at ") + seconds_text(end()),
+                std::string("Drag it. The key ") + (is_last ? "]" : "[") + " puts it at the present time."});
   }
   if (const int step = widgets.stop(name, place).take_step()) move(end() + step * clock.people().row());
   const Area drawn = place_at(axis.x_of(end()));
@@ -146,8 +146,8 @@ void show_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis, Clock
   } else if (ImGui::IsItemHovered()) {
     const double seconds = axis.time_at(pointer);
     const bool is_in_part = seconds >= clock.now().first && seconds <= clock.now().last;
-    tell({seconds_text(seconds) + ", " + count_of(clock.people().at(seconds)),
-          is_in_part ? "" : "Outside of the part that is played."});
+    show_lines({seconds_text(seconds) + ", " + count_of(clock.people().at(seconds)),
+                is_in_part ? "" : "Outside of the part that is played."});
   }
   const bool lively = ImGui::IsItemActive() || ImGui::IsItemHovered();
   if (const int step = widgets.stop("Tracks.track", graph).take_step()) clock.step(step);
@@ -208,7 +208,7 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
   if (controls.right("Tracks.whole", track::whole)) {
     clock.set(with_part(clock.now(), clock.people().first(), clock.people().last()));
   }
-  if (ImGui::IsItemHovered()) tell({"Plays the whole file again."});
+  if (ImGui::IsItemHovered()) show_lines({"Plays the whole file again."});
   controls.fill(false);
   controls.write("Whole", false);
   if (controls.right("Tracks.loop", track::loop)) {
@@ -216,15 +216,15 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
     changed.repeats = !changed.repeats;
     clock.set(changed);
   }
-  if (ImGui::IsItemHovered()) tell({"At its end the part begins anew, or else it stays there."});
+  if (ImGui::IsItemHovered()) show_lines({"At its end the part begins anew, or else it stays there."});
   controls.fill(clock.now().repeats);
   controls.write("Loop", clock.now().repeats);
   for (const bool faster : {true, false}) {
     if (!faster) {
       if (controls.right("Tracks.rate", track::rate)) set_rate(1.0);
       if (ImGui::IsItemHovered()) {
-        tell({"Seconds of the file in a second; a click makes it 1.",
-              "The value Speed in the tab Crowd multiplies it."});
+        show_lines({"Seconds of the file in a second; a click makes it 1.",
+                    "The value Speed in the tab Crowd multiplies it."});
       }
       controls.fill(false);
       controls.write(times_words(static_cast<float>(clock.now().rate)), false);

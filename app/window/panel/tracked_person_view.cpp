@@ -84,9 +84,9 @@ void show_speed_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis,
   if (ImGui::IsItemActive()) {
     go_to(pointed);
   } else if (ImGui::IsItemHovered()) {
-    tell({seconds_text(pointed) + ": " + fixed(person.speed_at(pointed), 2) + " m/s, " +
-              fixed(person.way_at(pointed), 1) + " m walked",
-          "A mean of 0.8 s in the file. The steps are those", "that are shown: the file has none."});
+    show_lines({seconds_text(pointed) + ": " + fixed(person.speed_at(pointed), 2) + " m/s, " +
+                    fixed(person.way_at(pointed), 1) + " m walked",
+                "A mean of 0.8 s in the file. The steps are those", "that are shown: the file has none."});
   }
   if (const int step = widgets.stop("Selected.speed", graph).take_step()) {
     go_to(clock.seconds + step * report.tracks->people->row());

@@ -191,7 +191,7 @@ void show_bone_name(const Theme& theme, const Area& picture, const ViewerReport&
     nearest = away;
     found = &joint;
   }
-  if (found != nullptr) tell({report.bones[found->bone]});
+  if (found != nullptr) show_lines({report.bones[found->bone]});
 }
 
 void show_viewer_panel(Widgets& widgets, const std::string& name, const ViewerReport& report, ViewerPanelMemory& memory,

@@ -13,7 +13,9 @@ constexpr const char* no_process = "the agent has no post process of this id";
 
 }  // namespace
 
-const CharacterAgents& AgentView::agents() const { return exists() ? population_->character_of(number()) : nobody(); }
+const CharacterAgents& AgentView::agents() const {
+  return exists() ? population_->character_of(number()) : no_agents();
+}
 
 CharacterId AgentView::character_id() const {
   return exists() ? population_->id_of_character(population_->numbers().member(number()).character) : CharacterId{};

@@ -283,7 +283,7 @@ std::size_t CharacterAgents::bytes_alive() const {
   return bytes;
 }
 
-const CharacterAgents& nobody() {
+const CharacterAgents& no_agents() {
   struct Nobody : CharacterAgents {
     Nobody() : CharacterAgents(without_bones()) { agents.add(); }
     // It has a level, as every skeleton that a PU is told of.

@@ -94,7 +94,7 @@ struct CharacterAgents {
 };
 
 /// Stands where a character or an agent is gone: a character without bones, and one agent, number 0, without channels.
-const CharacterAgents& nobody();
+const CharacterAgents& no_agents();
 
 /// Returns what the agents of all characters together ask of the local stores.
 LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAgents>> characters, StreamKind stream);

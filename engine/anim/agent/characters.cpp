@@ -47,7 +47,7 @@ bool is_permutation_of_bones(std::span<const int> places, int bone_count) {
 }  // namespace
 
 const CharacterAgents& Characters::of(CharacterId character) const {
-  return has(character) ? *system_->population.characters()[character.number] : nobody();
+  return has(character) ? *system_->population.characters()[character.number] : no_agents();
 }
 
 PaletteFormat Characters::palette_format(CharacterId character) const {

@@ -36,7 +36,7 @@ void StrideSum::add(const EntityBuilder& build, const PlayingPoint& gait, double
 }
 
 InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build) const {
-  if (leader_ == nobody) return {};
+  if (leader_ == no_player) return {};
   const int clip = points_[leader_].clip;
   const FineTicks length = length_of(build, clip);
   const FineTicks position = build.position(players_[leader_]);
@@ -44,7 +44,7 @@ InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build) const {
 }
 
 double InStepPlayers::phase(const EntityBuilder& build) const {
-  if (leader_ == nobody) return 0.0;
+  if (leader_ == no_player) return 0.0;
   const Stride now = stride(build);
   return static_cast<double>(now.position) / static_cast<double>(length_of(build, now.clip));
 }
@@ -56,9 +56,9 @@ bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const Pla
   std::array<bool, most> kept{};
   bool changed = points.size() != count_;
   const std::size_t had = count_;
-  const std::size_t leading = leader_ == nobody ? nobody : played[leader_].point;
+  const std::size_t leading = leader_ == no_player ? no_player : played[leader_].point;
   count_ = points.size();
-  leader_ = nobody;
+  leader_ = no_player;
   for (std::size_t i = 0; i < count_; ++i) {
     points_[i] = points[i];
     players_[i] = {};
@@ -84,7 +84,7 @@ bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const Pla
 std::size_t InStepPlayers::choose_leader() const {
   std::size_t best = leader_;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (points_[i].is_gait && (best == nobody || points_[i].weight > points_[best].weight)) best = i;
+    if (points_[i].is_gait && (best == no_player || points_[i].weight > points_[best].weight)) best = i;
   }
   return best;
 }
@@ -100,7 +100,7 @@ bool InStepPlayers::play(const EntityBuilder& build, std::span<const PlayingPoin
   }
   const std::size_t old_leader = leader_;
   leader_ = choose_leader();
-  if (leader_ == nobody) return changed;
+  if (leader_ == no_player) return changed;
   lead(build, old_leader == leader_ ? Stride{} : before, cycles_per_second);
   const Stride now = stride(build);
   for (std::size_t i = 0; i < count_; ++i) {

@@ -56,7 +56,7 @@ class InStepPlayers {
   void destroy_entities(const EntityBuilder& build);
 
  private:
-  static constexpr std::size_t nobody = most;
+  static constexpr std::size_t no_player = most;
 
   /// A place in the stride of a clip.
   struct Stride {
@@ -72,7 +72,7 @@ class InStepPlayers {
   std::array<Handle, most> players_;
   std::array<PlayingPoint, most> points_{};
   std::size_t count_ = 0;
-  std::size_t leader_ = nobody;
+  std::size_t leader_ = no_player;
   Ticks next_update_ = never;
 };
 

@@ -24,7 +24,7 @@ void PopulationSnapshot::widen(LocalStoreDemand& demand) const {
 
 CharacterId Population::add_character(std::shared_ptr<const Character> character) {
   const auto free =
-      std::ranges::find_if(characters_, [](const auto& one) { return one->character == nobody().character; });
+      std::ranges::find_if(characters_, [](const auto& one) { return one->character == no_agents().character; });
   const auto number = static_cast<std::uint32_t>(free - characters_.begin());
   if (free == characters_.end()) {
     characters_.emplace_back();
@@ -37,18 +37,18 @@ CharacterId Population::add_character(std::shared_ptr<const Character> character
 
 std::size_t Population::character_count() const {
   return static_cast<std::size_t>(
-      std::ranges::count_if(characters_, [](const auto& one) { return one->character != nobody().character; }));
+      std::ranges::count_if(characters_, [](const auto& one) { return one->character != no_agents().character; }));
 }
 
 void Population::remove_character(std::uint32_t character) {
   assert(characters_[character]->agents.alive_count() == 0 && "its agents play it");
-  characters_[character] = std::make_unique<CharacterAgents>(nobody().character);
+  characters_[character] = std::make_unique<CharacterAgents>(no_agents().character);
   ++character_generations_[character];
-  while (characters_.back()->character == nobody().character) characters_.pop_back();
+  while (characters_.back()->character == no_agents().character) characters_.pop_back();
 }
 
 bool Population::has(CharacterId character) const {
-  return character.number < characters_.size() && characters_[character.number]->character != nobody().character &&
+  return character.number < characters_.size() && characters_[character.number]->character != no_agents().character &&
          (character.generation == whichever || character.generation == character_generations_[character.number]);
 }
 

@@ -13,12 +13,14 @@
 namespace throng {
 namespace {
 
-const anim::Character& nobody() {
+const anim::Character& no_character() {
   static const anim::Character empty;
   return empty;
 }
 
-const anim::Character& baked(const detail::CharacterData* data) { return data == nullptr ? nobody() : *data->baked; }
+const anim::Character& baked(const detail::CharacterData* data) {
+  return data == nullptr ? no_character() : *data->baked;
+}
 
 bool has_bone(const anim::Character& character, int bone) {
   return bone >= 0 && bone < character.skeleton.bone_count();

@@ -74,17 +74,17 @@ class MeshReader {
 
   /// Takes the meshes that were read last as a part's.
   anim::ModelPart read_part(int node) {
-    const PartNode& said = document_.parts.at(node);
+    const PartNode& described = document_.parts.at(node);
     const std::string& name = source(node).name;
     anim::ModelPart part{.name = name.substr(name.find('/') + 1),
-                         .slot = said.slot,
-                         .body = said.body,
-                         .covers = said.covers,
-                         .keeps_out = said.keeps_out,
-                         .tags = said.tags,
+                         .slot = described.slot,
+                         .body = described.body,
+                         .covers = described.covers,
+                         .keeps_out = described.keeps_out,
+                         .tags = described.tags,
                          .meshes = std::exchange(meshes_, {}),
                          .lods = {},
-                         .error = said.error};
+                         .error = described.error};
     if (part.name.empty()) part.name = node_label(node);
     for (std::size_t lod = 0; source(node).skin >= 0 && lod < lods_of(node).size(); ++lod) {
       drawn_.clear();

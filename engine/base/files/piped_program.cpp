@@ -21,7 +21,7 @@ extern char** environ;
 namespace throng {
 namespace {
 
-constexpr std::size_t most_said = std::size_t{1} << 20U;
+constexpr std::size_t most_answer = std::size_t{1} << 20U;
 
 /// Both ends of a pipe, which close with it. No program that is started gets them by chance.
 struct Pipe {
@@ -96,7 +96,7 @@ PipedProgram::PipedProgram(PipedProgram&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       input_(std::exchange(other.input_, -1)),
       output_(std::exchange(other.output_, -1)),
-      said_(std::move(other.said_)) {}
+      answer_(std::move(other.answer_)) {}
 
 PipedProgram::~PipedProgram() {
   close_end(input_);
@@ -127,8 +127,8 @@ void PipedProgram::listen() {
     const ssize_t count = read(output_, buffer.data(), buffer.size());
     if (count < 0) return;
     if (count == 0) return close_end(output_);
-    said_.append(buffer.data(), static_cast<std::size_t>(count));
-    if (said_.size() > most_said) said_.erase(0, said_.size() - most_said);
+    answer_.append(buffer.data(), static_cast<std::size_t>(count));
+    if (answer_.size() > most_answer) answer_.erase(0, answer_.size() - most_answer);
   }
 }
 

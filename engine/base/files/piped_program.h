@@ -26,7 +26,7 @@ class PipedProgram {
   /// Tells the program that there is no more, and waits for its end. Returns its exit status; 128 and more: a signal.
   int finish();
   /// Returns the text of its output and its errors, no more than the last megabyte.
-  const std::string& said() const { return said_; }
+  const std::string& answer() const { return answer_; }
 
  private:
   PipedProgram() = default;
@@ -35,7 +35,7 @@ class PipedProgram {
   int process_ = -1;  // -1: none that is to be waited for
   int input_ = -1;    // the program reads it
   int output_ = -1;   // the program writes it
-  std::string said_;
+  std::string answer_;
 };
 
 }  // namespace throng

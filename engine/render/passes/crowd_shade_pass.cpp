@@ -49,8 +49,8 @@ DrawCounts CrowdShadePass::draw(const CrowdFrame& frame, float farthest) {
   }
   place(frame, farthest);
   glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-  constexpr GLfloat nobody[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, nobody);
+  constexpr GLfloat no_agent[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, no_agent);
   if (frame.instances.empty()) return {};
   glViewport(0, 0, map_side, map_side);
   glDisable(GL_DEPTH_TEST);

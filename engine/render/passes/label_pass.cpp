@@ -36,8 +36,8 @@ void set_label_state(bool with_depth) {
 }
 
 void clear_numbers(const gl::Framebuffer& target) {
-  constexpr GLuint nobody[4] = {0, 0, 0, 0};
-  glClearNamedFramebufferuiv(target.id(), GL_COLOR, 0, nobody);
+  constexpr GLuint no_agent[4] = {0, 0, 0, 0};
+  glClearNamedFramebufferuiv(target.id(), GL_COLOR, 0, no_agent);
 }
 
 void set_label_material(const CrowdMaterial& material) {

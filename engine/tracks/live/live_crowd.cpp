@@ -41,7 +41,7 @@ LiveCrowd::LiveCrowd(std::unique_ptr<LiveTracks> tracks, std::size_t places, Gro
   all_->origin = head.origin;
   all_->file = "-";
   all_->format = head.format;
-  all_->said = head.said;
+  all_->remarks = head.remarks;
   all_->is_live = true;
   for (std::uint32_t place = 0; place < places; ++place) free_.push_back(place);
   fetch();
@@ -204,7 +204,7 @@ Status LiveCrowd::status() const {
                " rows came too late to be shown; send rows in the order of time, or name the file instead of -"};
 }
 
-std::vector<std::string> LiveCrowd::said() const {
+std::vector<std::string> LiveCrowd::remarks() const {
   std::vector<std::string> sentences;
   const auto say = [&](std::size_t count, const std::string& one, const std::string& many, const std::string& rest) {
     if (count > 0) sentences.push_back("-: " + one_or_many(count, one, many) + rest);
@@ -220,7 +220,7 @@ std::vector<std::string> LiveCrowd::said() const {
   say(read ? late_rows_ : 0, "One row", " rows",
       " came too late to be shown; send rows in the order of time, or name the file instead of -.");
   say(tracks_->late_rows(), "One row was", " rows were",
-      " left out, for somebody had one of that time or later; send rows in the order of time.");
+      " left out, for the person has one of that time or later; send rows in the order of time.");
   say(tracks_->bad_rows(), "One wrong row was", " wrong rows were", " skipped.");
   return sentences;
 }

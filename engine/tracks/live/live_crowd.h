@@ -58,7 +58,7 @@ class LiveCrowd {
   /// Returns the fault of the input: what ended it, or that most of its rows came too late to be shown.
   Status status() const;
   /// Returns sentences on what people would not expect.
-  std::vector<std::string> said() const;
+  std::vector<std::string> remarks() const;
   /// Returns a number that is another one whenever said() is.
   std::size_t news() const;
 

@@ -13,11 +13,11 @@
 #include "engine/base/files/waiting_input.h"
 #include "engine/base/text/joined.h"
 #include "engine/tracks/fcd_xml.h"
+#include "engine/tracks/row_meaning.h"
 #include "engine/tracks/sqlite_file.h"
 #include "engine/tracks/text/xml_text.h"
 #include "engine/tracks/text_format.h"
 #include "engine/tracks/text_rows.h"
-#include "engine/tracks/told_apart.h"
 #include "engine/tracks/tracks.h"
 
 namespace throng {
@@ -30,18 +30,18 @@ RowScale scale_at_once(RowFacts& facts, const TrackReading& options, const RawRo
   RowScale scale;
   const bool is_tall = facts.tells_unit && facts.z_is_head && first.z > 50.0F && first.z < 300.0F;
   scale.metres_a_unit = options.metres_a_unit.value_or(facts.unit.value_or(is_tall ? 0.01 : 1.0));
-  if (is_tall && !facts.unit) facts.said.emplace_back("Places are in centimetres, for heads are so high.");
+  if (is_tall && !facts.unit) facts.remarks.emplace_back("Places are in centimetres, for heads are so high.");
   scale.times_a_second = times_a_second(facts, options);
   if (facts.has_frames) {
     scale.times_a_second = options.fps.value_or(facts.rate.value_or(25.0));
     if (!options.fps && !facts.rate) {
-      facts.said.emplace_back("The rows do not say their frame rate: 25 a second are taken; --fps overrules it.");
+      facts.remarks.emplace_back("The rows do not say their frame rate: 25 a second are taken; --fps overrules it.");
     }
   }
   scale.angle = angle_asked(facts.angle, options.angle);
   if (scale.angle == AngleMeaning::unknown) {
     scale.angle = AngleMeaning::degrees;
-    facts.said.emplace_back("Angles are taken as degrees; --angle radians overrules it.");
+    facts.remarks.emplace_back("Angles are taken as degrees; --angle radians overrules it.");
   }
   scale.z_is_head =
       options.height == TrackHeight::head || (options.height == TrackHeight::by_format && facts.z_is_head);
@@ -191,7 +191,7 @@ void LiveTracks::State::begin() {
   scale = scale_at_once(facts, options, first);
   LiveHead known{.origin = {std::round(first.x * scale.metres_a_unit), std::round(first.y * scale.metres_a_unit)},
                  .format = facts.format,
-                 .said = facts.said};
+                 .remarks = facts.remarks};
   live_head = std::move(known);
 }
 

@@ -27,7 +27,7 @@ struct LiveRow {
 struct LiveHead {
   glm::dvec2 origin{0.0};  ///< metres: the place of the first row, in whole metres
   std::string format;
-  std::vector<std::string> said;
+  std::vector<std::string> remarks;
 };
 
 /// Reads rows as they come, from a pipe, a socket or a file: tables with a header, the text of the Jülich archive, JSON

@@ -170,8 +170,9 @@ TEST_F(CastFiles, OfFoldersWithNobodyAreRefused) {
             folder_.string() +
                 ": the folder holds no .glb, .gltf or .pack file; name one that holds models, not in folders below it");
   put_clips("moves.gltf");
-  EXPECT_EQ(refusal(load_cast({&folder, 1})),
-            folder_.string() + ": there are clips and nobody to play them; give the file of a character with them");
+  EXPECT_EQ(
+      refusal(load_cast({&folder, 1})),
+      folder_.string() + ": there are clips and no character to play them; give the file of a character with them");
 }
 
 TEST_F(CastFiles, ThatAreTooManyAreRefused) {

@@ -58,7 +58,7 @@ TEST(StartLine, IsShownOnATerminalAndTakenAway) {
   if (!terminal.is_there()) GTEST_SKIP() << "this system gives no terminal";
   {
     StartLine line;
-    line.tell(0.25, "placing 100,000 agents");
+    line.show(0.25, "placing 100,000 agents");
     EXPECT_NE(terminal.read_until("agents").find("[=====               ] placing 100,000 agents"), std::string::npos);
   }
   EXPECT_NE(terminal.read_until("\033[K").find("\r\033[K"), std::string::npos);
@@ -66,7 +66,7 @@ TEST(StartLine, IsShownOnATerminalAndTakenAway) {
 
 TEST(StartLine, ShowsNothingWhereThereIsNoTerminal) {
   testing::internal::CaptureStderr();
-  { StartLine().tell(0.5, "reading"); }
+  { StartLine().show(0.5, "reading"); }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 

@@ -22,7 +22,7 @@ TEST(ProgressOfARun, SaysNothingWithoutATerminal) {
   testing::internal::CaptureStderr();
   {
     Progress progress(10);
-    for (int frame = 1; frame <= 10; ++frame) progress.tell(frame);
+    for (int frame = 1; frame <= 10; ++frame) progress.show(frame);
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -95,7 +95,7 @@ TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
 }
 
 TEST_F(Presets, ReadBackAsTheyWereWritten) {
-  const Preset preset{.tuning = all_changed(), .camera = CameraPlace{0.1F, 2.0F, -3.3F, 45.5F, -10.0F, 30.0F}};
+  const Preset preset{.tuning = all_changed(), .camera = CameraPose{0.1F, 2.0F, -3.3F, 45.5F, -10.0F, 30.0F}};
   const fs::path file = preset_file("evening");
   ASSERT_TRUE(write_preset(file, preset));
   const auto read = read_preset(file);
@@ -177,7 +177,7 @@ TEST(TuningAsOptions, SaysWhatDiffersAndWhatADeviceWouldDecide) {
   tuning.agents = 5000;
   tuning.lod.level_distances[1] = 31.5F;
   EXPECT_EQ(
-      command_line(tuning, {}, CameraPlace{0, 2, 9, 0, -5, 50}),
+      command_line(tuning, {}, CameraPose{0, 2, 9, 0, -5, 50}),
       "--agents 5000 --shadows on --crowd-shade on --set error_px=1,bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
 }
 

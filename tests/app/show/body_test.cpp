@@ -11,6 +11,7 @@
 #include "app/character/role_table.h"
 #include "app/show/kept_choices.h"
 #include "app/show/show.h"
+#include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
@@ -63,7 +64,7 @@ TEST_F(Bodies, SayWhatIsGuessedAndWhatFollows) {
   EXPECT_EQ(parts_of(*show).follows, "Feet are placed; it can look at things; it falls as a person.");
   ASSERT_TRUE(show->take(SetBody{0, long_foot}));
   const BodyParts longer = parts_of(*show);
-  EXPECT_EQ(longer.said, long_foot);
+  EXPECT_EQ(longer.chosen, long_foot);
   EXPECT_EQ(longer.guessed[anim::index_of(Part::left_foot)], "foot.L");
   EXPECT_EQ(longer.bones.size(), 62U);
   ASSERT_TRUE(show->take(SetBody{0, {{Part::left_upper_leg, "hand.R"}}}));
@@ -130,7 +131,7 @@ TEST_F(Bodies, AreRepeatedAsTheyWereRecorded) {
   const auto show = show_of(demo("--agents 20 --lod off"));
   ASSERT_TRUE(show->take(SetBody{0, long_foot})) << "before the recording begins";
   record(*show, 40, [](Show& recorded, int frame) {
-    recorded.camera.position.x += 0.05F;
+    recorded.view().camera.position.x += 0.05F;
     if (frame == 15) {
       ASSERT_TRUE(recorded.take(SetBody{0, {{Part::right_foot, "toe.R"}, {Part::head, "neck"}}}));
     }

@@ -57,7 +57,7 @@ TEST_F(CrowdFile, BringsBackTheCrowdThatWasSaved) {
   {
     const auto show = test::show_of(test::demo("--agents 40 " + (folder_ / "models" / "person.glb").string()));
     change_everything(*show);
-    const CameraPlace camera{.x = 1, .y = 2, .z = 3, .yaw = 4, .pitch = 5, .field_of_view = 60};
+    const CameraPose camera{.x = 1, .y = 2, .z = 3, .yaw = 4, .pitch = 5, .field_of_view = 60};
     ASSERT_TRUE(write_crowd_file(saved, crowd_setup(show->stage().people(), {show->stage().tuning(), camera})));
   }
   const auto again = [&](const std::string& file) { return test::show_of(test::demo(file)); };
@@ -122,8 +122,8 @@ TEST_F(CrowdFile, HoldsWhatIsComparedAndThePlacesOfTheCamera) {
   other.agents = 12;
   setup.pair.take_other(other, "far");
   setup.pair.names[0] = "near";
-  setup.bookmarks[0] = CameraPlace{.x = 1, .y = 2.5F, .z = -3, .yaw = 4, .pitch = 5, .field_of_view = 60};
-  setup.bookmarks[8] = CameraPlace{.x = 0.1F};
+  setup.bookmarks[0] = CameraPose{.x = 1, .y = 2.5F, .z = -3, .yaw = 4, .pitch = 5, .field_of_view = 60};
+  setup.bookmarks[8] = CameraPose{.x = 0.1F};
   ASSERT_TRUE(write_crowd_file(folder_ / "mine.throng", setup));
   const auto read = read_crowd_file(folder_ / "mine.throng");
   ASSERT_TRUE(read);

@@ -97,7 +97,7 @@ TEST_F(FollowsInShow, GoesOnFromWhereAHandMovedIt) {
 
 TEST_F(FollowsInShow, NamesWhomItDoesNotKnow) {
   EXPECT_THAT(refusal(tracks_ + "--camera follow:anna"),
-              testing::AllOf(HasSubstr("--camera follow:anna: "), HasSubstr("two.csv has nobody of that id"),
+              testing::AllOf(HasSubstr("--camera follow:anna: "), HasSubstr("two.csv has no person of that id"),
                              HasSubstr("nearest are ann, bob")));
   EXPECT_THAT(refusal("--agents 12 --camera follow:#12"), HasSubstr("the crowd has agents #0 to #11"));
 }

@@ -6,6 +6,7 @@
 
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
+#include "app/window/frame_reporter.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::crowd_editor_test {

@@ -68,7 +68,7 @@ TEST_F(CameraOfAWindow, IsThatOfTheSceneThatWasChosen) {
 }
 
 TEST_F(CameraOfAWindow, IsThatOfThePresetWhoseSceneWasChosen) {
-  const CameraPlace place{.x = 3, .y = 2, .z = 9, .yaw = 10, .pitch = -5, .field_of_view = 33};
+  const CameraPose place{.x = 3, .y = 2, .z = 9, .yaw = 10, .pitch = -5, .field_of_view = 33};
   for (const Scene scene : {Scene::grid, Scene::film}) {
     camera_.put(place, *show_);
     go_to(scene);
@@ -168,7 +168,7 @@ TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {
 TEST_F(CameraOfAWindow, TakesThePlacesThatAFileHasKept) {
   frame(KeepBookmark{0});
   CameraBookmarks kept;
-  kept[2] = CameraPlace{.x = 7};
+  kept[2] = CameraPose{.x = 7};
   camera_.take_bookmarks(kept);
   EXPECT_FALSE(report().kept[0]) << "that of the crowd before";
   frame(GoToBookmark{2});

@@ -54,7 +54,7 @@ class LiveCrowds : public testing::Test {
   }
   static std::string said_of(const LiveCrowd& crowd) {
     std::string all;
-    for (const std::string& sentence : crowd.said()) all += sentence + "\n";
+    for (const std::string& sentence : crowd.remarks()) all += sentence + "\n";
     return all;
   }
 
@@ -129,7 +129,7 @@ TEST_F(LiveCrowds, SayWhoFoundNoPlaceAndWhichRowsCameLate) {
   while (!crowd.has_ended()) go_on(crowd, frame);
   EXPECT_THAT(said_of(crowd), HasSubstr("-: One person found no place among the 2; --agents makes more."));
   EXPECT_THAT(said_of(crowd), HasSubstr("-: One row came too late to be shown"));
-  EXPECT_THAT(said_of(crowd), HasSubstr("-: One row was left out, for somebody had one of that time or later"));
+  EXPECT_THAT(said_of(crowd), HasSubstr("-: One row was left out, for the person has one of that time or later"));
 }
 
 TEST_F(LiveCrowds, RefuseRowsThatComePersonByPerson) {

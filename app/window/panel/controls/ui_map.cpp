@@ -94,7 +94,7 @@ Json cast_json(const std::vector<CastMember>& cast) {
 }
 
 Json body_json(const BodyParts& body) {
-  return {{"said", rig_json(body.said)}, {"follows", body.follows}, {"refusal", body.refusal}};
+  return {{"said", rig_json(body.chosen)}, {"follows", body.follows}, {"refusal", body.refusal}};
 }
 
 Json replay_json(const std::optional<ReplayReport>& replay) {
@@ -167,7 +167,7 @@ Json report_json(const FrameReport& report) {
           {"viewer", viewer_json(report.viewer)}};
 }
 
-Json camera_json(const CameraPlace& camera) {
+Json camera_json(const CameraPose& camera) {
   return {{"x", camera.x},     {"y", camera.y},         {"z", camera.z},
           {"yaw", camera.yaw}, {"pitch", camera.pitch}, {"field_of_view", camera.field_of_view}};
 }

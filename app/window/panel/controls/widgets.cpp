@@ -58,7 +58,7 @@ void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, f
   ImGui::GetWindowDrawList()->AddText(font, font_height(font), place, ImGui::GetColorU32(colour), text.c_str());
 }
 
-void tell(std::initializer_list<std::string> lines) {
+void show_lines(std::initializer_list<std::string> lines) {
   ImGui::BeginTooltip();
   for (const std::string& line : lines) {
     if (!line.empty()) ImGui::TextUnformatted(line.c_str());

@@ -173,6 +173,6 @@ float wrapped_height(ImFont* font, float width, const std::string& text);
 /// Draws such text with its upper left corner at `at`.
 void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text);
 /// Shows a tooltip at the pointer. Empty lines are left out.
-void tell(std::initializer_list<std::string> lines);
+void show_lines(std::initializer_list<std::string> lines);
 
 }  // namespace throng::app

@@ -109,36 +109,36 @@ class KeptByGit : public test::TemporaryFolder {
 TEST_F(KeptByGit, FilesAreSafeOnceTheyAreCommitted) {
   if (!git({"init", "-q"})) {
     fake_git("", 0);
-    EXPECT_EQ(unkept_by_git({file_}), std::nullopt);
+    EXPECT_EQ(missing_in_git({file_}), std::nullopt);
     return;
   }
-  EXPECT_THAT(unkept_by_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png; commit them first"));
+  EXPECT_THAT(missing_in_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png; commit them first"));
   ASSERT_TRUE(git({"add", "a.png"}));
   ASSERT_TRUE(git({"commit", "-q", "-m", "a"}));
-  EXPECT_EQ(unkept_by_git({file_}), std::nullopt);
-  EXPECT_EQ(unkept_by_git({file_, folder_ / "absent.png"}), std::nullopt);
+  EXPECT_EQ(missing_in_git({file_}), std::nullopt);
+  EXPECT_EQ(missing_in_git({file_, folder_ / "absent.png"}), std::nullopt);
   std::ofstream(folder_ / "other.txt") << "what is not replaced";
-  EXPECT_EQ(unkept_by_git({file_}), std::nullopt);
+  EXPECT_EQ(missing_in_git({file_}), std::nullopt);
   std::ofstream(file_) << "new";
-  EXPECT_THAT(unkept_by_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png"));
+  EXPECT_THAT(missing_in_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png"));
 }
 
 TEST_F(KeptByGit, IgnoredFilesAreNot) {
   if (!git({"init", "-q"})) fake_git("!! a.png", 0);
   std::ofstream(folder_ / ".gitignore") << "*.png\n";
-  EXPECT_THAT(unkept_by_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png"));
+  EXPECT_THAT(missing_in_git({file_}).value_or(""), HasSubstr("has uncommitted changes: a.png"));
 }
 
 TEST_F(KeptByGit, FilesOutsideOfItAreNot) {
   fake_git("", 128);
-  EXPECT_THAT(unkept_by_git({file_}).value_or(""), HasSubstr("git cannot bring back what is replaced in "));
-  EXPECT_EQ(unkept_by_git({folder_ / "absent.png"}), std::nullopt) << "nothing is lost";
+  EXPECT_THAT(missing_in_git({file_}).value_or(""), HasSubstr("git cannot bring back what is replaced in "));
+  EXPECT_EQ(missing_in_git({folder_ / "absent.png"}), std::nullopt) << "nothing is lost";
 }
 
 TEST_F(KeptByGit, NothingIsWithoutIt) {
   path_ = std::getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);
-  EXPECT_THAT(unkept_by_git({file_}).value_or(""), HasSubstr("git is not installed"));
+  EXPECT_THAT(missing_in_git({file_}).value_or(""), HasSubstr("git is not installed"));
 }
 
 TEST(ChildProcess, IsRunWithoutAShell) {

@@ -17,7 +17,7 @@ namespace throng::app::clothes_test {
 namespace {
 
 constexpr Variety pattern{.clothes = Clothes::pattern};
-constexpr CameraPlace tower{.y = 50.0F, .pitch = -17.0F, .field_of_view = 45.0F};
+constexpr CameraPose tower{.y = 50.0F, .pitch = -17.0F, .field_of_view = 45.0F};
 
 // The part of the picture that the crowd of these tests fills.
 constexpr glm::dvec2 low(-1.7, -0.95), high(1.7, 0.6);

@@ -133,7 +133,7 @@ TEST(Crowd, LanesAreClosed) {
     const double length = lane.length();
     directions.insert(lane.direction);
     for (int part = 0; part < 20; ++part) {
-      const LanePlace place = lane.at(length * part / 20.0);
+      const LanePoint place = lane.at(length * part / 20.0);
       EXPECT_LT(glm::distance(place.position, lane.at(length * (part + 20) / 20.0).position), 1e-9);
       EXPECT_NEAR(lane.signed_distance(place.position), 0.0, 1e-9);
     }

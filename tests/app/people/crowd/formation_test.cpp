@@ -38,7 +38,7 @@ TEST(Formation, HoldsEverybodyCloseTogetherAndNobodyTooClose) {
 TEST(Formation, LooksToWhereThePictureIsTaken) {
   const CrowdLayout layout = plaza_layout(1000, 1, person(), Clothes::pattern);
   const glm::dvec2 viewpoint = plaza_viewpoint(1000, 1.0, Clothes::pattern);
-  for (const StanderPlace& stander : layout.standers) {
+  for (const StanderStart& stander : layout.standers) {
     const glm::dvec2 way = viewpoint - stander.position;
     if (glm::length(way) < 1.0) continue;
     EXPECT_GT(glm::dot(forward_of(stander.heading), glm::normalize(way)), 0.95);

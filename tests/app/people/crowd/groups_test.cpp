@@ -17,7 +17,7 @@ std::vector<int> counts(std::uint32_t seed) {
   const GroupGround ground{.side = side, .spacing = 1.0, .viewpoint = {75.0, 75.0}, .lanes = {}, .obstacles = {}};
   const auto columns = static_cast<std::size_t>(side / cell);
   std::vector<int> found(columns * columns);
-  for (const StanderPlace& place : place_groups(people, ground, Random(seed, 3))) {
+  for (const StanderStart& place : place_groups(people, ground, Random(seed, 3))) {
     const auto column = [](double at) {
       return static_cast<std::size_t>(std::clamp((at + side / 2.0) / cell, 0.0, side / cell - 0.5));
     };

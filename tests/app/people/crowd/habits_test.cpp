@@ -70,8 +70,8 @@ TEST(Transitions, ToWhatAThingIsForAreForWhoHoldsIt) {
   std::set<Role> of_nobody, of_phone, of_cup;
   for (int i = 0; i < 300; ++i) {
     of_nobody.insert(next_role(Habit::stand_about, Role::stand, able, whim));
-    of_phone.insert(next_role(Habit::stand_about, Role::stand, able, whim, Held::phone));
-    of_cup.insert(next_role(Habit::stand_about, Role::stand, able, whim, Held::cup));
+    of_phone.insert(next_role(Habit::stand_about, Role::stand, able, whim, HeldThing::phone));
+    of_cup.insert(next_role(Habit::stand_about, Role::stand, able, whim, HeldThing::cup));
   }
   EXPECT_EQ(of_nobody, (std::set{Role::look_around, Role::wave}));
   EXPECT_EQ(of_phone, (std::set{Role::look_around, Role::phone, Role::call}));

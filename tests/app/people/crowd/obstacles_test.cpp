@@ -77,7 +77,7 @@ TEST(Obstacles, AreWalkedAround) {
 
 TEST(Obstacles, PeopleSitOnBenches) {
   const CrowdLayout layout = plaza_layout(1000, 1, person());
-  const auto seated = std::ranges::count(layout.standers, Habit::rest, &StanderPlace::habit);
+  const auto seated = std::ranges::count(layout.standers, Habit::rest, &StanderStart::habit);
   EXPECT_GT(seated, 10);
   EXPECT_LT(seated, 150);
   Crowd crowd(Scene::plaza, 1000, 1, person());

@@ -74,7 +74,7 @@ TEST(Resting, HasRoomBesideEverybodyElse) {
 TEST(Resting, HasTheBackAtATrunkOrAWall) {
   const CharacterRoles roles = person_who_rests();
   const std::vector<Fixture> fixtures = plan_plaza(1000, 1, roles).fixtures;
-  for (const RestPlace& place : rest_places(fixtures, roles.spacing())) {
+  for (const RestSpot& place : rest_spots(fixtures, roles.spacing())) {
     const auto behind = std::ranges::min_element(fixtures, {}, [&](const Fixture& fixture) {
       return fixture.kind == FixtureKind::bench || fixture.kind == FixtureKind::lamp
                  ? 1e9

@@ -83,7 +83,7 @@ bool is_house(Prop prop) {
          prop == Prop::tower;
 }
 
-std::vector<Standing> standing(const Place& place, const auto& is_wanted) {
+std::vector<Standing> standing(const Surroundings& place, const auto& is_wanted) {
   std::vector<Standing> found;
   for (const PlacedProp& placed : place.props) {
     if (is_wanted(placed.prop)) found.emplace_back(placed);
@@ -101,13 +101,14 @@ std::vector<CharacterRoles> cast_of(Scene scene) {
 }
 
 TEST(Places, GridIsBare) {
-  EXPECT_TRUE(place_of(Scene::grid, 1000, 1, person()).props.empty());
-  EXPECT_EQ(place_of(Scene::grid, 1000, 1, person()).ground, render::SceneGround{});
+  EXPECT_TRUE(surroundings_of(Scene::grid, 1000, 1, person()).props.empty());
+  EXPECT_EQ(surroundings_of(Scene::grid, 1000, 1, person()).ground, render::SceneGround{});
 }
 
 TEST(Places, AreTheSameForTheSameArguments) {
   for (const Scene scene : scenes) {
-    const Place place = place_of(scene, 300, 7, person()), again = place_of(scene, 300, 7, person());
+    const Surroundings place = surroundings_of(scene, 300, 7, person()),
+                       again = surroundings_of(scene, 300, 7, person());
     ASSERT_EQ(place.props.size(), again.props.size());
     ASSERT_GT(place.props.size(), 50U);
     for (std::size_t i = 0; i < place.props.size(); ++i) {
@@ -123,7 +124,7 @@ TEST(Places, GrowWithTheCharacter) {
   giant.height = 18.0;
   giant.walk_speed *= 10.0;
   for (const Scene scene : scenes) {
-    const Place place = place_of(scene, 300, 1, person()), larger = place_of(scene, 300, 1, giant);
+    const Surroundings place = surroundings_of(scene, 300, 1, person()), larger = surroundings_of(scene, 300, 1, giant);
     ASSERT_EQ(place.props.size(), larger.props.size()) << case_of(scene, 300);
     for (std::size_t i = 0; i < place.props.size(); ++i) {
       for (int column = 0; column < 4; ++column) {
@@ -134,7 +135,7 @@ TEST(Places, GrowWithTheCharacter) {
 }
 
 void expect_cameras_outside(Scene scene, std::size_t agents, Clothes clothes) {
-  const auto props = standing(place_of(scene, agents, 1, person(), clothes), [](Prop) { return true; });
+  const auto props = standing(surroundings_of(scene, agents, 1, person(), clothes), [](Prop) { return true; });
   for (const NamedCamera& camera : scene_cameras(scene, agents, person(), clothes)) {
     const glm::vec3 eye(camera.place.x, camera.place.y, camera.place.z);
     for (const Standing& prop : props) {
@@ -154,7 +155,7 @@ TEST(Places, CamerasAreOutsideOfEverything) {
 TEST(Places, HousesHideHardlyAnybodyFromACamera) {
   for (const Scene scene : scenes) {
     for (const std::size_t agents : {10U, 300U, 1000U, 10'000U}) {
-      const auto houses = standing(place_of(scene, agents, 1, person()), is_house);
+      const auto houses = standing(surroundings_of(scene, agents, 1, person()), is_house);
       const Crowd crowd(scene, agents, 1, cast_of(scene));
       for (const NamedCamera& camera : scene_cameras(scene, agents, person())) {
         const glm::vec3 eye(camera.place.x, camera.place.y, camera.place.z);
@@ -180,7 +181,7 @@ TEST(Places, NobodyStandsInAnythingInAnyFrameOfAMinute) {
   };
   for (const Scene scene : scenes) {
     for (const std::size_t agents : {10U, 300U, 1000U}) {
-      const auto props = standing(place_of(scene, agents, 1, person()), is_solid);
+      const auto props = standing(surroundings_of(scene, agents, 1, person()), is_solid);
       Crowd crowd(scene, agents, 1, cast_of(scene));
       for (int second = 0; second < 60; ++second) {
         for (int i = 0; i < 6; ++i) crowd.advance(10 * frame);
@@ -197,7 +198,7 @@ TEST(Places, NobodyStandsInAnythingInAnyFrameOfAMinute) {
 
 TEST(Places, TiersAreBelowEverySeat) {
   for (const std::size_t agents : {10U, 300U, 1000U, 5000U}) {
-    const Place place = place_of(Scene::stadium, agents, 1, person());
+    const Surroundings place = surroundings_of(Scene::stadium, agents, 1, person());
     const auto blocks = standing(place, [](Prop prop) { return prop == Prop::seat_block; });
     const auto seats = standing(place, [](Prop prop) { return prop == Prop::seat; });
     const Crowd crowd(Scene::stadium, agents, 1, person());

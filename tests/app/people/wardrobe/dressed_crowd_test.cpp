@@ -121,11 +121,11 @@ TEST_F(DressedCrowdTest, GivesCamerasToWhoTakesPicturesAndNoPushchairsToWhoSits)
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     const Habit habit = crowd.minds().habits()[agent];
     if (habit == Habit::photograph) {
-      EXPECT_EQ(dressed.things[agent], Held::camera);
+      EXPECT_EQ(dressed.things[agent], HeldThing::camera);
       ++cameras;
     }
     if (habit == Habit::rest || habit == Habit::lean || habit == Habit::sit_low) {
-      EXPECT_NE(dressed.things[agent], Held::pushchair);
+      EXPECT_NE(dressed.things[agent], HeldThing::pushchair);
       ++seated;
     }
   }
@@ -269,10 +269,10 @@ TEST_F(DressedCrowdTest, LeadsChildrenByTheHand) {
   const DressedCrowd dressed = dress_crowd(crowd, {&clothing_, 1}, tuning);
   int led = 0;
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    if (dressed.things[agent] != Held::grown_up) continue;
+    if (dressed.things[agent] != HeldThing::grown_up) continue;
     ++led;
     EXPECT_TRUE(is_child(crowd, agent));
-    EXPECT_EQ(dressed.things[agent - 1], Held::child);
+    EXPECT_EQ(dressed.things[agent - 1], HeldThing::child);
     EXPECT_LT(glm::distance(crowd.positions()[agent], crowd.positions()[agent - 1]), 1.0F);
   }
   EXPECT_GT(led, 5);

@@ -64,14 +64,14 @@ TEST(RuleDoubts, NameASceneThatIsNone) {
 
 TEST(RuleDoubts, NameWeightsThatAreAllZero) {
   EXPECT_THAT(doubts_with("\"any\": {\"casual\": 1}", "\"any\": {\"casual\": 0}"),
-              ElementsAre("scene \"any\": all weights are 0, so everybody wears the first style, \"casual\"; give a "
+              ElementsAre("scene \"any\": all weights are 0, so all agents wear the first style, \"casual\"; give a "
                           "style a weight above 0"));
   EXPECT_THAT(doubts_with("\"shirt\": 1", "\"shirt\": 0"),
-              ElementsAre(HasSubstr("style \"casual\" gives no part of \"top\" a weight above 0, so nobody wears")));
+              ElementsAre(HasSubstr("style \"casual\" gives no part of \"top\" a weight above 0, so no agent wears")));
   EXPECT_THAT(doubts_with("\"plain\": 2", "\"plain\": 0"),
               ElementsAre(HasSubstr("clothes \"shirt\": the weights of all patterns are 0, so it is plain")));
   EXPECT_THAT(doubts_with("{\"share\": 3}, \"woman\": {\"share\": 2}", "{\"share\": 0}, \"woman\": {\"share\": 0}"),
-              ElementsAre(HasSubstr("the shares of all bodies are 0, so everybody is the last one, \"woman\"")));
+              ElementsAre(HasSubstr("the shares of all bodies are 0, so every agent is the last one, \"woman\"")));
 }
 
 TEST(RuleDoubts, NameABodyWithoutAStyle) {

@@ -76,8 +76,8 @@ TEST(FlyCamera, StandsStillWhileTheOverlayHasPointerAndKeys) {
 }
 
 TEST(FlyCamera, PlacesComeBackInDegreesAndAsAnOption) {
-  const CameraPlace place{.x = 1.5F, .y = 2, .z = -3, .yaw = 90, .pitch = -10, .field_of_view = 45};
-  const CameraPlace back = FlyCamera(place).place();
+  const CameraPose place{.x = 1.5F, .y = 2, .z = -3, .yaw = 90, .pitch = -10, .field_of_view = 45};
+  const CameraPose back = FlyCamera(place).place();
   EXPECT_NEAR(back.yaw, 90, 1e-4);
   EXPECT_NEAR(back.pitch, -10, 1e-4);
   EXPECT_NEAR(back.field_of_view, 45, 1e-4);

@@ -13,7 +13,7 @@ namespace throng::app::scenes_test {
 namespace {
 
 // Metres ahead of the camera and to its right, on the ground.
-glm::vec2 seen_from(const CameraPlace& camera, const glm::vec3& point) {
+glm::vec2 seen_from(const CameraPose& camera, const glm::vec3& point) {
   const float yaw = camera.yaw * std::numbers::pi_v<float> / 180.0F;
   const glm::vec2 away(point.x - camera.x, point.z - camera.z);
   const glm::vec2 ahead(-std::sin(yaw), -std::cos(yaw));
@@ -37,7 +37,7 @@ TEST(SceneCameras, EverySceneHasThemAllAndTheFirstIsItsOwn) {
 TEST(SceneCameras, TheFrontOfThePlazaHasPeopleNearAndACrowdBehindThem) {
   for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     const auto cameras = scene_cameras(Scene::plaza, 1000, person());
-    const CameraPlace& front = cameras.front().place;
+    const CameraPose& front = cameras.front().place;
     const Crowd crowd(Scene::plaza, 1000, seed, person());
     float nearest = 1e9F;
     int in_view = 0, distant = 0;
@@ -88,7 +88,7 @@ TEST(SceneCameras, LookAtAnAnimalThatIsLongAndLow) {
   wolf.radius = 2.0;
   for (const char* const name : {"front", "close"}) {
     const auto cameras = scene_cameras(Scene::grid, 1, wolf);
-    const CameraPlace& place = find_camera(cameras, name)->place;
+    const CameraPose& place = find_camera(cameras, name)->place;
     const float seen = place.y + place.z * std::tan(place.pitch * std::numbers::pi_v<float> /
                                                     180.0F);  // where the middle of the picture is
     EXPECT_GT(seen, 0.0F) << name;

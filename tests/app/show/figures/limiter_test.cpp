@@ -8,18 +8,18 @@ namespace throng::app::limiter_test {
 namespace {
 
 TEST(LimiterTest, WhoeverTakesMostOfTheFrameLimitsIt) {
-  EXPECT_EQ(who_limits({.animation_ms = 4, .upload_ms = 1, .submission_ms = 1, .wait_ms = 3}), Limiter::animation);
-  EXPECT_EQ(who_limits({.animation_ms = 4, .upload_ms = 5, .submission_ms = 1, .wait_ms = 3}), Limiter::upload);
-  EXPECT_EQ(who_limits({.animation_ms = 4, .upload_ms = 1, .submission_ms = 9, .wait_ms = 3}), Limiter::submission);
-  EXPECT_EQ(who_limits({.animation_ms = 4, .upload_ms = 1, .submission_ms = 1, .wait_ms = 12}), Limiter::gpu);
+  EXPECT_EQ(limiting_part({.animation_ms = 4, .upload_ms = 1, .submission_ms = 1, .wait_ms = 3}), Limiter::animation);
+  EXPECT_EQ(limiting_part({.animation_ms = 4, .upload_ms = 5, .submission_ms = 1, .wait_ms = 3}), Limiter::upload);
+  EXPECT_EQ(limiting_part({.animation_ms = 4, .upload_ms = 1, .submission_ms = 9, .wait_ms = 3}), Limiter::submission);
+  EXPECT_EQ(limiting_part({.animation_ms = 4, .upload_ms = 1, .submission_ms = 1, .wait_ms = 12}), Limiter::gpu);
 }
 
 TEST(LimiterTest, WhatIsTakenAwayNoLongerLimits) {
   FrameTimes times{.animation_ms = 4, .upload_ms = 1, .submission_ms = 1, .wait_ms = 3};
   times.animation_ms = 0;
-  EXPECT_EQ(who_limits(times), Limiter::gpu);
+  EXPECT_EQ(limiting_part(times), Limiter::gpu);
   times.wait_ms = 0;
-  EXPECT_EQ(who_limits(times), Limiter::upload);
+  EXPECT_EQ(limiting_part(times), Limiter::upload);
 }
 
 TEST(LimiterTest, SaysItInOneSentenceWithFigures) {

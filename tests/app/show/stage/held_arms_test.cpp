@@ -28,7 +28,7 @@ class HeldArmsTest : public test::WatchedStage {
           .system = {.pus = 2, .hash = true}});
   }
 
-  void give(Held thing) { stage_->animated().give(std::vector<Held>(people, thing)); }
+  void give(HeldThing thing) { stage_->animated().give(std::vector<HeldThing>(people, thing)); }
   std::size_t shown() const { return stage_->animated().details().held_arms().shown(); }
 
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
@@ -40,14 +40,14 @@ TEST_F(HeldArmsTest, OfEmptyHandsChangeNoPose) {
   pass(60);
   const std::uint64_t before = hash();
   open(stage_->tuning());
-  give(Held::nothing);
+  give(HeldThing::nothing);
   pass(60);
   EXPECT_EQ(hash(), before);
   EXPECT_EQ(shown(), 0U);
 }
 
 TEST_F(HeldArmsTest, AreOfThoseWhoseThingsAreDrawnAlone) {
-  give(Held::bag);
+  give(HeldThing::bag);
   pass(2);
   EXPECT_GT(shown(), people / 2U) << "all but those who sit";
   camera_ = camera_at({.x = 0, .y = 300, .z = 900, .yaw = 0, .pitch = -18});
@@ -56,19 +56,19 @@ TEST_F(HeldArmsTest, AreOfThoseWhoseThingsAreDrawnAlone) {
 }
 
 TEST_F(HeldArmsTest, GiveTheSamePosesForAnyNumberOfPus) {
-  give(Held::umbrella);
+  give(HeldThing::umbrella);
   pass(90);
   const std::uint64_t two = hash();
   Tuning tuning = stage_->tuning();
   tuning.system.pus = 1;
   open(tuning);
-  give(Held::umbrella);
+  give(HeldThing::umbrella);
   pass(90);
   EXPECT_EQ(hash(), two);
 }
 
 TEST_F(HeldArmsTest, GoBackInTimeWithTheCrowd) {
-  give(Held::bag);
+  give(HeldThing::bag);
   pass(40);
   ASSERT_TRUE(rewind_.go_back(*stage_));
   pass(5);
@@ -78,7 +78,7 @@ TEST_F(HeldArmsTest, GoBackInTimeWithTheCrowd) {
 
 TEST_F(HeldArmsTest, HoldAFistUpWhileSomebodyWalks) {
   ASSERT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
-  give(Held::umbrella);
+  give(HeldThing::umbrella);
   pass(60);
   for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
     if (stage_->crowd().minds().roles()[agent.agent] == Role::sit) continue;
@@ -88,7 +88,7 @@ TEST_F(HeldArmsTest, HoldAFistUpWhileSomebodyWalks) {
 
 TEST_F(HeldArmsTest, SetAStickOnTheGroundWithEverySecondStep) {
   ASSERT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
-  give(Held::stick);
+  give(HeldThing::stick);
   pass(90);
   const glm::vec3 tip(0.711F, -0.635F, 0.0F);  // of assets/mannequin/held.h: 0.87 m along the fingers from the handle
   int on_the_ground = 0;

@@ -51,7 +51,7 @@ class JoinedHandsTest : public test::WatchedStage {
     std::vector<std::uint32_t> led;
     const auto things = stage_->crowd().minds().things();
     for (std::uint32_t agent = 0; agent < things.size(); ++agent) {
-      if (things[agent] == Held::grown_up) led.push_back(agent);
+      if (things[agent] == HeldThing::grown_up) led.push_back(agent);
     }
     return led;
   }

@@ -49,7 +49,9 @@ class RecordedHands : public TracksStage {
     open({.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = pus, .hash = true}});
     EXPECT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
   }
-  void give(Held thing) { stage_->animated().give(std::vector<Held>(people_who_walk + people_who_stand, thing)); }
+  void give(HeldThing thing) {
+    stage_->animated().give(std::vector<HeldThing>(people_who_walk + people_who_stand, thing));
+  }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
 
   float height_of(std::uint32_t agent, glm::vec3 at_rest) const {
@@ -58,7 +60,7 @@ class RecordedHands : public TracksStage {
 };
 
 TEST_F(RecordedHands, HoldUmbrellasUpWhoeverWalksOrStands) {
-  give(Held::umbrella);
+  give(HeldThing::umbrella);
   pass(30);
   for (std::uint32_t agent = 0; agent < people_who_walk + people_who_stand; ++agent) {
     EXPECT_GT(height_of(agent, glm::vec3(0)), 1.0F) << agent;
@@ -68,7 +70,7 @@ TEST_F(RecordedHands, HoldUmbrellasUpWhoeverWalksOrStands) {
 
 TEST_F(RecordedHands, SetASticksTipDownInStepWithTheWalk) {
   const glm::vec3 tip(0.711F, -0.635F, 0.0F);  // as held_arms_test.cpp has it
-  give(Held::stick);
+  give(HeldThing::stick);
   pass(30);
   int down = 0, lifted = 0;
   for (int i = 0; i < 120; ++i) {
@@ -85,17 +87,17 @@ TEST_F(RecordedHands, SetASticksTipDownInStepWithTheWalk) {
 }
 
 TEST_F(RecordedHands, GiveTheSamePosesForAnyNumberOfPus) {
-  give(Held::phone);
+  give(HeldThing::phone);
   pass(40);
   const std::uint64_t two = hash();
   begin(1);
-  give(Held::phone);
+  give(HeldThing::phone);
   pass(40);
   EXPECT_EQ(hash(), two);
 }
 
 TEST_F(RecordedHands, KeepTheirThingsWhenTheClockJumps) {
-  give(Held::umbrella);
+  give(HeldThing::umbrella);
   pass(30);
   go_to(1.0);
   pass(2);

@@ -161,7 +161,7 @@ TEST_F(TrackPlayers, WithLevelOfDetailThePoseOfALongIntervalIsThatOfItsEnd) {
 TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
   const anim::Status pushed = stage_->animated().push_over(0, {1.0F, 0.0F, 0.0F});
   ASSERT_FALSE(pushed);
-  EXPECT_EQ(pushed.error().message, "nobody who acts in the cut scene or follows a file can be pushed over");
+  EXPECT_EQ(pushed.error().message, "an agent that acts in the cut scene or follows a file cannot be pushed over");
 }
 
 TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {

@@ -15,7 +15,7 @@ namespace throng::app {
 /// A stage on which the built-in character plays the people of a recorded crowd.
 class TracksStage : public testing::Test {
  protected:
-  TracksStage(std::shared_ptr<const Trajectories> people, const CameraPlace& seen_from, anim::Ticks frame)
+  TracksStage(std::shared_ptr<const Trajectories> people, const CameraPose& seen_from, anim::Ticks frame)
       : camera_(camera_at(seen_from)), people_(std::move(people)), frame_(frame) {}
 
   /// Begins anew, in the scene of the tuning.

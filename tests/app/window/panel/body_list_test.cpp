@@ -76,7 +76,7 @@ TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
 }
 
 TEST_F(BodyList, AsksForTheChosenBoneBesideWhatWasSaidBefore) {
-  driver.report.body.said = {{Part::right_toes, "#12"}};
+  driver.report.body.chosen = {{Part::right_toes, "#12"}};
   driver.report.characters = {"a.glb", "b.glb"};
   driver.report.character = 1;
   scroll_down();
@@ -87,7 +87,7 @@ TEST_F(BodyList, AsksForTheChosenBoneBesideWhatWasSaidBefore) {
 }
 
 TEST_F(BodyList, GoesBackToTheGuessOfOnePartOrOfAll) {
-  driver.report.body.said = {{Part::right_foot, "ankle"}, {Part::right_toes, "#12"}};
+  driver.report.body.chosen = {{Part::right_foot, "ankle"}, {Part::right_toes, "#12"}};
   open();
   const auto guessed = asked<SetBody>(choose("Right toes", "guessed: none"));
   EXPECT_EQ(guessed.parts, (std::vector<RigChoice>{{Part::right_foot, "ankle"}}));

@@ -1,4 +1,4 @@
-#include "app/window/unkept_values.h"
+#include "app/window/unsaved_values.h"
 
 #include <utility>
 
@@ -19,7 +19,7 @@ Tuning worth_keeping(Tuning tuning) {
 
 }  // namespace
 
-void UnkeptValues::keep(const Tuning& tuning, const TuningPair& pair) {
+void UnsavedValues::keep(const Tuning& tuning, const TuningPair& pair) {
   std::optional<Tuning> other;
   if (pair.has_two()) other = worth_keeping(pair.other());
   kept_other_ = other && is_kept(*other) ? other : std::nullopt;
@@ -27,9 +27,9 @@ void UnkeptValues::keep(const Tuning& tuning, const TuningPair& pair) {
   asked_about_.clear();
 }
 
-void UnkeptValues::keep_other(const Tuning& tuning) { kept_other_ = worth_keeping(tuning); }
+void UnsavedValues::keep_other(const Tuning& tuning) { kept_other_ = worth_keeping(tuning); }
 
-bool UnkeptValues::ask_about(const Tuning& tuning, const TuningPair& pair) {
+bool UnsavedValues::ask_about(const Tuning& tuning, const TuningPair& pair) {
   std::vector<Tuning> unkept{worth_keeping(tuning)};
   if (pair.has_two()) unkept.push_back(worth_keeping(pair.other()));
   std::erase_if(unkept, [this](const Tuning& each) { return is_kept(each); });

@@ -1,5 +1,3 @@
-#include "engine/tracks/told_apart.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/text/joined.h"
+#include "engine/tracks/row_meaning.h"
 
 namespace throng {
 namespace {
@@ -73,20 +72,20 @@ double high_z(const RawTracks& tracks, double share) {
 }
 
 /// Tells metres from centimetres.
-double unit_told(RawTracks& tracks, const std::vector<SampledStep>& steps) {
+double guessed_unit(RawTracks& tracks, const std::vector<SampledStep>& steps) {
   RowFacts& facts = tracks.facts;
   const double tall = high_z(tracks, 0.5);
   if (facts.z_is_head && tall > 50.0 && tall < 300.0) {
-    facts.said.push_back("Places are in centimetres: heads are " + fixed(tall, 0) + " high in the middle.");
+    facts.remarks.push_back("Places are in centimetres: heads are " + fixed(tall, 0) + " high in the middle.");
     return 0.01;
   }
   if (facts.z_is_head && tall > 0.5 && tall < 3.0) {
-    facts.said.push_back("Places are in metres: heads are " + fixed(tall, 2) + " high in the middle.");
+    facts.remarks.push_back("Places are in metres: heads are " + fixed(tall, 2) + " high in the middle.");
     return 1.0;
   }
   const double fast = pace(steps, 0.95) * facts.rate.value_or(25.0);
   const bool is_centimetres = fast > 15.0;
-  facts.said.push_back(
+  facts.remarks.push_back(
       is_centimetres
           ? "Places are in centimetres: in metres, people would go " + fixed(fast, 0) + " m/s; --unit overrules it."
           : "Places are taken as metres: people go up to " + fixed(fast, 1) + " m/s; --unit overrules it.");
@@ -96,29 +95,29 @@ double unit_told(RawTracks& tracks, const std::vector<SampledStep>& steps) {
 double unit_of(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps) {
   if (options.metres_a_unit) return *options.metres_a_unit;
   if (tracks.facts.unit) return *tracks.facts.unit;
-  return tracks.facts.tells_unit ? unit_told(tracks, steps) : 1.0;
+  return tracks.facts.tells_unit ? guessed_unit(tracks, steps) : 1.0;
 }
 
 /// Frames a second of a file that does not say it.
-double rate_told(RawTracks& tracks, const std::vector<SampledStep>& steps, double metres_a_unit) {
+double guessed_rate(RawTracks& tracks, const std::vector<SampledStep>& steps, double metres_a_unit) {
   RowFacts& facts = tracks.facts;
   const double step = std::max(step_time(steps), 1e-9);
   if (facts.rate_rule == RateRule::annotated) {
     const double rows = tracks.scene_rate > 0.0 ? tracks.scene_rate : 2.5;
-    facts.said.push_back(std::string(tracks.scene_rate > 0.0 ? "The file says" : "Such files have") + " a row of " +
-                         "a person every " + fixed(1.0 / rows, 2) + " s, which is " + fixed(step, 0) + " frames, so " +
-                         fixed(rows * step, 1) + " frames are a second; --fps overrules it.");
+    facts.remarks.push_back(std::string(tracks.scene_rate > 0.0 ? "The file says" : "Such files have") + " a row of " +
+                            "a person every " + fixed(1.0 / rows, 2) + " s, which is " + fixed(step, 0) +
+                            " frames, so " + fixed(rows * step, 1) + " frames are a second; --fps overrules it.");
     return rows * step;
   }
   constexpr double usual = 25.0, other = 16.0, too_fast = 2.0;
   const double speed = pace(steps, 0.5) * metres_a_unit * usual;
   if (speed > too_fast) {
-    facts.said.push_back("The file does not say its frame rate: 16 a second are taken, for people would go " +
-                         fixed(speed, 1) + " m/s with 25; --fps overrules it.");
+    facts.remarks.push_back("The file does not say its frame rate: 16 a second are taken, for people would go " +
+                            fixed(speed, 1) + " m/s with 25; --fps overrules it.");
     return other;
   }
-  facts.said.push_back("The file does not say its frame rate: 25 a second are taken, with which people go " +
-                       fixed(speed, 1) + " m/s; --fps overrules it.");
+  facts.remarks.push_back("The file does not say its frame rate: 25 a second are taken, with which people go " +
+                          fixed(speed, 1) + " m/s; --fps overrules it.");
   return usual;
 }
 
@@ -126,10 +125,10 @@ double frames_a_second(RawTracks& tracks, const TrackReading& options, const std
                        double metres_a_unit) {
   if (options.fps) return *options.fps;
   if (tracks.facts.rate) {
-    tracks.facts.said.push_back("The file says " + fixed(*tracks.facts.rate, 2) + " frames a second.");
+    tracks.facts.remarks.push_back("The file says " + fixed(*tracks.facts.rate, 2) + " frames a second.");
     return *tracks.facts.rate;
   }
-  return rate_told(tracks, steps, metres_a_unit);
+  return guessed_rate(tracks, steps, metres_a_unit);
 }
 
 /// Returns an angle of a file as radians counterclockwise from +x.
@@ -176,16 +175,16 @@ double largest_angle(const RawTracks& tracks) {
 
 Result<AngleMeaning> angle_told(RawTracks& tracks, const std::vector<SampledStep>& steps, double least_pace) {
   const double largest = largest_angle(tracks);
-  std::vector<std::string>& said = tracks.facts.said;
+  std::vector<std::string>& remarks = tracks.facts.remarks;
   if (largest == 0.0) return AngleMeaning::degrees;
   const double degrees = agreement(steps, AngleMeaning::degrees, least_pace);
   if (agreement(steps, AngleMeaning::compass, least_pace) > good_agreement && degrees < least_agreement) {
-    said.emplace_back(
+    remarks.emplace_back(
         "Angles are degrees clockwise from north: so they agree with the ways that people go; --angle overrules it.");
     return AngleMeaning::compass;
   }
   if (largest > 2.0 * std::numbers::pi + 0.01) {
-    said.push_back("Angles are in degrees: they go up to " + fixed(largest, 0) + ".");
+    remarks.push_back("Angles are in degrees: they go up to " + fixed(largest, 0) + ".");
     return AngleMeaning::degrees;
   }
   const double radians = agreement(steps, AngleMeaning::radians, least_pace);
@@ -194,8 +193,8 @@ Result<AngleMeaning> angle_told(RawTracks& tracks, const std::vector<SampledStep
                  ", which may be degrees or radians; say which with --angle degrees or --angle radians"};
   }
   const bool is_radians = radians > degrees;
-  said.push_back(std::string("Angles are in ") + (is_radians ? "radians" : "degrees") +
-                 ": so they agree with the ways that people go.");
+  remarks.push_back(std::string("Angles are in ") + (is_radians ? "radians" : "degrees") +
+                    ": so they agree with the ways that people go.");
   return is_radians ? AngleMeaning::radians : AngleMeaning::degrees;
 }
 
@@ -210,8 +209,8 @@ void doubt_angles(RawTracks& tracks, const std::vector<SampledStep>& steps, Angl
     const bool is_better = meaning != AngleMeaning::heading && agreement(steps, other, least_pace) > good_agreement;
     if (is_better) remedy = std::string("with --angle ") + option + " they do";
   }
-  tracks.facts.said.push_back("People do not go where their angles point, which agree by " + fixed(agreed, 2) +
-                              " on the average: " + remedy + ".");
+  tracks.facts.remarks.push_back("People do not go where their angles point, which agree by " + fixed(agreed, 2) +
+                                 " on the average: " + remedy + ".");
 }
 
 Result<AngleMeaning> angle_of(RawTracks& tracks, const TrackReading& options, const std::vector<SampledStep>& steps,
@@ -231,22 +230,22 @@ bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_u
   const bool is_asked = options.height == TrackHeight::ground || options.height == TrackHeight::none;
   if (!tracks.facts.has_z || is_asked) return false;
   const double high = high_z(tracks, 0.95) * metres_a_unit, low = high_z(tracks, 0.05) * metres_a_unit;
-  std::vector<std::string>& said = tracks.facts.said;
+  std::vector<std::string>& remarks = tracks.facts.remarks;
   const bool could_be = low > 0.9 && high < 2.3;
   if (options.height == TrackHeight::head) return true;
   if (!tracks.facts.z_is_head) {
     if (could_be) {
-      said.push_back("z is taken as the ground, but it lies between " + fixed(low, 2) + " and " + fixed(high, 2) +
-                     " m, as heads do; --height head takes it so.");
+      remarks.push_back("z is taken as the ground, but it lies between " + fixed(low, 2) + " and " + fixed(high, 2) +
+                        " m, as heads do; --height head takes it so.");
     }
     return false;
   }
   const bool is_head = high > 0.5 && high < 2.5;
   if (is_head) {
-    said.push_back("z is the height of heads: 95 of 100 rows are below " + fixed(high, 2) + " m.");
+    remarks.push_back("z is the height of heads: 95 of 100 rows are below " + fixed(high, 2) + " m.");
   } else {
-    said.push_back("z cannot be the height of heads, for 95 of 100 rows are below " + fixed(high, 2) +
-                   " m; it is taken as the ground.");
+    remarks.push_back("z cannot be the height of heads, for 95 of 100 rows are below " + fixed(high, 2) +
+                      " m; it is taken as the ground.");
   }
   return is_head;
 }
@@ -255,7 +254,7 @@ bool z_is_head(RawTracks& tracks, const TrackReading& options, double metres_a_u
 
 AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked) {
   if (of_file == AngleMeaning::none || asked == TrackAngle::none) return AngleMeaning::none;
-  if (of_file == AngleMeaning::heading || asked == TrackAngle::told_apart) return of_file;
+  if (of_file == AngleMeaning::heading || asked == TrackAngle::guessed) return of_file;
   if (asked == TrackAngle::radians) return AngleMeaning::radians;
   const bool is_compass = asked == TrackAngle::north || of_file == AngleMeaning::compass;  // a compass has degrees
   return is_compass ? AngleMeaning::compass : AngleMeaning::degrees;
@@ -272,10 +271,10 @@ Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options) {
   scale.times_a_second = tracks.facts.has_frames ? frames_a_second(tracks, options, steps, scale.metres_a_unit)
                                                  : times_a_second(tracks.facts, options);
   if (tracks.facts.has_frames && options.times_a_second) {
-    tracks.facts.said.emplace_back("--time-unit is not used, for the rows have frames: --fps gives their rate.");
+    tracks.facts.remarks.emplace_back("--time-unit is not used, for the rows have frames: --fps gives their rate.");
   }
   if (!tracks.facts.has_frames && options.fps) {
-    tracks.facts.said.emplace_back("--fps is not used, for the rows have times: --time-unit gives their unit.");
+    tracks.facts.remarks.emplace_back("--fps is not used, for the rows have times: --time-unit gives their unit.");
   }
   constexpr double least_speed = 0.3;  // metres a second: slower people look anywhere
   const auto angle = angle_of(tracks, options, steps, least_speed / (scale.times_a_second * scale.metres_a_unit));

@@ -9,6 +9,6 @@ namespace throng::app {
 
 /// Returns, for each colour of a palette, the first colour that looks like it on two people, since cloth fades.
 /// Two colours count as one if a third looks like both.
-std::vector<std::uint32_t> colors_told_apart(const Palette& palette);
+std::vector<std::uint32_t> distinct_colors(const Palette& palette);
 
 }  // namespace throng::app

@@ -23,7 +23,7 @@ AngleMeaning angle_asked(AngleMeaning of_file, TrackAngle asked);
 double times_a_second(const RowFacts& facts, const TrackReading& options);
 
 /// Finds values that neither the file nor the options say, by how people move and by their heights, and adds the
-/// findings to facts.said. Rows have numbers of tables.front(). The error is the end of a sentence.
+/// findings to facts.remarks. Rows have numbers of tables.front(). The error is the end of a sentence.
 Result<RowScale> tell_apart(RawTracks& tracks, const TrackReading& options);
 
 }  // namespace throng

@@ -1,29 +1,29 @@
-#include "app/window/unkept_values.h"
+#include "app/window/unsaved_values.h"
 
 #include <gtest/gtest.h>
 
-namespace throng::app::unkept_values_test {
+namespace throng::app::unsaved_values_test {
 namespace {
 
 Tuning with_error(float pixels) { return {.error_px = pixels}; }
 
-TEST(UnkeptValues, AreAskedAboutOnce) {
-  UnkeptValues unkept{Tuning()};
+TEST(UnsavedValues, AreAskedAboutOnce) {
+  UnsavedValues unkept{Tuning()};
   EXPECT_FALSE(unkept.ask_about(Tuning())) << "nothing was changed";
   EXPECT_TRUE(unkept.ask_about(with_error(3)));
   EXPECT_FALSE(unkept.ask_about(with_error(3))) << "the second time they are left";
   EXPECT_TRUE(unkept.ask_about(with_error(4))) << "but others are not";
 }
 
-TEST(UnkeptValues, AreNoneOnceAPresetHasThem) {
-  UnkeptValues unkept{Tuning()};
+TEST(UnsavedValues, AreNoneOnceAPresetHasThem) {
+  UnsavedValues unkept{Tuning()};
   unkept.keep(with_error(3));
   EXPECT_FALSE(unkept.ask_about(with_error(3)));
   EXPECT_TRUE(unkept.ask_about(Tuning())) << "the preset has others";
 }
 
-TEST(UnkeptValues, AreThoseThatWaitToo) {
-  UnkeptValues unkept{Tuning()};
+TEST(UnsavedValues, AreThoseThatWaitToo) {
+  UnsavedValues unkept{Tuning()};
   TuningPair pair;
   pair.copy_to_other(Tuning());
   EXPECT_FALSE(unkept.ask_about(Tuning(), pair)) << "a copy";
@@ -39,8 +39,8 @@ TEST(UnkeptValues, AreThoseThatWaitToo) {
   EXPECT_TRUE(unkept.ask_about(with_error(3))) << "nothing waited, so one is kept";
 }
 
-TEST(UnkeptValues, AreNotAWayToLook) {
-  UnkeptValues unkept{Tuning()};
+TEST(UnsavedValues, AreNotAWayToLook) {
+  UnsavedValues unkept{Tuning()};
   Tuning looked_at;
   looked_at.paused = true;
   looked_at.inspection.thresholds = true;
@@ -49,4 +49,4 @@ TEST(UnkeptValues, AreNotAWayToLook) {
 }
 
 }  // namespace
-}  // namespace throng::app::unkept_values_test
+}  // namespace throng::app::unsaved_values_test

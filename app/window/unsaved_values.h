@@ -9,10 +9,10 @@
 namespace throng::app {
 
 /// Asks once before a window closes whose values are in no preset.
-class UnkeptValues {
+class UnsavedValues {
  public:
   /// Takes the values that a person began with, kept as a preset, or took from one.
-  explicit UnkeptValues(const Tuning& begun_with) { keep(begun_with); }
+  explicit UnsavedValues(const Tuning& begun_with) { keep(begun_with); }
   /// `pair` has the values to compare them with. Values that wait there stay kept if they were kept.
   void keep(const Tuning& tuning, const TuningPair& pair = {});
   /// Takes the values that wait, kept as a preset or taken from one.

@@ -1,11 +1,10 @@
-#include "app/people/wardrobe/told_apart.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "app/people/crowd/character_look.h"
+#include "app/people/wardrobe/distinct_colors.h"
 
 namespace throng::app {
 namespace {
@@ -35,7 +34,7 @@ bool are_alike(std::uint32_t one, std::uint32_t other) {
 
 }  // namespace
 
-std::vector<std::uint32_t> colors_told_apart(const Palette& palette) {
+std::vector<std::uint32_t> distinct_colors(const Palette& palette) {
   std::vector<std::uint32_t> seen = palette.colors;
   for (std::size_t one = 0; one < seen.size(); ++one) {
     for (std::size_t other = 0; other < one; ++other) {

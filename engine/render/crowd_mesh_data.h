@@ -9,7 +9,7 @@
 
 namespace throng::render {
 
-/// Hands a part of a character's surface from app/ to drawing, as plain data. All spans except `indices` describe the
+/// Hands a part of a character's surface to drawing, as plain data. All spans except `indices` describe the
 /// same number of vertices.
 struct MeshPartData {
   std::span<const float> positions;        ///< x y z, in the space of the palette
@@ -106,7 +106,7 @@ struct PieceLevelData {
   float error = 0.0F;  ///< metres that it is off; 0 for the finest of a usual piece
 };
 
-/// A piece of a wardrobe, which some agents wear (Outfit).
+/// A piece of a character that some agents wear (Outfit).
 struct MeshPieceData {
   /// Finest first, at least one. The levels of a usual piece stand for mesh LODs from 0 on, the levels of a silhouette
   /// for mesh LODs from first_silhouette_lod on; the last level stands for all that follow. A single level is

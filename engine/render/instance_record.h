@@ -8,7 +8,7 @@ namespace throng::render {
 inline constexpr std::uint32_t packed_slot = 0x80000000U;  ///< see InstanceRecord
 
 /// Tells the vertex shader about one drawn agent in one frame; its constant data is in its AgentLook.
-/// `shaders/instance_record.glsl` repeats the layout (std430). app/ writes it once a frame for every drawn agent.
+/// `shaders/instance_record.glsl` repeats the layout (std430). It is written once a frame for every drawn agent.
 ///
 ///      0  position x y z          metres, world space, between the feet
 ///     12  scale                   uniform

@@ -53,7 +53,7 @@ inline constexpr std::size_t most_characters = 256;  ///< the most in one pictur
 /// Holds the data to make a character's mesh of, or the index in Renderer::meshes() of a mesh to keep for it.
 using CharacterToLoad = std::variant<CrowdMeshData, std::size_t>;
 
-/// Draws pictures of a crowd: this is all that app/ calls. It works on the thread on which `context` is current.
+/// Draws pictures of a crowd: this is all that a program calls. It works on the thread on which `context` is current.
 ///
 ///   slots.reclaim(renderer.fences().poll());         // before animation: frees slots
 ///   ... animation writes palettes ...

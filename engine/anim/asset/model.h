@@ -123,8 +123,7 @@ struct BakedMeshLod {
   std::vector<SkinnedMesh> meshes;
 };
 
-/// A piece of what a character may wear or be made of. Each agent of a varied crowd wears some of them
-/// (app/people/wardrobe).
+/// A piece of what a character may wear or be made of. Each agent of a varied crowd wears some of them.
 struct ModelPart {
   std::string name;                    ///< of its node, behind the first `/`
   std::string slot;                    ///< the slot that it fills, as "top"; empty: it is always worn

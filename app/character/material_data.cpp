@@ -14,7 +14,7 @@ std::span<const Float> flat(const std::vector<Vector>& vectors) {
 }
 
 std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Texture& texture) {
-  if (texture.image < 0) return {};
+  if (mesh.texture_coords.empty()) return {};
   return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
 }
 
@@ -40,11 +40,11 @@ render::TextureData texture_data(const anim::Texture& texture) {
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
   const anim::Texture& leading = leading_texture(material);
   const auto own_coords = [&](const anim::Texture& texture) {
-    return texture.coords == leading.coords ? std::span<const float>() : coords_of(mesh, texture);
+    return texture.image < 0 || texture.coords == leading.coords ? std::span<const float>() : coords_of(mesh, texture);
   };
   return {.positions = flat<float>(mesh.positions),
           .normals = flat<float>(mesh.normals),
-          .texture_coords = mesh.cloth.empty() ? coords_of(mesh, leading) : flat<float>(mesh.cloth),
+          .texture_coords = coords_of(mesh, leading),
           .emission_coords = own_coords(material.emission_texture),
           .metallic_roughness_coords = own_coords(material.metallic_roughness_texture),
           .normal_coords = own_coords(material.normal_texture),

@@ -103,13 +103,13 @@ struct SkinnedMesh {
   std::vector<glm::vec3> normals;   ///< one a position; those of the triangles where the file has none
   std::vector<glm::vec4> tangents;  ///< where the material has a normal texture: one a position, w is the
                                     ///< side of the bitangent, -1 or 1; else empty
-  std::vector<std::vector<glm::vec2>> texture_coords;  ///< by Texture::coords; one a position, or empty
+  std::vector<std::vector<glm::vec2>> texture_coords;  ///< by Texture::coords; one a position, or empty. A mesh with
+                                                       ///< regions and no texture has its `TEXCOORD_0`
   std::vector<glm::vec4> colors;                       ///< linear RGBA, one a position, or empty
   std::vector<std::uint8_t> regions;  ///< `_REGION`: tint region 0..8, 5 untinted; one a position, or empty
   std::vector<glm::vec3> shapes;      ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
   std::vector<glm::vec2> hair;        ///< `_HAIR`: full, long, -1..1; one a position, or empty
   std::vector<glm::vec4> faces;       ///< `_FACE`: jaw, nose, brow, eyes, -1..1; one a position, or empty
-  std::vector<glm::vec2> cloth;       ///< `TEXCOORD_0` where there are regions and no texture: metres on the cloth
   std::vector<float> trims;  ///< `_TRIM`: how much a region's second colour shows, 0..1; one a position, or empty
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four

@@ -59,7 +59,6 @@ void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& so
   pick(mesh.shapes, sources);
   pick(mesh.hair, sources);
   pick(mesh.faces, sources);
-  pick(mesh.cloth, sources);
   pick(mesh.trims, sources);
   pick(mesh.palette_entries, sources);
   pick(mesh.weights, sources);

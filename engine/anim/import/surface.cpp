@@ -62,11 +62,11 @@ class SurfaceReader {
     }
     add_morph_targets(morphs);
     mend_positions();
+    read_regions();
     read_texture_coords(materials);
     read_colors();
-    read_regions();
     read_variations();
-    read_cloth();
+    read_trims();
     place(placement);
     mend_normals();
     return std::move(mesh_);
@@ -212,6 +212,9 @@ class SurfaceReader {
       for (glm::vec2& place : places) place = glm::vec2(source.transform * glm::vec3(place, 1.0F));
       mesh_.texture_coords.push_back(std::move(places));
     }
+    // A region may show a pattern, which needs coordinates too.
+    if (mesh_.regions.empty() || !mesh_.texture_coords.empty() || !primitive_.attributes.contains("TEXCOORD_0")) return;
+    mesh_.texture_coords.push_back(read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small));
   }
 
   void read_colors() {
@@ -244,12 +247,8 @@ class SurfaceReader {
     for (glm::vec4& face : mesh_.faces) face = glm::clamp(face, -1.0F, 1.0F);
   }
 
-  /// Reads where a vertex lies on its cloth, for patterns, which textures would hide.
-  void read_cloth() {
+  void read_trims() {
     if (mesh_.regions.empty()) return;
-    if (mesh_.texture_coords.empty() && primitive_.attributes.contains("TEXCOORD_0")) {
-      mesh_.cloth = read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small);
-    }
     for (const auto& value : read_attribute<glm::vec1>("_TRIM", TINYGLTF_TYPE_SCALAR, float_or_unsigned)) {
       mesh_.trims.push_back(glm::clamp(value.x, 0.0F, 1.0F));
     }

@@ -111,7 +111,7 @@ void describe(Archive& archive, T& delta) {
 template <typename Archive, Same<anim::SkinnedMesh> T>
 void describe(Archive& archive, T& mesh) {
   archive(mesh.name, mesh.material, mesh.positions, mesh.normals, mesh.tangents, mesh.texture_coords, mesh.colors,
-          mesh.regions, mesh.shapes, mesh.hair, mesh.faces, mesh.cloth, mesh.trims, mesh.palette_entries, mesh.weights,
+          mesh.regions, mesh.shapes, mesh.hair, mesh.faces, mesh.trims, mesh.palette_entries, mesh.weights,
           mesh.indices, mesh.morph_deltas);
 }
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "app/character/bone_lod.h"
+#include "app/character/material_data.h"
 #include "app/character/packed.h"
 #include "app/character/wardrobe_file.h"
 #include "app/files/data_folder.h"
-#include "engine/anim/import/import.h"
 #include "engine/base/files/free_memory.h"
 #include "engine/render/mesh/packed_surface.h"
 
@@ -77,7 +77,7 @@ anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files) {
   if (!fingerprint) return fingerprint.error();
   auto source = make_built_in(files, {.wardrobe = true});
   if (!source) return source.error();
-  auto imported = import::import_file(files.mannequin.string());
+  auto imported = import_to_draw(files.mannequin.string());
   if (!imported) return imported.error();
   anim::Status dressed = add_parts(imported->models.front(), source->name, files.wardrobe);
   if (!dressed) return dressed.error();

@@ -11,6 +11,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
+#include "app/character/material_data.h"
 #include "app/character/model_placement.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
@@ -148,7 +149,7 @@ class CastLoader {
   anim::Status read(const Member& member) {
     const CharacterFile wanted = character_file(member.file);
     if (pack::is_pack(wanted.path)) return read_pack(member, wanted);
-    auto imported = import::import_file(wanted.path, options_.import);
+    auto imported = import_to_draw(wanted.path, options_.import);
     if (imported && has_surface(*imported)) return choose(member, wanted.skin, std::move(*imported));
     if (!member.is_named && take_clips(member, wanted.path, imported)) return anim::Done{};
     return imported ? no_mesh(imported->file, imported->models.front()) : imported.error();

@@ -37,6 +37,11 @@ render::TextureData texture_data(const anim::Texture& texture) {
 
 }  // namespace
 
+anim::Result<anim::ImportedFile> import_to_draw(const std::string& path, import::ImportOptions options) {
+  options.channels = {{"_SHAPE", 3}, {"_HAIR", 2}, {"_FACE", 4}, {"_TRIM", 1}};
+  return import::import_file(path, options);
+}
+
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
   const anim::Texture& leading = leading_texture(material);
   const auto own_coords = [&](const anim::Texture& texture) {
@@ -52,10 +57,10 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Materi
           .tangents = flat<float>(mesh.tangents),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
-          .shapes = flat<float>(mesh.shapes),
-          .hair = flat<float>(mesh.hair),
-          .trims = mesh.trims,
-          .faces = flat<float>(mesh.faces),
+          .shapes = anim::find_channel(mesh, "_SHAPE"),
+          .hair = anim::find_channel(mesh, "_HAIR"),
+          .trims = anim::find_channel(mesh, "_TRIM"),
+          .faces = anim::find_channel(mesh, "_FACE"),
           .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
           .weights = flat<float>(mesh.weights),
           .indices = mesh.indices,

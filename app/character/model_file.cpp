@@ -1,5 +1,6 @@
 #include "app/character/model_file.h"
 
+#include "app/character/material_data.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/pack/pack.h"
@@ -17,7 +18,7 @@ anim::Result<anim::ImportedFile> import_for(ModelFileUse use, const std::string&
     case ModelFileUse::clips:
       return import::import_clips(file, options);
     default:
-      return import::import_file(file, options);
+      return import_to_draw(file, options);
   }
 }
 

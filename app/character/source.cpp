@@ -200,7 +200,7 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
     if (!pack) return pack.error();
     return take_packed(*pack, wanted, name, kept, options);
   }
-  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
+  anim::Result<anim::ImportedFile> imported = import_to_draw(wanted.path, options.import);
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);
   if (!chosen) return chosen.error();

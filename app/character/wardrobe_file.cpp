@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anim/import/import.h"
+#include "app/character/material_data.h"
 #include "engine/base/text/plain_text.h"
 
 namespace throng::app {
@@ -54,7 +54,7 @@ void move_images(anim::Material& material, int first_image) {
 }  // namespace
 
 anim::Status add_parts(anim::Model& model, const std::string& character, const std::filesystem::path& file) {
-  auto imported = import::import_file(file.string());
+  auto imported = import_to_draw(file.string());
   if (!imported) return imported.error();
   anim::Model& wardrobe = imported->models.front();
   const std::string name = plain_text(file.string());

@@ -1,3 +1,5 @@
+#include "engine/tracks/row_meaning.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "engine/base/text/joined.h"
-#include "engine/tracks/row_meaning.h"
 
 namespace throng {
 namespace {

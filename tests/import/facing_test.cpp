@@ -26,6 +26,7 @@ anim::SkinnedMesh folded_sheet() {
   sheet.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}};
   sheet.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 0, 1}, {0, 1, 1, 1}};
   sheet.texture_coords = {{{0, 0}, {1, 0}, {0, 1}, {0, 0.5F}, {1, 0.5F}}};
+  sheet.channels = {{"_TWO", 2, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}};
   sheet.palette_entries.assign(5, glm::u16vec4(0));
   sheet.weights.assign(5, glm::vec4(1, 0, 0, 0));
   sheet.indices = {0, 1, 2, 0, 3, 1, 1, 3, 4};
@@ -43,6 +44,7 @@ TEST(FlatShading, GivesEveryTriangleItsOwnNormalAndKeepsItsCorners) {
     EXPECT_EQ(after.positions[now], before.positions[then]);
     EXPECT_EQ(after.colors[now], before.colors[then]);
     EXPECT_EQ(after.texture_coords[0][now], before.texture_coords[0][then]);
+    EXPECT_EQ(anim::find_channel(after, "_TWO")[now * 2 + 1], anim::find_channel(before, "_TWO")[then * 2 + 1]);
     const glm::vec3 normal = glm::normalize(normal_of(after.positions, &after.indices[i / 3 * 3]));
     EXPECT_LT(glm::distance(after.normals[now], normal), 1e-6F);
   }

@@ -128,6 +128,23 @@ TEST(Import, KeepsItsErrorOnOneLineWhateverTheFileCallsThings) {
   EXPECT_THAT(message_of(folder.write("name.gltf", document.dump())), ::testing::Not(HasSubstr("\n")));
 }
 
+TEST(Import, CarriesTheChannelsThatAProgramNames) {
+  json document = editable_document();
+  json& attributes = document["meshes"][0]["primitives"][0]["attributes"];
+  attributes["_OWN"] = attributes["POSITION"];
+  const TemporaryFolder folder;
+  const std::string path = folder.write("channel.gltf", document.dump());
+  EXPECT_THAT(import_good(path).models.front().meshes.front().channels, ::testing::IsEmpty());
+  const auto file = import_file(path, {.channels = {{"_OWN", 3}, {"_OTHER", 3}}});
+  ASSERT_TRUE(file) << file.error().message;
+  const anim::SkinnedMesh& mesh = file->models.front().meshes.front();
+  EXPECT_THAT(anim::find_channel(mesh, "_OWN"), ::testing::SizeIs(mesh.positions.size() * 3));
+  EXPECT_THAT(anim::find_channel(mesh, "_OTHER"), ::testing::IsEmpty());
+  const auto wrong = import_file(path, {.channels = {{"_OWN", 2}}});
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().message, HasSubstr("has the wrong type"));
+}
+
 TEST(Import, RefusesWhatHasNoSkinOrIsNoFile) {
   json document = editable_document();
   document.erase("skins");

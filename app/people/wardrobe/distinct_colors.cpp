@@ -1,10 +1,11 @@
+#include "app/people/wardrobe/distinct_colors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "app/people/crowd/character_look.h"
-#include "app/people/wardrobe/distinct_colors.h"
 
 namespace throng::app {
 namespace {

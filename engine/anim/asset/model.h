@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -95,6 +96,13 @@ struct MorphDelta {
   glm::vec3 normal{0.0F};
 };
 
+/// A vertex attribute that this library only carries, as the file has it.
+struct VertexChannel {
+  std::string name;  ///< of the attribute
+  int components = 1;
+  std::vector<float> values;  ///< [position][component]
+};
+
 /// One glTF primitive as triangles, skinned, in the space of the palette (see Skin::bind_to_model).
 struct SkinnedMesh {
   std::string name;
@@ -106,16 +114,19 @@ struct SkinnedMesh {
   std::vector<std::vector<glm::vec2>> texture_coords;  ///< by Texture::coords; one a position, or empty. A mesh with
                                                        ///< regions and no texture has its `TEXCOORD_0`
   std::vector<glm::vec4> colors;                       ///< linear RGBA, one a position, or empty
-  std::vector<std::uint8_t> regions;  ///< `_REGION`: tint region 0..8, 5 untinted; one a position, or empty
-  std::vector<glm::vec3> shapes;      ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
-  std::vector<glm::vec2> hair;        ///< `_HAIR`: full, long, -1..1; one a position, or empty
-  std::vector<glm::vec4> faces;       ///< `_FACE`: jaw, nose, brow, eyes, -1..1; one a position, or empty
-  std::vector<float> trims;  ///< `_TRIM`: how much a region's second colour shows, 0..1; one a position, or empty
+  std::vector<std::uint8_t> regions;          ///< `_REGION`: tint region 0..8, 5 untinted; one a position, or empty
+  std::vector<VertexChannel> channels;        ///< those of ImportOptions::channels that the file has
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
   std::vector<MorphDelta> morph_deltas;       ///< of the vertices that morphs move: by vertex, then by morph
 };
+
+/// Returns the values of a mesh's channel, or nothing where the mesh lacks it. Points to the mesh.
+inline std::span<const float> find_channel(const SkinnedMesh& mesh, std::string_view name) {
+  const auto found = std::ranges::find(mesh.channels, name, &VertexChannel::name);
+  return found == mesh.channels.end() ? std::span<const float>() : found->values;
+}
 
 /// A coarser surface from the file, with weights of its own.
 struct BakedMeshLod {

@@ -56,6 +56,7 @@ struct Document {
   std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
   std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;
+  std::map<std::string, int> channels;  ///< ImportOptions::channels
   std::vector<std::string> repairs;
   std::size_t charged_repairs = 0;
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds

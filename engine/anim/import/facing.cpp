@@ -28,11 +28,13 @@ glm::vec3 triangle_normal(const std::vector<glm::vec3>& positions, const std::ui
 }
 
 template <typename Value>
-void pick(std::vector<Value>& values, const std::vector<std::uint32_t>& sources) {
+void pick(std::vector<Value>& values, const std::vector<std::uint32_t>& sources, std::size_t width = 1) {
   if (values.empty()) return;
   std::vector<Value> picked;
-  picked.reserve(sources.size());
-  for (const std::uint32_t source : sources) picked.push_back(values[source]);
+  picked.reserve(sources.size() * width);
+  for (const std::uint32_t source : sources) {
+    for (std::size_t i = 0; i < width; ++i) picked.push_back(values[source * width + i]);
+  }
   values = std::move(picked);
 }
 
@@ -56,10 +58,7 @@ void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& so
   for (auto& coords : mesh.texture_coords) pick(coords, sources);
   pick(mesh.colors, sources);
   pick(mesh.regions, sources);
-  pick(mesh.shapes, sources);
-  pick(mesh.hair, sources);
-  pick(mesh.faces, sources);
-  pick(mesh.trims, sources);
+  for (auto& channel : mesh.channels) pick(channel.values, sources, static_cast<std::size_t>(channel.components));
   pick(mesh.palette_entries, sources);
   pick(mesh.weights, sources);
   pick_deltas(mesh.morph_deltas, sources);

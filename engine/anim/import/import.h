@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "engine/anim/asset/model.h"
@@ -11,6 +12,7 @@ namespace throng::import {
 struct ImportOptions {
   bool strict = false;             ///< refuses repairs and omissions, and links that lead out of the model's folder
   std::uint64_t memory_limit = 0;  ///< bytes that it may hold at a time; 0: as memory/memory_account.h says
+  std::map<std::string, int> channels{};  ///< attributes to carry (anim::VertexChannel), with their components, 1 to 4
 };
 
 /// Reads a .glb or .gltf (glTF 2.0) and checks everything before it is used. The error is one sentence with the file,

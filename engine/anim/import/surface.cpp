@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/ext/vector_float1.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -65,8 +64,7 @@ class SurfaceReader {
     read_regions();
     read_texture_coords(materials);
     read_colors();
-    read_variations();
-    read_trims();
+    read_channels();
     place(placement);
     mend_normals();
     return std::move(mesh_);
@@ -83,18 +81,24 @@ class SurfaceReader {
   template <typename Vector>
   std::vector<Vector> read_attribute_of(const std::map<std::string, int>& attributes, const std::string& attribute,
                                         int type, Components components, bool raw) const {
-    const auto found = attributes.find(attribute);
-    if (found == attributes.end()) return {};
     MemoryScope scope(*document_.memory);
-    const std::vector<float> numbers =
-        read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw});
+    const std::vector<float> numbers = read_numbers(attributes, attribute, type, components, raw);
     document_.memory->charge(bytes_of(numbers), name_);
     scope.keep(bytes_of(numbers));
-    auto values = grouped<Vector>(numbers);
-    if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
+    return grouped<Vector>(numbers);
+  }
+
+  std::vector<float> read_numbers(const std::map<std::string, int>& attributes, const std::string& attribute, int type,
+                                  Components components, bool raw) const {
+    const auto found = attributes.find(attribute);
+    if (found == attributes.end()) return {};
+    std::vector<float> numbers =
+        read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw});
+    const auto width = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+    if (!mesh_.positions.empty() && numbers.size() != mesh_.positions.size() * width) {
       refuse(name_, "has another number of " + attribute + " than of POSITION");
     }
-    return values;
+    return numbers;
   }
 
   /// Adds each target times its weight at rest (glTF 2.0, 3.7.2.2), and keeps animated targets. The others are
@@ -237,20 +241,11 @@ class SurfaceReader {
     }
   }
 
-  /// Reads the attributes by which instances vary. Drawing stores it in bytes, so values are clamped to -1..1.
-  void read_variations() {
-    mesh_.shapes = read_attribute<glm::vec3>("_SHAPE", TINYGLTF_TYPE_VEC3, float_or_small);
-    for (glm::vec3& shape : mesh_.shapes) shape = glm::clamp(shape, -1.0F, 1.0F);
-    mesh_.hair = read_attribute<glm::vec2>("_HAIR", TINYGLTF_TYPE_VEC2, float_or_small);
-    for (glm::vec2& hair : mesh_.hair) hair = glm::clamp(hair, -1.0F, 1.0F);
-    mesh_.faces = read_attribute<glm::vec4>("_FACE", TINYGLTF_TYPE_VEC4, float_or_small);
-    for (glm::vec4& face : mesh_.faces) face = glm::clamp(face, -1.0F, 1.0F);
-  }
-
-  void read_trims() {
-    if (mesh_.regions.empty()) return;
-    for (const auto& value : read_attribute<glm::vec1>("_TRIM", TINYGLTF_TYPE_SCALAR, float_or_unsigned)) {
-      mesh_.trims.push_back(glm::clamp(value.x, 0.0F, 1.0F));
+  void read_channels() {
+    for (const auto& [channel, components] : document_.channels) {
+      const int type = components == 1 ? TINYGLTF_TYPE_SCALAR : components;  // a vector's type is its length
+      auto values = read_numbers(primitive_.attributes, channel, type, float_or_small, false);
+      if (!values.empty()) mesh_.channels.push_back({channel, components, std::move(values)});
     }
   }
 

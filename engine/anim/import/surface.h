@@ -20,9 +20,9 @@ struct MorphsOfMesh {
   std::vector<std::pair<int, std::uint32_t>> animated;  ///< target, index among Model::morphs; ascending
 };
 
-/// Reads positions, normals, tangents, colours, texture coordinates, tint regions, triangles and material of a
-/// primitive, adds its morph targets by their weights at rest, keeps animated targets as deltas, and moves all
-/// of it by `placement`. Leaves influences empty, and normals where the file has none. Mends and reports NaN positions.
+/// Reads positions, normals, tangents, colours, texture coordinates, tint regions, channels, triangles and material of
+/// a primitive, adds its morph targets by their weights at rest, keeps animated targets as deltas, and moves all of it
+/// by `placement`. Leaves influences empty, and normals where the file has none. Mends and reports NaN positions.
 /// Throws Refusal, for infinite positions too.
 anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const MorphsOfMesh& morphs,
                                const glm::dmat4& placement, MaterialCollector& materials, const std::string& name);

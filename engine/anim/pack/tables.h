@@ -108,11 +108,15 @@ void describe(Archive& archive, T& delta) {
   archive(delta.vertex, delta.morph, delta.position, delta.normal);
 }
 
+template <typename Archive, Same<anim::VertexChannel> T>
+void describe(Archive& archive, T& channel) {
+  archive(channel.name, channel.components, channel.values);
+}
+
 template <typename Archive, Same<anim::SkinnedMesh> T>
 void describe(Archive& archive, T& mesh) {
   archive(mesh.name, mesh.material, mesh.positions, mesh.normals, mesh.tangents, mesh.texture_coords, mesh.colors,
-          mesh.regions, mesh.shapes, mesh.hair, mesh.faces, mesh.trims, mesh.palette_entries, mesh.weights,
-          mesh.indices, mesh.morph_deltas);
+          mesh.regions, mesh.channels, mesh.palette_entries, mesh.weights, mesh.indices, mesh.morph_deltas);
 }
 
 template <typename Archive, Same<anim::BakedMeshLod> T>

@@ -1,5 +1,9 @@
 #include "app/character/material_data.h"
 
+#include <array>
+#include <set>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,6 +42,21 @@ TEST(MaterialData, LetsAnyTextureLeadWithoutABaseColorTexture) {
   const render::MeshPartData part = part_data(mesh, material);
   EXPECT_THAT(part.texture_coords, ElementsAre(0.75F, 1.0F));
   EXPECT_THAT(part.normal_coords, IsEmpty());
+}
+
+TEST(MaterialData, HasAllChannelsOfTheWardrobe) {
+  auto file = import_to_draw(THRONG_SOURCE_DIR "/assets/wardrobe.glb");
+  ASSERT_TRUE(file) << file.error().message;
+  std::array<std::set<std::size_t>, 5> widths;  // floats a vertex
+  anim::visit_surfaces(file->models.front(), [&](const std::vector<anim::SkinnedMesh>& meshes) {
+    for (const anim::SkinnedMesh& mesh : meshes) {
+      const render::MeshPartData part = part_data(mesh, {});
+      const std::array channels{part.shapes, part.hair, part.faces, part.trims, part.texture_coords};
+      for (std::size_t i = 0; i < channels.size(); ++i) widths[i].insert(channels[i].size() / mesh.positions.size());
+    }
+  });
+  EXPECT_THAT(widths,
+              ElementsAre(ElementsAre(3), ElementsAre(0, 2), ElementsAre(0, 4), ElementsAre(0, 1), ElementsAre(0, 2)));
 }
 
 TEST(MaterialData, TellsDrawingAllThatLightReads) {

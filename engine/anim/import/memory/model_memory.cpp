@@ -10,10 +10,10 @@ constexpr std::uint64_t growth = 3;  // of a vector: the old place, and a new on
 std::uint64_t bytes_of(const anim::SkinnedMesh& mesh) {
   std::uint64_t bytes = sizeof mesh + mesh.name.size() + bytes_of(mesh.positions) + bytes_of(mesh.normals) +
                         bytes_of(mesh.tangents) + bytes_of(mesh.colors) + bytes_of(mesh.regions) +
-                        bytes_of(mesh.shapes) + bytes_of(mesh.hair) + bytes_of(mesh.faces) + bytes_of(mesh.trims) +
                         bytes_of(mesh.palette_entries) + bytes_of(mesh.weights) + bytes_of(mesh.indices) +
                         bytes_of(mesh.morph_deltas);
   for (const auto& coords : mesh.texture_coords) bytes += sizeof coords + bytes_of(coords);
+  for (const auto& channel : mesh.channels) bytes += sizeof channel + channel.name.size() + bytes_of(channel.values);
   return bytes;
 }
 

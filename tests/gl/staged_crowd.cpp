@@ -97,15 +97,15 @@ void StagedCrowd::pass_frame() {
 // With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
 void StagedCrowd::note_moments() {
   const anim::Ticks now = reference_->clock();
-  for (const anim::DueAgent& due : stage_->posed().selection().due) {
-    const ShownPose& pose = stage_->posed().shown().pose(due.agent);
+  for (const anim::AgentUpdate& update : stage_->posed().level_of_detail().updates()) {
+    const std::uint32_t agent = update.agent.number;
+    const ShownPose& pose = stage_->posed().shown().pose(agent);
     const bool looks_ahead = pose.from_time != pose.to_time;
-    Slots& slots = moments_[due.agent];
-    const anim::BoneStep& bones = stage_->posed().level_of_detail().bone_step(due.agent);
+    Slots& slots = moments_[agent];
     const PoseMoment to{.evaluated = now,
-                        .time = looks_ahead ? now + due.look_ahead * frame_step : now,
-                        .fade_level = bones.fade_level,
-                        .faded = bones.fade_halves / 2.0};
+                        .time = now + update.look_ahead,
+                        .fade_level = update.fade_level,
+                        .faded = update.fade_halves / 2.0};
     slots = {looks_ahead ? slots.to : to, to};
   }
 }

@@ -169,14 +169,15 @@ bool LevelOfDetail::find_first_tolerance() {
 
 void LevelOfDetail::list_updates(const LodCrowd& crowd) {
   updates_.clear();
-  for (const DueAgent& due : selection_.due) {
-    if (!crowd.left_out.empty() && crowd.left_out[due.agent] != 0) continue;
-    const BoneStep bones = step_bones(due);
+  for (const std::uint32_t agent : selection_.due) {
+    if (!crowd.left_out.empty() && crowd.left_out[agent] != 0) continue;
+    const BoneStep bones = step_bones(agent);
+    const auto turns = static_cast<std::int64_t>(state_.next_update[agent] - turn_);
     // An agent that is evaluated in each frame has the pose of now.
-    const bool ahead = request_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
-    updates_.push_back({.agent = {due.agent},
+    const bool ahead = request_.rules.smooth && turns > 0 && is_shown(agent);
+    updates_.push_back({.agent = {agent},
                         .level = bones.level,
-                        .look_ahead = ahead ? due.look_ahead * turn_length_ - into_turn_ : Ticks{},
+                        .look_ahead = ahead ? turns * turn_length_ - into_turn_ : Ticks{},
                         .palette = nullptr,
                         .fade_level = bones.fade_level,
                         .fade_halves = bones.fade_halves});
@@ -184,10 +185,11 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
 }
 
 // An agent that is shown goes from level to level by steps. Another one, and all while time stands still, go at once.
-BoneStep LevelOfDetail::step_bones(const DueAgent& due) {
-  BoneStep& step = bone_steps_[due.agent];
-  const bool by_steps = request_.frame_step > Ticks{} && is_shown(due.agent);
-  step = by_steps ? next_step(step, due.bone_level) : settled_at(due.bone_level);
+BoneStep LevelOfDetail::step_bones(std::uint32_t agent) {
+  BoneStep& step = bone_steps_[agent];
+  const std::uint8_t wanted = state_.bone_level[agent];
+  const bool by_steps = request_.frame_step > Ticks{} && is_shown(agent);
+  step = by_steps ? next_step(step, wanted) : settled_at(wanted);
   return step;
 }
 

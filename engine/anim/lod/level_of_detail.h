@@ -116,7 +116,7 @@ class LevelOfDetail {
   bool find_first_tolerance();
   void go_on_showing(Executor& executor, int jobs);
   void list_updates(const LodCrowd& crowd);
-  BoneStep step_bones(const DueAgent& due);
+  BoneStep step_bones(std::uint32_t agent);
 
   std::vector<LodCharacter> characters_;
   LodImportance importance_;

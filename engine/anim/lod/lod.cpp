@@ -228,8 +228,7 @@ struct LodTile {
     if (is_due) {
       const Decision decision = decide(frame, squares, state, agent, character.level_count, seen);
       update(state, agent, frame.number, decision);
-      selection.room_for_due[first + due++] = {static_cast<std::uint32_t>(agent),
-                                               static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]};
+      selection.room_for_due[first + due++] = static_cast<std::uint32_t>(agent);
     }
     if (is_visible) {
       selection.room_for_visible[first + visible++] = {

@@ -78,7 +78,7 @@ struct LodCharacter {
   std::span<const SkipError> clips = {};                            ///< the error of skipping, one a clip
 };
 
-/// An agent in view. Lists of them ascend by `agent`.
+/// An agent in view.
 struct VisibleAgent {
   std::uint32_t agent;
   float pixels_tall;
@@ -86,21 +86,15 @@ struct VisibleAgent {
   std::uint8_t bone_level;  ///< 0: all bones
 };
 
-/// An agent to be posed this frame. Lists of them ascend by `agent`.
-struct DueAgent {
-  std::uint32_t agent;
-  std::uint8_t look_ahead;  ///< turns until its next update, 1 to longest_interval; 1: the next frame
-  std::uint8_t bone_level;
-};
-
-/// The decisions of one frame. LodState::resize makes room for every agent. Cannot be copied.
+/// The decisions of one frame. Both lists ascend by agent. LodState::resize makes room for every agent. Cannot be
+/// copied.
 struct LodSelection {
   std::span<VisibleAgent> visible;
-  std::span<DueAgent> due;
-  LodCost cost;  ///< counted where LodFrame::choices are given
+  std::span<std::uint32_t> due;  ///< the agents to be posed this frame; LodState has their levels and next updates
+  LodCost cost;                  ///< counted where LodFrame::choices are given
 
   std::vector<VisibleAgent> room_for_visible;  ///< [agents]
-  std::vector<DueAgent> room_for_due;          ///< [agents]
+  std::vector<std::uint32_t> room_for_due;     ///< [agents]
 
   LodSelection() = default;
   LodSelection(const LodSelection&) = delete;
@@ -109,7 +103,7 @@ struct LodSelection {
 
 /// Keeps what the rule remembers of each agent between frames.
 struct LodState {
-  std::vector<std::uint64_t> next_update;  ///< turn
+  std::vector<std::uint64_t> next_update;  ///< turn; the turn of the last update means the next frame
   std::vector<std::uint8_t> interval;      ///< frames
   std::vector<std::uint8_t> bone_level;
   std::vector<std::uint8_t> frames_seen;  ///< frames in a row: 0, 1, or 2 for more

@@ -31,7 +31,7 @@ struct ForcedLod : testing::Test {
     std::vector<int> updates(agents, 0);
     for (int i = 0; i < frames; ++i, ++frame.number) {
       select_for_update(frame, state, selection);
-      for (const DueAgent& due : selection.due) ++updates[due.agent];
+      for (const std::uint32_t agent : selection.due) ++updates[agent];
     }
     return updates;
   }

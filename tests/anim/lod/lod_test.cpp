@@ -45,9 +45,10 @@ struct LodTest : testing::Test {
     select();
   }
 
-  bool is_due(std::uint32_t agent) const {
-    return std::ranges::any_of(selection.due, [agent](const DueAgent& due) { return due.agent == agent; });
-  }
+  bool is_due(std::uint32_t agent) const { return std::ranges::find(selection.due, agent) != selection.due.end(); }
+
+  /// Turns until the next update of an agent that is due; 0: the next frame.
+  int look_ahead(std::uint32_t agent) const { return static_cast<int>(state.next_update[agent] - frame.number); }
 
   VisibleAgent decide_afresh(float distance) {
     spawn(1, distance);
@@ -61,7 +62,7 @@ TEST_F(LodTest, AgentsNearerThanTheFullRateDistanceAreUpdatedEachFrame) {
   for (int i = 0; i < 20; ++i) {
     select_next();
     ASSERT_EQ(selection.due.size(), 10U);
-    for (const DueAgent& due : selection.due) EXPECT_EQ(due.look_ahead, 1);
+    for (const std::uint32_t agent : selection.due) EXPECT_EQ(look_ahead(agent), 0);
   }
 }
 
@@ -107,7 +108,7 @@ TEST_F(LodTest, TheWorkOfEachFrameIsEvenAfterEveryoneAppearedAtOnce) {
   for (int i = 0; i < 40; ++i) {
     select_next();
     EXPECT_EQ(selection.due.size(), 250U) << "frame " << frame.number;
-    for (const DueAgent& due : selection.due) EXPECT_EQ(due.look_ahead, 4);
+    for (const std::uint32_t agent : selection.due) EXPECT_EQ(look_ahead(agent), 4);
   }
 }
 
@@ -118,10 +119,10 @@ TEST_F(LodTest, EachUpdateLooksAheadExactlyToTheNext) {
   select();
   for (int i = 0; i < 100; ++i, select_next()) {
     std::vector<bool> due(64, false);
-    for (const DueAgent& agent : selection.due) {
-      due[agent.agent] = true;
-      EXPECT_EQ(frame.number, expected[agent.agent]);
-      expected[agent.agent] = frame.number + agent.look_ahead;
+    for (const std::uint32_t agent : selection.due) {
+      due[agent] = true;
+      EXPECT_EQ(frame.number, expected[agent]);
+      expected[agent] = std::max(state.next_update[agent], frame.number + 1);
     }
     for (std::size_t agent = 0; agent < 64; ++agent) EXPECT_TRUE(due[agent] || expected[agent] > frame.number);
     for (glm::vec3& position : positions) position.z *= 1.005F;
@@ -135,7 +136,7 @@ TEST_F(LodTest, AgentsOffScreenAreNeitherVisibleNorDue) {
   ASSERT_EQ(selection.visible.size(), 2U);
   ASSERT_EQ(selection.due.size(), 2U);
   EXPECT_EQ(selection.visible[1].agent, 2U);
-  EXPECT_EQ(selection.due[1].agent, 2U);
+  EXPECT_EQ(selection.due[1], 2U);
 }
 
 TEST_F(LodTest, AnAgentWhoseSphereReachesIntoViewIsVisible) {
@@ -161,10 +162,10 @@ TEST_F(LodTest, AnAgentThatReappearsLooksAheadFromTheNextFrame) {
   spawn(1, 100.0F);
   select();
   ASSERT_TRUE(is_due(0));
-  EXPECT_EQ(selection.due[0].look_ahead, 1);
+  EXPECT_EQ(look_ahead(0), 0);
   select_next();
   ASSERT_TRUE(is_due(0));
-  EXPECT_EQ(selection.due[0].look_ahead, 8 - static_cast<int>(frame.number % 8));
+  EXPECT_EQ(look_ahead(0), 8 - static_cast<int>(frame.number % 8));
 }
 
 TEST_F(LodTest, WhileTimeStandsStillNobodyIsDueTwiceUnlessAllAreMadeDue) {
@@ -190,10 +191,10 @@ TEST_F(LodTest, WhoIsMadeDueIsPosedOutOfTurnAsOfNowAndAheadFromTheNextFrameOn) {
   state.make_due(agent);
   select_next();
   ASSERT_TRUE(is_due(agent));
-  EXPECT_EQ(std::ranges::find(selection.due, agent, &DueAgent::agent)->look_ahead, 1);
+  EXPECT_EQ(look_ahead(agent), 0);
   select_next();
   ASSERT_TRUE(is_due(agent));
-  EXPECT_GT(std::ranges::find(selection.due, agent, &DueAgent::agent)->look_ahead, 1);
+  EXPECT_GT(look_ahead(agent), 1);
   select_next();
   EXPECT_FALSE(is_due(agent));
 }
@@ -206,9 +207,9 @@ TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReporte
   for (int i = 0; i < 5; ++i) {
     select_next();
     ASSERT_EQ(selection.due.size(), 20U);
-    for (const DueAgent& due : selection.due) {
-      EXPECT_EQ(due.look_ahead, 1);
-      EXPECT_EQ(due.bone_level, 0);
+    for (const std::uint32_t agent : selection.due) {
+      EXPECT_EQ(look_ahead(agent), 0);
+      EXPECT_EQ(state.bone_level[agent], 0);
     }
     EXPECT_EQ(selection.visible.size(), 19U);
   }
@@ -224,9 +225,9 @@ TEST_F(LodTest, WithTheRuleOffBoneLevelsStillFollowDistanceAndEveryoneIsPosedEac
     select_next();
     ASSERT_EQ(selection.due.size(), 4U);
     const std::array expected = {0, 1, 3, 3};
-    for (const DueAgent& due : selection.due) {
-      EXPECT_EQ(due.look_ahead, 1);
-      EXPECT_EQ(due.bone_level, expected[due.agent]) << "agent " << due.agent;
+    for (const std::uint32_t agent : selection.due) {
+      EXPECT_EQ(look_ahead(agent), 0);
+      EXPECT_EQ(state.bone_level[agent], expected[agent]) << "agent " << agent;
     }
     ASSERT_EQ(selection.visible.size(), 3U);
     EXPECT_EQ(selection.visible[2].interval, 1);
@@ -292,9 +293,10 @@ TEST_F(LodTest, AnAgentIsDecidedAlikeWhoeverElseIsThere) {
     select_for_update(fewer, fewer_state, fewer_selection);
     ASSERT_LE(fewer_selection.due.size(), selection.due.size());
     for (std::size_t due = 0; due < fewer_selection.due.size(); ++due) {
-      EXPECT_EQ(fewer_selection.due[due].agent, selection.due[due].agent);
-      EXPECT_EQ(fewer_selection.due[due].look_ahead, selection.due[due].look_ahead);
-      EXPECT_EQ(fewer_selection.due[due].bone_level, selection.due[due].bone_level);
+      const std::uint32_t agent = fewer_selection.due[due];
+      EXPECT_EQ(agent, selection.due[due]);
+      EXPECT_EQ(fewer_state.next_update[agent], state.next_update[agent]);
+      EXPECT_EQ(fewer_state.bone_level[agent], state.bone_level[agent]);
     }
     for (glm::vec3& position : positions) position.z += 0.05F;
   }

@@ -26,7 +26,7 @@
 
 namespace throng::pack {
 
-/// A table is the bytes of one value, its members in the order in which describe() names them (tables.h). Three
+/// A table is the bytes of one value, its members in the order in which members() names them (tables.h). Three
 /// archives go over that one description: PackWriter writes a table, PackReader reads it, and PackLayout hashes its
 /// form, by which packs of another version are told.
 ///

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 

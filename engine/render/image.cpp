@@ -6,10 +6,8 @@
 #include <cassert>
 #include <csetjmp>
 #include <cstring>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <png.h>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "engine/anim/agent/one_entity_process.h"
 #include "engine/anim/entity/noise_maker.h"
 

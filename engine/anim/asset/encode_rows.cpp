@@ -1,7 +1,6 @@
 #include "engine/anim/asset/encode_rows.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>

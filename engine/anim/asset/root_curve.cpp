@@ -1,9 +1,7 @@
 #include "engine/anim/asset/root_curve.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "engine/anim/asset/data_keys.h"

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,7 +1,6 @@
 #include "engine/anim/bake/ground_speed.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>

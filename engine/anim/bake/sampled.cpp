@@ -1,7 +1,6 @@
 #include "engine/anim/bake/sampled.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <span>

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "engine/anim/bake/surface.h"
 

@@ -1,5 +1,3 @@
-#include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "engine/anim/asset/placement.h"

@@ -1,7 +1,6 @@
 #include "engine/anim/door/own_kinds.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/door/convert.h"

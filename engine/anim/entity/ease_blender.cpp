@@ -1,7 +1,6 @@
 #include "engine/anim/entity/ease_blender.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "engine/anim/entity/entity_run.h"

@@ -1,7 +1,6 @@
 #include "engine/anim/entity/look_at_entity.h"
 
 #include <array>
-#include <cstddef>
 #include <new>
 
 #include "engine/anim/entity/whole_pose_step.h"

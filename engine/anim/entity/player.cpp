@@ -1,6 +1,5 @@
 #include "engine/anim/entity/player.h"
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 

@@ -4,12 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <span>
 
-#include "engine/anim/asset/bone_priorities.h"
 #include "engine/anim/entity/clip_streams.h"
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/keyframe/keyframe_player.h"
 
 namespace throng::anim {

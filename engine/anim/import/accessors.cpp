@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "engine/anim/import/bytes/refusal.h"

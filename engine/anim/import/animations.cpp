@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <set>
-#include <utility>
 
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/refusal.h"
-#include "engine/anim/import/memory/model_memory.h"
 
 namespace throng::import {
 

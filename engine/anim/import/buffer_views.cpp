@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <string>
 
 #include <nlohmann/json.hpp>
 

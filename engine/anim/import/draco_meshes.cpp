@@ -6,9 +6,6 @@
 #include <memory>
 #include <set>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <draco/compression/config/decoder_options.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>

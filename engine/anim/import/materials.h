@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>

@@ -1,7 +1,6 @@
 #include "engine/anim/import/meshes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <set>

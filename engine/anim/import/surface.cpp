@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <vector>
 
 #include <glm/ext/vector_float1.hpp>
 #include <glm/geometric.hpp>

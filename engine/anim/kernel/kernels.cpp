@@ -1,8 +1,5 @@
 #include "engine/anim/kernel/kernels.h"
 
-#include <string>
-#include <vector>
-
 #include "engine/anim/kernel/targets.h"
 // After targets.h, which says what Highway compiles for.
 #include <hwy/targets.h>

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/anim/base/run_jobs.h"
-#include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
 namespace {

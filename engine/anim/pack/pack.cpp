@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 
 #include "engine/anim/asset/placement.h"

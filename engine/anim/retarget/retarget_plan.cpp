@@ -1,19 +1,14 @@
 #include "engine/anim/retarget/retarget_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "engine/anim/base/elementary.h"
 #include "engine/anim/retarget/body_pose.h"
-#include "engine/anim/retarget/figure.h"
 
 namespace throng::anim {
 

@@ -1,7 +1,6 @@
 #include "engine/anim/rig/limb_shapes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include <glm/geometric.hpp>

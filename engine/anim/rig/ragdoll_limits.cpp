@@ -1,6 +1,5 @@
 #include "engine/anim/rig/ragdoll_limits.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

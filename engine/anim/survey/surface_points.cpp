@@ -6,8 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "engine/anim/asset/reference_pose.h"
-
 namespace throng::anim {
 namespace {
 

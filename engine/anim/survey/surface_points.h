@@ -8,7 +8,6 @@
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/base/transform.h"
 
 namespace throng::anim {
 

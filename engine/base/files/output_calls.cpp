@@ -3,7 +3,6 @@
 #if !defined(_WIN32)  // output_calls_windows.cpp is for Windows
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
 
 #include <fcntl.h>

@@ -3,7 +3,6 @@
 #if !defined(_WIN32)  // waiting_input_windows.cpp is for Windows
 
 #include <cerrno>
-#include <string>
 #include <system_error>
 
 #include <fcntl.h>

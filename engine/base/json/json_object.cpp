@@ -1,6 +1,5 @@
 #include "engine/base/json/json_object.h"
 
-#include <cmath>
 #include <cstdio>
 #include <utility>
 

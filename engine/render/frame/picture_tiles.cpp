@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>

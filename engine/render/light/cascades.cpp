@@ -1,7 +1,6 @@
 #include "engine/render/light/cascades.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>

@@ -7,9 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "engine/render/crowd_draw.h"
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "engine/render/gl/handles.h"

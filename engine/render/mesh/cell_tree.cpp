@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace throng::render {
 namespace {

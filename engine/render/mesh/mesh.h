@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/render/crowd_mesh_data.h"

@@ -1,10 +1,7 @@
 #include "engine/render/mesh/surface.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
-#include <span>
 
 #include <meshoptimizer.h>
 

@@ -6,7 +6,6 @@
 #include <glad/gl.h>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
-#include <glm/gtc/type_precision.hpp>
 
 namespace throng::render {
 namespace {

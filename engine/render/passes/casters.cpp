@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <cassert>
 
 namespace throng::render {
 namespace {

@@ -1,7 +1,6 @@
 #include "engine/render/passes/crowd_pass.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/light/light_parts.h"

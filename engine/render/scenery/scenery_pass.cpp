@@ -1,15 +1,12 @@
 #include "engine/render/scenery/scenery_pass.h"
 
-#include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include "engine/render/frame/frame_data.h"
 #include "engine/render/gl/device_errors.h"
-#include "engine/render/light/light_parts.h"
 
 namespace throng::render {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "engine/anim/agent/channel/one_shot_tree.h"
 

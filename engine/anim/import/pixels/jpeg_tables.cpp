@@ -1,7 +1,5 @@
 #include "engine/anim/import/pixels/jpeg_tables.h"
 
-#include <cstdint>
-
 namespace throng::import {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "engine/anim/kernel/limb/joint_chain.h"
 
-#include <algorithm>
 #include <cassert>
 #include <string>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/program/task_content.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "engine/anim/run/program/agent_work.h"
 
 namespace throng::anim {

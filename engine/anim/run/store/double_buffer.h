@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "engine/anim/run/store/copy_engine.h"
 #include "engine/anim/run/store/schedule.h"
 #include "engine/anim/run/store/trace.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/run/store/strip_joints.h"
 

@@ -49,27 +49,25 @@ std::span<const float> AgentView::pose() const {
 }
 
 bool Agent::play(const PlayRequest& request) {
-  constexpr const char* call = "Agent::play";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::play");
   if (!turn) return false;
-  if (const char* fault = fault_of(request); fault != nullptr) return report_misuse({call, fault});
+  if (const char* fault = fault_of(request); fault != nullptr) return turn.report(fault);
   if (channel_count() == 0) {
     [[maybe_unused]] const Status added = own_graphs().add_channel(
         builder(), index(), own_graphs().take_cross_fade_channel(), type_tag<CrossFadeChannel>(), {});
     assert(added && "a channel that plays nothing yet");
   }
   CrossFadeChannel* const channel = first_channel();
-  if (channel == nullptr) return report_misuse({call, "the agent's first channel is not a CrossFadeChannel"});
+  if (channel == nullptr) return turn.report("the agent's first channel is not a CrossFadeChannel");
   return play(*channel, request);
 }
 
 bool Agent::play(ChannelId channel, const PlayRequest& request) {
-  constexpr const char* call = "Agent::play";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::play");
   if (!turn) return false;
-  if (const char* fault = fault_of(request); fault != nullptr) return report_misuse({call, fault});
+  if (const char* fault = fault_of(request); fault != nullptr) return turn.report(fault);
   auto* const own_channel = as<CrossFadeChannel, Channel>(own(channel));
-  if (own_channel == nullptr) return report_misuse({call, "the agent has no CrossFadeChannel of this id"});
+  if (own_channel == nullptr) return turn.report("the agent has no CrossFadeChannel of this id");
   return play(*own_channel, request);
 }
 
@@ -105,11 +103,10 @@ CrossFadeChannel* Agent::first_channel() const {
 }
 
 bool Agent::set_speed(double speed) {
-  constexpr const char* call = "Agent::set_speed";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::set_speed");
   if (!turn) return false;
   const char* const fault = try_set_speed(speed);
-  return fault == nullptr || report_misuse({call, fault});
+  return fault == nullptr || turn.report(fault);
 }
 
 /// Returns why it cannot. Agents may be set at once on several threads.
@@ -123,16 +120,15 @@ const char* Agent::try_set_speed(double speed) const {
 }
 
 Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings) {
-  constexpr const char* call = "Agent::add_channel";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::add_channel");
   if (!turn) return Turn::refusal();
-  if (!exists()) return refuse({call, no_agent});
-  if (channel == nullptr) return refuse({call, "the channel is null"});
+  if (!exists()) return turn.refuse(no_agent);
+  if (channel == nullptr) return turn.refuse("the channel is null");
   const EntityBuilder build = builder();
-  if (!(settings.weight >= 0.0F && settings.weight <= 1.0F)) return refuse({call, "a weight is from 0 to 1"});
-  if (!build.has_mask(settings.mask)) return refuse({call, not_a_mask});
-  if (!build.has_room()) return refuse({call, too_many_entities});
-  if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
+  if (!(settings.weight >= 0.0F && settings.weight <= 1.0F)) return turn.refuse("a weight is from 0 to 1");
+  if (!build.has_mask(settings.mask)) return turn.refuse(not_a_mask);
+  if (!build.has_room()) return turn.refuse(too_many_entities);
+  if (const char* fault = channel->fault(build); fault != nullptr) return turn.refuse(fault);
   const Status added =
       settle([&] { return own_graphs().add_channel(build, index(), std::move(channel), type, settings); });
   const std::size_t place = channel_count() - 1;
@@ -142,44 +138,40 @@ Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag t
 }
 
 bool Agent::remove_channel(ChannelId channel) {
-  constexpr const char* call = "Agent::remove_channel";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::remove_channel");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), channel);
-  if (!place) return report_misuse({call, exists() ? no_channel : no_agent});
+  if (!place) return turn.report(exists() ? no_channel : no_agent);
   own_graphs().remove_channel(builder(), index(), *place);
   return true;
 }
 
 bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
-  constexpr const char* call = "Agent::set_channel_weight";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::set_channel_weight");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), channel);
-  if (!place) return report_misuse({call, exists() ? no_channel : no_agent});
-  if (!(weight >= 0.0F && weight <= 1.0F)) return report_misuse({call, "a weight is from 0 to 1"});
-  if (!is_fade(fade)) return report_misuse({call, not_a_fade});
+  if (!place) return turn.report(exists() ? no_channel : no_agent);
+  if (!(weight >= 0.0F && weight <= 1.0F)) return turn.report("a weight is from 0 to 1");
+  if (!is_fade(fade)) return turn.report(not_a_fade);
   own_graphs().set_weight(builder(), index(), *place, weight, fade);
   return true;
 }
 
 Status Agent::channel_changed() {
-  constexpr const char* call = "Agent::change";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::change");
   if (!turn) return Turn::refusal();
-  if (!builder().has_room()) return refuse({call, too_many_entities});
+  if (!builder().has_room()) return turn.refuse(too_many_entities);
   return system_->pus.update_channels(system_->population, number());
 }
 
 Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {
-  constexpr const char* call = "Agent::add_post_process";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::add_post_process");
   if (!turn) return Turn::refusal();
-  if (!exists()) return refuse({call, no_agent});
-  if (process == nullptr) return refuse({call, "the post process is null"});
+  if (!exists()) return turn.refuse(no_agent);
+  if (process == nullptr) return turn.refuse("the post process is null");
   const EntityBuilder build = builder();
-  if (!build.has_room()) return refuse({call, too_many_entities});
-  if (const char* fault = process->fault(build); fault != nullptr) return refuse({call, fault});
+  if (!build.has_room()) return turn.refuse(too_many_entities);
+  if (const char* fault = process->fault(build); fault != nullptr) return turn.refuse(fault);
   const Status added = settle([&] { return own_graphs().add_post_process(build, index(), std::move(process), type); });
   const std::size_t place = post_process_count() - 1;
   if (added) return post_process_id(place);
@@ -188,19 +180,17 @@ Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, 
 }
 
 bool Agent::remove_post_process(ProcessId process) {
-  constexpr const char* call = "Agent::remove_post_process";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::remove_post_process");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), process);
-  if (!place) return report_misuse({call, exists() ? no_process : no_agent});
+  if (!place) return turn.report(exists() ? no_process : no_agent);
   own_graphs().take_post_process(builder(), index(), *place);
   return true;
 }
 
 void Agent::remove_post_processes() {
-  constexpr const char* call = "Agent::remove_post_processes";
-  const Turn turn(system_->turn, call);
-  if (!exists()) report_misuse({call, no_agent});
+  const Turn turn(system_->turn, "Agent::remove_post_processes");
+  if (!exists()) turn.report(no_agent);
   while (turn && post_process_count() > 0) {
     own_graphs().take_post_process(builder(), index(), post_process_count() - 1);
   }
@@ -213,12 +203,11 @@ std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
 }
 
 Status Agent::process_changed(ProcessId process) {
-  constexpr const char* call = "Agent::change_process";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Agent::change_process");
   if (!turn) return Turn::refusal();
   const std::optional<std::size_t> place = graphs().place(index(), process);
-  if (!place) return refuse({call, no_process});
-  if (!builder().has_room()) return refuse({call, too_many_entities});
+  if (!place) return turn.refuse(no_process);
+  if (!builder().has_room()) return turn.refuse(too_many_entities);
   Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), *place); });
   if (changed) return changed;
   own_graphs().post_process(index(), *place).part->destroy_entities(builder());

@@ -36,11 +36,11 @@ Status AnimationSystem::configure(const SystemOptions& options) {
   return parts_.pus.configure(parts_.population, options);
 }
 
-bool AnimationSystem::add(std::uint32_t count, CharacterId character, const char* call) {
+bool AnimationSystem::add(std::uint32_t count, CharacterId character, const Turn& turn) {
   Population& population = parts_.population;
-  if (!population.has(character)) return report_misuse({call, no_character});
+  if (!population.has(character)) return turn.report(no_character);
   if (count > most_agents - std::min(agent_count(), most_agents)) {
-    return report_misuse({call, "a system has at most 1,048,576 agents"});
+    return turn.report("a system has at most 1,048,576 agents");
   }
   population.make_room(count, character.number);
   for (std::uint32_t i = 0; i < count; ++i) population.add(character.number);
@@ -59,23 +59,21 @@ AgentId AnimationSystem::add_agent(CharacterId character) {
 }
 
 std::span<const AgentId> AnimationSystem::add_agents(std::uint32_t count, CharacterId character) {
-  constexpr const char* call = "AnimationSystem::add_agents";
-  const Turn turn(parts_.turn, call);
-  if (!turn || !add(count, character, call)) return {};
+  const Turn turn(parts_.turn, "AnimationSystem::add_agents");
+  if (!turn || !add(count, character, turn)) return {};
   make_room();
   return agents().last(count);
 }
 
 std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
-  constexpr const char* call = "AnimationSystem::add_agents";
-  const Turn turn(parts_.turn, call);
+  const Turn turn(parts_.turn, "AnimationSystem::add_agents");
   if (!turn) return {};
   std::size_t done = 0;
   while (done < characters.size()) {
     const auto alike =
         std::ranges::find_if(characters.subspan(done), [&](auto other) { return other != characters[done]; });
     const auto count = static_cast<std::size_t>(alike - (characters.begin() + static_cast<std::ptrdiff_t>(done)));
-    if (!add(static_cast<std::uint32_t>(count), parts_.population.id_of_character(characters[done]), call)) break;
+    if (!add(static_cast<std::uint32_t>(count), parts_.population.id_of_character(characters[done]), turn)) break;
     done += count;
   }
   make_room();
@@ -83,25 +81,23 @@ std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_
 }
 
 bool AnimationSystem::remove_agent(AgentId agent) {
-  constexpr const char* call = "AnimationSystem::remove_agent";
-  const Turn turn(parts_.turn, call);
+  const Turn turn(parts_.turn, "AnimationSystem::remove_agent");
   if (!turn) return false;
-  if (!parts_.population.numbers().has(agent)) return report_misuse({call, no_agent});
+  if (!parts_.population.numbers().has(agent)) return turn.report(no_agent);
   parts_.population.remove(agent.number);
   parts_.frame.forget_agent(agent.number);
   return true;
 }
 
 bool AnimationSystem::set_agent_count(std::uint32_t count) {
-  constexpr const char* call = "AnimationSystem::set_agent_count";
-  const Turn turn(parts_.turn, call);
+  const Turn turn(parts_.turn, "AnimationSystem::set_agent_count");
   if (!turn) return false;
   while (agent_count() > count) {
     const AgentId last = agents().back();
     parts_.population.remove(last.number);
     parts_.frame.forget_agent(last.number);
   }
-  const bool added = agent_count() == count || add(count - agent_count(), parts_.population.id_of_character(0), call);
+  const bool added = agent_count() == count || add(count - agent_count(), parts_.population.id_of_character(0), turn);
   make_room();
   return added;
 }
@@ -112,14 +108,13 @@ AgentId AnimationSystem::id(std::uint32_t number) const {
 
 // In a child of fork() PUs cannot run before the system is configured there, unless a host runs them or there is but
 // one.
-bool AnimationSystem::can_run(const char* call) const {
+bool AnimationSystem::can_run(const Turn& turn) const {
   const char* const fault = parts_.pus.fault();
-  return fault == nullptr || report_misuse({call, fault});
+  return fault == nullptr || turn.report(fault);
 }
 
 bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
-  constexpr const char* call = "set_speeds";
-  const Turn turn(system.parts_.turn, call);
+  const Turn turn(system.parts_.turn, "set_speeds");
   if (!turn) return false;
   constexpr std::size_t speeds_worth_a_job = 256;
   std::atomic<const char*> fault{nullptr};
@@ -131,32 +126,29 @@ bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
                  if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
                }
              });
-  return fault.load() == nullptr || report_misuse({call, fault.load()});
+  return fault.load() == nullptr || turn.report(fault.load());
 }
 
 void AnimationSystem::advance(Ticks delta) {
-  constexpr const char* call = "AnimationSystem::advance";
-  const Turn turn(parts_.turn, call);
+  const Turn turn(parts_.turn, "AnimationSystem::advance");
   if (!turn) return;
   if (delta < Ticks{0}) {
-    report_misuse({call, "time does not go back"});
+    turn.report("time does not go back");
   } else if (delta > latest_clock - clock()) {
-    report_misuse({call, "the clock ends after a hundred years"});
+    turn.report("the clock ends after a hundred years");
   } else {
     parts_.population.advance(delta);
   }
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
-  constexpr const char* call = "AnimationSystem::update";
-  const Turn turn(parts_.turn, call);
-  if (turn && can_run(call)) parts_.frame.update(parts_.population, parts_.pus, agents);
+  const Turn turn(parts_.turn, "AnimationSystem::update");
+  if (turn && can_run(turn)) parts_.frame.update(parts_.population, parts_.pus, agents);
 }
 
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
-  constexpr const char* call = "AnimationSystem::pose_exactly";
-  const Turn turn(parts_.turn, call);
-  if (turn && can_run(call)) parts_.exact.pose(parts_.population, parts_.pus, agents);
+  const Turn turn(parts_.turn, "AnimationSystem::pose_exactly");
+  if (turn && can_run(turn)) parts_.exact.pose(parts_.population, parts_.pus, agents);
 }
 
 Compaction AnimationSystem::compact() {
@@ -165,10 +157,9 @@ Compaction AnimationSystem::compact() {
 }
 
 bool AnimationSystem::restart() {
-  constexpr const char* call = "AnimationSystem::restart";
-  const Turn turn(parts_.turn, call);
+  const Turn turn(parts_.turn, "AnimationSystem::restart");
   if (!turn) return false;
-  if (agent_count() > 0) return report_misuse({call, "agents stand at times of the old clock: remove them first"});
+  if (agent_count() > 0) return turn.report("agents stand at times of the old clock: remove them first");
   parts_.population.restart();
   parts_.frame.restart();
   return true;

@@ -105,8 +105,8 @@ class AnimationSystem {
  private:
   friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AnimationSystem() = default;
-  bool can_run(const char* call) const;
-  bool add(std::uint32_t count, CharacterId character, const char* call);
+  bool can_run(const Turn& turn) const;
+  bool add(std::uint32_t count, CharacterId character, const Turn& turn);
   void make_room();
 
   SystemParts parts_;

@@ -56,11 +56,10 @@ PaletteFormat Characters::palette_format(CharacterId character) const {
 Status Characters::configure_again() { return system_->pus.configure(system_->population, system_->pus.options()); }
 
 Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) {
-  constexpr const char* call = "Characters::add";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::add");
   if (!turn) return Turn::refusal();
-  if (character == nullptr) return refuse({call, "the character is null"});
-  if (const char* fault = fault_of(*character); fault != nullptr) return refuse({call, fault});
+  if (character == nullptr) return turn.refuse("the character is null");
+  if (const char* fault = fault_of(*character); fault != nullptr) return turn.refuse(fault);
   Population& population = system_->population;
   if (!population.has_room_for_character()) {
     return Error{"a system animates at most " + std::to_string(most_skeletons) +
@@ -76,10 +75,9 @@ Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) 
 }
 
 Status Characters::remove(CharacterId character) {
-  constexpr const char* call = "Characters::remove";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::remove");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
+  if (!has(character)) return turn.refuse(no_character);
   Population& population = system_->population;
   const CharacterAgents& agents = of(character);
   if (const std::uint32_t players = agents.agents.alive_count(); players > 0) {
@@ -95,15 +93,14 @@ Status Characters::remove(CharacterId character) {
 
 Status Characters::replace(CharacterId character, std::shared_ptr<const Character> reordered,
                            std::span<const int> places) {
-  constexpr const char* call = "Characters::replace";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::replace");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
+  if (!has(character)) return turn.refuse(no_character);
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
       !std::ranges::equal(reordered->clips, agents.character->clips, {}, &BakedClip::name, &BakedClip::name) ||
       !is_permutation_of_bones(places, agents.skeleton().bone_count())) {
-    return refuse({call, "it is not the same character with its bones in another order"});
+    return turn.refuse("it is not the same character with its bones in another order");
   }
   const bool moves = !std::ranges::is_sorted(places);
   if (const std::string bound = agents.bound_to_bone_order(); moves && !bound.empty()) {
@@ -121,12 +118,11 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
 }
 
 Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Character> other) {
-  constexpr const char* call = "Characters::replace_clips";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::replace_clips");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
-  if (other == nullptr) return refuse({call, "the character is null"});
-  if (const char* fault = fault_of(*other); fault != nullptr) return refuse({call, fault});
+  if (!has(character)) return turn.refuse(no_character);
+  if (other == nullptr) return turn.refuse("the character is null");
+  if (const char* fault = fault_of(*other); fault != nullptr) return turn.refuse(fault);
   CharacterAgents& agents = of(character);
   if (Status same = has_bones_of(agents.skeleton(), other->skeleton); !same) return same;
   system_->pus.update_due_channels(system_->population, character.number);  // fades may be over
@@ -140,10 +136,9 @@ Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Ch
 }
 
 Status Characters::write_joints(const JointList& list, JointFormat format, CharacterId character) {
-  constexpr const char* call = "Characters::write_joints";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::write_joints");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
+  if (!has(character)) return turn.refuse(no_character);
   CharacterAgents& agents = of(character);
   std::vector<JointProgram> programs;
   for (const int bones : agents.skeleton().level_bone_counts) {
@@ -161,8 +156,7 @@ Status Characters::write_joints(const JointList& list, JointFormat format, Chara
 }
 
 int Characters::add_mask(BoneMask mask, CharacterId character) {
-  constexpr const char* call = "Characters::add_mask";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::add_mask");
   if (!turn) return PlayRequest::no_mask;
   const char* fault = nullptr;
   if (!has(character)) {
@@ -173,7 +167,7 @@ int Characters::add_mask(BoneMask mask, CharacterId character) {
     fault = "a character has at most 32,767 masks";
   }
   if (fault != nullptr) {
-    report_misuse({call, fault});
+    turn.report(fault);
     return PlayRequest::no_mask;
   }
   const int index = of(character).add_mask(std::move(mask));
@@ -182,12 +176,11 @@ int Characters::add_mask(BoneMask mask, CharacterId character) {
 }
 
 std::uint32_t Characters::add_bone_selection(BoneSelection selection, CharacterId character) {
-  constexpr const char* call = "Characters::add_bone_selection";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::add_bone_selection");
   if (!turn) return Player::every_bone;
   const bool fits = has(character) && selection.packets() == packets_for(of(character).skeleton().bone_count());
   if (!fits) {
-    report_misuse({call, has(character) ? "the selection was made for another skeleton" : no_character});
+    turn.report(has(character) ? "the selection was made for another skeleton" : no_character);
     return Player::every_bone;
   }
   const std::uint32_t index = of(character).add_selection(std::move(selection));
@@ -196,40 +189,36 @@ std::uint32_t Characters::add_bone_selection(BoneSelection selection, CharacterI
 }
 
 Result<EntityPools::Kind> Characters::add_entity_kind(const EntityKind& kind, CharacterId character) {
-  constexpr const char* call = "Characters::add_entity_kind";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::add_entity_kind");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
-  if (const char* fault = fault_of(kind); fault != nullptr) return refuse({call, fault});
+  if (!has(character)) return turn.refuse(no_character);
+  if (const char* fault = fault_of(kind); fault != nullptr) return turn.refuse(fault);
   if (of(character).pools.kind_count() == EntityPools::most_kinds) {
-    return refuse({call, "a character has at most 15 kinds of entities, with those of the library"});
+    return turn.refuse("a character has at most 15 kinds of entities, with those of the library");
   }
   return of(character).pools.add_kind(kind);
 }
 
 bool Characters::reserve_entities(EntityPools::Kind kind, std::size_t count, CharacterId character) {
-  constexpr const char* call = "Characters::reserve_entities";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::reserve_entities");
   if (!turn) return false;
-  if (!has(character)) return report_misuse({call, no_character});
-  if (kind >= of(character).pools.kind_count())
-    return report_misuse({call, "the character has no entities of this kind"});
-  if (count > Handle::max_blocks) return report_misuse({call, too_many_entities});
+  if (!has(character)) return turn.report(no_character);
+  if (kind >= of(character).pools.kind_count()) return turn.report("the character has no entities of this kind");
+  if (count > Handle::max_blocks) return turn.report(too_many_entities);
   of(character).pools.pool(kind).reserve(count);
   return true;
 }
 
 Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, TypeTag type, CharacterId character) {
-  constexpr const char* call = "Characters::add_shared";
-  const Turn turn(system_->turn, call);
+  const Turn turn(system_->turn, "Characters::add_shared");
   if (!turn) return Turn::refusal();
-  if (!has(character)) return refuse({call, no_character});
-  if (channel == nullptr) return refuse({call, "the channel is null"});
+  if (!has(character)) return turn.refuse(no_character);
+  if (channel == nullptr) return turn.refuse("the channel is null");
   Population& population = system_->population;
   AgentGraphs& shared = of(character).shared;
-  if (!of(character).pools.has_room()) return refuse({call, too_many_entities});
+  if (!of(character).pools.has_room()) return turn.refuse(too_many_entities);
   const char* const fault = channel->fault(population.shared_builder(of(character), shared.count()));
-  if (fault != nullptr) return refuse({call, fault});
+  if (fault != nullptr) return turn.refuse(fault);
   const std::uint32_t graph = shared.add();
   const EntityBuilder build = population.shared_builder(of(character), graph);
   Status added = shared.add_channel(build, graph, std::move(channel), type, {});

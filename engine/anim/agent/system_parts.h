@@ -15,8 +15,8 @@ namespace throng::anim {
 class Turn {
  public:
   Turn(std::atomic<bool>& taken, const char* call)
-      : taken_(&taken), has_it_(!taken.exchange(true, std::memory_order_acquire)) {
-    if (!has_it_) report_misuse({call, "the system is in the middle of another call, on this thread or another one"});
+      : taken_(&taken), call_(call), has_it_(!taken.exchange(true, std::memory_order_acquire)) {
+    if (!has_it_) report("the system is in the middle of another call, on this thread or another one");
   }
   ~Turn() {
     if (has_it_) taken_->store(false, std::memory_order_release);
@@ -27,9 +27,14 @@ class Turn {
   explicit operator bool() const { return has_it_; }
   /// Returns the error of a call that has no turn.
   static Error refusal() { return Error{"the system is in the middle of another call"}; }
+  /// Reports a misuse of the call, and returns false.
+  bool report(const char* reason) const { return report_misuse({call_, reason}); }
+  /// Reports a misuse of the call, and returns it as the error of the call.
+  Error refuse(const char* reason) const { return anim::refuse({call_, reason}); }
 
  private:
   std::atomic<bool>* taken_;
+  const char* call_;
   bool has_it_;
 };
 

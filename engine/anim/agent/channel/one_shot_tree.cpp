@@ -12,12 +12,6 @@ void destroy_shot(const EntityBuilder& build, const OneShotTree::Shot& shot) {
 
 }  // namespace
 
-std::size_t OneShotTree::covered(Ticks now) const {
-  std::size_t over = count;
-  while (over > 0 && !(shots[over - 1].in.valid() && shots[over - 1].faded_in <= now)) --over;
-  return over == 0 ? 0 : over - 1;
-}
-
 Ticks OneShotTree::next_faded_in() const {
   Ticks next = never;
   for (std::size_t i = 0; i < count; ++i) {
@@ -52,7 +46,8 @@ Handle OneShotTree::root(bool has_below) const {
 
 bool OneShotTree::drop_covered(const EntityBuilder& build) {
   if (next_faded_in() > build.now()) return false;
-  const std::size_t dropped = covered(build.now());
+  std::size_t dropped = count - 1;
+  while (!shots[dropped].in.valid() || shots[dropped].faded_in > build.now()) --dropped;
   for (std::size_t i = 0; i < dropped; ++i) destroy_shot(build, shots[i]);
   build.destroy(shots[dropped].in);
   shots[dropped].in = {};

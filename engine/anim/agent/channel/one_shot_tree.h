@@ -17,7 +17,6 @@ struct OneShotTree {
   static constexpr std::size_t max_shots = 4;
 
   struct Shot {
-    int clip;        ///< index into the character's clips
     Ticks begins;    ///< by the clock
     Ticks ends;      ///< by the clock
     Ticks faded_in;  ///< by the clock; from then on nothing below it is seen
@@ -31,8 +30,6 @@ struct OneShotTree {
 
   bool empty() const { return count == 0; }
   const Shot& last() const { return shots[count - 1]; }
-  /// Returns how many of the first shots are not seen at a time of the clock.
-  std::size_t covered(Ticks now) const;
   /// Returns when the next shot has faded in, or never.
   Ticks next_faded_in() const;
 

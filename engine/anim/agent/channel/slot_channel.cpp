@@ -51,7 +51,6 @@ bool SlotChannel::update(const EntityBuilder& build) {
   changed = end_shots(build) || changed;
   took_all_ = !std::exchange(refused_, false);
   if (stops_) {
-    note_ends(build.now());
     destroy_entities(build);
     changed = true;
   }
@@ -79,7 +78,6 @@ bool SlotChannel::take(const EntityBuilder& build, const OneShot& shot) {
   } else if (shot.fade_in > Ticks{}) {
     interrupt(build, shot);
   } else {
-    note_ends(now);
     destroy_entities(build);
     append(build, shot, now, false);
   }
@@ -93,8 +91,7 @@ void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks 
   const auto& own = build.as<Player>(player);
   build.seek(player, build.position(player) - distance(begins - build.now(), own.speed));
   OneShotTree::Shot& added = tree_.shots[tree_.count++];
-  added = {.clip = shot.clip,
-           .begins = begins,
+  added = {.begins = begins,
            .ends = begins + build.length_of(player),
            .faded_in = begins + fade_in,
            .player = player,
@@ -107,7 +104,6 @@ void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks 
 }
 
 void SlotChannel::interrupt(const EntityBuilder& build, const OneShot& shot) {
-  note_ends(build.now());
   begin_interruption(build, inertialiser_, tree_, left_);
   append(build, shot, build.now(), false);
   retarget(build.as<Inertialiser>(inertialiser_), tree_.root(has_below_), left_.root(has_below_),
@@ -128,34 +124,10 @@ void SlotChannel::lie_over(const EntityBuilder& build, Handle below) {
 bool SlotChannel::end_shots(const EntityBuilder& build) {
   if (tree_.empty()) return false;
   if (build.now() >= tree_.last().ends && !inertialiser_.valid()) {
-    note_ends(build.now());
     tree_.destroy(build);
     return true;
   }
-  const std::size_t covered = tree_.covered(build.now());
-  for (std::size_t i = 0; i < covered; ++i) note_end(tree_.shots[i], build.now());
   return tree_.drop_covered(build);
-}
-
-// One that is queued while the last fades out takes over from it, which has then as good as finished.
-void SlotChannel::note_end(const OneShotTree::Shot& shot, Ticks now) {
-  const bool finished = shot.ends <= now || (&shot == &tree_.last() && fades_out_at_ <= now);
-  ends_[ended_count_++ % kept_ends] = {.clip = shot.clip, .time = std::min(shot.ends, now), .finished = finished};
-}
-
-void SlotChannel::note_ends(Ticks now) {
-  for (std::size_t i = 0; i < tree_.count; ++i) note_end(tree_.shots[i], now);
-}
-
-void SlotChannel::for_each_end(Ticks from, Ticks to, const std::function<void(const OneShotEnd&)>& visit) const {
-  const auto visit_if_met = [&](const OneShotEnd& end) {
-    if (end.time >= from && end.time < to) visit(end);
-  };
-  const std::size_t oldest = ended_count_ - std::min(ended_count_, kept_ends);
-  for (std::size_t i = oldest; i < ended_count_; ++i) visit_if_met(ends_[i % kept_ends]);
-  for (std::size_t i = 0; i < tree_.count; ++i) {
-    visit_if_met({.clip = tree_.shots[i].clip, .time = tree_.shots[i].ends, .finished = true});
-  }
 }
 
 Ticks SlotChannel::next_update() const {

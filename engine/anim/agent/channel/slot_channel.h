@@ -16,13 +16,6 @@ struct OneShot {
   bool queued = false;  ///< it waits for the shots before it, and eases in over the last of them
 };
 
-/// A one-shot of a slot has ended.
-struct OneShotEnd {
-  int clip = 0;
-  Ticks time{};           ///< of the clock
-  bool finished = false;  ///< false: another shot took its place, or the slot was stopped
-};
-
 /// Plays one-shots over the channels before it, and plays nothing in between: then only the channels before it are
 /// seen, and it costs nothing. Over nothing, a shot neither fades in nor out.
 ///
@@ -40,8 +33,6 @@ class SlotChannel final : public Channel {
 
   /// Returns whether a shot plays or waits at a time of the clock, from now on.
   bool is_playing(Ticks at) const { return !tree_.empty() && at < tree_.last().ends; }
-  /// Calls visit(const OneShotEnd&) for each shot that ended in [from, to), of the last sixteen.
-  void for_each_end(Ticks from, Ticks to, const std::function<void(const OneShotEnd&)>& visit) const;
 
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(has_below_); }
   void lie_over(const EntityBuilder& build, Handle below) override;
@@ -52,14 +43,10 @@ class SlotChannel final : public Channel {
   std::unique_ptr<Channel> clone() const override { return std::make_unique<SlotChannel>(*this); }
 
  private:
-  static constexpr std::size_t kept_ends = 16;
-
   bool take(const EntityBuilder& build, const OneShot& shot);
   void interrupt(const EntityBuilder& build, const OneShot& shot);
   void append(const EntityBuilder& build, const OneShot& shot, Ticks begins, bool fades_in);
   bool end_shots(const EntityBuilder& build);
-  void note_end(const OneShotTree::Shot& shot, Ticks now);
-  void note_ends(Ticks now);
 
   OneShotTree tree_;
   OneShotTree left_;  // the tree that the inertialiser is leaving
@@ -71,8 +58,6 @@ class SlotChannel final : public Channel {
   bool took_all_ = true;
   std::array<OneShot, OneShotTree::max_shots> asked_{};
   std::size_t asked_count_ = 0;
-  std::array<OneShotEnd, kept_ends> ends_{};  // a ring
-  std::size_t ended_count_ = 0;
 };
 
 }  // namespace throng::anim

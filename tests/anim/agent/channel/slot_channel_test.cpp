@@ -3,7 +3,6 @@
 #include "engine/anim/agent/channel/slot_channel.h"
 
 #include <algorithm>
-#include <string>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -256,37 +255,6 @@ TEST(Slot, AllocatesNothingInAFrame) {
   };
   play_all();
   EXPECT_EQ(play_all(), 0U);
-}
-
-/// Returns the ends of a frame, such as "1 finished".
-std::string ends_in(const CrowdRig& crowd, Ticks from, Ticks to) {
-  std::string ends;
-  channel(crowd).for_each_end(from, to, [&](const OneShotEnd& end) {
-    ends += std::to_string(end.clip) + (end.finished ? " finished, " : " interrupted, ");
-  });
-  return ends;
-}
-
-TEST(Slot, TellsEachEndOnceAndHowItEnded) {
-  CrowdRig crowd = with_slot();
-  std::string told;
-  const auto run = [&](int frames) {
-    for (int frame = 0; frame < frames; ++frame) {
-      const Ticks before = crowd->clock();
-      crowd.step();
-      told += ends_in(crowd, before, crowd->clock());
-    }
-  };
-  play(crowd, {.clip = 1, .fade_in = fade});
-  run(10);
-  play(crowd, {.clip = 2, .fade_in = fade});
-  play(crowd, {.clip = 3, .fade_in = fade, .queued = true});
-  run(frames_of(2) + frames_of(3) + 50);
-  play(crowd, {.clip = 4});
-  run(3);
-  static_cast<void>(crowd->agent(0).change<SlotChannel>(slot, [](SlotChannel& own) { own.stop(); }));
-  run(3);
-  EXPECT_EQ(told, "1 interrupted, 2 finished, 3 finished, 4 interrupted, ");
 }
 
 TEST(Slot, ThatAStoreOfFixedSizeHasNoRoomForSaysSoAndIsStopped) {

@@ -188,14 +188,6 @@ bool Agent::remove_post_process(ProcessId process) {
   return true;
 }
 
-void Agent::remove_post_processes() {
-  const Turn turn(system_->turn, "Agent::remove_post_processes");
-  if (!exists()) turn.report(no_agent);
-  while (turn && post_process_count() > 0) {
-    own_graphs().take_post_process(builder(), index(), post_process_count() - 1);
-  }
-}
-
 std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
   const Turn turn(system_->turn, "Agent::take_post_process");
   const std::optional<std::size_t> place = graphs().place(index(), process);

@@ -159,7 +159,6 @@ class Agent : public AgentView {
     return add_post_process(std::move(process), type_tag<Derived>());
   }
   bool remove_post_process(ProcessId process);
-  void remove_post_processes();
   /// Takes a process without its entities, so that another agent of the same character can have it; null if the agent
   /// has none of this id and type.
   template <typename Derived>

@@ -1,7 +1,6 @@
 #include "engine/anim/asset/bone_priorities.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cstddef>
 
@@ -41,7 +40,6 @@ BoneSelection::BoneSelection(const Skeleton& skeleton, std::span<const std::uint
       if (bone >= skeleton.bone_count() || priorities[static_cast<std::size_t>(bone)] < least) continue;
       bits |= 1U << static_cast<unsigned>(lane);
     }
-    evaluated_bones_ += std::popcount(bits);
     if (bits != 0) bits |= padding_lanes(skeleton.bone_count(), packet);
     lanes_[static_cast<std::size_t>(packet)] = static_cast<std::uint16_t>(bits);
   }

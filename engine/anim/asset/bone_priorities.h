@@ -27,11 +27,9 @@ class BoneSelection {
   /// Returns the state of the bones that are not evaluated: float [components][16], 64-byte aligned.
   const float* still(int packet) const;
   int components() const { return components_; }
-  int evaluated_bones() const { return evaluated_bones_; }
 
  private:
   int components_;
-  int evaluated_bones_ = 0;
   std::vector<std::uint16_t> lanes_;
   AlignedBytes still_;
 };

@@ -100,9 +100,8 @@ class LevelOfDetail {
   /// Returns whether the agent was in view in the last selection. The answer holds until make_all_due().
   bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }
   bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }  ///< it has a palette
-  /// Returns the decision at its last update; bone_step() says how far it has come.
+  /// Returns the decision at its last update.
   LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }
-  const BoneStep& bone_step(std::uint32_t agent) const { return bone_steps_[agent]; }  ///< of its last update
   const LodChoices& choices() const { return choices_; }
   /// Returns the figures of the last settled frame in which time passed.
   const LodFigures& figures() const { return figures_; }

@@ -123,7 +123,7 @@ TEST(Agent, GivesAPostProcessToAnother) {
   ASSERT_TRUE(given);
   EXPECT_EQ(crowd->agent(0).post_process_count(), 0U);
   EXPECT_EQ(crowd->agent(1).post_process<NoiseProcess>(*given), noise);
-  crowd->agent(1).remove_post_processes();
+  crowd->agent(1).remove_post_process(*given);
   EXPECT_EQ(crowd->agent(1).post_process_count(), 0U);
 }
 

@@ -164,7 +164,10 @@ TEST(PostProcesses, GiveEveryEntityBackWhenTheyAreRemoved) {
   PersonCrowd crowd({}, people);
   add_everything(crowd);
   play_on(crowd, 0, 30);
-  for (std::uint32_t agent = 0; agent < people; ++agent) crowd.system().agent(agent).remove_post_processes();
+  for (std::uint32_t number = 0; number < people; ++number) {
+    Agent agent = crowd.system().agent(number);
+    while (agent.post_process_count() > 0) agent.remove_post_process(agent.post_process_id(0));
+  }
   const EntityPools& pools = crowd.system().characters().pools(0);
   for (const auto kind :
        {crowd.kinds().look_at, crowd.kinds().foot_placement, crowd.kinds().limbs, crowd.kinds().ragdoll}) {

@@ -154,7 +154,7 @@ TEST(UserPostProcess, GoesAndGivesItsEntityBack) {
   tilted.tilt(0.5F);
   plain.crowd.step(10);
   tilted.crowd.step(10);
-  tilted.crowd->agent(0).remove_post_processes();
+  tilted.crowd->agent(0).remove_post_process(tilted.crowd->agent(0).post_process_id(0));
   plain.crowd.step();
   tilted.crowd.step();
   EXPECT_TRUE(tilted.crowd.bones_unlike(plain.crowd).empty());

@@ -132,7 +132,6 @@ TEST_P(BonePriorities, OfTheLevelOrderGiveThePaletteOfThePrefixToTheBit) {
   for (int level = 0; level < levels(); ++level) {
     const BoneSelection bones(skeleton(), level_priorities(skeleton()), static_cast<std::uint8_t>(level + 1));
     const int kept = skeleton().level_bone_counts[static_cast<std::size_t>(level)];
-    EXPECT_EQ(bones.evaluated_bones(), kept);
     const PosedCharacter selected = whole_pose(&bones);
     const PosedCharacter prefix = pose(nullptr, kept);
     for (int entry = 0; entry < kept; ++entry) {

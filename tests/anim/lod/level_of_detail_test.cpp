@@ -139,15 +139,16 @@ TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
 TEST_F(Row, BoneLevelsChangeByStepsWhereTheAgentIsShownAndAtOnceElsewhere) {
   request.rules.level_distances = {200.0F, 300.0F, 400.0F};
   pass_frame();
-  EXPECT_EQ(lod.bone_step(50), settled_at(0));
+  EXPECT_EQ(update_of(50)->level, 0);
   request.rules.level_distances = {15.0F, 20.0F, 30.0F};
   EXPECT_EQ(next_update_of(50).fade_halves, 1);
   EXPECT_EQ(next_update_of(50).fade_halves, 2);
   EXPECT_EQ(next_update_of(50).level, 3);
   request.rules.level_distances = {200.0F, 300.0F, 400.0F};
   lod.forget_shown();
-  next_update_of(50);
-  EXPECT_EQ(lod.bone_step(50), settled_at(0));
+  const AgentUpdate anew = next_update_of(50);
+  EXPECT_EQ(anew.level, 0);
+  EXPECT_EQ(anew.fade_halves, 0);
 }
 
 TEST_F(Row, LeftOutAgentsAreUpdatedByHandAlone) {

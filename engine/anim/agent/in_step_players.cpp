@@ -56,7 +56,7 @@ bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const Pla
   std::array<bool, most> kept{};
   bool changed = points.size() != count_;
   const std::size_t had = count_;
-  const std::size_t leading = leader_ == no_player ? no_player : played[leader_].point;
+  const auto leading = leader_ == nobody ? std::nullopt : std::optional(played[leader_].point);
   count_ = points.size();
   leader_ = no_player;
   for (std::size_t i = 0; i < count_; ++i) {

@@ -60,6 +60,21 @@ TEST(BlendSpace2d, MixesTheThreeCornersOfATriangle) {
   EXPECT_EQ(walker.player_of(gaits::idle)->speed, 65536) << "idle plays at its own rate";
 }
 
+TEST(BlendSpace2d, LeavesIdleItsOwnRateWhereverItStandsAmongThePoints) {
+  const auto space = BlendSpace2d::create({{.clip = gaits::walk, .place = {0.0F, 1.4F}},
+                                           {.clip = gaits::jog, .place = {0.0F, 2.6F}},
+                                           {.clip = gaits::aside, .place = {1.4F, 0.0F}},
+                                           {.clip = gaits::idle, .place = {0.0F, 0.0F}}},
+                                          PlaneMeaning::velocity, 7);
+  GaitCrowd crowd;
+  ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<BlendSpace2dChannel>(*space, glm::vec2(0.0F))));
+  crowd.step();
+  const auto begin_to_walk = [](BlendSpace2dChannel& channel) { channel.set_place({0.0F, 0.35F}); };
+  ASSERT_TRUE(crowd->agent(0).change<BlendSpace2dChannel>({0}, begin_to_walk));
+  crowd.step();
+  EXPECT_EQ(crowd.player_of(gaits::idle)->speed, 65536);
+}
+
 TEST(BlendSpace2d, MovesTheRootAtTheVelocityAskedFor) {
   for (const glm::vec2 wanted :
        {glm::vec2(0.35F, 0.7F), glm::vec2(0.0F, 1.9F), glm::vec2(0.5F, 1.5F), glm::vec2(0.7F)}) {

@@ -10,7 +10,6 @@
 
 #include "engine/anim/base/finite.h"
 #include "engine/anim/base/misuse.h"
-#include "engine/anim/entity/mixer.h"
 
 namespace throng::anim {
 
@@ -90,47 +89,7 @@ bool BlendSpace2dChannel::update(const EntityBuilder& build) {
         .point = share.point, .clip = point.clip, .weight = share.weight, .is_gait = is_gait(build, point)};
   });
   const std::span<const PlayingPoint> playing(points.data(), shares.count);
-  const bool others = players_.play(build, playing, cycles_per_second(build, playing));
-  return blend(build, playing) || others;
-}
-
-bool BlendSpace2dChannel::blend(const EntityBuilder& build, std::span<const PlayingPoint> playing) {
-  const Handle before = blend_;
-  const bool is_mixer = blend_.valid() && build.pools().state(blend_).type == EntityType::mixer;
-  const bool fits = blend_.valid() && playing.size() > 1 && is_mixer == (playing.size() == 3);
-  if (blend_.valid() && !fits) build.destroy(std::exchange(blend_, {}));
-  if (playing.size() == 3) {
-    if (!blend_.valid()) blend_ = build.create(EntityPools::mixers);
-    mix(build, playing);
-  } else if (playing.size() == 2) {
-    if (!blend_.valid()) blend_ = build.hold(players_.player(0), players_.player(1), playing[1].weight);
-    auto& blender = build.as<EaseBlender>(blend_);
-    blender.from = players_.player(0);
-    blender.to = players_.player(1);
-    blender.fraction = playing[1].weight;
-  }
-  return blend_ != before;
-}
-
-void BlendSpace2dChannel::mix(const EntityBuilder& build, std::span<const PlayingPoint> playing) const {
-  auto& mixer = build.as<Mixer>(blend_);
-  auto& mixed = build.private_as<MixerSources>(blend_);
-  mixer.source_count = static_cast<std::uint32_t>(playing.size());
-  std::ranges::fill(mixer.masks, EaseBlender::no_mask);
-  for (std::size_t i = 0; i < playing.size(); ++i) {
-    mixed.sources[i] = players_.player(i);
-    mixed.weights[i] = playing[i].weight;
-  }
-}
-
-void BlendSpace2dChannel::visit_handles(const std::function<void(Handle&)>& visit) {
-  players_.visit_handles(visit);
-  if (blend_.valid()) visit(blend_);
-}
-
-void BlendSpace2dChannel::destroy_entities(const EntityBuilder& build) {
-  players_.destroy_entities(build);
-  if (blend_.valid()) build.destroy(std::exchange(blend_, {}));
+  return players_.play(build, playing, cycles_per_second(build, playing));
 }
 
 }  // namespace throng::anim

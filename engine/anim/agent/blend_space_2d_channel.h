@@ -62,23 +62,20 @@ class BlendSpace2dChannel final : public Channel {
   double phase(const EntityBuilder& build) const { return players_.phase(build); }
 
   const char* fault(const EntityBuilder& build) const override;
-  Handle state() const override { return blend_.valid() ? blend_ : players_.player(0); }
+  Handle state() const override { return players_.state(); }
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }
-  void visit_handles(const std::function<void(Handle&)>& visit) override;
-  void destroy_entities(const EntityBuilder& build) override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override { players_.visit_handles(visit); }
+  void destroy_entities(const EntityBuilder& build) override { players_.destroy_entities(build); }
   std::unique_ptr<Channel> clone() const override { return std::make_unique<BlendSpace2dChannel>(*this); }
 
  private:
   bool is_gait(const EntityBuilder& build, const BlendPoint2d& point) const;
   double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
-  bool blend(const EntityBuilder& build, std::span<const PlayingPoint> playing);
-  void mix(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
 
   std::shared_ptr<const BlendSpace2d> space_;
   glm::vec2 place_{0.0F};
   InStepPlayers players_;
-  Handle blend_;  // an ease blender of two, or a mixer of three; invalid where one plays alone
 };
 
 }  // namespace throng::anim

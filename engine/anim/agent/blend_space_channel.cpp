@@ -64,31 +64,7 @@ bool BlendSpaceChannel::update(const EntityBuilder& build) {
   const std::array<PlayingPoint, 2> points{playing(build, lower, 1.0F - fraction),
                                            playing(build, two ? lower + 1 : lower, fraction)};
   const std::span<const PlayingPoint> shown(points.data(), two ? 2U : 1U);
-  const bool others = players_.play(build, shown, cycles_per_second(build, shown));
-  return blend(build, fraction) || others;
-}
-
-bool BlendSpaceChannel::blend(const EntityBuilder& build, float fraction) {
-  const bool two = fraction > 0.0F;
-  const bool changes = blender_.valid() != two;
-  if (changes && two) blender_ = build.hold(players_.player(0), players_.player(1), fraction);
-  if (changes && !two) build.destroy(std::exchange(blender_, {}));
-  if (!two) return changes;
-  auto& blender = build.as<EaseBlender>(blender_);
-  blender.from = players_.player(0);
-  blender.to = players_.player(1);
-  blender.fraction = fraction;
-  return changes;
-}
-
-void BlendSpaceChannel::visit_handles(const std::function<void(Handle&)>& visit) {
-  players_.visit_handles(visit);
-  if (blender_.valid()) visit(blender_);
-}
-
-void BlendSpaceChannel::destroy_entities(const EntityBuilder& build) {
-  players_.destroy_entities(build);
-  if (blender_.valid()) build.destroy(std::exchange(blender_, {}));
+  return players_.play(build, shown, cycles_per_second(build, shown));
 }
 
 }  // namespace throng::anim

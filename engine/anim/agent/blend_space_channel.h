@@ -49,11 +49,11 @@ class BlendSpaceChannel final : public Channel {
   double phase(const EntityBuilder& build) const { return players_.phase(build); }
 
   const char* fault(const EntityBuilder& build) const override;
-  Handle state() const override { return blender_.valid() ? blender_ : players_.player(0); }
+  Handle state() const override { return players_.state(); }
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }
-  void visit_handles(const std::function<void(Handle&)>& visit) override;
-  void destroy_entities(const EntityBuilder& build) override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override { players_.visit_handles(visit); }
+  void destroy_entities(const EntityBuilder& build) override { players_.destroy_entities(build); }
   std::unique_ptr<Channel> clone() const override { return std::make_unique<BlendSpaceChannel>(*this); }
 
  private:
@@ -64,13 +64,11 @@ class BlendSpaceChannel final : public Channel {
   Place place() const;
   PlayingPoint playing(const EntityBuilder& build, std::size_t point, float weight) const;
   double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
-  bool blend(const EntityBuilder& build, float fraction);
 
   std::shared_ptr<const std::vector<BlendPoint>> points_;
   float parameter_ = 0.0F;
   bool is_ground_speed_;
   InStepPlayers players_;  // of the points around the parameter, the lower first
-  Handle blender_;         // between the two; invalid where one plays alone
 };
 
 }  // namespace throng::anim

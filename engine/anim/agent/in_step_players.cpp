@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <utility>
 
 #include "engine/anim/asset/marker_map.h"
+#include "engine/anim/entity/mixer.h"
 
 namespace throng::anim {
 namespace {
@@ -27,6 +29,67 @@ Ticks ticks_until_left(FineTicks position, const MarkerMap::Place& place, FineTi
 
 }  // namespace
 
+// Keeps the players of keys that go on, so that nothing jumps.
+bool BlendedPlayers::take(const EntityBuilder& build, std::span<const Wanted> wanted) {
+  const std::array<Handle, most> before = players_;
+  const std::array<std::size_t, most> played = keys_;
+  const std::size_t had = std::exchange(count_, wanted.size());
+  bool changed = had != count_;
+  std::array<bool, most> kept{};
+  for (std::size_t i = 0; i < count_; ++i) {
+    keys_[i] = wanted[i].key;
+    players_[i] = {};
+    for (std::size_t old = 0; old < had; ++old) {
+      if (played[old] != wanted[i].key) continue;
+      players_[i] = before[old];
+      kept[old] = true;
+      changed = changed || old != i;
+    }
+    if (players_[i].valid()) continue;
+    players_[i] = build.player({.clip = wanted[i].clip});
+    changed = true;
+  }
+  for (std::size_t old = 0; old < had; ++old) {
+    if (!kept[old]) build.destroy(before[old]);
+  }
+  for (std::size_t i = count_; i < most; ++i) players_[i] = {};
+  return changed;
+}
+
+bool BlendedPlayers::blend(const EntityBuilder& build, std::span<const float> weights) {
+  const Handle before = blend_;
+  const bool is_mixer = blend_.valid() && build.pools().state(blend_).type == EntityType::mixer;
+  const bool fits = count_ > 1 && is_mixer == (count_ > 2);
+  if (blend_.valid() && !fits) build.destroy(std::exchange(blend_, {}));
+  if (count_ == 2) {
+    if (!blend_.valid()) blend_ = build.hold(players_[0], players_[1], weights[1]);
+    auto& blender = build.as<EaseBlender>(blend_);
+    blender.from = players_[0];
+    blender.to = players_[1];
+    blender.fraction = weights[1];
+  } else if (count_ > 2) {
+    if (!blend_.valid()) blend_ = build.create(EntityPools::mixers);
+    auto& mixer = build.as<Mixer>(blend_);
+    auto& mixed = build.private_as<MixerSources>(blend_);
+    mixer.source_count = static_cast<std::uint32_t>(count_);
+    std::ranges::fill(mixer.masks, EaseBlender::no_mask);
+    std::copy_n(players_.begin(), count_, mixed.sources);
+    std::copy_n(weights.begin(), count_, mixed.weights);
+  }
+  return blend_ != before;
+}
+
+void BlendedPlayers::visit_handles(const std::function<void(Handle&)>& visit) {
+  for (std::size_t i = 0; i < count_; ++i) visit(players_[i]);
+  if (blend_.valid()) visit(blend_);
+}
+
+void BlendedPlayers::destroy_entities(const EntityBuilder& build) {
+  for (std::size_t i = 0; i < count_; ++i) build.destroy(players_[i]);
+  if (blend_.valid()) build.destroy(blend_);
+  *this = {};
+}
+
 void StrideSum::add(const EntityBuilder& build, const PlayingPoint& gait, double speed) {
   const auto share = static_cast<double>(gait.weight);
   const double seconds = to_seconds(marked(build, gait.clip).duration);
@@ -39,7 +102,7 @@ InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build) const {
   if (leader_ == no_player) return {};
   const int clip = points_[leader_].clip;
   const FineTicks length = length_of(build, clip);
-  const FineTicks position = build.position(players_[leader_]);
+  const FineTicks position = build.position(players_.player(leader_));
   return {.clip = clip, .position = position - whole_loops(position, length) * length};
 }
 
@@ -49,35 +112,18 @@ double InStepPlayers::phase(const EntityBuilder& build) const {
   return static_cast<double>(now.position) / static_cast<double>(length_of(build, now.clip));
 }
 
-// Keeps the players of points that go on, so that nothing jumps.
 bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const PlayingPoint> points) {
-  const std::array<Handle, most> before = players_;
-  const std::array<PlayingPoint, most> played = points_;
-  std::array<bool, most> kept{};
-  bool changed = points.size() != count_;
-  const std::size_t had = count_;
-  const auto leading = leader_ == nobody ? std::nullopt : std::optional(played[leader_].point);
+  const bool has_leader = leader_ != no_player;
+  const std::size_t leading = has_leader ? points_[leader_].point : 0;
+  std::array<BlendedPlayers::Wanted, most> wanted;
   count_ = points.size();
   leader_ = no_player;
   for (std::size_t i = 0; i < count_; ++i) {
     points_[i] = points[i];
-    players_[i] = {};
-    for (std::size_t old = 0; old < had; ++old) {
-      if (played[old].point != points[i].point) continue;
-      players_[i] = before[old];
-      kept[old] = true;
-      changed = changed || old != i;
-      if (leading == points[i].point) leader_ = i;
-    }
-    if (players_[i].valid()) continue;
-    players_[i] = build.player({.clip = points[i].clip});
-    changed = true;
+    wanted[i] = {.key = points[i].point, .clip = points[i].clip};
+    if (has_leader && points[i].point == leading) leader_ = i;
   }
-  for (std::size_t old = 0; old < had; ++old) {
-    if (!kept[old]) build.destroy(before[old]);
-  }
-  for (std::size_t i = count_; i < most; ++i) players_[i] = {};
-  return changed;
+  return players_.take(build, std::span(wanted).first(count_));
 }
 
 // The leader of before stays as long as no gait is heavier.
@@ -93,25 +139,31 @@ bool InStepPlayers::play(const EntityBuilder& build, std::span<const PlayingPoin
   assert(!points.empty() && points.size() <= most);
   const Stride before = stride(build);
   const bool changed = take_players(build, points);
+  keep_step(build, before, cycles_per_second);
+  std::array<float, most> weights{};
+  std::ranges::transform(points, weights.begin(), &PlayingPoint::weight);
+  return players_.blend(build, weights) || changed;
+}
+
+void InStepPlayers::keep_step(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
   next_update_ = never;
   for (std::size_t i = 0; i < count_; ++i) {
-    build.as<Player>(players_[i]).flags &= ~(Player::leads_step | Player::in_step);
-    if (!points_[i].is_gait) build.set_speed(players_[i], 1.0);
+    build.as<Player>(players_.player(i)).flags &= ~(Player::leads_step | Player::in_step);
+    if (!points_[i].is_gait) build.set_speed(players_.player(i), 1.0);
   }
   const std::size_t old_leader = leader_;
   leader_ = choose_leader();
-  if (leader_ == no_player) return changed;
+  if (leader_ == no_player) return;
   lead(build, old_leader == leader_ ? Stride{} : before, cycles_per_second);
   const Stride now = stride(build);
   for (std::size_t i = 0; i < count_; ++i) {
     if (i != leader_ && points_[i].is_gait) follow(build, i, now);
   }
-  return changed;
 }
 
 // Without a stride of `before` the leader goes on where it stands.
 void InStepPlayers::lead(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
-  const Handle leader = players_[leader_];
+  const Handle leader = players_.player(leader_);
   const MarkedClip clip = marked(build, points_[leader_].clip);
   build.set_speed(leader, std::clamp(cycles_per_second * to_seconds(clip.duration), -fastest, fastest));
   if (before.clip < 0) return;
@@ -121,26 +173,17 @@ void InStepPlayers::lead(const EntityBuilder& build, const Stride& before, doubl
 void InStepPlayers::follow(const EntityBuilder& build, std::size_t place, const Stride& leader) {
   const MarkerMap map(marked(build, leader.clip), marked(build, points_[place].clip));
   const MarkerMap::Place at = map.at(leader.position);
-  auto& leading = build.as<Player>(players_[leader_]);
-  build.set_speed(players_[place],
-                  std::clamp(at.rate * static_cast<double>(leading.speed) / 65536.0, -fastest, fastest));
-  build.seek(players_[place], at.position);
+  const Handle player = players_.player(place);
+  auto& leading = build.as<Player>(players_.player(leader_));
+  build.set_speed(player, std::clamp(at.rate * static_cast<double>(leading.speed) / 65536.0, -fastest, fastest));
+  build.seek(player, at.position);
   Ticks wait = in_step_for;
   if (map.has_markers()) {
     leading.flags |= Player::leads_step;
-    build.as<Player>(players_[place]).flags |= Player::in_step;
+    build.as<Player>(player).flags |= Player::in_step;
     if (leading.speed != 0) wait = std::min(wait, ticks_until_left(leader.position, at, leading.speed));
   }
   next_update_ = std::min(next_update_, build.now() + wait);
-}
-
-void InStepPlayers::visit_handles(const std::function<void(Handle&)>& visit) {
-  for (std::size_t i = 0; i < count_; ++i) visit(players_[i]);
-}
-
-void InStepPlayers::destroy_entities(const EntityBuilder& build) {
-  for (std::size_t i = 0; i < count_; ++i) build.destroy(players_[i]);
-  *this = {};
 }
 
 }  // namespace throng::anim

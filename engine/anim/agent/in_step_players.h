@@ -31,7 +31,39 @@ struct StrideSum {
   double own_cycles_per_second() const { return weight > 0.0 ? cycles / weight : 0.0; }
 };
 
-/// Plays the clips of up to three points of a blend space. It is a part of channels, which blend what it plays.
+/// Plays some clips at a time and blends them: by an ease blender for two, by a mixer for more. It is a part of
+/// channels.
+class BlendedPlayers {
+ public:
+  static constexpr std::size_t most = 5;
+
+  /// A clip, and the key by which it is known from one call to the next.
+  struct Wanted {
+    std::size_t key = 0;
+    int clip = 0;
+  };
+
+  /// Plays 1 to `most` clips, no key twice. A player stays as long as its key is wanted. Returns whether any player
+  /// changed, or has another place.
+  bool take(const EntityBuilder& build, std::span<const Wanted> wanted);
+  /// Blends the players, by one weight each. Of two weights, which add up to 1, it reads the second. Returns whether
+  /// another entity blends them.
+  bool blend(const EntityBuilder& build, std::span<const float> weights);
+
+  Handle player(std::size_t place) const { return players_[place]; }
+  /// Returns the entity whose pose is the blend.
+  Handle state() const { return blend_.valid() ? blend_ : players_[0]; }
+  void visit_handles(const std::function<void(Handle&)>& visit);
+  void destroy_entities(const EntityBuilder& build);
+
+ private:
+  std::array<Handle, most> players_;
+  std::array<std::size_t, most> keys_{};
+  std::size_t count_ = 0;
+  Handle blend_;  // an ease blender of two, or a mixer of more; invalid where one plays alone
+};
+
+/// Plays and blends the clips of up to three points of a blend space.
 ///
 /// Gaits keep step. The heaviest leads at an even pace. Each of the others is placed where its own markers, the data
 /// keys that it shares with the leader, come at the same time as the leader's (asset/marker_map.h). A leader stays
@@ -41,19 +73,21 @@ class InStepPlayers {
  public:
   static constexpr std::size_t most = 3;
 
-  /// Plays `points`, 1 to `most`, from the clock on. All gaits make `cycles_per_second`. Returns whether any player
-  /// changed.
+  /// Plays `points`, 1 to `most`, from the clock on. Their weights add up to 1. All gaits make `cycles_per_second`.
+  /// Returns whether state(), or an entity that it reads, is another than before.
   bool play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second);
 
-  std::size_t count() const { return count_; }
-  Handle player(std::size_t place) const { return players_[place]; }  ///< of points[place]
+  Handle state() const { return players_.state(); }
   /// Returns the phase of the leader at the clock, 0 to below 1; 0 where no gait plays.
   double phase(const EntityBuilder& build) const;
   /// Returns when the players must be put in step again: where a foot of the leader comes down, or after ten seconds,
   /// because speeds are rounded to 1/65536.
   Ticks next_update() const { return next_update_; }
-  void visit_handles(const std::function<void(Handle&)>& visit);
-  void destroy_entities(const EntityBuilder& build);
+  void visit_handles(const std::function<void(Handle&)>& visit) { players_.visit_handles(visit); }
+  void destroy_entities(const EntityBuilder& build) {
+    players_.destroy_entities(build);
+    *this = {};
+  }
 
  private:
   static constexpr std::size_t no_player = most;
@@ -66,10 +100,11 @@ class InStepPlayers {
   Stride stride(const EntityBuilder& build) const;
   bool take_players(const EntityBuilder& build, std::span<const PlayingPoint> points);
   std::size_t choose_leader() const;
+  void keep_step(const EntityBuilder& build, const Stride& before, double cycles_per_second);
   void lead(const EntityBuilder& build, const Stride& before, double cycles_per_second);
   void follow(const EntityBuilder& build, std::size_t place, const Stride& leader);
 
-  std::array<Handle, most> players_;
+  BlendedPlayers players_;  // of points_
   std::array<PlayingPoint, most> points_{};
   std::size_t count_ = 0;
   std::size_t leader_ = no_player;

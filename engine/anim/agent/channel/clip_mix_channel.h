@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/anim/agent/channel.h"
+#include "engine/anim/agent/in_step_players.h"
 
 namespace throng::anim {
 
@@ -29,7 +29,7 @@ struct MixedClip {
 /// shows in any order. A clip that stays in the mix keeps its player.
 class ClipMixChannel final : public Channel {
  public:
-  static constexpr std::size_t most = 5;
+  static constexpr std::size_t most = BlendedPlayers::most;
 
   explicit ClipMixChannel(std::span<const MixedClip> clips) { set(clips); }
 
@@ -38,23 +38,18 @@ class ClipMixChannel final : public Channel {
   std::span<const MixedClip> clips() const { return {clips_.data(), count_}; }
 
   const char* fault(const EntityBuilder& build) const override;
-  Handle state() const override { return blend_.valid() ? blend_ : players_[0]; }
+  Handle state() const override { return players_.state(); }
   bool update(const EntityBuilder& build) override;
-  void visit_handles(const std::function<void(Handle&)>& visit) override;
-  void destroy_entities(const EntityBuilder& build) override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override { players_.visit_handles(visit); }
+  void destroy_entities(const EntityBuilder& build) override { players_.destroy_entities(build); }
   std::unique_ptr<Channel> clone() const override { return std::make_unique<ClipMixChannel>(*this); }
 
  private:
-  bool take_players(const EntityBuilder& build);
   void place_players(const EntityBuilder& build) const;
-  bool blend(const EntityBuilder& build);
 
   std::array<MixedClip, most> clips_{};
   std::size_t count_ = 0;
-  std::array<Handle, most> players_;  // of clips_[i], after update()
-  std::array<int, most> played_{};    // the clips of players_
-  std::size_t played_count_ = 0;
-  Handle blend_;  // an ease blender of two, or a mixer of more; invalid where one plays alone
+  BlendedPlayers players_;  // of clips_, after update()
 };
 
 }  // namespace throng::anim

@@ -151,11 +151,6 @@ void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
   if (turn && can_run(turn)) parts_.exact.pose(parts_.population, parts_.pus, agents);
 }
 
-Compaction AnimationSystem::compact() {
-  const Turn turn(parts_.turn, "AnimationSystem::compact");
-  return turn ? parts_.population.compact() : Compaction{};
-}
-
 bool AnimationSystem::restart() {
   const Turn turn(parts_.turn, "AnimationSystem::restart");
   if (!turn) return false;

@@ -95,8 +95,6 @@ class AnimationSystem {
   /// Errors: the snapshot has other characters, kinds of entities or bone orders, or a schedule whose blocks have
   /// other sizes; then nothing has changed.
   Status restore(const SystemSnapshot& from);
-  /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
-  Compaction compact();
   /// Begins clock, frames and pose hash anew, as if the system were new. There are no agents.
   bool restart();
 

@@ -248,25 +248,6 @@ Status CharacterAgents::restore(const CharacterAgentsSnapshot& from) {
   return Done{};
 }
 
-Compaction CharacterAgents::compact() {
-  std::vector<Handle> order;
-  for (const AgentGraphs* graphs : {&shared, &agents}) {
-    for (std::uint32_t agent = 0; agent < graphs->count(); ++agent) {
-      const std::vector<Handle>& entities = graphs->graph(agent).entities;
-      order.insert(order.end(), entities.begin(), entities.end());
-    }
-  }
-  Compaction all{.complete = true};
-  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
-    for (Pool* pool : {&pools.pool(kind), &pools.shared_pool(kind)}) {
-      const Compaction one = pool->compact(order);
-      all.blocks_moved += one.blocks_moved;
-      all.bytes_given_back += one.bytes_given_back;
-    }
-  }
-  return all;
-}
-
 void CharacterAgents::add_memory(std::vector<KindMemory>& kinds) const {
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
     const char* const name = pools.layout(kind).kind->name;

@@ -68,7 +68,6 @@ struct CharacterAgents {
 
   void snapshot(CharacterAgentsSnapshot& into) const;
   Status restore(const CharacterAgentsSnapshot& from);
-  Compaction compact();
   void add_memory(std::vector<KindMemory>& kinds) const;
   std::size_t bytes_alive() const;
   /// Returns the bytes of all palettes, one for each agent.

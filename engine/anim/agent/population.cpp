@@ -201,16 +201,6 @@ Status Population::restore(const PopulationSnapshot& from) {
   return Done{};
 }
 
-Compaction Population::compact() {
-  Compaction all{.complete = true};
-  for (const std::unique_ptr<CharacterAgents>& character : characters_) {
-    const Compaction one = character->compact();
-    all.blocks_moved += one.blocks_moved;
-    all.bytes_given_back += one.bytes_given_back;
-  }
-  return all;
-}
-
 std::size_t Population::bytes() const {
   std::size_t bytes = numbers_.count() * (sizeof(Member) + sizeof(Ticks));
   for (const std::unique_ptr<CharacterAgents>& character : characters_) bytes += character->bytes_alive();

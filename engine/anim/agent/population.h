@@ -135,7 +135,6 @@ class Population {
   Status can_restore(const PopulationSnapshot& from) const;
   /// Puts a snapshot back. Players keep their present stream, whichever it was then.
   Status restore(const PopulationSnapshot& from);
-  Compaction compact();
   /// Returns the bytes of all living blocks, and of the lists of agents.
   std::size_t bytes() const;
 

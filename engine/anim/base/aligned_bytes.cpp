@@ -1,6 +1,5 @@
 #include "engine/anim/base/aligned_bytes.h"
 
-#include <cstdint>
 #include <cstring>
 #include <new>
 
@@ -17,15 +16,6 @@ namespace {
 constexpr std::size_t worth_huge_pages = huge_page_bytes / 2;
 
 std::size_t round_up(std::size_t size, std::size_t unit) { return (size + unit - 1) / unit * unit; }
-
-#if defined(__linux__)
-// These are hints, so a refusal does no harm.
-void wish_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
-void forget_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_DONTNEED)); }
-#else
-void wish_for_huge_pages(std::byte*, std::size_t) {}
-void forget_pages(std::byte*, std::size_t) {}
-#endif
 
 MemoryHooks hooks_of_the_host{};  // without functions: operator new gives
 
@@ -54,15 +44,12 @@ AlignedBytes allocate_aligned(std::size_t size) {
   return bytes;
 }
 
-void ask_for_huge_pages(std::byte* bytes, std::size_t size) { wish_for_huge_pages(bytes, size); }
-
-void give_back_pages(std::byte* bytes, std::size_t size) {
-  constexpr std::uintptr_t page = 4096;
-  const auto start = reinterpret_cast<std::uintptr_t>(bytes);
-  const std::uintptr_t first = round_up(start, page);
-  const std::uintptr_t end = (start + size) / page * page;
-  if (first < end) forget_pages(bytes + (first - start), end - first);
-}
+#if defined(__linux__)
+// It is a hint, so a refusal does no harm.
+void ask_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
+#else
+void ask_for_huge_pages(std::byte*, std::size_t) {}
+#endif
 
 }  // namespace throng::anim
 

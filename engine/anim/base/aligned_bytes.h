@@ -33,8 +33,4 @@ inline AlignedBytes lend_aligned(const std::byte* bytes) {
 /// Asks for huge pages for bytes that begin where one may. It is a hint: systems without them do nothing.
 void ask_for_huge_pages(std::byte* bytes, std::size_t size);
 
-/// Gives pages that lie whole in these bytes back to the system, although the rest of their allocation stays. The
-/// caller does not use the bytes again.
-void give_back_pages(std::byte* bytes, std::size_t size);
-
 }  // namespace throng::anim

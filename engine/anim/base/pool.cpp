@@ -15,24 +15,9 @@ Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
 void Pool::grow_to(std::size_t slabs) {
   if (slabs <= slabs_.size()) return;
   const std::size_t count = slabs - slabs_.size();
-  memory_.push_back({allocate_aligned(count * slab_bytes()), count});
-  for (std::size_t i = 0; i < count; ++i) slabs_.push_back(memory_.back().bytes.get() + i * slab_bytes());
+  memory_.push_back(allocate_aligned(count * slab_bytes()));
+  for (std::size_t i = 0; i < count; ++i) slabs_.push_back(memory_.back().get() + i * slab_bytes());
   while (tables_.slab_count() < slabs_.size()) tables_.add_slab();
-}
-
-void Pool::give_slab_back() {
-  if (--memory_.back().count == 0) {
-    memory_.pop_back();
-  } else {
-    give_back_pages(slabs_.back(), slab_bytes());
-  }
-  slabs_.pop_back();
-  tables_.remove_slab();
-}
-
-void Pool::reserve(std::size_t blocks) {
-  reserved_blocks_ = blocks;
-  grow_to(slabs_of(blocks));
 }
 
 Handle Pool::create() {
@@ -55,7 +40,7 @@ bool Pool::alive(Handle handle) const {
 void Pool::resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert) {
   assert(block_size % 64 == 0 && block_size > 0);
   const std::vector<std::byte*> old_slabs = std::exchange(slabs_, {});
-  const std::vector<SlabsTogether> old_memory = std::exchange(memory_, {});
+  const std::vector<AlignedBytes> old_memory = std::exchange(memory_, {});
   const std::size_t old_size = std::exchange(block_size_, block_size);
   grow_to(old_slabs.size());
   for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();

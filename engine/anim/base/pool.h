@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "engine/anim/base/aligned_bytes.h"
@@ -13,7 +12,7 @@
 
 namespace throng::anim {
 
-/// Names a block without an address, so that pools can be compacted, written to disk or put back as they were.
+/// Names a block without an address, so that blocks can move, and pools can be put back as they were.
 ///
 ///     31..27 pool   26..20 generation   19..0 index
 struct Handle {
@@ -45,12 +44,6 @@ struct PoolMemory {
   std::size_t bytes_of_tables = 0;  // for handles, generations and places, beside the slabs
 };
 
-struct Compaction {
-  std::size_t blocks_moved = 0;
-  std::size_t bytes_given_back = 0;
-  bool complete = false;  // no hole is left before a living block, and the order asked for is reached
-};
-
 /// A copy of a pool: its tables and the bytes of each slab that had a living block. The caller keeps it and uses it
 /// again: it allocates nothing once it has held as many slabs of the same pool.
 class PoolSnapshot {
@@ -67,9 +60,8 @@ class PoolSnapshot {
 };
 
 /// Equal blocks in slabs (paper 2.2.7: "all structures are solid blocks of memory, roughly the same size").
-/// Blocks are 64-byte aligned. They move only in compact(), compact_some(), restore() and resize_blocks(): handles
-/// outlive a frame boundary, addresses do not. One thread at a time uses a pool, at frame boundaries; any number may
-/// call block().
+/// Blocks are 64-byte aligned. They move only in restore() and resize_blocks(): handles outlive a frame boundary,
+/// addresses do not. One thread at a time uses a pool, at frame boundaries; any number may call block().
 class Pool {
  public:
   static constexpr std::uint32_t blocks_per_slab = PoolTables::places_per_slab;
@@ -98,21 +90,12 @@ class Pool {
     }
   }
 
-  /// Allocates slabs for at least `blocks` blocks, so that create() allocates none up to there. Compaction keeps as
-  /// many until the next call asks for fewer. (Tables grow by some 13 KiB for 262,144 creations, as indices wear out.)
-  void reserve(std::size_t blocks);
+  /// Allocates slabs for at least `blocks` blocks, so that create() allocates none up to there. (Tables grow by some 13
+  /// KiB for 262,144 creations, as indices wear out.)
+  void reserve(std::size_t blocks) { grow_to((blocks + blocks_per_slab - 1) / blocks_per_slab); }
 
   /// Gives every living block `block_size` bytes; `convert(old, new)` fills the zeroed new one. Handles stay valid.
   void resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert);
-
-  /// Moves all living blocks to the front and gives empty slabs back, except one spare and the slabs that reserve()
-  /// asked for. Handles, generations and the blocks' bytes stay as they are. The blocks of `order` come first, in that
-  /// order (best the order in which the scheduler reads them); handles of other pools, dead handles and repetitions are
-  /// skipped. All others follow, in the order of their places if `order` is empty.
-  Compaction compact(std::span<const Handle> order = {});
-  /// Does a part of compact(), so that a frame boundary takes bounded time: moves at most `max_blocks` blocks, 2 or
-  /// more. The next call with the same order goes on there. It walks the part of `order` that is in place already.
-  Compaction compact_some(std::size_t max_blocks, std::span<const Handle> order = {});
 
   /// Copies the pool into `into`.
   void snapshot(PoolSnapshot& into) const;
@@ -137,25 +120,13 @@ class Pool {
   std::byte* block_at(std::uint32_t place) const {
     return slabs_[place / blocks_per_slab] + place % blocks_per_slab * block_size_;
   }
-  /// Slabs of one allocation, so that many lie in huge pages.
-  struct SlabsTogether {
-    AlignedBytes bytes;
-    std::size_t count;
-  };
-  static std::size_t slabs_of(std::size_t blocks) { return (blocks + blocks_per_slab - 1) / blocks_per_slab; }
   void grow_to(std::size_t slabs);
-  void give_slab_back();
-  std::uint32_t put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done);
-  void close_holes(std::uint32_t first, std::size_t max_blocks, Compaction& done);
-  std::size_t give_back_empty_slabs();
-  void exchange_blocks(std::uint32_t one, std::uint32_t other);
 
   std::uint32_t id_;
   std::size_t block_size_;
-  std::size_t reserved_blocks_ = 0;
   PoolTables tables_;
   std::vector<std::byte*> slabs_;
-  std::vector<SlabsTogether> memory_;  // owns slabs_, in their order
+  std::vector<AlignedBytes> memory_;  // owns slabs_; those that were made together lie together, in huge pages
 };
 
 }  // namespace throng::anim

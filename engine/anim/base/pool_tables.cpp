@@ -51,21 +51,6 @@ void PoolTables::unbind(std::uint32_t index) {
   (worn ? worn_ : free_).push_back(index);
 }
 
-void PoolTables::move(std::uint32_t from, std::uint32_t to) {
-  const std::uint32_t index = std::exchange(owners_[from], none);
-  assert(to < from && index != none && owners_[to] == none);
-  owners_[to] = index;
-  places_[index] = to;
-  --alive_in_slab_[from / places_per_slab];
-  ++alive_in_slab_[to / places_per_slab];
-}
-
-void PoolTables::exchange(std::uint32_t one, std::uint32_t other) {
-  std::swap(owners_[one], owners_[other]);
-  places_[owners_[one]] = one;
-  places_[owners_[other]] = other;
-}
-
 std::uint32_t PoolTables::first_hole(std::uint32_t from) const {
   while (from < place_count() && owners_[from] != none) {
     const std::uint32_t slab = from / places_per_slab;
@@ -86,13 +71,6 @@ void PoolTables::add_slab() {
   owners_.resize(owners_.size() + places_per_slab, none);
   alive_in_slab_.push_back(0);
   add_indices_up_to(owners_.size());
-}
-
-void PoolTables::remove_slab() {
-  assert(alive_in_slab_.back() == 0);
-  owners_.resize(owners_.size() - places_per_slab);
-  alive_in_slab_.pop_back();
-  no_hole_below_ = std::min(no_hole_below_, place_count());
 }
 
 void PoolTables::add_indices_up_to(std::size_t count) {

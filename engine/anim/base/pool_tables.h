@@ -7,7 +7,7 @@
 namespace throng::anim {
 
 /// The tables of a pool: the place of each index's block, the index that owns each place, and which of both are free. A
-/// place is a block's number in the slabs. When a block moves, its place changes and its index stays.
+/// place is a block's number in the slabs.
 ///
 /// An index lives 128 times, since a generation has 7 bits, and is then worn. New indices replace worn ones up to
 /// `max_indices`. Only when each of those is alive or worn do worn ones begin again. The bits of a handle therefore
@@ -25,8 +25,6 @@ class PoolTables {
 
   /// Returns the place of a living index, less than place_count().
   std::uint32_t place_of(std::uint32_t index) const { return places_[index]; }
-  /// Returns `none` for a hole.
-  std::uint32_t owner_of(std::uint32_t place) const { return owners_[place]; }
   std::uint32_t generation_of(std::uint32_t index) const { return generations_[index]; }
   bool alive(std::uint32_t index, std::uint32_t generation) const;
 
@@ -34,19 +32,10 @@ class PoolTables {
   std::uint32_t bind();
   void unbind(std::uint32_t index);
 
-  /// Moves the owner of `from` to the hole `to`, which is lower.
-  void move(std::uint32_t from, std::uint32_t to);
-  /// Exchanges the owners of two places.
-  void exchange(std::uint32_t one, std::uint32_t other);
-
-  /// Return the lowest place from `from` on that is a hole, or that is owned; place_count() if there is none.
-  std::uint32_t first_hole(std::uint32_t from) const;
+  /// Returns the lowest place from `from` on that is owned; place_count() if there is none.
   std::uint32_t first_owned(std::uint32_t from) const;
 
   void add_slab();
-  /// Removes the last slab, which must be empty.
-  void remove_slab();
-  void add_indices_up_to(std::size_t count);
 
   std::uint32_t alive_in_slab(std::size_t slab) const { return alive_in_slab_[slab]; }
   std::size_t slab_count() const { return alive_in_slab_.size(); }
@@ -56,7 +45,9 @@ class PoolTables {
   std::size_t bytes() const;
 
  private:
+  std::uint32_t first_hole(std::uint32_t from) const;
   std::uint32_t take_index();
+  void add_indices_up_to(std::size_t count);
 
   std::uint32_t max_indices_;
   std::vector<std::uint32_t> places_;      // [index] `none` while it is dead

@@ -154,7 +154,6 @@ TEST(PostProcesses, AreRestoredFromASnapshotTheSameBits) {
     play_on(crowd, 30, 80);
     const std::uint64_t expected = crowd.system().figures().pose_hash();
     ASSERT_TRUE(crowd.system().restore(snapshot));
-    crowd.system().compact();
     play_on(crowd, 30, 80);
     EXPECT_EQ(crowd.system().figures().pose_hash(), expected);
   }

@@ -56,37 +56,6 @@ TEST(Snapshot, MayBeRestoredAgainAndAgain) {
   }
 }
 
-TEST(Snapshot, IsWholeWhateverWasCompactedInBetween) {
-  EveryKind crowd;
-  crowd.step(100);
-  SystemSnapshot snapshot;
-  crowd->snapshot(snapshot);
-  crowd.step(200);
-  const std::uint64_t hash = crowd->figures().pose_hash();
-  crowd->compact();
-  ASSERT_TRUE(crowd->restore(snapshot));
-  crowd->compact();
-  crowd.step(200);
-  EXPECT_EQ(crowd->figures().pose_hash(), hash);
-}
-
-TEST(Compaction, WhileRunningChangesNoBit) {
-  for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
-    EveryKind compacted({.schedule = schedule});
-    EveryKind left({.schedule = schedule});
-    std::size_t moved = 0;
-    for (int i = 0; i < 20; ++i) {
-      compacted.step(13);
-      left.step(13);
-      const Compaction done = compacted->compact();
-      EXPECT_TRUE(done.complete);
-      moved += done.blocks_moved;
-    }
-    EXPECT_GT(moved, 0U);
-    EXPECT_EQ(compacted->figures().pose_hash(), left->figures().pose_hash());
-  }
-}
-
 TEST(Snapshot, OfAnotherCrowdCountBringsItsAgentsBack) {
   EveryKind crowd;
   crowd.step(20);

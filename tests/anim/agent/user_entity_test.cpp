@@ -135,7 +135,6 @@ TEST(UserEntity, IsRewoundWithAllOthers) {
   crowd.step(50);
   const std::uint64_t hash = crowd->figures().pose_hash();
   ASSERT_TRUE(crowd->restore(snapshot));
-  crowd->compact();
   crowd.step(50);
   EXPECT_EQ(crowd->figures().pose_hash(), hash);
 }

@@ -21,16 +21,5 @@ TEST(AlignedBytes, AreZeroAndBeginAtALineWhateverTheirSize) {
   }
 }
 
-TEST(AlignedBytes, GivenBackPagesLeaveWhatLiesAroundThemAsItIs) {
-  constexpr std::size_t size = 8 * page, begin = page + 100, end = 5 * page + 1;
-  const AlignedBytes bytes = allocate_aligned(size);
-  const std::span<std::byte> all(bytes.get(), size);
-  std::ranges::fill(all, std::byte{7});
-  give_back_pages(bytes.get() + begin, end - begin);
-  const auto is_kept = [](std::byte byte) { return byte == std::byte{7}; };
-  EXPECT_TRUE(std::ranges::all_of(all.first(begin), is_kept));
-  EXPECT_TRUE(std::ranges::all_of(all.subspan(end), is_kept));
-}
-
 }  // namespace
 }  // namespace throng::anim::aligned_bytes_test

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <random>
@@ -63,24 +63,6 @@ TEST(PoolSnapshot, TheSameCreationsGiveTheSameHandlesAgain) {
   const std::vector<std::uint32_t> first = play();
   ASSERT_TRUE(pool.restore(snapshot));
   EXPECT_EQ(play(), first);
-}
-
-TEST(PoolSnapshot, OutlivesCompaction) {
-  Pool pool(0, block_size);
-  std::vector<Handle> handles;
-  for (std::uint64_t i = 0; i < 5000; ++i) {
-    handles.push_back(pool.create());
-    write(pool, handles.back(), i);
-  }
-  PoolSnapshot snapshot;
-  pool.snapshot(snapshot);
-  for (std::size_t i = 0; i < 4990; ++i) pool.destroy(handles[i]);
-  ASSERT_GT(pool.compact().bytes_given_back, 0U);
-  ASSERT_TRUE(pool.restore(snapshot));
-  for (std::uint64_t i = 0; i < 5000; ++i) {
-    ASSERT_TRUE(pool.alive(handles[i]));
-    ASSERT_TRUE(holds(pool, handles[i], i));
-  }
 }
 
 TEST(PoolSnapshot, KeepsTheMemoryOfAPoolThatHasGrownSince) {
@@ -150,11 +132,7 @@ class PoolAgainstModel {
       destroy();
     } else if (dice < 860) {
       destroy_most();
-    } else if (dice < 920) {
-      pool_.compact_some(2 + below(50), below(2) == 0 ? some_order() : std::vector<Handle>{});
-    } else if (dice < 940) {
-      compact();
-    } else if (dice < 970) {
+    } else if (dice < 930) {
       pool_.snapshot(snapshot_);
       model_at_snapshot_ = model_;
     } else if (model_at_snapshot_) {
@@ -209,23 +187,6 @@ class PoolAgainstModel {
       const Handle handle = any();
       pool_.destroy(handle);
       model_.erase(handle.bits);
-    }
-  }
-
-  std::vector<Handle> some_order() {
-    std::vector<Handle> order;
-    for (const auto& [bits, value] : model_) order.push_back({bits});
-    std::ranges::shuffle(order, random_);
-    order.resize(order.size() / 2);
-    return order;
-  }
-
-  void compact() {
-    const std::vector<Handle> order = some_order();
-    ASSERT_TRUE(pool_.compact(order).complete);
-    ASSERT_LE(pool_.memory().blocks_capacity, model_.size() + 2 * Pool::blocks_per_slab);
-    for (std::size_t i = 1; i < std::min<std::size_t>(order.size(), Pool::blocks_per_slab); ++i) {
-      ASSERT_EQ(pool_.block(order[i]), pool_.block(order[i - 1]) + block_size);
     }
   }
 

@@ -1,6 +1,6 @@
 // Blocks are moved, looked at and changed by what knows nothing of their kind: total size and transforms offset do.
 
-#include "engine/anim/entity/block_reader.h"
+#include "tests/anim/entity/block_reader.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "engine/anim/entity/block_reader.h"
+#include "tests/anim/entity/block_reader.h"
 
 #include <cassert>
 #include <cstring>

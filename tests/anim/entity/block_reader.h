@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// Moves and changes a block of any kind in the paper's three steps, for tools and tests, at a frame boundary.
+/// Moves and changes a block of any kind in the paper's three steps, at a frame boundary.
 /// Paper 2.2.1: "Using total size and transforms offset the animation state can be moved around in memory and
 /// manipulated without knowing the exact type of the structure and its use."
 ///

@@ -5,10 +5,6 @@
 namespace throng::anim {
 namespace {
 
-void advance_reach(const EntityInStore& entity, const SourcesInStore& sources) {
-  advance_weight(entity.as<ChainReachEntity>().weight, begin_whole_pose(entity, sources).elapsed);
-}
-
 void reach(const EntityInStore& entity, const PoseView& pose) {
   const auto& reaching = entity.as<ChainReachEntity>();
   auto& memory = entity.private_as<ChainReachMemory>();
@@ -29,7 +25,7 @@ EntityKind chain_reach_kind(const std::vector<ReachChain>& chains) {
           .private_bytes = sizeof(ChainReachMemory),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_each<advance_reach>,
+          .advance = advance_each<advance_weighed<ChainReachEntity>>,
           .pose_whole = reach,
           .whole_bones = bone_end_of(chains),
           .whole_pose_work = 4,

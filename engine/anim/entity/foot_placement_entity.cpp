@@ -8,10 +8,6 @@
 namespace throng::anim {
 namespace {
 
-void advance_feet(const EntityInStore& entity, const SourcesInStore& sources) {
-  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, sources).elapsed);
-}
-
 void place_all(const PosedEntities& all) {
   // Constructed in place, since jobs that are initialised or copied first are written twice.
   alignas(FootPlacementJob) std::array<std::byte, widest_strip * sizeof(FootPlacementJob)> room;
@@ -41,7 +37,7 @@ EntityKind foot_placement_kind(const FootPlacementRig& rig) {
           .private_bytes = sizeof(PlacedBody) + static_cast<std::size_t>(rig.leg_count) * sizeof(PlacedFoot),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_each<advance_feet>,
+          .advance = advance_each<advance_weighed<FootPlacementEntity>>,
           .pose_whole = pose_alone<place_all>,
           .whole_bones = rig.bone_end,
           .whole_pose_work = foot_placement_work,

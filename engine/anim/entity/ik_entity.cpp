@@ -8,10 +8,6 @@
 namespace throng::anim {
 namespace {
 
-void advance_ik(const EntityInStore& entity, const SourcesInStore& sources) {
-  advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, sources).elapsed);
-}
-
 TwoBoneIkJob job_of(const EntityInStore& entity, const PoseView& pose) {
   const auto& ik = entity.as<IkEntity>();
   const auto& memory = entity.private_as<IkMemory>();
@@ -56,7 +52,7 @@ EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
           .private_bytes = sizeof(IkMemory),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_each<advance_ik>,
+          .advance = advance_each<advance_weighed<IkEntity>>,
           .pose_whole = pose_alone<reach_all>,
           .whole_bones = bone_end_of(limbs),
           .displaced_quads = 0,

@@ -8,10 +8,6 @@
 namespace throng::anim {
 namespace {
 
-void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
-  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, sources).elapsed);
-}
-
 void turn_all_to_targets(const PosedEntities& all) {
   // Constructed in place, since jobs that are initialised or copied first are written twice.
   alignas(LookAtJob) std::array<std::byte, widest_strip * sizeof(LookAtJob)> room;
@@ -40,7 +36,7 @@ EntityKind look_at_kind(const LookAtRig& rig) {
           .private_bytes = sizeof(LookAtMemory),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_each<advance_look>,
+          .advance = advance_each<advance_weighed<LookAtEntity>>,
           .pose_whole = pose_alone<turn_all_to_targets>,
           .whole_bones = rig.chain.bone_end(),
           .displaced_quads = 0,

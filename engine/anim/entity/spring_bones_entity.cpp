@@ -5,10 +5,6 @@
 namespace throng::anim {
 namespace {
 
-void advance_springs(const EntityInStore& entity, const SourcesInStore& sources) {
-  advance_weight(entity.as<SpringBonesEntity>().weight, begin_whole_pose(entity, sources).elapsed);
-}
-
 void swing(const EntityInStore& entity, const PoseView& pose) {
   const auto& rig = entity.resource_as<SpringRig>();
   auto& body = entity.private_as<SpringBody>();
@@ -31,7 +27,7 @@ EntityKind spring_bones_kind(const SpringRig& rig) {
                            rig.joints.size() * sizeof(SpringJointState),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_each<advance_springs>,
+          .advance = advance_each<advance_weighed<SpringBonesEntity>>,
           .pose_whole = swing,
           .whole_bones = rig.bone_end,
           .whole_pose_work = 1 + static_cast<int>(rig.nodes.size() + rig.joints.size()) / 4,

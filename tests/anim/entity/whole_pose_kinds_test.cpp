@@ -76,7 +76,7 @@ class WholePoseKinds : public testing::Test {
     const EntityAssets assets{.kernels = &best_kernels(), .bone_count = skeleton_.bone_count()};
     const EntityInStore entity{block.get(), prepared.get(), &layout, &assets};
     told.tell(entity);
-    entity.prepared_as<WholePoseStep>() = {.elapsed = 0.1F, .seconds = 0.1F};
+    entity.prepared_as<WholePoseStep>() = {.seconds = 0.1F};
     told.kind.pose_whole(entity, pose.view());
   }
 

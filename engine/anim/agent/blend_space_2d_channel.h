@@ -18,13 +18,6 @@ struct BlendPoint2d {
   Pace pace = Pace::automatic;
 };
 
-/// Says what the two parameters of a plane are, and so the speed over ground of a point.
-enum class PlaneMeaning : unsigned char {
-  plain,          ///< no speed: each clip keeps its own, and gaits make their mean pace
-  velocity,       ///< metres a second, aside and ahead: the length of the place is the speed
-  speed_and_turn  ///< x is the speed, in metres a second; y is anything, such as a rate of turning
-};
-
 /// The points of a blend space in a plane, which any number of agents share.
 class BlendSpace2d {
  public:

@@ -5,16 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "throng/channels.h"
+
 #include "engine/anim/agent/in_step_players.h"
 
 namespace throng::anim {
 
-/// Says whether a clip of a blend space keeps step with others.
-enum class Pace : unsigned char {
-  automatic,  ///< a gait if it has a speed over ground, as `BlendSpaceChannel` says
-  gait,       ///< it keeps step with the other gaits
-  own         ///< it plays at its own rate
-};
+using throng::Pace, throng::PlaneMeaning;
 
 /// A clip, and the value of the parameter at which it is played alone.
 struct BlendPoint {

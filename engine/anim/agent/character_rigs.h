@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "throng/processes.h"
+
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/kernel/limb/foot_placement.h"
@@ -28,7 +30,7 @@ struct RigKinds {
 /// outlives the systems that it was added to, which keep pointers into it.
 class CharacterRigs {
  public:
-  enum class Limb : std::uint8_t { left_arm, right_arm, left_leg, right_leg };
+  using Limb = throng::Limb;
 
   /// Finds the rigs of an imported model, whose skeleton is the character's.
   explicit CharacterRigs(const Model& model, const RagdollOptions& ragdoll = {});

@@ -37,12 +37,6 @@ anim::LayerSettings settings_of(const Layer& layer) {
   return {.weight = layer.weight, .mask = detail::number_of(layer.mask)};
 }
 
-// The enumerators of the door have the numbers of the library's own.
-static_assert(static_cast<int>(Pace::gait) == static_cast<int>(anim::Pace::gait));
-static_assert(static_cast<int>(Pace::own) == static_cast<int>(anim::Pace::own));
-static_assert(static_cast<int>(PlaneMeaning::velocity) == static_cast<int>(anim::PlaneMeaning::velocity));
-static_assert(static_cast<int>(PlaneMeaning::speed_and_turn) == static_cast<int>(anim::PlaneMeaning::speed_and_turn));
-
 /// Returns why an agent cannot play one of these points, as CrowdParts::fault_of does.
 template <typename Point>
 const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<const Point> points) {
@@ -51,8 +45,6 @@ const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<c
   }
   return nullptr;
 }
-
-anim::Pace pace_of(Pace pace) { return static_cast<anim::Pace>(pace); }
 
 }  // namespace
 
@@ -85,8 +77,7 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
     return anim::refuse({"Agent::add", fault});
   std::vector<anim::BlendPoint> points;
   for (const BlendPoint& point : space.points) {
-    points.push_back(
-        {.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = pace_of(point.pace)});
+    points.push_back({.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = point.pace});
   }
   auto channel = std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed);
   Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
@@ -100,10 +91,10 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   const anim::Agent agent = crowd_->system->agent(id_);
   std::vector<anim::BlendPoint2d> points;
   for (const BlendPoint2d& point : space.points) {
-    points.push_back({.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = pace_of(point.pace)});
+    points.push_back({.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = point.pace});
   }
-  const auto meaning = static_cast<anim::PlaneMeaning>(space.meaning);
-  auto plane = anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
+  const auto clip_count = static_cast<int>(agent.character().clips.size());
+  auto plane = anim::BlendSpace2d::create(std::move(points), space.meaning, clip_count);
   if (!plane) return plane.error();
   auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
   Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));

@@ -11,10 +11,6 @@
 namespace throng::detail {
 namespace {
 
-// The enumerators of the door have the numbers of the library's own.
-static_assert(static_cast<int>(Limb::right_arm) == static_cast<int>(anim::CharacterRigs::Limb::right_arm));
-static_assert(static_cast<int>(Limb::right_leg) == static_cast<int>(anim::CharacterRigs::Limb::right_leg));
-
 anim::SpringOptions options_of(const SpringChain& chain) {
   return {.stiffness = chain.stiffness,
           .damping = chain.damping,
@@ -86,7 +82,7 @@ Result<OwnKinds::Kind> OwnKinds::rig(anim::EntityType type) {
 }
 
 Result<std::uint32_t> OwnKinds::limb(Limb limb) const {
-  const auto found = body_->rigs.limb(static_cast<anim::CharacterRigs::Limb>(limb));
+  const auto found = body_->rigs.limb(limb);
   if (!found) return Error{why_missing()};
   return *found;
 }

@@ -1,6 +1,5 @@
 #include "engine/anim/entity/ease_blender.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "engine/anim/entity/entity_run.h"

@@ -1,11 +1,71 @@
 #include "engine/anim/run/store/strip_palettes.h"
 
 #include <algorithm>
-
-#include "engine/anim/run/program/bone_fade.h"
-#include "engine/anim/run/store/local_transforms.h"
+#include <cassert>
+#include <cmath>
 
 namespace throng::anim {
+namespace {
+
+constexpr float whole_way = 2.0F;  // halves
+constexpr int rotation_components = 4;
+
+/// A bone's component in a packet.
+float& component_of(float* packet, int component, int lane) { return packet[component * packet_bones + lane]; }
+float component_of(const float* packet, int component, int lane) { return packet[component * packet_bones + lane]; }
+
+/// The shorter way round, back to unit length.
+void fade_rotation(const float* still, int lane, float share, float* pose) {
+  float cosine = 0.0F;
+  for (int i = 0; i < rotation_components; ++i) cosine += component_of(still, i, lane) * component_of(pose, i, lane);
+  const float side = cosine < 0.0F ? -1.0F : 1.0F;
+  float squares = 0.0F;
+  for (int i = 0; i < rotation_components; ++i) {
+    float& value = component_of(pose, i, lane);
+    value = (1.0F - share) * value + share * side * component_of(still, i, lane);
+    squares += value * value;
+  }
+  const float length = std::sqrt(squares);
+  for (int i = 0; i < rotation_components; ++i) component_of(pose, i, lane) /= length;
+}
+
+/// Takes the bones of one packet that AgentWork::fade_level lacks half or all of the way to where they stand still.
+/// `pose` is float [components][16]. Positions of quads that are not `displaced` are 0 and not stored.
+void fade_bones(const UpdateContext& context, const AgentWork& work, int packet, QuadMask displaced, float* pose) {
+  const int components = context.assets.components;
+  const int kept = context.bones(work.fade_level) - packet * packet_bones;
+  if (work.fade_halves == 0 || kept >= packet_bones) return;
+  assert(!context.still_pose.empty() && "the context lacks the still pose");
+  const float share = static_cast<float>(work.fade_halves) / whole_way;
+  const float* still = &context.still_pose[static_cast<std::size_t>(packet) * context.packet_floats()];
+  for (int lane = std::max(kept, 0); lane < packet_bones; ++lane) {
+    fade_rotation(still, lane, share, pose);
+    const int last_component = is_in(displaced, lane / quad_bones) ? components : rotation_components;
+    for (int i = rotation_components; i < last_component; ++i) {
+      float& value = component_of(pose, i, lane);
+      value = (1.0F - share) * value + share * component_of(still, i, lane);
+    }
+  }
+}
+
+/// Writes local transforms of the bones of one packet of a character, as Bone::rest has them: prefix * T * R * S is the
+/// bone in the space of its parent. `state` is [components][16]; `locals` has room for every bone.
+void write_locals(const Skeleton& skeleton, int packet, QuadMask displaced, const float* state, Transform* locals) {
+  const int first = packet * packet_bones;
+  const int count = std::min(packet_bones, skeleton.bone_count() - first);
+  for (int i = 0; i < count; ++i) {
+    const auto value = [&](int component) { return static_cast<double>(state[component * packet_bones + i]); };
+    StateTransform relative{.rotation = glm::dquat(value(3), value(0), value(1), value(2))};
+    if (!skeleton.rigid || is_in(displaced, i / quad_bones)) relative.position = {value(4), value(5), value(6)};
+    if (!skeleton.rigid) relative.scale = {value(7), value(8), value(9)};
+    const StateTransform local = to_local(skeleton, first + i, relative);
+    locals[first + i] = {.translation = glm::vec3(local.position),
+                         .rotation = glm::quat(glm::normalize(local.rotation)),
+                         .scale = glm::vec3(local.scale)};
+  }
+}
+
+}  // namespace
 
 StripPalettes::StripPalettes(const UpdateContext& context, const ModelScratch& scratch,
                              std::span<const AgentWork> strip, int width, const PaletteStores& stores)

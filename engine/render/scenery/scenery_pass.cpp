@@ -132,14 +132,12 @@ DrawCounts SceneryPass::draw_part(Part part) const {
   return {1, triangles_.at(part)};
 }
 
-/// Draws depths alone first, so that each point of the picture is lit only once, whatever lies behind it.
+/// Draws depths alone. A draw that lights only equal depths then lights each point of the picture once.
 DrawCounts SceneryPass::draw_own_depth() {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glUseProgram(own_depth_.id());
   const DrawCounts counts = draw_part(whole);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
   return counts;
 }
 
@@ -148,11 +146,7 @@ DrawCounts SceneryPass::draw_depth_in_view(const CameraView& camera, float pictu
   selection_.choose(SceneryView(camera, picture_height));
   compose(1);
   test_scenery_depth();
-  glUseProgram(own_depth_.id());
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const DrawCounts counts = draw_part(whole);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  return counts;
+  return draw_own_depth();
 }
 
 DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std::uint32_t light) {
@@ -161,8 +155,11 @@ DrawCounts SceneryPass::draw(const CameraView& camera, float picture_height, std
   compose(part_count);
   test_scenery_depth();
   DrawCounts counts;
-  // Reading shadow maps costs more than another pass over the vertices.
-  if ((light & shadow_part) != 0) counts = draw_own_depth();
+  if ((light & shadow_part) != 0) {  // reading shadow maps costs more than another pass over the vertices
+    counts = draw_own_depth();
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+  }
   for (const auto& [part, program] : {std::pair(matt, &matt_), std::pair(mirrors, &mirror_)}) {
     const std::uint32_t switches = part == matt ? light : light & ~scenery_lit_at_vertices;
     const bool has_srgb = (switches & scenery_lit_at_vertices) != 0;  // or the target makes it

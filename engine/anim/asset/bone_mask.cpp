@@ -14,7 +14,7 @@ BoneMask::BoneMask(std::string name, const Skeleton& skeleton, std::span<const S
       weights_(allocate_aligned(static_cast<std::size_t>(packets_ * packet_bones) * sizeof(float))) {
   auto* weights = reinterpret_cast<float*>(weights_.get());
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const int parent = skeleton.parent(bone);
     const auto own = std::ranges::find(subtrees, bone, &SubtreeWeight::bone);
     const float inherited = parent < 0 ? elsewhere : weights[parent];
     weights[bone] = own != subtrees.end() ? own->weight : inherited;

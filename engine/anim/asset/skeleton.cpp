@@ -11,7 +11,7 @@ namespace {
 
 const ReferenceFrame& parent_frame(const Skeleton& skeleton, int bone) {
   static const ReferenceFrame model;
-  const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  const int parent = skeleton.parent(bone);
   return parent < 0 ? model : skeleton.references[static_cast<std::size_t>(parent)];
 }
 
@@ -30,8 +30,18 @@ int palette_count_for_bones(const Skeleton& skeleton, int bone_count) {
 
 int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count) {
   assert(bone_count > 0);
-  while (bone >= bone_count) bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  while (bone >= bone_count) bone = skeleton.parent(bone);
   return bone;
+}
+
+bool is_below(const Skeleton& skeleton, int bone, int ancestor) {
+  while (bone > ancestor) bone = skeleton.parent(bone);
+  return bone == ancestor;
+}
+
+int common_ancestor(const Skeleton& skeleton, int a, int b) {
+  while (a >= 0 && !is_below(skeleton, b, a)) a = skeleton.parent(a);
+  return a;
 }
 
 JointPlace joint_place(const Skeleton& skeleton, int bone) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,7 @@ struct Skeleton {
   std::vector<int> level_bone_counts;      ///< 1 to max_bone_levels prefixes, descending; [0] == bones.size()
 
   int bone_count() const { return static_cast<int>(bones.size()); }
+  int parent(int bone) const { return bones[static_cast<std::size_t>(bone)].parent; }
   int palette_count() const { return static_cast<int>(palette.size()); }
   /// Returns the floats of a bone in a state: 4 of rotation, 3 of position, and 3 of scale on the general path.
   int components() const { return rigid ? 7 : 10; }
@@ -75,6 +77,12 @@ int palette_count_for_bones(const Skeleton& skeleton, int bone_count);
 
 /// Returns the bone itself, or its nearest ancestor below `bone_count`, which a dropped bone follows.
 int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count);
+
+/// Returns true if `bone` is `ancestor` or lies below it.
+bool is_below(const Skeleton& skeleton, int bone, int ancestor);
+
+/// Returns the lowest bone that `a` and `b` are or lie below; -1 where there is none.
+int common_ancestor(const Skeleton& skeleton, int a, int b);
 
 /// The place of a joint in the space of its first palette entry: palette[entry] carries `position` to the posed joint.
 /// `entry` is -1 for a bone that no skin uses.

@@ -43,7 +43,7 @@ int topmost_moving_bone(const Skeleton& skeleton, const StateClip& clip, KeyChan
   return best;
 }
 
-bool is_root(const Skeleton& skeleton, int bone) { return skeleton.bones[static_cast<std::size_t>(bone)].parent < 0; }
+bool is_root(const Skeleton& skeleton, int bone) { return skeleton.parent(bone) < 0; }
 
 bool a_root_steps(const Skeleton& skeleton, const StateClip& clip) {
   return std::ranges::any_of(clip.tracks, [&](const StateTrack& track) {

@@ -47,7 +47,7 @@ SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks 
 void extend_drift(const SampleSource& source, double seconds_outside, std::span<float> pose) {
   const glm::dvec3 per_second = source.travel / to_seconds(source.exact.duration);
   for (int bone = 0; bone < source.skeleton.bone_count(); ++bone) {
-    if (source.skeleton.bones[static_cast<std::size_t>(bone)].parent >= 0) continue;
+    if (source.skeleton.parent(bone) >= 0) continue;
     const glm::dvec3 drift = drift_of_root(source.skeleton, bone, per_second * seconds_outside);
     const int first = (bone / packet_bones * source.exact.components + 4) * packet_bones + bone % packet_bones;
     float* const position = &pose[static_cast<std::size_t>(first)];

@@ -84,7 +84,7 @@ class Levers {
     return least > far ? far / (least - far) * reach_of(track.bone) : std::numeric_limits<double>::infinity();
   }
 
-  int parent_of(int bone) const { return skeleton_.bones[static_cast<std::size_t>(bone)].parent; }
+  int parent_of(int bone) const { return skeleton_.parent(bone); }
 
  private:
   const BoneFrame& frame(int bone) const { return frames_[static_cast<std::size_t>(bone)]; }

@@ -31,7 +31,7 @@ class BoneOfPose {
 
 /// Returns a bone's motion from the bind pose. Its rotation is relative to that pose, and offsets are vectors in it.
 BoneFrame rigid_frame(const Skeleton& skeleton, int bone, const BoneOfPose& state, const BoneFrame& parent) {
-  const int parent_bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  const int parent_bone = skeleton.parent(bone);
   const glm::dvec3 from =
       parent_bone < 0 ? glm::dvec3(0.0) : skeleton.references[static_cast<std::size_t>(parent_bone)].origin;
   const glm::dvec3 lever = skeleton.references[static_cast<std::size_t>(bone)].origin - from;

@@ -138,7 +138,7 @@ std::string_view Character::bone_name(int bone) const {
 
 int Character::bone_parent(int bone) const {
   const anim::Character& character = baked(data());
-  return has_bone(character, bone) ? character.skeleton.bones[static_cast<std::size_t>(bone)].parent : -1;
+  return has_bone(character, bone) ? character.skeleton.parent(bone) : -1;
 }
 
 std::optional<int> Character::find_bone(std::string_view name) const {

@@ -24,8 +24,6 @@ struct Figure {
   double ankle = 0.0;   ///< height of the ankles that stand, above the ground
 
   double leg_length() const { return leg + ankle; }
-
-  int parent(int bone) const { return skeleton.bones[static_cast<std::size_t>(bone)].parent; }
 };
 
 std::vector<const LimbBones*> legs_of(const Figure& figure);

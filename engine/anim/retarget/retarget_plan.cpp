@@ -95,11 +95,11 @@ class Planner {
     constexpr double alike = 0.99;  // cosine of 8 degrees
     int compared = 0, agree = 0;
     for (int bone = 0; bone < own_.skeleton.bone_count(); ++bone) {
-      const int source = source_of(bone), parent = own_.parent(bone);
-      if (source < 0 || parent < 0 || source_.parent(source) < 0) continue;
-      if (source_of(parent) != source_.parent(source)) continue;
+      const int source = source_of(bone), parent = own_.skeleton.parent(bone);
+      if (source < 0 || parent < 0 || source_.skeleton.parent(source) < 0) continue;
+      if (source_of(parent) != source_.skeleton.parent(source)) continue;
       const glm::dvec3 own = in_parent(own_.pose, bone, parent);
-      const glm::dvec3 other = in_parent(source_.pose, source, source_.parent(source));
+      const glm::dvec3 other = in_parent(source_.pose, source, source_.skeleton.parent(source));
       if (glm::length(own) < 0.01 * plan_.leg_length || !(glm::length(other) > 0.0)) continue;
       ++compared;
       agree += glm::dot(glm::normalize(own), glm::normalize(other)) > alike ? 1 : 0;
@@ -169,7 +169,7 @@ class Planner {
     const int hips = own_.rig.at(BodyRole::hips);
     for (int bone = 0; bone < own_.skeleton.bone_count(); ++bone) {
       FollowedBone& followed = plan_.bones[static_cast<std::size_t>(bone)];
-      const int parent = own_.parent(bone);
+      const int parent = own_.skeleton.parent(bone);
       const glm::dquat above = parent < 0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : held[static_cast<std::size_t>(parent)];
       held[static_cast<std::size_t>(bone)] = above;
       followed.source = source_of(bone);
@@ -180,19 +180,15 @@ class Planner {
         const glm::dquat source = plan_.turn * source_.pose.rotation(followed.source);
         followed.from_source = glm::conjugate(source) * held[static_cast<std::size_t>(bone)] * own;
       }
-      followed.carries_hips = hips < 0 ? parent < 0 || source_of(parent) < 0 : bone != hips && is_above(bone, hips);
-      if (parent >= 0 && source_of(parent) >= 0 && source_of(parent) == source_.parent(followed.source)) {
-        followed.source_parent = source_.parent(followed.source);
+      followed.carries_hips =
+          hips < 0 ? parent < 0 || source_of(parent) < 0 : bone != hips && is_below(own_.skeleton, hips, bone);
+      if (parent >= 0 && source_of(parent) >= 0 && source_of(parent) == source_.skeleton.parent(followed.source)) {
+        followed.source_parent = source_.skeleton.parent(followed.source);
         followed.source_offset = in_parent(source_.pose, followed.source, followed.source_parent);
       }
       followed.source_place = source_.pose.place(followed.source);
       followed.own_place = own_.pose.place(bone);
     }
-  }
-
-  bool is_above(int bone, int below) const {
-    while (below > bone) below = own_.parent(below);
-    return below == bone;
   }
 
   /// Returns the turn from how a bone of ours is held in its reference pose to how the source's is, as from arms that

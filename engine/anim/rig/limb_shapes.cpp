@@ -62,11 +62,10 @@ std::optional<LimbPair> only_pair(const JointMap& joints, Accept accept) {
 
 }  // namespace
 
-JointMap::JointMap(const Skeleton& skeleton) : children(skeleton.bones.size()) {
+JointMap::JointMap(const Skeleton& of) : skeleton(of), children(of.bones.size()) {
   const ReferencePose rest = skeleton.rigid ? ReferencePose{} : reference_pose(skeleton, nullptr, 0.0);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const int parent = skeleton.bones[b].parent;
-    parents.push_back(parent);
     if (parent >= 0) children[static_cast<std::size_t>(parent)].push_back(static_cast<int>(b));
     places.emplace_back(skeleton.rigid ? skeleton.references[b].origin : glm::dvec3(rest.globals[b][3]));
   }
@@ -78,17 +77,6 @@ JointMap::JointMap(const Skeleton& skeleton) : children(skeleton.bones.size()) {
 glm::vec3 JointMap::level(int from, int to) const {
   const glm::vec3 way = at(to) - at(from);
   return {way.x, 0.0F, way.z};
-}
-
-bool is_below(const JointMap& joints, int bone, int ancestor) {
-  while (bone > ancestor) bone = joints.parents[static_cast<std::size_t>(bone)];
-  return bone == ancestor;
-}
-
-int common_ancestor(const JointMap& joints, int a, int b) {
-  int bone = joints.parents[static_cast<std::size_t>(a)];
-  while (bone >= 0 && (!is_below(joints, b, bone) || bone == b)) bone = joints.parents[static_cast<std::size_t>(bone)];
-  return bone;
 }
 
 std::optional<LimbPair> find_leg_shapes(const JointMap& joints) {
@@ -107,13 +95,14 @@ std::optional<LimbPair> find_arm_shapes(const JointMap& joints, const LimbPair& 
 }
 
 int find_head_shape(const JointMap& joints, const LimbBones& left_arm, const LimbBones& right_arm) {
-  int bone = common_ancestor(joints, left_arm.upper, right_arm.upper);
+  const Skeleton& skeleton = joints.skeleton;
+  int bone = common_ancestor(skeleton, skeleton.parent(left_arm.upper), skeleton.parent(right_arm.upper));
   if (bone < 0) return -1;
   const int chest = bone;
   for (;;) {
     int above = -1;
     for (const int child : joints.children[static_cast<std::size_t>(bone)]) {
-      const bool carries_arm = is_below(joints, left_arm.upper, child) || is_below(joints, right_arm.upper, child);
+      const bool carries_arm = is_below(skeleton, left_arm.upper, child) || is_below(skeleton, right_arm.upper, child);
       const bool goes_up = joints.at(child).y > joints.at(bone).y + apart * joints.height;
       if (carries_arm || !goes_up) continue;
       if (above >= 0) return bone == chest ? -1 : bone;  // a face begins here, or there are two ways up

@@ -13,21 +13,18 @@ namespace throng::anim {
 
 /// The places of a skeleton's joints in the bind pose, or in the rest pose on the general path.
 struct JointMap {
-  explicit JointMap(const Skeleton& skeleton);
+  /// The skeleton must outlive the map.
+  explicit JointMap(const Skeleton& of);
   glm::vec3 at(int bone) const { return places[static_cast<std::size_t>(bone)]; }
   /// Returns the way from one joint to another without its vertical part.
   glm::vec3 level(int from, int to) const;
 
-  std::vector<int> parents;
+  const Skeleton& skeleton;
   std::vector<std::vector<int>> children;
   std::vector<glm::vec3> places;  ///< model space, metres
   float lowest = 0.0F;
   float height = 0.0F;  ///< metres from the lowest joint to the highest
 };
-
-bool is_below(const JointMap& joints, int bone, int ancestor);
-/// Returns the lowest bone above both, or -1.
-int common_ancestor(const JointMap& joints, int a, int b);
 
 /// Two limbs that mirror each other. It is not yet known which one is left.
 using LimbPair = std::pair<LimbBones, LimbBones>;

@@ -42,7 +42,7 @@ class LimbFinder {
 
  private:
   const LimbName& name(int bone) const { return names_[static_cast<std::size_t>(bone)]; }
-  int parent(int bone) const { return joints_.parents[static_cast<std::size_t>(bone)]; }
+  int parent(int bone) const { return skeleton_.parent(bone); }
   int bone_count() const { return skeleton_.bone_count(); }
 
   void doubt(const std::string& why) { limbs_.doubts.push_back("skeleton '" + skeleton_.name + "': " + why); }
@@ -101,7 +101,7 @@ class LimbFinder {
 
   std::ptrdiff_t bones_below(int bone) const {
     std::ptrdiff_t count = 0;
-    for (int b = bone + 1; b < bone_count(); ++b) count += is_below(joints_, b, bone) ? 1 : 0;
+    for (int b = bone + 1; b < bone_count(); ++b) count += is_below(skeleton_, b, bone) ? 1 : 0;
     return count;
   }
 
@@ -151,7 +151,7 @@ class LimbFinder {
   int toe_of(int ankle) const {
     for (int bone = ankle + 1; bone < bone_count(); ++bone) {
       const bool is_toe = name(bone).part == BodyPart::toe || name(bone).part == BodyPart::foot;
-      if (is_toe && is_below(joints_, bone, ankle)) return bone;
+      if (is_toe && is_below(skeleton_, bone, ankle)) return bone;
     }
     return -1;
   }
@@ -236,15 +236,16 @@ class LimbFinder {
 
   void find_trunk() {
     const bool has_legs = limbs_.left_leg.has_value();
-    const int pelvis = has_legs ? common_ancestor(joints_, limbs_.left_leg->upper, limbs_.right_leg->upper)
-                                : first_called(BodyPart::pelvis);
+    const int pelvis = has_legs
+                           ? common_ancestor(skeleton_, parent(limbs_.left_leg->upper), parent(limbs_.right_leg->upper))
+                           : first_called(BodyPart::pelvis);
     if (pelvis < 0) return doubt("no pelvis was found, so neither are spine and head");
     limbs_.pelvis = pelvis;
     int head = first_called(BodyPart::head);
     if (head < 0 && limbs_.left_arm && limbs_.right_arm) {
       head = find_head_shape(joints_, *limbs_.left_arm, *limbs_.right_arm);
     }
-    if (head < 0 || head == pelvis || !is_below(joints_, head, pelvis)) {
+    if (head < 0 || head == pelvis || !is_below(skeleton_, head, pelvis)) {
       return doubt("no head was found above the pelvis");
     }
     limbs_.head = head;

@@ -34,7 +34,7 @@ class Humanoid {
   std::vector<RagdollBone> choose() {
     const int pelvis = carrier(legs);
     const int chest = carrier(arms);
-    if (pelvis < 0 || chest < 0 || (pelvis != chest && !is_below(chest, pelvis)) || !is_upright()) return {};
+    if (pelvis < 0 || chest < 0 || !is_below(skeleton_, chest, pelvis) || !is_upright()) return {};
     add(pelvis, -1, RagdollPart::pelvis, 0);
     const int top = add_trunk(pelvis, chest);
     for (std::size_t side = 0; side < arms.size(); ++side) {
@@ -45,21 +45,13 @@ class Humanoid {
   }
 
  private:
-  int parent(int bone) const { return skeleton_.bones[static_cast<std::size_t>(bone)].parent; }
+  int parent(int bone) const { return skeleton_.parent(bone); }
   glm::dvec3 place(BodyRole role) const { return skeleton_.references[static_cast<std::size_t>(rig_.at(role))].origin; }
-
-  bool is_below(int bone, int ancestor) const {
-    while (bone > ancestor) bone = parent(bone);
-    return bone == ancestor;
-  }
 
   /// Returns the lowest bone above both limbs, or -1.
   int carrier(const std::array<LimbBodies, 2>& limbs) const {
     const int left = rig_.at(limbs[0].roles[0]), right = rig_.at(limbs[1].roles[0]);
-    if (left < 0 || right < 0) return -1;
-    int ancestor = parent(left);
-    while (ancestor >= 0 && !is_below(right, ancestor)) ancestor = parent(ancestor);
-    return ancestor;
+    return left < 0 || right < 0 ? -1 : common_ancestor(skeleton_, parent(left), right);
   }
 
   /// Says whether the arms begin above the legs. An animal's front legs begin before its hind legs.
@@ -82,7 +74,7 @@ class Humanoid {
     if (between.size() > 1) top = add(between[(between.size() + 1) / 2], top, RagdollPart::spine, 0);
     if (!between.empty()) top = add(chest, top, RagdollPart::chest, 0);
     const int head = rig_.at(BodyRole::head);
-    if (head >= 0 && is_below(head, chest)) add(head, top, RagdollPart::head, 0);
+    if (head >= 0 && is_below(skeleton_, head, chest)) add(head, top, RagdollPart::head, 0);
     return top;
   }
 
@@ -90,7 +82,7 @@ class Humanoid {
   /// elsewhere in the skeleton, because some rigs move feet by themselves.
   bool add_limb(int hangs_on, const LimbBodies& limb) {
     const int upper = rig_.at(limb.roles[0]), lower = rig_.at(limb.roles[1]), end = rig_.at(limb.roles[2]);
-    if (upper < 0 || lower < 0 || !is_below(lower, upper)) return false;
+    if (upper < 0 || lower < 0 || !is_below(skeleton_, lower, upper)) return false;
     const int upper_entry = add(upper, hangs_on, limb.parts[0], limb.side);
     const int lower_entry = add(lower, upper_entry, limb.parts[1], limb.side);
     if (end >= 0) add(end, lower_entry, limb.parts[2], limb.side);
@@ -101,7 +93,7 @@ class Humanoid {
   bool follows_the_skeleton() const {
     for (std::size_t low = 0; low < chosen_.size(); ++low) {
       for (std::size_t high = low + 1; high < chosen_.size(); ++high) {
-        if (is_below(chosen_[low].bone, chosen_[high].bone)) return false;
+        if (is_below(skeleton_, chosen_[low].bone, chosen_[high].bone)) return false;
       }
     }
     return true;

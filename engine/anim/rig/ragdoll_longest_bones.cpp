@@ -40,7 +40,7 @@ class Groups {
     std::ranges::transform(reach_, alive_.begin(), [](double reach) { return static_cast<char>(reach >= 0.0); });
     find_top();
     for (int bone = 0; bone < skeleton_.bone_count(); ++bone) {
-      if (!is_below_top(bone)) alive_[at(bone)] = 0;
+      if (!is_below(skeleton_, bone, top_)) alive_[at(bone)] = 0;
     }
     const bool has_surface = !model.meshes.empty();
     for (int bone = skeleton_.bone_count() - 1; bone > top_; --bone) {
@@ -69,7 +69,7 @@ class Groups {
 
  private:
   static std::size_t at(int bone) { return static_cast<std::size_t>(bone); }
-  int parent(int bone) const { return skeleton_.bones[at(bone)].parent; }
+  int parent(int bone) const { return skeleton_.parent(bone); }
   double distance(int a, int b) const {
     return glm::distance(skeleton_.references[at(a)].origin, skeleton_.references[at(b)].origin);
   }
@@ -89,11 +89,6 @@ class Groups {
       only = child;
     }
     return only;
-  }
-
-  bool is_below_top(int bone) const {
-    while (bone > top_) bone = parent(bone);
-    return bone == top_;
   }
 
   /// Finds the first bone that branches; bones above it only place it. A chain starts at its first bone.

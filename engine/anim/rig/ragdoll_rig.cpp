@@ -12,7 +12,7 @@ namespace throng::anim {
 namespace {
 
 glm::vec3 offset_from_parent(const Skeleton& skeleton, int bone) {
-  const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  const int parent = skeleton.parent(bone);
   const glm::dvec3 above = parent < 0 ? glm::dvec3(0.0) : skeleton.references[static_cast<std::size_t>(parent)].origin;
   return skeleton.references[static_cast<std::size_t>(bone)].origin - above;
 }
@@ -24,7 +24,7 @@ void link(const Skeleton& skeleton, RagdollBody& body, RagdollRig& rig) {
   int bone = body.bone;
   do {
     upwards.push_back({bone, offset_from_parent(skeleton, bone)});
-    bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    bone = skeleton.parent(bone);
   } while (bone >= 0 && body_at(bone) == rig.bodies.end());
   body.pose_parent = bone < 0 ? -1 : static_cast<int>(body_at(bone) - rig.bodies.begin());
   body.first_link = static_cast<int>(rig.links.size());

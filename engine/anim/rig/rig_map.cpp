@@ -43,7 +43,7 @@ class RigFinder {
   }
 
  private:
-  int parent(int bone) const { return skeleton_.bones[static_cast<std::size_t>(bone)].parent; }
+  int parent(int bone) const { return skeleton_.parent(bone); }
 
   void take(BodyRole role, int bone) {
     const bool is_new = bone >= 0 && map_.at(role) < 0 && std::ranges::count(map_.bones, bone) == 0;
@@ -66,11 +66,6 @@ class RigFinder {
     return -1;
   }
 
-  bool is_below(int bone, int ancestor) const {
-    while (bone > ancestor) bone = parent(bone);
-    return bone == ancestor;
-  }
-
   LimbBones arm_by_name(BodySide side) const {
     return ordered({.upper = first_called(side, {BodyPart::upper_arm, BodyPart::arm}),
                     .middle = first_called(side, {BodyPart::lower_arm}),
@@ -85,7 +80,7 @@ class RigFinder {
 
   /// Returns the limb, or none of its bones where the lower half is not below the upper.
   LimbBones ordered(const LimbBones& limb) const {
-    const bool fits = limb.upper >= 0 && limb.middle > limb.upper && is_below(limb.middle, limb.upper);
+    const bool fits = limb.upper >= 0 && limb.middle > limb.upper && is_below(skeleton_, limb.middle, limb.upper);
     return fits ? limb : LimbBones{};
   }
 
@@ -103,10 +98,8 @@ class RigFinder {
 
   /// Returns the lowest bone above both, or -1.
   int carrier(BodyRole left, BodyRole right) const {
-    if (map_.at(left) < 0 || map_.at(right) < 0) return -1;
-    int bone = parent(map_.at(left));
-    while (bone >= 0 && !is_below(map_.at(right), bone)) bone = parent(bone);
-    return bone;
+    const bool has_both = map_.at(left) >= 0 && map_.at(right) >= 0;
+    return has_both ? common_ancestor(skeleton_, parent(map_.at(left)), map_.at(right)) : -1;
   }
 
   int hips() const {
@@ -119,13 +112,13 @@ class RigFinder {
     take(BodyRole::head, map_.limbs.head.value_or(first_called(BodySide::none, {BodyPart::head})));
     const int hips = map_.at(BodyRole::hips);
     const int chest = carrier(BodyRole::left_upper_arm, BodyRole::right_upper_arm);
-    if (hips < 0 || chest <= hips || !is_below(chest, hips)) return;
+    if (hips < 0 || chest <= hips || !is_below(skeleton_, chest, hips)) return;
     take(BodyRole::chest, chest);
     int spine = chest;
     while (parent(spine) != hips) spine = parent(spine);
     take(BodyRole::spine, spine);
     int neck = map_.at(BodyRole::head);
-    if (neck <= chest || !is_below(neck, chest)) return;
+    if (neck <= chest || !is_below(skeleton_, neck, chest)) return;
     while (parent(neck) != chest) neck = parent(neck);
     take(BodyRole::neck, neck);
   }
@@ -134,7 +127,7 @@ class RigFinder {
   void take_shoulder(const SideRoles& roles) {
     const int chest = map_.at(BodyRole::chest);
     int bone = map_.at(roles.upper_arm);
-    if (chest < 0 || bone <= chest || !is_below(bone, chest)) return;
+    if (chest < 0 || bone <= chest || !is_below(skeleton_, bone, chest)) return;
     while (parent(bone) != chest) bone = parent(bone);
     take(roles.shoulder, bone);
   }

@@ -71,7 +71,7 @@ class RigMaker {
 
  private:
   Error error(const std::string& what) const { return Error{"skeleton '" + skeleton_.name + "': " + what}; }
-  int parent(int bone) const { return skeleton_.bones[static_cast<std::size_t>(bone)].parent; }
+  int parent(int bone) const { return skeleton_.parent(bone); }
   glm::dvec3 origin(int bone) const { return skeleton_.references[static_cast<std::size_t>(bone)].origin; }
 
   Result<int> find(const std::string& name) const {

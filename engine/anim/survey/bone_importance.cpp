@@ -23,7 +23,7 @@ std::vector<int> first_entries(const Skeleton& skeleton) {
 /// Visits the bones that carry a point, from the bone that holds it up to a root.
 template <typename Visit>
 void for_each_bone_above(const Skeleton& skeleton, int bone, Visit&& visit) {
-  for (; bone >= 0; bone = skeleton.bones[static_cast<std::size_t>(bone)].parent) visit(static_cast<std::size_t>(bone));
+  for (; bone >= 0; bone = skeleton.parent(bone)) visit(static_cast<std::size_t>(bone));
 }
 
 /// Raises the error of every bone above each point to the distance that dropping the bone moves the point in this pose.

@@ -87,8 +87,7 @@ std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count) {
   for (int entry = 0; entry < skeleton.palette_count(); ++entry) {
     const int own = skeleton.palette[static_cast<std::size_t>(entry)].bone;
     int bone = nearest_kept_bone(skeleton, own, bone_count);
-    while (bone >= 0 && first[static_cast<std::size_t>(bone)] < 0)
-      bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    while (bone >= 0 && first[static_cast<std::size_t>(bone)] < 0) bone = skeleton.parent(bone);
     kept.push_back(own < bone_count ? entry : bone < 0 ? 0 : first[static_cast<std::size_t>(bone)]);
   }
   return kept;

@@ -47,7 +47,7 @@ std::vector<LodPoint> pick_vertices(const Model& model) {
 std::vector<LodPoint> pick_joints(const Skeleton& skeleton) {
   std::vector<LodPoint> points;
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const int parent = skeleton.parent(bone);
     if (parent < 0) continue;
     const JointPlace own = joint_place(skeleton, bone), above = joint_place(skeleton, parent);
     if (own.entry < 0) continue;

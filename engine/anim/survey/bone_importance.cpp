@@ -10,16 +10,6 @@ namespace throng::anim {
 
 namespace {
 
-constexpr int no_entry = -1;
-
-std::vector<int> first_entries(const Skeleton& skeleton) {
-  std::vector<int> first(skeleton.bones.size(), no_entry);
-  for (int entry = skeleton.palette_count(); entry-- > 0;) {
-    first[static_cast<std::size_t>(skeleton.palette[static_cast<std::size_t>(entry)].bone)] = entry;
-  }
-  return first;
-}
-
 /// Visits the bones that carry a point, from the bone that holds it up to a root.
 template <typename Visit>
 void for_each_bone_above(const Skeleton& skeleton, int bone, Visit&& visit) {

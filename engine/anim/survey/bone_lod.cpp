@@ -79,15 +79,12 @@ BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const
 }
 
 std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count) {
-  std::vector<int> first(skeleton.bones.size(), -1);
-  for (int entry = skeleton.palette_count(); entry-- > 0;) {
-    first[static_cast<std::size_t>(skeleton.palette[static_cast<std::size_t>(entry)].bone)] = entry;
-  }
+  const std::vector<int> first = first_entries(skeleton);
   std::vector<int> kept;
   for (int entry = 0; entry < skeleton.palette_count(); ++entry) {
     const int own = skeleton.palette[static_cast<std::size_t>(entry)].bone;
     int bone = nearest_kept_bone(skeleton, own, bone_count);
-    while (bone >= 0 && first[static_cast<std::size_t>(bone)] < 0) bone = skeleton.parent(bone);
+    while (bone >= 0 && first[static_cast<std::size_t>(bone)] == no_entry) bone = skeleton.parent(bone);
     kept.push_back(own < bone_count ? entry : bone < 0 ? 0 : first[static_cast<std::size_t>(bone)]);
   }
   return kept;

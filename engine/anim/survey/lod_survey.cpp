@@ -90,6 +90,14 @@ void keep_keys_around(Track<Value>& track, std::span<const double> times) {
 
 }  // namespace
 
+std::vector<int> first_entries(const Skeleton& skeleton) {
+  std::vector<int> first(skeleton.bones.size(), no_entry);
+  for (int entry = skeleton.palette_count(); entry-- > 0;) {
+    first[static_cast<std::size_t>(skeleton.palette[static_cast<std::size_t>(entry)].bone)] = entry;
+  }
+  return first;
+}
+
 std::vector<LodPoint> pick_lod_points(const Model& model) {
   return model.meshes.empty() ? pick_joints(model.skeleton) : pick_vertices(model);
 }

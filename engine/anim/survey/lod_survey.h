@@ -23,6 +23,10 @@ struct LodPoint {
 /// Picks up to 16 vertices of each bone, spread over the mesh, each of which the bone holds for at least half.
 std::vector<LodPoint> pick_lod_points(const Model& model);
 
+/// Returns the first palette entry of each bone; no_entry for a bone to which nothing is skinned.
+inline constexpr int no_entry = -1;
+std::vector<int> first_entries(const Skeleton& skeleton);
+
 /// Returns where a palette puts the point.
 glm::dvec3 skinned(const LodPoint& point, std::span<const glm::dmat4> palette);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,16 @@ namespace throng::anim {
 /// glTF 2.0, 3.11 "Animations" and appendix C.
 enum class Interpolation : unsigned char { step, linear, cubic_spline };
 
+constexpr std::size_t values_a_key(Interpolation interpolation) {
+  return interpolation == Interpolation::cubic_spline ? 3 : 1;
+}
+
 /// The keys of one property of one bone as the file has them. Empty where the clip does not animate the property.
 template <typename Value>
 struct Track {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times;   ///< seconds, strictly ascending, first >= 0, all finite
-  std::vector<Value> values;  ///< one a time; three with cubic_spline: in-tangent, value, out-tangent
+  std::vector<Value> values;  ///< values_a_key() a time; three: in-tangent, value, out-tangent
 
   bool empty() const { return times.empty(); }
 };

@@ -76,8 +76,6 @@ Fault fault_of_times(const std::vector<float>& times, double duration) {
   return ends_before ? "the clip's duration ends before a key" : "";
 }
 
-std::size_t values_a_key(Interpolation interpolation) { return interpolation == Interpolation::cubic_spline ? 3 : 1; }
-
 template <typename Value>
 Fault fault_of_track(const Track<Value>& track, double duration) {
   if (track.values.size() != track.times.size() * values_a_key(track.interpolation)) {

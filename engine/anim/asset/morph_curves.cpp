@@ -7,9 +7,6 @@ namespace throng::anim {
 
 namespace {
 
-/// Returns how many rows of weights a key has.
-std::size_t rows_a_key(Interpolation interpolation) { return interpolation == Interpolation::cubic_spline ? 3 : 1; }
-
 /// Returns the places, among the track's morphs, of the morphs that any row moves away from 0.
 std::vector<std::size_t> moving_columns(const MorphTrack& track) {
   const std::size_t columns = track.morphs.size();
@@ -28,7 +25,7 @@ std::vector<std::size_t> moving_columns(const MorphTrack& track) {
 void drop_still_keys(MorphCurve& curve) {
   const std::size_t columns = curve.morphs.size();
   const bool cubic = curve.interpolation == Interpolation::cubic_spline;
-  const std::size_t rows = rows_a_key(curve.interpolation);
+  const std::size_t rows = values_a_key(curve.interpolation);
   const auto weight = [&](std::size_t key, std::size_t row, std::size_t column) {
     return curve.weights[(key * rows + row) * columns + column];
   };
@@ -68,7 +65,7 @@ RowShares shares_at(const MorphCurve& curve, Ticks time) {
   const auto next = static_cast<std::size_t>(after - curve.times.begin());
   const std::size_t key = next == 0 ? 0 : next - 1;
   const bool cubic = curve.interpolation == Interpolation::cubic_spline;
-  const std::size_t rows = rows_a_key(curve.interpolation), middle = cubic ? 1 : 0;
+  const std::size_t rows = values_a_key(curve.interpolation), middle = cubic ? 1 : 0;
   RowShares shares{.from = key * rows + middle, .to = key * rows + middle};
   if (next == 0 || next == curve.times.size() || curve.interpolation == Interpolation::step) return shares;
   shares.to = next * rows + middle;

@@ -113,7 +113,7 @@ class AnimationReader {
     }
     read.weights =
         read_floats(document_, output, {channel_name_ + ": key values", {TINYGLTF_TYPE_SCALAR}, float_or_small});
-    const std::size_t expected = keys.times.size() * values_a_key(keys) * read.targets;
+    const std::size_t expected = keys.times.size() * values_a_key(keys.interpolation) * read.targets;
     if (read.weights.size() != expected) {
       refuse("has " + std::to_string(read.weights.size()) + " weights for " + std::to_string(keys.times.size()) +
              " key times of " + std::to_string(read.targets) + " morph targets");
@@ -123,10 +123,6 @@ class AnimationReader {
       refuse("a weight of a morph target is no number, or beyond 10,000");
     const WeightKeys& kept = animation_.weights.emplace(node, std::move(read)).first->second;
     return bytes_of(kept.times) + bytes_of(kept.weights);
-  }
-
-  static std::size_t values_a_key(const Keys& keys) {
-    return keys.interpolation == Interpolation::cubic_spline ? 3 : 1;
   }
 
   /// Marks are set at frames and keys at 32-bit seconds, so a mark off by less than a millisecond means the end. A mark
@@ -200,7 +196,7 @@ class AnimationReader {
     const auto values = read_floats(document_, output, {channel_name_ + ": key values", {type}, float_or_small});
     document_.memory->charge(bytes_of(keys.times) + bytes_of(values), channel_name_);
     Track<Value> track{.interpolation = keys.interpolation, .times = keys.times, .values = grouped<Value>(values)};
-    if (track.values.size() != keys.times.size() * values_a_key(keys)) {
+    if (track.values.size() != keys.times.size() * values_a_key(keys.interpolation)) {
       refuse("has " + std::to_string(track.values.size()) + " values for " + std::to_string(keys.times.size()) +
              " key times");
     }
@@ -209,10 +205,10 @@ class AnimationReader {
   }
 
   void mend_rotations(Track<glm::quat>& track) {
-    const bool cubic = track.interpolation == Interpolation::cubic_spline;
+    const std::size_t step = values_a_key(track.interpolation);
     bool zero = false;
     bool long_keys = false;
-    for (std::size_t i = cubic ? 1 : 0; i < track.values.size(); i += cubic ? 3 : 1) {
+    for (std::size_t i = step / 2; i < track.values.size(); i += step) {
       const float length = glm::length(track.values[i]);
       long_keys = long_keys || std::abs(length - 1.0F) > 0.02F;  // more than 8-bit keys are off by
       if (length > 0.0F) continue;

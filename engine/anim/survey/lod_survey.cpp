@@ -75,12 +75,12 @@ void keep_keys_around(Track<Value>& track, std::span<const double> times) {
     is_read[static_cast<std::size_t>(after)] = true;
     is_read[static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0))] = true;
   }
-  const std::size_t values_a_key = track.interpolation == Interpolation::cubic_spline ? 3 : 1;
+  const std::size_t count = values_a_key(track.interpolation);
   Track<Value> kept{.interpolation = track.interpolation, .times = {}, .values = {}};
   for (std::size_t key = 0; key < track.times.size(); ++key) {
     if (!is_read[key]) continue;
     kept.times.push_back(track.times[key]);
-    const std::span values = std::span(track.values).subspan(key * values_a_key, values_a_key);
+    const std::span values = std::span(track.values).subspan(key * count, count);
     kept.values.insert(kept.values.end(), values.begin(), values.end());
   }
   kept.times.shrink_to_fit();

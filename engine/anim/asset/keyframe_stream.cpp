@@ -125,18 +125,6 @@ std::vector<float> constant_pose(const StateClip& clip) {
   return pose;
 }
 
-std::vector<std::uint16_t> cubic_lanes(const StateClip& clip) {
-  std::vector<std::uint16_t> lanes(
-      static_cast<std::size_t>(packets_for(static_cast<int>(clip.constants.size())) * key_channels));
-  for (const StateTrack& track : clip.tracks) {
-    if (track.interpolation != Interpolation::cubic_spline) continue;
-    const int place = track.bone / packet_bones * key_channels + static_cast<int>(track.channel);
-    auto& mask = lanes[static_cast<std::size_t>(place)];
-    mask = static_cast<std::uint16_t>(mask | 1U << (track.bone % packet_bones));
-  }
-  return lanes;
-}
-
 /// Lays tables behind a header one after the other, each at a multiple of 64 bytes.
 class BlockLayout {
  public:
@@ -171,8 +159,19 @@ struct StreamParts {
   std::vector<PendingEvent> pending;
   ValueTables values;
   std::vector<float> constants;
-  std::vector<std::uint16_t> cubic_lanes;
 };
+
+/// `openings` are the events that open the tracks.
+std::vector<std::uint16_t> cubic_lanes(int bone_count, std::span<const PendingEvent> openings) {
+  std::vector<std::uint16_t> lanes(static_cast<std::size_t>(packets_for(bone_count) * key_channels));
+  for (const auto& [event, track, key] : openings) {
+    if (event.is_cubic == 0) continue;
+    const int place = event.bone / packet_bones * key_channels + static_cast<int>(event.channel);
+    auto& mask = lanes[static_cast<std::size_t>(place)];
+    mask = static_cast<std::uint16_t>(mask | 1U << (event.bone % packet_bones));
+  }
+  return lanes;
+}
 
 /// `counts` has the counts of bones and components, the time shift and the duration.
 AlignedBytes lay_out(const KeyframeStream& counts, const StreamParts& parts, std::uint32_t tracks) {
@@ -181,6 +180,7 @@ AlignedBytes lay_out(const KeyframeStream& counts, const StreamParts& parts, std
   events.reserve(parts.pending.size());
   for (const PendingEvent& p : parts.pending) events.push_back(p.event);
   const std::vector<std::uint32_t> seeks = seek_points(parts.pending, tracks, interval);
+  const std::vector<std::uint16_t> cubic = cubic_lanes(counts.bone_count, std::span(parts.pending).first(tracks));
 
   KeyframeStream header = counts;
   BlockLayout layout;
@@ -188,7 +188,7 @@ AlignedBytes lay_out(const KeyframeStream& counts, const StreamParts& parts, std
   header.track_count = tracks;
   header.seek_interval = interval;
   header.constants_offset = layout.append(parts.constants);
-  header.cubic_lanes_offset = layout.append(parts.cubic_lanes);
+  header.cubic_lanes_offset = layout.append(cubic);
   header.events_offset = layout.append(events);
   header.seek_points_offset = layout.append(seeks);
   for (std::size_t c = 0; c < key_channels; ++c) header.values_offsets[c] = layout.append(parts.values[c]);
@@ -255,25 +255,11 @@ std::vector<float> reordered_constants(const KeyframeStream& stream, std::span<c
   return pose;
 }
 
-std::vector<std::uint16_t> cubic_lanes(const KeyframeStream& stream, std::span<const PendingEvent> events) {
-  std::vector<std::uint16_t> lanes(static_cast<std::size_t>(packets_for(stream.bone_count) * key_channels));
-  for (const auto& [event, track, key] : events.first(stream.track_count)) {
-    if (event.is_cubic == 0) continue;
-    const int place = event.bone / packet_bones * key_channels + static_cast<int>(event.channel);
-    auto& mask = lanes[static_cast<std::size_t>(place)];
-    mask = static_cast<std::uint16_t>(mask | 1U << (event.bone % packet_bones));
-  }
-  return lanes;
-}
-
 }  // namespace
 
 AlignedBytes pack_keyframe_stream(const StateClip& clip) {
   const int time_shift = choose_time_shift(clip.duration);
-  StreamParts parts{.pending = sorted_events(clip, time_shift),
-                    .values = {},
-                    .constants = constant_pose(clip),
-                    .cubic_lanes = cubic_lanes(clip)};
+  StreamParts parts{.pending = sorted_events(clip, time_shift), .values = {}, .constants = constant_pose(clip)};
   parts.values = place_values(clip, parts.pending);
   KeyframeStream header{};
   header.bone_count = static_cast<std::int32_t>(clip.constants.size());
@@ -285,12 +271,9 @@ AlignedBytes pack_keyframe_stream(const StateClip& clip) {
 
 AlignedBytes reorder_keyframe_stream(const KeyframeStream& stream, std::span<const int> places) {
   assert(places.size() == static_cast<std::size_t>(stream.bone_count));
-  StreamParts parts{.pending = reordered_events(stream, places),
-                    .values = {},
-                    .constants = reordered_constants(stream, places),
-                    .cubic_lanes = {}};
+  StreamParts parts{
+      .pending = reordered_events(stream, places), .values = {}, .constants = reordered_constants(stream, places)};
   parts.values = move_values(stream, parts.pending);
-  parts.cubic_lanes = cubic_lanes(stream, parts.pending);
   return lay_out(stream, parts, stream.track_count);
 }
 

@@ -1,5 +1,6 @@
 #include "engine/anim/retarget/body_pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,11 @@
 #include "engine/anim/base/elementary.h"
 
 namespace throng::anim {
+
+double height_of(const BodyPose& pose) {
+  const auto [low, high] = std::ranges::minmax_element(pose.places, {}, &glm::dvec3::y);
+  return high->y - low->y;
+}
 
 glm::dquat rotation_of(const glm::dmat4& matrix) {
   glm::dmat3 axes(matrix);

@@ -20,6 +20,9 @@ struct BodyPose {
   const glm::dvec3& place(int bone) const { return places[static_cast<std::size_t>(bone)]; }
 };
 
+/// Returns how far the highest joint is above the lowest.
+double height_of(const BodyPose& pose);
+
 /// Returns the rotation of a matrix without shear.
 glm::dquat rotation_of(const glm::dmat4& matrix);
 

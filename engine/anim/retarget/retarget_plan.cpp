@@ -1,6 +1,5 @@
 #include "engine/anim/retarget/retarget_plan.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -64,11 +63,8 @@ class Planner {
   /// Leg over leg; without legs, height over height.
   double scale() const {
     if (own_.leg > 0.0 && source_.leg > 0.0) return own_.leg_length() / source_.leg_length();
-    const auto height = [](const Figure& figure) {
-      const auto [low, high] = std::ranges::minmax_element(figure.pose.places, {}, &glm::dvec3::y);
-      return high->y - low->y;
-    };
-    return height(source_) > 0.0 && height(own_) > 0.0 ? height(own_) / height(source_) : 1.0;
+    const double own = height_of(own_.pose), source = height_of(source_.pose);
+    return source > 0.0 && own > 0.0 ? own / source : 1.0;
   }
 
   static glm::dvec3 hip_joints(const Figure& figure) {

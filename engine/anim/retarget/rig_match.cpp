@@ -52,12 +52,6 @@ void match_names(const Skeleton& from, const Skeleton& to, RigMatch& match) {
   }
 }
 
-double height_of(const Skeleton& skeleton) {
-  const std::vector<glm::dvec3> places = bind_pose(skeleton).places;
-  const auto [low, high] = std::ranges::minmax_element(places, {}, &glm::dvec3::y);
-  return high->y - low->y;
-}
-
 double difference(const glm::dmat4& a, const glm::dmat4& b) {
   double sum = 0.0;
   for (int column = 0; column < 4; ++column) sum += glm::distance(a[column], b[column]);
@@ -68,7 +62,7 @@ double difference(const glm::dmat4& a, const glm::dmat4& b) {
 class RestComparison {
  public:
   RestComparison(const Skeleton& from, const Skeleton& to, const RigMatch& match, const Clip& clip)
-      : from_(from), to_(to), match_(match), clip_(clip), closest_length_(closest * height_of(to)) {
+      : from_(from), to_(to), match_(match), clip_(clip), closest_length_(closest * height_of(bind_pose(to))) {
     own_rest_ = reference_pose(to, nullptr, 0.0).globals;
     for (const double share : {0.0, 0.5, 1.0}) {
       source_poses_.push_back(reference_pose(from, &clip, std::lerp(clip.start, clip.duration, share)).globals);

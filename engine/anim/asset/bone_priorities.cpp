@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/pose.h"
 
 namespace throng::anim {
@@ -13,10 +14,8 @@ namespace {
 constexpr std::uint16_t all_lanes = 0xFFFF;
 
 StateTransform still_state(const Skeleton& skeleton, int bone) {
-  if (skeleton.rigid || bone >= skeleton.bone_count()) return {};
-  const Transform& rest = skeleton.bones[static_cast<std::size_t>(bone)].rest;
-  return to_state(skeleton, bone,
-                  {glm::normalize(glm::dquat(rest.rotation)), glm::dvec3(rest.translation), glm::dvec3(rest.scale)});
+  const bool stands_at_rest = !skeleton.rigid && bone < skeleton.bone_count();
+  return stands_at_rest ? rest_transform(skeleton.bones[static_cast<std::size_t>(bone)]) : StateTransform{};
 }
 
 /// Returns the bits of the lanes that hold no bone.

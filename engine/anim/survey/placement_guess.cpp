@@ -82,17 +82,6 @@ std::string unit_named(double scale) {
   return "units of " + number(scale) + " m";
 }
 
-/// Lists reasons one after the other.
-class Reasons {
- public:
-  void add(const std::string& reason) { text_ += (text_.empty() ? "" : ", ") + reason; }
-  bool empty() const { return text_.empty(); }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 class PlacementGuesser {
  public:
   PlacementGuesser(const ModelExtent& extent, const PlacementChoice& choice, SizeRule rule)
@@ -103,24 +92,26 @@ class PlacementGuesser {
     guessed_.extent = extent_;
     set_scale();
     guessed_.placement.rotation = upright(choice_.up);
-    if (choice_.up != UpAxis::y) reasons_.add("turned upright as asked");
+    if (choice_.up != UpAxis::y) add_reason("turned upright as asked");
     guessed_.height = guessed_.placement.scale * extent_.size.y;
     if (choice_.ground != GroundRule::file) set_place();
     guessed_.is_plain = reasons_.empty();
-    guessed_.reasons = number(guessed_.height) + " m tall" + (reasons_.empty() ? "" : ": ") + reasons_.text();
+    guessed_.reasons = number(guessed_.height) + " m tall" + (reasons_.empty() ? "" : ": ") + reasons_;
     return std::move(guessed_);
   }
 
  private:
+  void add_reason(const std::string& reason) { reasons_ += (reasons_.empty() ? "" : ", ") + reason; }
+
   void set_scale() {
     double& scale = guessed_.placement.scale;
     if (choice_.scale) {
       scale = *choice_.scale;
-      return reasons_.add("scaled by " + number(scale) + " as asked");
+      return add_reason("scaled by " + number(scale) + " as asked");
     }
     scale = guess_scale(largest_of(extent_.size));
     if (scale != 1.0) {
-      reasons_.add("taken as " + unit_named(scale) + " (" + number(extent_.size.y) + " units tall in its file)");
+      add_reason("taken as " + unit_named(scale) + " (" + number(extent_.size.y) + " units tall in its file)");
     }
     if (rule_ == SizeRule::among_people) fit_among_people();
   }
@@ -130,7 +121,7 @@ class PlacementGuesser {
     const double tall = scale * extent_.size.y, growth = growth_among_people(scale * extent_.size);
     if (growth == 1.0) return;
     scale *= growth;
-    reasons_.add("scaled by " + number(growth) + " from " + number(tall) + " m to fit among people");
+    add_reason("scaled by " + number(growth) + " from " + number(tall) + " m to fit among people");
   }
 
   void set_place() {
@@ -141,21 +132,21 @@ class PlacementGuesser {
     if (beside > off_the_middle * side) {
       offset.x = -middle.x;
       offset.z = -middle.z;
-      reasons_.add("moved to its place from " + number(beside) + " m beside the file's origin");
+      add_reason("moved to its place from " + number(beside) + " m beside the file's origin");
     }
     const double lowest = guessed_.placement.scale * extent_.lowest;
     const bool asked = choice_.ground == GroundRule::feet;
     const bool off_the_ground = lowest < -sunk * guessed_.height || lowest > afloat * guessed_.height;
     if (!asked && !off_the_ground) return;
     offset.y = -lowest;
-    reasons_.add((lowest < 0.0 ? "raised " : "lowered ") + number(std::abs(lowest)) + " m to stand on the ground");
+    add_reason((lowest < 0.0 ? "raised " : "lowered ") + number(std::abs(lowest)) + " m to stand on the ground");
   }
 
   ModelExtent extent_;
   PlacementChoice choice_;
   SizeRule rule_;
   GuessedPlacement guessed_;
-  Reasons reasons_;
+  std::string reasons_;  // one after the other
 };
 
 }  // namespace

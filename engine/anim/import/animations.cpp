@@ -7,6 +7,7 @@
 
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/refusal.h"
+#include "engine/anim/import/memory/model_memory.h"
 
 namespace throng::import {
 
@@ -36,18 +37,20 @@ class AnimationReader {
         source_(document.gltf.animations[index]),
         data_keys_(document.data_keys[index]),
         curves_(document.curves[index]),
-        name_(label("animation", index, source_.name)) {}
+        name_(label("animation", index, source_.name)) {
+    animation_.clip.animation = static_cast<int>(index);
+  }
 
   Animation read() {
-    animation_.name = source_.name;
+    animation_.clip.name = source_.name;
     for (std::size_t channel = 0; channel < source_.channels.size(); ++channel) {
       channel_name_ = name_ + ", channel " + std::to_string(channel);
       read_channel(source_.channels[channel]);
     }
-    animation_.start = std::min(start_, animation_.duration);
+    animation_.clip.start = std::min(start_, animation_.clip.duration);
     read_data_keys();
     check_curves();
-    animation_.curves = curves_;
+    animation_.clip.curves = curves_;
     return std::move(animation_);
   }
 
@@ -67,7 +70,8 @@ class AnimationReader {
     const Keys keys = read_keys(sampler);
     // A single key holds at all times, so it does not say when the clip begins.
     if (keys.times.size() > 1) start_ = std::min(start_, static_cast<double>(keys.times.front()));
-    animation_.duration = std::max(animation_.duration, static_cast<double>(keys.times.back()));
+    double& duration = animation_.clip.duration;
+    duration = std::max(duration, static_cast<double>(keys.times.back()));
     if (channel.target_path == "weights") return scope.keep(read_weights(channel.target_node, sampler.output, keys));
     if (tree_.transforms[static_cast<std::size_t>(channel.target_node)].has_matrix) {
       document_.repairs.push_back(channel_name_ + ": ignored, because its node has a matrix");
@@ -78,7 +82,7 @@ class AnimationReader {
 
   /// Returns the bytes that it keeps.
   std::uint64_t read_values(const tinygltf::AnimationChannel& channel, int output, const Keys& keys) {
-    NodeTracks& tracks = animation_.nodes[channel.target_node];
+    anim::BoneTracks& tracks = animation_.nodes[channel.target_node];
     if (channel.target_path == "translation") {
       tracks.translation = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
       return bytes_of(tracks.translation);
@@ -129,20 +133,21 @@ class AnimationReader {
   /// before the first key belongs to the pose that holds there, which plays from the first key on.
   void read_data_keys() {
     constexpr double rounding = 1e-3;
+    anim::Clip& clip = animation_.clip;
     for (const anim::NamedDataKey& key : data_keys_) {
       if (key.name.empty()) throw Refusal(name_ + ": a data key has no name; give it one");
       const std::string mark = name_ + ": data key \"" + key.name + "\" at " + std::to_string(key.time) + " s lies ";
-      if (key.time < 0.0 || key.time > animation_.duration + rounding) {
+      if (key.time < 0.0 || key.time > clip.duration + rounding) {
         document_.repairs.push_back(mark + "outside of the animation, left out");
         continue;
       }
-      if (key.time < animation_.start - rounding) {
+      if (key.time < clip.start - rounding) {
         document_.repairs.push_back(mark + "before the first key, moved there");
       }
-      const double time = std::clamp(key.time, animation_.start, animation_.duration);
-      animation_.data_keys.push_back({.time = time, .name = key.name});
+      const double time = std::clamp(key.time, clip.start, clip.duration);
+      clip.data_keys.push_back({.time = time, .name = key.name});
     }
-    std::ranges::stable_sort(animation_.data_keys, {}, &anim::NamedDataKey::time);
+    std::ranges::stable_sort(clip.data_keys, {}, &anim::NamedDataKey::time);
   }
 
   void check_curves() const {
@@ -276,14 +281,7 @@ anim::MorphTrack morph_track(const WeightKeys& keys, int node, const std::vector
 anim::Clip& clip_of(const std::vector<Animation>& animations, int index, std::vector<anim::Clip>& clips) {
   const auto place = std::ranges::lower_bound(clips, index, {}, &anim::Clip::animation);
   if (place != clips.end() && place->animation == index) return *place;
-  const Animation& animation = animations[static_cast<std::size_t>(index)];
-  return *clips.insert(place, {.name = animation.name,
-                               .animation = index,
-                               .start = animation.start,
-                               .duration = animation.duration,
-                               .tracks = {},
-                               .data_keys = animation.data_keys,
-                               .curves = animation.curves});
+  return *clips.insert(place, animations[static_cast<std::size_t>(index)].clip);
 }
 
 }  // namespace
@@ -307,8 +305,8 @@ void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& mod
     for (const auto& [node, keys] : animations[index].weights) {
       anim::MorphTrack track = morph_track(keys, node, model.morphs, memory);
       if (track.morphs.empty()) continue;
-      const Animation& source = animations[index];
-      memory.charge(clip_memory(source.name, source.data_keys, source.curves), label("animation", index, source.name));
+      const anim::Clip& source = animations[index].clip;
+      memory.charge(clip_memory(source), label("animation", index, source.name));
       clip_of(animations, static_cast<int>(index), model.clips).morph_tracks.push_back(std::move(track));
     }
   }

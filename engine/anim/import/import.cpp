@@ -78,7 +78,7 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
 
   anim::ImportedFile file;
   file.file = path;
-  for (const Animation& animation : animations) file.animations.push_back(animation.name);
+  for (const Animation& animation : animations) file.animations.push_back(animation.clip.name);
   const std::vector<std::vector<int>> groups = group_skins(skins, tree);
   const std::vector<std::vector<int>> carried = find_carried_meshes(document, tree, skins, groups);
   for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -134,7 +134,7 @@ class SkeletonBuilder {
     NodeSet animated(joints.size(), false);
     for (const Animation& animation : animations_) {
       for (const auto& [node, tracks] : animation.nodes) {
-        if (tracks.bytes() > 0) animated[static_cast<std::size_t>(node)] = true;
+        if (bytes_of(tracks) > 0) animated[static_cast<std::size_t>(node)] = true;
       }
     }
     NodeSet leads(joints.size(), false);
@@ -207,21 +207,16 @@ class SkeletonBuilder {
   void add_clips(const NodeSet& joints) {
     for (std::size_t index = 0; index < animations_.size(); ++index) {
       Animation& animation = animations_[index];
-      const std::string name = label("animation", index, animation.name);
-      document_.memory->charge(clip_memory(animation.name, animation.data_keys, animation.curves), name);
-      anim::Clip clip{.name = animation.name,
-                      .animation = static_cast<int>(index),
-                      .start = animation.start,
-                      .duration = animation.duration,
-                      .tracks = {},
-                      .data_keys = animation.data_keys,
-                      .curves = animation.curves};
+      const std::string name = label("animation", index, animation.clip.name);
+      document_.memory->charge(clip_memory(animation.clip), name);
+      anim::Clip clip = animation.clip;
       for (auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;
         const bool is_own = has(joints, node);
-        document_.memory->charge((is_own ? 0 : tracks.bytes()) + 3 * sizeof(anim::BoneTracks), name);
-        clip.tracks.push_back((is_own ? std::exchange(tracks, {}) : tracks).of_bone(bone));
+        document_.memory->charge((is_own ? 0 : bytes_of(tracks)) + 3 * sizeof(anim::BoneTracks), name);
+        clip.tracks.push_back(is_own ? std::exchange(tracks, {}) : tracks);
+        clip.tracks.back().bone = bone;
       }
       std::ranges::sort(clip.tracks, {}, &anim::BoneTracks::bone);
       if (!clip.tracks.empty()) built_.clips.push_back(std::move(clip));

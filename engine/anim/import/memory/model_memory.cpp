@@ -7,6 +7,10 @@ constexpr std::uint64_t growth = 3;  // of a vector: the old place, and a new on
 
 }  // namespace
 
+std::uint64_t bytes_of(const anim::BoneTracks& tracks) {
+  return bytes_of(tracks.translation) + bytes_of(tracks.rotation) + bytes_of(tracks.scale);
+}
+
 std::uint64_t bytes_of(const anim::SkinnedMesh& mesh) {
   std::uint64_t bytes = sizeof mesh + mesh.name.size() + bytes_of(mesh.positions) + bytes_of(mesh.normals) +
                         bytes_of(mesh.tangents) + bytes_of(mesh.colors) + bytes_of(mesh.regions) +
@@ -28,11 +32,10 @@ std::uint64_t skin_memory(std::uint64_t joints) {
   return 2 * (growth * sizeof(anim::Skin) + joints * a_joint);
 }
 
-std::uint64_t clip_memory(const std::string& name, const std::vector<anim::NamedDataKey>& data_keys,
-                          const std::vector<anim::NamedCurve>& curves) {
-  std::uint64_t bytes = growth * sizeof(anim::Clip) + name.size();
-  for (const anim::NamedDataKey& key : data_keys) bytes += sizeof key + key.name.size();
-  for (const anim::NamedCurve& curve : curves) {
+std::uint64_t clip_memory(const anim::Clip& clip) {
+  std::uint64_t bytes = growth * sizeof(anim::Clip) + clip.name.size();
+  for (const anim::NamedDataKey& key : clip.data_keys) bytes += sizeof key + key.name.size();
+  for (const anim::NamedCurve& curve : clip.curves) {
     bytes += sizeof curve + curve.name.size() + bytes_of(curve.times) + bytes_of(curve.values);
   }
   return bytes;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "engine/anim/asset/model.h"
@@ -20,6 +19,7 @@ std::uint64_t bytes_of(const anim::Track<Value>& track) {
   return bytes_of(track.times) + bytes_of(track.values);
 }
 
+std::uint64_t bytes_of(const anim::BoneTracks& tracks);
 std::uint64_t bytes_of(const anim::SkinnedMesh& mesh);
 
 // The next two return twice as much, because import copies a skeleton to try whether it is rigid.
@@ -29,8 +29,7 @@ std::uint64_t skeleton_memory(std::uint64_t bones, std::uint64_t meshes);
 std::uint64_t skin_memory(std::uint64_t joints);
 
 /// Returns the bytes of a clip beside its tracks.
-std::uint64_t clip_memory(const std::string& name, const std::vector<anim::NamedDataKey>& data_keys,
-                          const std::vector<anim::NamedCurve>& curves);
+std::uint64_t clip_memory(const anim::Clip& clip);
 
 /// Returns the most bytes of a mesh without normals once each of its corners has a vertex of its own, with all bytes
 /// on the way.

@@ -17,14 +17,6 @@ std::size_t matrix_rows(int type) {
   return type == TINYGLTF_TYPE_MAT4 ? 4 : 0;
 }
 
-/// Returns the bytes of one component, or 0 for a type that glTF does not know.
-std::size_t component_size(int component_type) {
-  // tinygltf knows two types more than glTF.
-  if (component_type == TINYGLTF_COMPONENT_TYPE_INT || component_type == TINYGLTF_COMPONENT_TYPE_DOUBLE) return 0;
-  const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
-  return static_cast<std::size_t>(std::max(size, 0));
-}
-
 /// Returns the numbers in one element: 1 to 16.
 std::size_t element_width(const tinygltf::Accessor& accessor) {
   return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
@@ -242,6 +234,13 @@ class Reader {
 };
 
 }  // namespace
+
+std::size_t component_size(int component_type) {
+  // tinygltf knows two types more than glTF.
+  if (component_type == TINYGLTF_COMPONENT_TYPE_INT || component_type == TINYGLTF_COMPONENT_TYPE_DOUBLE) return 0;
+  const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
+  return static_cast<std::size_t>(std::max(size, 0));
+}
 
 void check_accessors(Document& document) {
   for (std::size_t index = 0; index < document.gltf.accessors.size(); ++index) AccessorCheck(document, index).run();

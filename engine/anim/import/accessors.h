@@ -52,6 +52,9 @@ std::vector<float> read_floats(const Document& document, int accessor, const Acc
 /// Reads unsigned integers in the same way.
 std::vector<std::uint32_t> read_integers(const Document& document, int accessor, const AccessorRule& rule);
 
+/// Returns the bytes of one component, or 0 for a type that glTF does not know.
+std::size_t component_size(int component_type);
+
 bool all_finite(std::span<const float> values);
 
 /// Makes vectors or quaternions of flat numbers, which have the same layout.

@@ -12,6 +12,7 @@
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/draco_header.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/json_document.h"
@@ -26,26 +27,6 @@ using Bytes = std::span<const std::byte>;
 /// More than any encoder packs, even of a flat grid.
 constexpr std::uint64_t most_faces_a_byte = 4096;
 
-constexpr int triangles_mode = 4;
-constexpr int unsigned_int = 5125;
-
-/// The bytes of a component type of glTF, or 0 where a Draco attribute cannot have it.
-std::size_t component_bytes(int component_type) {
-  switch (component_type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case unsigned_int:
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
 int vector_width(const std::string& type) {
   if (type == "SCALAR") return 1;
   return type.starts_with("VEC") ? type[3] - '0' : 0;
@@ -55,15 +36,15 @@ bool convert(const draco::PointAttribute& attribute, draco::AttributeValueIndex 
              std::byte* to) {
   const auto parts = static_cast<std::int8_t>(width);
   switch (component_type) {
-    case 5120:
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
       return attribute.ConvertValue(value, parts, reinterpret_cast<std::int8_t*>(to));
-    case 5121:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
       return attribute.ConvertValue(value, parts, reinterpret_cast<std::uint8_t*>(to));
-    case 5122:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
       return attribute.ConvertValue(value, parts, reinterpret_cast<std::int16_t*>(to));
-    case 5123:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
       return attribute.ConvertValue(value, parts, reinterpret_cast<std::uint16_t*>(to));
-    case unsigned_int:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return attribute.ConvertValue(value, parts, reinterpret_cast<std::uint32_t*>(to));
     default:
       return attribute.ConvertValue(value, parts, reinterpret_cast<float*>(to));
@@ -125,19 +106,13 @@ class DracoDecoder {
   void decode_primitive(json& primitive, const json& compressed, const std::string& name) {
     MemoryScope scope(memory_);
     kept_ = 0;
-    give_views(primitive, compressed, name);
-    scope.keep(kept_);
-  }
-
- private:
-  void give_views(json& primitive, const json& compressed, const std::string& name) {
     name_ = name;
     if (!primitive.contains("indices")) throw Refusal("its Draco mesh has no indices");
     const Bytes bytes = views_.views[compressed["bufferView"].get<std::size_t>()];
     charge_triangles(bytes);
     const std::unique_ptr<draco::Mesh> mesh = decode(bytes, memory_, name_);
     give_indices(primitive["indices"].get<std::size_t>(), *mesh);
-    primitive["mode"] = triangles_mode;
+    primitive["mode"] = TINYGLTF_MODE_TRIANGLES;
     for (const auto& [semantic, id] : compressed["attributes"].items()) {
       const auto accessor = primitive["attributes"].find(semantic);
       if (accessor == primitive["attributes"].end()) throw Refusal(semantic + " is in its Draco mesh alone");
@@ -145,8 +120,10 @@ class DracoDecoder {
       if (attribute == nullptr) throw Refusal("its Draco mesh has no attribute " + id.dump() + " for " + semantic);
       give_attribute(accessor->get<std::size_t>(), *mesh, *attribute, semantic);
     }
+    scope.keep(kept_);
   }
 
+ private:
   void charge_triangles(Bytes bytes) {
     constexpr std::uint64_t bytes_a_face_and_seam = 28, bytes_a_point = 16;
     const DracoCounts counts = read_draco_counts(bytes);
@@ -182,7 +159,7 @@ class DracoDecoder {
   void give_indices(std::size_t index, const draco::Mesh& mesh) {
     std::byte* to = give_view(index, std::size_t{mesh.num_faces()} * 3, sizeof(std::uint32_t));
     if (to == nullptr) return;
-    document_["accessors"][index]["componentType"] = unsigned_int;
+    document_["accessors"][index]["componentType"] = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     for (std::uint32_t face = 0; face < mesh.num_faces(); ++face) {
       for (const draco::PointIndex& point : mesh.face(draco::FaceIndex(face))) {
         const std::uint32_t value = point.value();
@@ -197,7 +174,7 @@ class DracoDecoder {
     const json& accessor = document_["accessors"][index];
     const int component_type = accessor["componentType"].get<int>();
     const int width = vector_width(accessor["type"].get<std::string>());
-    const std::size_t element = static_cast<std::size_t>(width) * component_bytes(component_type);
+    const std::size_t element = static_cast<std::size_t>(width) * component_size(component_type);
     if (element == 0) throw Refusal(semantic + " has a type that no Draco mesh has");
     std::byte* to = give_view(index, mesh.num_points(), element);
     if (to == nullptr) return;

@@ -28,8 +28,7 @@ using namespace nlohmann::literals;
 /// Moves the uris, because one may hold the whole image.
 std::vector<ImageSource> take_images(json& document) {
   std::vector<ImageSource> images;
-  if (!document.contains("images")) return images;
-  for (json& image : document["images"]) {
+  for (json& image : elements(document, "images")) {
     ImageSource& source = images.emplace_back();
     source.buffer_view = image.value("bufferView", -1);
     source.name = image.value("name", std::string());
@@ -41,8 +40,7 @@ std::vector<ImageSource> take_images(json& document) {
 
 std::vector<std::vector<anim::NamedDataKey>> take_data_keys(json& document) {
   std::vector<std::vector<anim::NamedDataKey>> animations;
-  if (!document.contains("animations")) return animations;
-  for (json& animation : document["animations"]) {
+  for (json& animation : elements(document, "animations")) {
     std::vector<anim::NamedDataKey>& keys = animations.emplace_back();
     for (const json& key : animation.value(data_keys_property, json::array())) {
       keys.push_back({.time = key["time"].get<double>(), .name = key["name"].get<std::string>()});
@@ -54,8 +52,7 @@ std::vector<std::vector<anim::NamedDataKey>> take_data_keys(json& document) {
 
 std::vector<std::vector<anim::NamedCurve>> take_curves(json& document) {
   std::vector<std::vector<anim::NamedCurve>> animations;
-  if (!document.contains("animations")) return animations;
-  for (json& animation : document["animations"]) {
+  for (json& animation : elements(document, "animations")) {
     std::vector<anim::NamedCurve>& curves = animations.emplace_back();
     const json named = animation.value(curves_property, json::object());
     for (auto curve = named.begin(); curve != named.end(); ++curve) {
@@ -70,8 +67,7 @@ std::vector<std::vector<anim::NamedCurve>> take_curves(json& document) {
 
 std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
   std::vector<std::vector<MeshLodNode>> nodes;
-  if (!document.contains("nodes")) return nodes;
-  for (json& node : document["nodes"]) {
+  for (json& node : elements(document, "nodes")) {
     std::vector<MeshLodNode>& lods = nodes.emplace_back();
     for (const json& lod : node.value(mesh_lods_property, json::array())) {
       lods.push_back({.node = lod["node"].get<int>(), .error = lod["error"].get<double>()});
@@ -89,9 +85,8 @@ std::vector<std::string> plain_texts(const json& texts) {
 
 std::map<int, PartNode> take_parts(json& document) {
   std::map<int, PartNode> parts;
-  if (!document.contains("nodes")) return parts;
   int index = -1;
-  for (json& node : document["nodes"]) {
+  for (json& node : elements(document, "nodes")) {
     ++index;
     const auto said = node.find(part_property);
     if (said == node.end()) continue;
@@ -120,8 +115,7 @@ std::vector<std::vector<std::string>> take_target_names(json& document) {
 
 std::vector<bool> take_hidden(json& document) {
   std::vector<bool> hidden;
-  if (!document.contains("nodes")) return hidden;
-  for (json& node : document["nodes"]) {
+  for (json& node : elements(document, "nodes")) {
     const json visibility = node.value("/extensions/KHR_node_visibility"_json_pointer, json::object());
     hidden.push_back(!visibility.value("visible", true));
     node.erase("extensions");

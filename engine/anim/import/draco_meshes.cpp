@@ -198,13 +198,12 @@ class DracoDecoder {
 }  // namespace
 
 void decode_draco_meshes(json& document, BufferViews& views, std::vector<std::string>& repairs, MemoryAccount& memory) {
-  if (!document.contains("meshes")) return;
   DracoDecoder decoder(document, views, repairs, memory);
   std::size_t mesh_index = 0;
-  for (json& mesh : document["meshes"]) {
+  for (json& mesh : elements(document, "meshes")) {
     const std::string mesh_name = json_label("mesh", mesh_index++, mesh);
     std::size_t index = 0;
-    for (json& primitive : mesh["primitives"]) {
+    for (json& primitive : elements(mesh, "primitives")) {
       const std::string name = mesh_name + ", primitive " + std::to_string(index++);
       const auto extensions = primitive.find("extensions");
       if (extensions == primitive.end() || !extensions->contains("KHR_draco_mesh_compression")) continue;

@@ -21,20 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Extensions whose content import reads.
-constexpr std::array read_extensions{"EXT_meshopt_compression",
-                                     "EXT_texture_webp",
-                                     "KHR_draco_mesh_compression",
-                                     "KHR_materials_emissive_strength",
-                                     "KHR_materials_pbrSpecularGlossiness",
-                                     "KHR_materials_unlit",
-                                     "KHR_meshopt_compression",
-                                     "KHR_node_visibility",
-                                     "KHR_texture_basisu",
-                                     "KHR_texture_transform",
-                                     "VRM",
-                                     "VRMC_vrm"};
-
 void keep_read_extensions(json& object) {
   const auto extensions = object.find("extensions");
   if (extensions == object.end()) return;
@@ -51,9 +37,7 @@ void keep_read_extensions(json& object) {
 /// Makes our property, among the extras of objects of `array`, a property of the object itself, so that it is checked
 /// like all others. Other extras may be anything and are dropped later.
 void keep_extra(json& document, const char* array, const char* property) {
-  const auto objects = document.find(array);
-  if (objects == document.end() || !objects->is_array()) return;
-  for (json& object : *objects) {
+  for (json& object : elements(document, array)) {
     if (!object.is_object()) continue;
     object.erase(property);
     const auto extras = object.find("extras");
@@ -65,9 +49,7 @@ void keep_extra(json& document, const char* array, const char* property) {
 
 /// A part may be said by its slot alone, as programs write a custom property.
 void spell_out_parts(json& document) {
-  const auto nodes = document.find("nodes");
-  if (nodes == document.end() || !nodes->is_array()) return;
-  for (json& node : *nodes) {
+  for (json& node : elements(document, "nodes")) {
     if (!node.is_object() || !node.contains(part_property)) continue;
     json& part = node[part_property];
     if (part.is_string()) part = json{{"slot", part}};
@@ -149,6 +131,18 @@ const json& array_of(const json& object, const char* key) {
   static const json none = json::array();
   const auto found = object.find(key);
   return found == object.end() ? none : *found;
+}
+
+json* find_property(json& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+std::span<json> elements(json& object, const char* key) {
+  json* const found = find_property(object, key);
+  if (found == nullptr || !found->is_array()) return {};
+  return found->get_ref<json::array_t&>();
 }
 
 std::string shown_name(const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,12 @@ void check_json(const nlohmann::json& document);
 
 /// Returns an array of an object, or an empty one.
 const nlohmann::json& array_of(const nlohmann::json& object, const char* key);
+
+/// Returns a property of a value that may be anything, or null.
+nlohmann::json* find_property(nlohmann::json& object, const char* key);
+
+/// Returns the elements of an array property, or none.
+std::span<nlohmann::json> elements(nlohmann::json& object, const char* key);
 
 /// Returns a name as far as a line shows it.
 std::string shown_name(const std::string& name);

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <set>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -20,21 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Extensions that import follows, or whose parts it names where it leaves them out.
-constexpr std::array<std::string_view, 13> followed{"KHR_texture_transform",
-                                                    "KHR_mesh_quantization",
-                                                    "EXT_meshopt_compression",
-                                                    "KHR_meshopt_compression",
-                                                    "KHR_materials_unlit",
-                                                    "KHR_materials_emissive_strength",
-                                                    "KHR_draco_mesh_compression",
-                                                    "KHR_texture_basisu",
-                                                    "KHR_materials_pbrSpecularGlossiness",
-                                                    "EXT_texture_webp",
-                                                    "KHR_node_visibility",
-                                                    "VRM",
-                                                    "VRMC_vrm"};
-
 /// Beginnings of the names of extensions that change neither shape nor motion: lights, sounds, physics, metadata, other
 /// forms of a picture, and what avatars do beside their clips.
 constexpr std::array<std::string_view, 18> harmless{"KHR_lights_",   "EXT_lights_",       "KHR_audio",
@@ -44,25 +28,14 @@ constexpr std::array<std::string_view, 18> harmless{"KHR_lights_",   "EXT_lights
                                                     "KHR_node_",     "KHR_interactivity", "KHR_animation_pointer",
                                                     "VRMC_",         "MSFT_lod",          "EXT_structural_metadata"};
 
-bool is_followed(std::string_view name) { return std::ranges::find(followed, name) != followed.end(); }
+/// Import follows these, or names their parts where it leaves them out.
+bool is_followed(std::string_view name) {
+  return name == "KHR_mesh_quantization" || std::ranges::count(read_extensions, name) > 0;
+}
 
 bool is_harmless(std::string_view name) {
   if (name.find("_materials_") != std::string_view::npos) return true;
   return std::ranges::any_of(harmless, [&](std::string_view begin) { return name.starts_with(begin); });
-}
-
-/// Returns the property of an object that may be anything, or null.
-json* find_property(json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
-/// Returns the elements of an array property, or none.
-std::span<json> elements(json& object, const char* key) {
-  json* const found = find_property(object, key);
-  if (found == nullptr || !found->is_array()) return {};
-  return found->get_ref<json::array_t&>();
 }
 
 bool uses_unknown_extension(json& document) {

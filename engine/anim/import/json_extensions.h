@@ -1,11 +1,26 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace throng::import {
+
+/// Extensions whose content import reads.
+inline constexpr std::array read_extensions{"EXT_meshopt_compression",
+                                            "EXT_texture_webp",
+                                            "KHR_draco_mesh_compression",
+                                            "KHR_materials_emissive_strength",
+                                            "KHR_materials_pbrSpecularGlossiness",
+                                            "KHR_materials_unlit",
+                                            "KHR_meshopt_compression",
+                                            "KHR_node_visibility",
+                                            "KHR_texture_basisu",
+                                            "KHR_texture_transform",
+                                            "VRM",
+                                            "VRMC_vrm"};
 
 /// Refuses a document that requires an extension without which its shape or motion would be another one. An extension
 /// that changes only how light falls on it, or parts that import does not read, is taken and reported in `repairs`.

@@ -65,11 +65,10 @@ std::vector<std::int64_t> parents_of(const json& nodes) {
 }
 
 void name_children_in_scenes(const json& document, std::vector<std::string>& repairs) {
-  if (!document.contains("scenes") || !document.contains("nodes")) return;
-  const json& nodes = document["nodes"];
+  const json& nodes = array_of(document, "nodes");
   const std::vector<std::int64_t> parents = parents_of(nodes);
   std::size_t index = 0;
-  for (const json& scene : document["scenes"]) {
+  for (const json& scene : array_of(document, "scenes")) {
     const std::string name = json_label("scene", index++, scene);
     for (const json& root : scene.value("nodes", json::array())) {
       const auto node = root.get<std::size_t>();
@@ -85,9 +84,8 @@ void name_children_in_scenes(const json& document, std::vector<std::string>& rep
 
 void repair_json(json& document, std::vector<std::string>& repairs) {
   name_children_in_scenes(document, repairs);
-  if (!document.contains("nodes")) return;
   std::size_t index = 0;
-  for (json& node : document["nodes"]) {
+  for (json& node : elements(document, "nodes")) {
     const std::string name = json_label("node", index++, node);
     normalise_rotation(node, name, repairs);
     mend_last_row(node, name, repairs);

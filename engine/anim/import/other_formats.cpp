@@ -65,95 +65,84 @@ constexpr Format json_list{"a list of JSON", "name a .glb or .gltf"};
 constexpr Format pdf{"a PDF", by_model};
 constexpr Format recording{"a recording", "give it with --replay"};
 
-struct Signature {
-  std::string_view begin;
+/// How a file of a format begins, or its name ends.
+struct Mark {
+  std::string_view text;
   Format format;
 };
 
-constexpr std::array signatures{
-    Signature{"Kaydara FBX Binary", fbx},
-    Signature{"; FBX ", fbx},
-    Signature{"PXR-USDC", usd},
-    Signature{"#usda", usd},
-    Signature{"HIERARCHY", bvh},
-    Signature{"BLENDER", blend},
-    Signature{"//Maya ASCII", maya},
-    Signature{"FOR4", maya},
-    Signature{"FOR8", maya},
-    Signature{"QC4DC4D", cinema},
-    Signature{"ply\n", ply},
-    Signature{"ply\r", ply},
-    Signature{"xof 0", direct_x},
-    Signature{"Ogawa", alembic},
-    Signature{"PMX ", mmd},
-    Signature{"Pmd", mmd},
-    Signature{"Vocaloid Motion Data", mmd},
-    Signature{"IDST", source_model},
-    Signature{"IDP2", doom},
-    Signature{"IDP3", doom},
-    Signature{"MD5Version", doom},
-    Signature{"INTERQUAKEMODEL", doom},
-    Signature{"\xC1\x83\x2A\x9E", unreal},
-    Signature{"b3dm", tiles},
-    Signature{"i3dm", tiles},
-    Signature{"DRACO", draco},
-    Signature{"\x89PNG", picture},
-    Signature{"\xFF\xD8\xFF", picture},
-    Signature{"RIFF", picture},
-    Signature{"\xABKTX", picture},
-    Signature{"7z\xBC\xAF", archive},
-    Signature{"Rar!", archive},
-    Signature{"\xFD"
-              "7zXZ",
-              archive},
-    Signature{"THRONGRC", recording},
-    Signature{"\x89HDF\r\n\x1A\n", hdf5},
-    Signature{"PAR1", parquet},
-    Signature{"ARROW1", arrow},
-    Signature{"\x93NUMPY", numpy},
-    Signature{"MATLAB 5.0 MAT-file", matlab},
-    Signature{"SQLite format 3\0"sv, sqlite},
-    Signature{"%PDF-", pdf},
-    Signature{"\xFF\xFE", wide_text},
-    Signature{"\xFE\xFF", wide_text},
-};
+constexpr auto signatures = std::to_array<Mark>({{"Kaydara FBX Binary", fbx},
+                                                 {"; FBX ", fbx},
+                                                 {"PXR-USDC", usd},
+                                                 {"#usda", usd},
+                                                 {"HIERARCHY", bvh},
+                                                 {"BLENDER", blend},
+                                                 {"//Maya ASCII", maya},
+                                                 {"FOR4", maya},
+                                                 {"FOR8", maya},
+                                                 {"QC4DC4D", cinema},
+                                                 {"ply\n", ply},
+                                                 {"ply\r", ply},
+                                                 {"xof 0", direct_x},
+                                                 {"Ogawa", alembic},
+                                                 {"PMX ", mmd},
+                                                 {"Pmd", mmd},
+                                                 {"Vocaloid Motion Data", mmd},
+                                                 {"IDST", source_model},
+                                                 {"IDP2", doom},
+                                                 {"IDP3", doom},
+                                                 {"MD5Version", doom},
+                                                 {"INTERQUAKEMODEL", doom},
+                                                 {"\xC1\x83\x2A\x9E", unreal},
+                                                 {"b3dm", tiles},
+                                                 {"i3dm", tiles},
+                                                 {"DRACO", draco},
+                                                 {"\x89PNG", picture},
+                                                 {"\xFF\xD8\xFF", picture},
+                                                 {"RIFF", picture},
+                                                 {"\xABKTX", picture},
+                                                 {"7z\xBC\xAF", archive},
+                                                 {"Rar!", archive},
+                                                 {"\xFD"
+                                                  "7zXZ",
+                                                  archive},
+                                                 {"THRONGRC", recording},
+                                                 {"\x89HDF\r\n\x1A\n", hdf5},
+                                                 {"PAR1", parquet},
+                                                 {"ARROW1", arrow},
+                                                 {"\x93NUMPY", numpy},
+                                                 {"MATLAB 5.0 MAT-file", matlab},
+                                                 {"SQLite format 3\0"sv, sqlite},
+                                                 {"%PDF-", pdf},
+                                                 {"\xFF\xFE", wide_text},
+                                                 {"\xFE\xFF", wide_text}});
 
 /// Many formats share a container, so the name's ending goes before these.
-constexpr std::array containers{
-    Signature{"PK\x03\x04", archive},
-    Signature{"\x1F\x8B", archive},
-    Signature{"\x28\xB5\x2F\xFD", archive},
-};
+constexpr auto containers =
+    std::to_array<Mark>({{"PK\x03\x04", archive}, {"\x1F\x8B", archive}, {"\x28\xB5\x2F\xFD", archive}});
 
-struct Ending {
-  std::string_view ending;
-  Format format;
-};
-
-constexpr std::array endings{
-    Ending{".fbx", fbx},          Ending{".usd", usd},
-    Ending{".usda", usd},         Ending{".usdc", usd},
-    Ending{".usdz", usdz},        Ending{".dae", dae},
-    Ending{".obj", obj},          Ending{".bvh", bvh},
-    Ending{".blend", blend},      Ending{".max", max},
-    Ending{".ma", maya},          Ending{".mb", maya},
-    Ending{".c4d", cinema},       Ending{".ply", ply},
-    Ending{".stl", stl},          Ending{".3ds", studio},
-    Ending{".x", direct_x},       Ending{".abc", alembic},
-    Ending{".pmx", mmd},          Ending{".pmd", mmd},
-    Ending{".vmd", mmd},          Ending{".smd", source_model},
-    Ending{".mdl", source_model}, Ending{".md5mesh", doom},
-    Ending{".uasset", unreal},    Ending{".unitypackage", unity},
-    Ending{".zip", archive},      Ending{".7z", archive},
-    Ending{".rar", archive},      Ending{".gz", archive},
-    Ending{".drc", draco},        Ending{".png", picture},
-    Ending{".jpg", picture},      Ending{".jpeg", picture},
-    Ending{".webp", picture},     Ending{".ktx2", picture},
-    Ending{".bin", buffer},       Ending{".rec", recording},
-    Ending{".csv", text_table},   Ending{".tsv", text_table},
-    Ending{".xlsx", spreadsheet}, Ending{".xls", spreadsheet},
-    Ending{".ods", spreadsheet},
-};
+constexpr auto endings = std::to_array<Mark>({{".fbx", fbx},          {".usd", usd},
+                                              {".usda", usd},         {".usdc", usd},
+                                              {".usdz", usdz},        {".dae", dae},
+                                              {".obj", obj},          {".bvh", bvh},
+                                              {".blend", blend},      {".max", max},
+                                              {".ma", maya},          {".mb", maya},
+                                              {".c4d", cinema},       {".ply", ply},
+                                              {".stl", stl},          {".3ds", studio},
+                                              {".x", direct_x},       {".abc", alembic},
+                                              {".pmx", mmd},          {".pmd", mmd},
+                                              {".vmd", mmd},          {".smd", source_model},
+                                              {".mdl", source_model}, {".md5mesh", doom},
+                                              {".uasset", unreal},    {".unitypackage", unity},
+                                              {".zip", archive},      {".7z", archive},
+                                              {".rar", archive},      {".gz", archive},
+                                              {".drc", draco},        {".png", picture},
+                                              {".jpg", picture},      {".jpeg", picture},
+                                              {".webp", picture},     {".ktx2", picture},
+                                              {".bin", buffer},       {".rec", recording},
+                                              {".csv", text_table},   {".tsv", text_table},
+                                              {".xlsx", spreadsheet}, {".xls", spreadsheet},
+                                              {".ods", spreadsheet}});
 
 std::string sentence(const Format& format) {
   return "it is " + std::string(format.what) + ", not glTF; " + std::string(format.remedy);
@@ -161,15 +150,13 @@ std::string sentence(const Format& format) {
 
 const Format* by_ending(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
-  const auto found = std::ranges::find_if(endings, [&](const Ending& each) {
-    return each.ending.size() == ending.size() && equal_without_case(each.ending, ending);
-  });
+  const auto found =
+      std::ranges::find_if(endings, [&](const Mark& each) { return equal_without_case(each.text, ending); });
   return found == endings.end() ? nullptr : &found->format;
 }
 
-template <std::size_t count>
-const Format* by_beginning(const std::array<Signature, count>& known, std::string_view text) {
-  const auto found = std::ranges::find_if(known, [&](const Signature& each) { return text.starts_with(each.begin); });
+const Format* by_beginning(std::span<const Mark> known, std::string_view text) {
+  const auto found = std::ranges::find_if(known, [&](const Mark& each) { return text.starts_with(each.text); });
   return found == known.end() ? nullptr : &found->format;
 }
 

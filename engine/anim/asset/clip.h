@@ -72,4 +72,11 @@ struct Clip {
   double length() const { return duration - start; }
 };
 
+/// Takes out the tracks of scales, since a rigid skeleton has no moving ones.
+inline void drop_scales(Clip& clip) {
+  for (BoneTracks& tracks : clip.tracks) tracks.scale = {};
+  std::erase_if(clip.tracks,
+                [](const BoneTracks& tracks) { return tracks.translation.empty() && tracks.rotation.empty(); });
+}
+
 }  // namespace throng::anim

@@ -259,14 +259,6 @@ void set_general(Skeleton& skeleton, std::vector<Skin>& skins, const std::vector
   palette.store(skeleton, skins);
 }
 
-void drop_scale_tracks(std::vector<anim::Clip>& clips) {
-  for (anim::Clip& clip : clips) {
-    for (anim::BoneTracks& tracks : clip.tracks) tracks.scale = {};
-    std::erase_if(clip.tracks,
-                  [](const anim::BoneTracks& tracks) { return tracks.translation.empty() && tracks.rotation.empty(); });
-  }
-}
-
 }  // namespace
 
 void set_reference_frames(Skeleton& skeleton, std::vector<Skin>& skins, std::vector<anim::Clip>& clips,
@@ -276,7 +268,7 @@ void set_reference_frames(Skeleton& skeleton, std::vector<Skin>& skins, std::vec
   if (!rigid || !shows_the_same(*rigid, skeleton, skins, clips)) return;
   skeleton = std::move(rigid->skeleton);
   skins = std::move(rigid->skins);
-  drop_scale_tracks(clips);
+  for (anim::Clip& clip : clips) drop_scales(clip);
 }
 
 int plain_palette_entry(const Skeleton& skeleton, int bone) {

@@ -115,10 +115,7 @@ RetargetedClip Retargeter::retarget(const Clip& clip) const {
   result.lost = lost_bones(from_, match_, clip);
   result.clip = result.as_it_was ? copied(clip, match_) : posed_again(from_, to_, plan_, clip);
   result.clip.morph_tracks.clear();  // their morphs belong to another surface
-  if (!to_.rigid) return result;
-  for (BoneTracks& tracks : result.clip.tracks) tracks.scale = {};  // a rigid skeleton has no moving scales
-  std::erase_if(result.clip.tracks,
-                [](const BoneTracks& tracks) { return tracks.translation.empty() && tracks.rotation.empty(); });
+  if (to_.rigid) drop_scales(result.clip);
   return result;
 }
 

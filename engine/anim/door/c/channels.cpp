@@ -13,39 +13,36 @@ throng_machine* keep(Result<StateMachine> made) {
 }  // namespace
 
 throng_machine* throng_machine_load(const char* path, const throng_character* character) {
-  constexpr const char* call = "throng_machine_load";
-  if (is_missing(path, call) || is_missing(character, call)) return nullptr;
+  if (is_missing("throng_machine_load", path, character)) return nullptr;
   return keep(StateMachine::load(path, character->own));
 }
 
 throng_machine* throng_machine_parse(const char* json, const throng_character* character) {
-  constexpr const char* call = "throng_machine_parse";
-  if (is_missing(json, call) || is_missing(character, call)) return nullptr;
+  if (is_missing("throng_machine_parse", json, character)) return nullptr;
   return keep(StateMachine::parse(json, character->own));
 }
 
 void throng_machine_free(throng_machine* machine) { delete machine; }
 
 uint32_t throng_machine_find_input(const throng_machine* machine, const char* name) {
-  constexpr const char* call = "throng_machine_find_input";
-  if (is_missing(machine, call) || is_missing(name, call)) return THRONG_NONE;
+  if (is_missing("throng_machine_find_input", machine, name)) return THRONG_NONE;
   return machine->own.find_input(name).value_or(THRONG_NONE);
 }
 
 const char* throng_machine_state_name(const throng_machine* machine, uint32_t state) {
-  if (is_missing(machine, "throng_machine_state_name")) return nullptr;
+  if (is_missing("throng_machine_state_name", machine)) return nullptr;
   const std::string_view name = machine->own.state_name(state);
   return name.empty() ? nullptr : name.data();  // it is a whole std::string
 }
 
 uint32_t throng_agent_add_slot(throng_crowd* crowd, throng_id agent) {
-  if (is_missing(crowd, "throng_agent_add_slot")) return THRONG_NONE;
+  if (is_missing("throng_agent_add_slot", crowd)) return THRONG_NONE;
   return number_or_none(agent_of(crowd, agent).add_slot());
 }
 
 int throng_agent_play_once(throng_crowd* crowd, throng_id agent, uint32_t slot, const throng_one_shot* shot) {
   const Call call("throng_agent_play_once");
-  if (call.is_missing(crowd) || call.is_missing(shot)) return failed;
+  if (call.is_missing(crowd, shot)) return failed;
   return call.outcome(agent_of(crowd, agent)
                           .play_once({slot}, {.clip = {shot->clip},
                                               .fade_in = to_ticks(static_cast<double>(shot->fade_in)),
@@ -62,8 +59,7 @@ int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent, uint32_t
 }
 
 uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const throng_machine* machine) {
-  constexpr const char* call = "throng_agent_add_machine";
-  if (is_missing(crowd, call) || is_missing(machine, call)) return THRONG_NONE;
+  if (is_missing("throng_agent_add_machine", crowd, machine)) return THRONG_NONE;
   return number_or_none(agent_of(crowd, agent).add(machine->own));
 }
 

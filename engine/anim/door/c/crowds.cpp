@@ -5,7 +5,7 @@
 using namespace throng::c;  // NOLINT: functions of C have no namespace
 
 throng_crowd* throng_crowd_create(const throng_character* character, uint32_t pus, uint32_t hashes) {
-  if (is_missing(character, "throng_crowd_create")) return nullptr;
+  if (is_missing("throng_crowd_create", character)) return nullptr;
   constexpr std::uint32_t too_many = 1'000'000;  // more would not fit the option
   Result<Crowd> made =
       Crowd::create(character->own, {.pus = static_cast<int>(std::min(pus, too_many)), .hash = hashes != 0});
@@ -17,26 +17,25 @@ throng_crowd* throng_crowd_create(const throng_character* character, uint32_t pu
 void throng_crowd_free(throng_crowd* crowd) { delete crowd; }
 
 throng_id throng_crowd_add_character(throng_crowd* crowd, const throng_character* character) {
-  constexpr const char* call = "throng_crowd_add_character";
-  if (is_missing(crowd, call) || is_missing(character, call)) return id_of(CharacterId{});
+  if (is_missing("throng_crowd_add_character", crowd, character)) return id_of(CharacterId{});
   const Result<CharacterId> id = crowd->own.add(character->own);
   if (!id) fail(id.error().message);
   return id_of(id ? *id : CharacterId{});
 }
 
 int throng_crowd_remove_character(throng_crowd* crowd, throng_id character) {
-  if (is_missing(crowd, "throng_crowd_remove_character")) return failed;
+  if (is_missing("throng_crowd_remove_character", crowd)) return failed;
   return outcome(crowd->own.remove(character_id(character)));
 }
 
 uint32_t throng_crowd_palette_bytes(const throng_crowd* crowd, throng_id character) {
-  if (is_missing(crowd, "throng_crowd_palette_bytes")) return 0;
+  if (is_missing("throng_crowd_palette_bytes", crowd)) return 0;
   return static_cast<uint32_t>(crowd->own.palette_bytes(character_id(character)));
 }
 
 int throng_crowd_add_agents(throng_crowd* crowd, throng_id character, uint32_t count, throng_id* agents) {
   const Call call("throng_crowd_add_agents");
-  if (call.is_missing(crowd) || call.is_missing(agents)) return failed;
+  if (call.is_missing(crowd, agents)) return failed;
   const std::span<const AgentId> added = crowd->own.add_agents(count, character_id(character));
   for (std::size_t i = 0; i < added.size(); ++i) agents[i] = id_of(added[i]);
   return call.outcome(added.size() == count);
@@ -48,7 +47,7 @@ int throng_crowd_remove_agent(throng_crowd* crowd, throng_id agent) {
 }
 
 uint32_t throng_crowd_agent_count(const throng_crowd* crowd) {
-  return is_missing(crowd, "throng_crowd_agent_count") ? 0 : static_cast<uint32_t>(crowd->own.agents().size());
+  return is_missing("throng_crowd_agent_count", crowd) ? 0 : static_cast<uint32_t>(crowd->own.agents().size());
 }
 
 int throng_crowd_advance(throng_crowd* crowd, double seconds) {
@@ -59,7 +58,7 @@ int throng_crowd_advance(throng_crowd* crowd, double seconds) {
 }
 
 double throng_crowd_clock(const throng_crowd* crowd) {
-  return is_missing(crowd, "throng_crowd_clock") ? 0.0 : to_seconds(crowd->own.clock());
+  return is_missing("throng_crowd_clock", crowd) ? 0.0 : to_seconds(crowd->own.clock());
 }
 
 int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count) {
@@ -77,7 +76,7 @@ int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests
 
 int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, uint32_t stride) {
   const Call call("throng_crowd_update_all");
-  if (call.is_missing(crowd) || call.is_missing(palettes)) return failed;
+  if (call.is_missing(crowd, palettes)) return failed;
   auto* const memory = reinterpret_cast<std::byte*>(palettes);
   crowd->requests.clear();
   for (const AgentId agent : crowd->own.agents()) {
@@ -93,12 +92,12 @@ int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, 
 }
 
 uint64_t throng_crowd_pose_hash(const throng_crowd* crowd) {
-  return is_missing(crowd, "throng_crowd_pose_hash") ? 0 : crowd->own.debug().pose_hash();
+  return is_missing("throng_crowd_pose_hash", crowd) ? 0 : crowd->own.debug().pose_hash();
 }
 
 int throng_agent_play(throng_crowd* crowd, throng_id agent, const throng_play* play) {
   const Call call("throng_agent_play");
-  if (call.is_missing(crowd) || call.is_missing(play)) return failed;
+  if (call.is_missing(crowd, play)) return failed;
   return call.outcome(agent_of(crowd, agent)
                           .play({.clip = {play->clip},
                                  .fade = to_ticks(static_cast<double>(play->fade)),
@@ -115,8 +114,7 @@ int throng_agent_set_speed(throng_crowd* crowd, throng_id agent, float speed) {
 
 uint32_t throng_agent_add_blend_space(throng_crowd* crowd, throng_id agent, const uint32_t* clips,
                                       const float* parameters, uint32_t count, uint32_t is_ground_speed) {
-  constexpr const char* call = "throng_agent_add_blend_space";
-  if (is_missing(crowd, call) || is_missing(clips, call) || is_missing(parameters, call)) return THRONG_NONE;
+  if (is_missing("throng_agent_add_blend_space", crowd, clips, parameters)) return THRONG_NONE;
   std::vector<BlendPoint> points;
   for (std::uint32_t i = 0; i < count; ++i) points.push_back({.clip = {clips[i]}, .parameter = parameters[i]});
   return number_or_none(agent_of(crowd, agent)
@@ -132,19 +130,19 @@ int throng_agent_set_parameter(throng_crowd* crowd, throng_id agent, uint32_t ch
 }
 
 uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent) {
-  if (is_missing(crowd, "throng_agent_add_look_at")) return THRONG_NONE;
+  if (is_missing("throng_agent_add_look_at", crowd)) return THRONG_NONE;
   return number_or_none(agent_of(crowd, agent).add(LookAt{}));
 }
 
 int throng_agent_look_at(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3], float fade) {
   const Call call("throng_agent_look_at");
-  if (call.is_missing(crowd) || call.is_missing(target)) return failed;
+  if (call.is_missing(crowd, target)) return failed;
   const Ticks time = to_ticks(static_cast<double>(fade));
   return call.outcome(agent_of(crowd, agent).processes().look_at({process}, vector_of(target), time));
 }
 
 uint32_t throng_agent_add_reach(throng_crowd* crowd, throng_id agent, uint32_t limb) {
-  if (is_missing(crowd, "throng_agent_add_reach")) return THRONG_NONE;
+  if (is_missing("throng_agent_add_reach", crowd)) return THRONG_NONE;
   if (limb <= static_cast<std::uint32_t>(Limb::right_leg)) {
     return number_or_none(agent_of(crowd, agent).add(Reach{.limb = static_cast<Limb>(limb)}));
   }
@@ -155,21 +153,21 @@ uint32_t throng_agent_add_reach(throng_crowd* crowd, throng_id agent, uint32_t l
 int throng_agent_reach(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3], float weight,
                        float fade) {
   const Call call("throng_agent_reach");
-  if (call.is_missing(crowd) || call.is_missing(target)) return failed;
+  if (call.is_missing(crowd, target)) return failed;
   const Processes processes = agent_of(crowd, agent).processes();
   const bool reaches = processes.reach({process}, vector_of(target));
   return call.outcome(reaches && processes.set_weight({process}, weight, to_ticks(static_cast<double>(fade))));
 }
 
 uint32_t throng_agent_add_socket(throng_crowd* crowd, throng_id agent, uint32_t bone) {
-  if (is_missing(crowd, "throng_agent_add_socket")) return THRONG_NONE;
+  if (is_missing("throng_agent_add_socket", crowd)) return THRONG_NONE;
   return number_or_none(agent_of(crowd, agent).add(Socket{.bone = static_cast<int>(bone)}));
 }
 
 int throng_agent_socket(const throng_crowd* crowd, throng_id agent, uint32_t process, float position[3],
                         float rotation[4]) {
   const Call call("throng_agent_socket");
-  if (call.is_missing(crowd) || call.is_missing(position) || call.is_missing(rotation)) return failed;
+  if (call.is_missing(crowd, position, rotation)) return failed;
   const Place place = agent_of(crowd, agent).processes().socket({process});
   write(place.position, position);
   rotation[0] = place.rotation.x;
@@ -182,7 +180,7 @@ int throng_agent_socket(const throng_crowd* crowd, throng_id agent, uint32_t pro
 int throng_agent_displacement(const throng_crowd* crowd, throng_id agent, double from, double to, float displacement[3],
                               float* turn) {
   const Call call("throng_agent_displacement");
-  if (call.is_missing(crowd) || call.is_missing(displacement) || call.is_missing(turn)) return failed;
+  if (call.is_missing(crowd, displacement, turn)) return failed;
   const RootMotion motion = agent_of(crowd, agent).motion().displacement(to_ticks(from), to_ticks(to));
   write(motion.displacement, displacement);
   *turn = motion.turn;
@@ -215,8 +213,7 @@ throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd) {
 }
 
 int throng_crowd_restore(throng_crowd* crowd, const throng_snapshot* snapshot) {
-  constexpr const char* call = "throng_crowd_restore";
-  if (is_missing(crowd, call) || is_missing(snapshot, call)) return failed;
+  if (is_missing("throng_crowd_restore", crowd, snapshot)) return failed;
   return outcome(crowd->own.restore(snapshot->own));
 }
 

@@ -34,7 +34,7 @@ void throng_set_misuse_hook(throng_misuse_hook hook) {
 }
 
 throng_file* throng_load(const char* path, double metres_a_unit) {
-  if (is_missing(path, "throng_load")) return nullptr;
+  if (is_missing("throng_load", path)) return nullptr;
   Result<LoadedFile> loaded = load(path, {.scale = metres_a_unit});
   if (loaded) return make<throng_file>(std::move(*loaded));
   fail(loaded.error().message);
@@ -44,11 +44,11 @@ throng_file* throng_load(const char* path, double metres_a_unit) {
 void throng_file_free(throng_file* file) { delete file; }
 
 uint32_t throng_file_character_count(const throng_file* file) {
-  return is_missing(file, "throng_file_character_count") ? 0 : static_cast<uint32_t>(file->loaded.characters.size());
+  return is_missing("throng_file_character_count", file) ? 0 : static_cast<uint32_t>(file->loaded.characters.size());
 }
 
 throng_character* throng_file_character(const throng_file* file, uint32_t index) {
-  if (is_missing(file, "throng_file_character")) return nullptr;
+  if (is_missing("throng_file_character", file)) return nullptr;
   if (index >= file->loaded.characters.size()) {
     fail("throng_file_character: the file has no character of this number");
     return nullptr;
@@ -64,49 +64,49 @@ throng_character* throng_file_character(const throng_file* file, uint32_t index)
 void throng_character_free(throng_character* character) { delete character; }
 
 uint32_t throng_character_clip_count(const throng_character* character) {
-  return is_missing(character, "throng_character_clip_count") ? 0 : character->own.clip_count();
+  return is_missing("throng_character_clip_count", character) ? 0 : character->own.clip_count();
 }
 
 const char* throng_character_clip_name(const throng_character* character, uint32_t clip) {
-  if (is_missing(character, "throng_character_clip_name") || clip >= character->clip_names.size()) return nullptr;
+  if (is_missing("throng_character_clip_name", character) || clip >= character->clip_names.size()) return nullptr;
   return character->clip_names[clip].c_str();
 }
 
 double throng_character_clip_seconds(const throng_character* character, uint32_t clip) {
-  return is_missing(character, "throng_character_clip_seconds") ? 0.0
+  return is_missing("throng_character_clip_seconds", character) ? 0.0
                                                                 : to_seconds(character->own.clip({clip}).duration);
 }
 
 uint32_t throng_character_find_clip(const throng_character* character, const char* name) {
-  if (is_missing(character, "throng_character_find_clip") || is_missing(name, "throng_character_find_clip")) {
+  if (is_missing("throng_character_find_clip", character) || is_missing("throng_character_find_clip", name)) {
     return THRONG_NONE;
   }
   return character->own.find_clip(name).number;
 }
 
 uint32_t throng_character_find_role(const throng_character* character, const char* role) {
-  if (is_missing(character, "throng_character_find_role") || is_missing(role, "throng_character_find_role")) {
+  if (is_missing("throng_character_find_role", character) || is_missing("throng_character_find_role", role)) {
     return THRONG_NONE;
   }
   return character->own.find_role(role).number;
 }
 
 uint32_t throng_character_bone_count(const throng_character* character) {
-  if (is_missing(character, "throng_character_bone_count")) return 0;
+  if (is_missing("throng_character_bone_count", character)) return 0;
   return static_cast<uint32_t>(character->own.bone_count());
 }
 
 const char* throng_character_bone_name(const throng_character* character, uint32_t bone) {
-  if (is_missing(character, "throng_character_bone_name") || bone >= character->bone_names.size()) return nullptr;
+  if (is_missing("throng_character_bone_name", character) || bone >= character->bone_names.size()) return nullptr;
   return character->bone_names[bone].c_str();
 }
 
 uint32_t throng_character_palette_entries(const throng_character* character) {
-  return is_missing(character, "throng_character_palette_entries") ? 0 : character->own.palette_entries();
+  return is_missing("throng_character_palette_entries", character) ? 0 : character->own.palette_entries();
 }
 
 const char* throng_character_key_name(const throng_character* character, uint32_t name) {
-  if (is_missing(character, "throng_character_key_name")) return nullptr;
+  if (is_missing("throng_character_key_name", character)) return nullptr;
   const std::span<const std::string> names = character->own.data_key_names();
   return name < names.size() ? names[name].c_str() : nullptr;
 }

@@ -45,8 +45,8 @@ inline constexpr int failed = 1;
 int fail(std::string why);
 
 /// Reports a call with a null pointer as any other misuse.
-inline bool is_missing(const void* pointer, const char* call) {
-  if (pointer != nullptr) return false;
+bool is_missing(const char* call, const auto*... pointers) {
+  if (((pointers != nullptr) && ...)) return false;
   anim::report_misuse({call, "a pointer is null"});
   fail(std::string(call) + ": a pointer is null");
   return true;
@@ -57,7 +57,7 @@ class Call {
  public:
   explicit Call(const char* name) : name_(name) {}
 
-  bool is_missing(const void* pointer) const { return c::is_missing(pointer, name_); }
+  bool is_missing(const auto*... pointers) const { return c::is_missing(name_, pointers...); }
   /// Returns whether the call went well until now; else keeps why it did not.
   bool went_well(bool ok = true) const {
     if (ok && misuses_.reason().empty()) return true;

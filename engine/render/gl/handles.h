@@ -116,16 +116,19 @@ struct FloatAttribute {
   std::size_t offset;
 };
 
+/// Describes an attribute of the vertices of one binding.
+inline void describe(const VertexArray& array, GLuint location, const FloatAttribute& attribute, GLuint binding = 0) {
+  const auto& [size, type, offset] = attribute;
+  glVertexArrayAttribFormat(array.id(), location, size, type, GL_TRUE, static_cast<GLuint>(offset));
+  glVertexArrayAttribBinding(array.id(), location, binding);
+  glEnableVertexArrayAttrib(array.id(), location);
+}
+
 /// Describes the vertices of `buffer`: the first attribute has location 0, the next 1, and so on.
 inline VertexArray create_vertex_array(std::span<const FloatAttribute> attributes, const Buffer& buffer,
                                        GLsizei vertex_size) {
   VertexArray array = create_vertex_array();
-  for (GLuint location = 0; location < attributes.size(); ++location) {
-    const auto& [size, type, offset] = attributes[location];
-    glVertexArrayAttribFormat(array.id(), location, size, type, GL_TRUE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array.id(), location, 0);
-    glEnableVertexArrayAttrib(array.id(), location);
-  }
+  for (GLuint location = 0; location < attributes.size(); ++location) describe(array, location, attributes[location]);
   glVertexArrayVertexBuffer(array.id(), 0, buffer.id(), 0, vertex_size);
   return array;
 }

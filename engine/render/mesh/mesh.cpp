@@ -35,11 +35,8 @@ constexpr GLuint trim_attribute = tangent_attribute + 1, face_attribute = tangen
 void describe_detail_coords(const gl::VertexArray& array, const gl::Buffer& detail_coords) {
   const GLuint binding = detail_coords ? 1 : 0;
   for (GLuint i = 0; i < detail_coord_count; ++i) {
-    const GLuint attribute = first_detail_coord_attribute + i;
     const std::size_t offset = detail_coords ? i * sizeof(TextureCoord) : offsetof(SurfaceVertex, texture_coord);
-    glVertexArrayAttribFormat(array.id(), attribute, 2, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array.id(), attribute, binding);
-    glEnableVertexArrayAttrib(array.id(), attribute);
+    gl::describe(array, first_detail_coord_attribute + i, {2, GL_FLOAT, offset}, binding);
   }
   if (detail_coords) glVertexArrayVertexBuffer(array.id(), binding, detail_coords.id(), 0, sizeof(DetailCoords));
 }
@@ -48,9 +45,7 @@ void describe_detail_coords(const gl::VertexArray& array, const gl::Buffer& deta
 void describe_tangents(const gl::VertexArray& array, const gl::Buffer& tangents) {
   constexpr GLuint binding = 2;
   if (!tangents) return;
-  glVertexArrayAttribFormat(array.id(), tangent_attribute, 4, GL_SHORT, GL_TRUE, 0);
-  glVertexArrayAttribBinding(array.id(), tangent_attribute, binding);
-  glEnableVertexArrayAttrib(array.id(), tangent_attribute);
+  gl::describe(array, tangent_attribute, {4, GL_SHORT, 0}, binding);
   glVertexArrayVertexBuffer(array.id(), binding, tangents.id(), 0, sizeof(PackedTangent));
 }
 
@@ -59,13 +54,8 @@ gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& 
   glVertexArrayAttribIFormat(array.id(), region_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
   glVertexArrayAttribBinding(array.id(), region_attribute, 0);
   glEnableVertexArrayAttrib(array.id(), region_attribute);
-  const auto describe = [&](GLuint attribute, GLint count, GLenum type, std::size_t offset) {
-    glVertexArrayAttribFormat(array.id(), attribute, count, type, GL_TRUE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array.id(), attribute, 0);
-    glEnableVertexArrayAttrib(array.id(), attribute);
-  };
-  describe(trim_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, trim));
-  describe(face_attribute, 4, GL_BYTE, offsetof(SurfaceVertex, face));
+  gl::describe(array, trim_attribute, {1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, trim)});
+  gl::describe(array, face_attribute, {4, GL_BYTE, offsetof(SurfaceVertex, face)});
   glVertexArrayElementBuffer(array.id(), indices.id());
   return array;
 }

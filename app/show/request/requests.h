@@ -1,6 +1,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,17 +12,9 @@ namespace throng::app {
 /// The requests of a frame, in order.
 class Requests {
  public:
-  void ask(CrowdRequest request);
-  void ask(WindowRequest request);
-  void ask(FrameRequest request);
-  void ask(FileRequest request);
-  void ask(CameraRequest request);
-  void ask(ViewerRequest request);
-  void ask(ReplayRequest request);
-  /// Adds all requests of another list behind these.
-  void add(const Requests& more);
+  /// Adds a request of any kind behind the others.
+  void ask(Request request) { all_.push_back(std::move(request)); }
 
-  bool empty() const { return all_.empty(); }
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
 

@@ -17,8 +17,8 @@ Requests OverlayDriver::frames(int count) {
       if (const auto* const values = as<Apply>(request)) tuning = values->tuning;
       if (const auto* const seek = as<Seek>(request)) report.tracks->clock = seek->clock;
       if (const auto* const roles = as<SetRoles>(request)) report.role_clips = roles->clips;
+      all.ask(request);
     }
-    all.add(requests);
   }
   return all;
 }

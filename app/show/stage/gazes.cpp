@@ -13,14 +13,13 @@ anim::LookAtProcess new_gaze(anim::EntityPools::Kind kind) {
 }  // namespace
 
 void Gazes::look(std::uint32_t agent, const glm::vec3& target, float share) {
-  using Lent = LentProcesses<anim::LookAtProcess>::Lent;
-  if (lent_.lend(agent, new_gaze) == Lent::no) return;
-  lent_.change(agent, [&](anim::LookAtProcess& gaze) {
+  if (lend(agent, new_gaze) == Lent::no) return;
+  change(agent, [&](anim::LookAtProcess& gaze) {
     gaze.set_target(target);
     gaze.set_weight(share);
   });
 }
 
-void Gazes::look_away(std::uint32_t agent) { lent_.let_go(agent, fade_away); }
+void Gazes::look_away(std::uint32_t agent) { let_go(agent, fade_away); }
 
 }  // namespace throng::app

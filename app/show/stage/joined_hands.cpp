@@ -101,7 +101,7 @@ glm::vec3 palm_of(const anim::Stride& clip, const anim::Skeleton& skeleton, int 
 JoinedHands::JoinedHands(std::span<const CharacterSource> characters,
                          std::span<const std::unique_ptr<anim::CharacterRigs>> rigs,
                          std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system)
-    : characters_(characters), rigs_(rigs), lent_(std::move(kinds), system) {
+    : LentProcesses(std::move(kinds), system), characters_(characters), rigs_(rigs) {
   for (std::size_t character = 0; character < characters.size(); ++character) {
     arms_.push_back({arm_of(character, Role::lead), arm_of(character, Role::led)});
     levels_with_hands_.push_back(levels_with_hands(characters[character].character->skeleton));
@@ -133,7 +133,7 @@ JoinedHands::Arm JoinedHands::arm_of(std::size_t character, Role role) const {
 
 void JoinedHands::reset(const Crowd& crowd) {
   pairs_.clear();
-  lent_.reset(crowd.size());
+  LentProcesses::reset(crowd.size());
   away_.assign(crowd.size(), 0);
   const std::span<const HeldThing> things = crowd.minds().things();
   for (std::uint32_t agent = 1; agent < things.size(); ++agent) {
@@ -146,7 +146,7 @@ void JoinedHands::reset(const Crowd& crowd) {
 }
 
 void JoinedHands::go_back_to(const Moment& moment) {
-  lent_.go_back_to(moment);
+  LentProcesses::go_back_to(moment);
   for (Pair& pair : pairs_) pair.meets = moment.wanted[pair.grown_up] != 0 && moment.wanted[pair.child] != 0;
 }
 
@@ -192,8 +192,8 @@ void JoinedHands::join(const HeldArms& arms) {
                       reach(pair.grown_up, arms_[pair.characters[0]][0], pair.grown_ups) &&
                       reach(pair.child, arms_[pair.characters[1]][1], pair.childs);
     if (join) continue;
-    lent_.let_go(pair.grown_up, hand_fade);
-    lent_.let_go(pair.child, hand_fade);
+    let_go(pair.grown_up, hand_fade);
+    let_go(pair.child, hand_fade);
   }
   is_new_ = false;
 }
@@ -210,11 +210,10 @@ glm::vec3 JoinedHands::wrist_for(const Arm& arm, const glm::vec3& palm) {
 }
 
 bool JoinedHands::reach(std::uint32_t agent, const Arm& arm, const glm::vec3& target) {
-  using Lent = LentProcesses<anim::ReachProcess>::Lent;
   const Lent lent =
-      lent_.lend(agent, [&](anim::EntityPools::Kind kind) { return anim::ReachProcess(kind, {.limb = arm.limb}); });
+      lend(agent, [&](anim::EntityPools::Kind kind) { return anim::ReachProcess(kind, {.limb = arm.limb}); });
   if (lent == Lent::no) return false;
-  lent_.change(agent, [&](anim::ReachProcess& hand) {
+  change(agent, [&](anim::ReachProcess& hand) {
     hand.set_target(target);
     if (lent != Lent::still) hand.set_weight(1.0F, is_new_ ? anim::Ticks{} : hand_fade);
   });

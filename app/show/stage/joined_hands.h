@@ -21,10 +21,8 @@ namespace throng::app {
 /// Hands of a grown-up and a child who go hand in hand. The clips of their arms bring the hands near each other; from
 /// there both reach for one place between them, which follows from where the two stand. Where they cannot meet, or have
 /// no hands at their bone levels, neither holds one out.
-class JoinedHands {
+class JoinedHands : public LentProcesses<anim::ReachProcess> {
  public:
-  using Moment = LentProcesses<anim::ReachProcess>::Moment;
-
   /// People join hands from so many pixels on, and go on down to the second number.
   static constexpr float pixels_to_begin = 44.0F, pixels_to_go_on = 38.0F;
 
@@ -43,10 +41,6 @@ class JoinedHands {
   std::span<const std::uint8_t> away() const { return away_; }
   /// Joins the hands that can meet and are held out. Call it after HeldArms::show.
   void join(const HeldArms& arms);
-  /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.
-  void take_back(std::span<const anim::VisibleAgent> visible) { lent_.take_back(visible); }
-
-  const Moment& moment() const { return lent_.moment(); }
   void go_back_to(const Moment& moment);
 
  private:
@@ -76,7 +70,6 @@ class JoinedHands {
   std::vector<Pair> pairs_;
   std::vector<std::uint8_t> away_;  // [agent]
   bool is_new_ = true;              // no agent has been seen with free hands
-  LentProcesses<anim::ReachProcess> lent_;
 };
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@
 namespace throng::app {
 
 /// Lends post processes of one type to the few agents that need one at a time. All other agents are posed without one,
-/// and a frame allocates nothing.
+/// and a frame allocates nothing. A class that derives from it says when an agent gets one, and what it does.
 template <typename Process>
 class LentProcesses {
  public:
@@ -48,6 +48,24 @@ class LentProcesses {
     }
   }
 
+  /// Takes the process from agents whose effect has faded, or that are not in `visible`, which ascends by agent. An
+  /// agent keeps it while another post process comes after it. Call it before an update.
+  void take_back(std::span<const anim::VisibleAgent> visible) {
+    std::erase_if(now_.have, [&](std::uint32_t agent) {
+      if (needs(agent, visible)) return false;
+      std::unique_ptr<Process> process = system_->agent(agent).template take_post_process<Process>(now_.of[agent]);
+      std::vector<std::unique_ptr<Process>>& ready = not_lent_[system_->agent(agent).character_number()];
+      if (ready.size() < ready.capacity()) ready.push_back(std::move(process));
+      now_.of[agent] = {};
+      now_.wanted[agent] = 0;
+      return true;
+    });
+  }
+
+  const Moment& moment() const { return now_; }
+  void go_back_to(const Moment& moment) { now_ = moment; }
+
+ protected:
   enum class Lent : std::uint8_t { no, anew, again, still };
   /// Lends a process to an agent, if it has none. `make` returns it as it begins, of a kind. The answer: whether it was
   /// lent now, had been let go, or neither; `no` where a local store has no room for it, which has none for others.
@@ -83,23 +101,6 @@ class LentProcesses {
     if (std::exchange(now_.wanted[agent], std::uint8_t{0}) == 0) return;
     change(agent, [fade](Process& process) { process.set_weight(0.0F, fade); });
   }
-
-  /// Takes the process from agents whose effect has faded, or that are not in `visible`, which ascends by agent. An
-  /// agent keeps it while another post process comes after it. Call it before an update.
-  void take_back(std::span<const anim::VisibleAgent> visible) {
-    std::erase_if(now_.have, [&](std::uint32_t agent) {
-      if (needs(agent, visible)) return false;
-      std::unique_ptr<Process> process = system_->agent(agent).template take_post_process<Process>(now_.of[agent]);
-      std::vector<std::unique_ptr<Process>>& ready = not_lent_[system_->agent(agent).character_number()];
-      if (ready.size() < ready.capacity()) ready.push_back(std::move(process));
-      now_.of[agent] = {};
-      now_.wanted[agent] = 0;
-      return true;
-    });
-  }
-
-  const Moment& moment() const { return now_; }
-  void go_back_to(const Moment& moment) { now_ = moment; }
 
  private:
   bool needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const {

@@ -22,15 +22,14 @@ anim::JointMotion placement_of(const Crowd& crowd, std::uint32_t agent) {
 }  // namespace
 
 void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown, std::span<const float> planted) {
-  using Lent = LentProcesses<anim::FootPlacementProcess>::Lent;
   const anim::Ticks begin = is_shown ? fade : anim::Ticks{};
-  const Lent lent = lent_.lend(agent, [begin](anim::EntityPools::Kind kind) {
+  const Lent lent = lend(agent, [begin](anim::EntityPools::Kind kind) {
     anim::FootPlacementProcess feet(kind);
     feet.set_weight(1.0F, begin);
     return feet;
   });
   if (lent == Lent::no) return;
-  lent_.change(agent, [&](anim::FootPlacementProcess& feet) {
+  change(agent, [&](anim::FootPlacementProcess& feet) {
     const anim::JointMotion placement = placement_of(crowd, agent);
     feet.set_placement(placement);
     feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
@@ -39,6 +38,6 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown, s
   });
 }
 
-void PlacedFeet::let_go(std::uint32_t agent) { lent_.let_go(agent, fade); }
+void PlacedFeet::let_go(std::uint32_t agent) { LentProcesses::let_go(agent, fade); }
 
 }  // namespace throng::app

@@ -101,8 +101,7 @@ int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& opti
     return end_with(exit_job_failed, written.error().message);
   }
   const std::string summary = summary_of(run) + "; see " + report.string();
-  const RunCounts counts = counts_of(run);
-  if (counts.failed + counts.not_drawn > 0) return end_with(exit_job_failed, summary);
+  if (std::ranges::any_of(run.outcomes, is_bad, &CaseOutcome::verdict)) return end_with(exit_job_failed, summary);
   const anim::Status told = print(summary + "\n");
   return told ? static_cast<int>(exit_done) : end_with(exit_job_failed, told.error().message);
 }

@@ -38,11 +38,8 @@ struct RegressionRun {
   std::vector<CaseOutcome> outcomes;
 };
 
-/// Counts the cases of each verdict.
-struct RunCounts {
-  std::size_t all = 0, as_expected = 0, changed = 0, added = 0, failed = 0, not_drawn = 0, left_out = 0;
-};
-RunCounts counts_of(const RegressionRun& run);
+/// Returns how many cases have a verdict.
+std::size_t count_of(const RegressionRun& run, Verdict verdict);
 
 /// Returns the word for a verdict in lines and pages: "ok", "FAILED".
 const char* word_of(Verdict verdict);

@@ -1,6 +1,7 @@
 #include "app/output/video_file.h"
 
-#include <span>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -26,37 +27,16 @@ anim::Error not_started(const std::string& why) {
 /// players take them for.
 std::vector<std::string> words_for(const std::filesystem::path& file, const std::filesystem::path& part,
                                    const VideoFormat& format) {
-  std::vector<std::string> words{program,
-                                 "-hide_banner",
-                                 "-nostdin",
-                                 "-loglevel",
-                                 "error",
-                                 "-f",
-                                 "rawvideo",
-                                 "-pixel_format",
-                                 "rgb24",
-                                 "-video_size",
-                                 std::to_string(format.width) + "x" + std::to_string(format.height),
-                                 "-framerate",
-                                 shortest_text(format.rate),
-                                 "-i",
-                                 "pipe:0",
-                                 "-an",
-                                 "-vf",
-                                 "scale=in_range=full:out_range=tv:out_color_matrix=bt709,format=yuv420p",
-                                 "-color_primaries",
-                                 "bt709",
-                                 "-color_trc",
-                                 "bt709",
-                                 "-colorspace",
-                                 "bt709",
-                                 "-c:v",
-                                 encoder_of(file)};
-  const std::vector<std::string> h264{"-preset", "medium", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"};
-  const std::vector<std::string> vp9{"-b:v",      "0", "-crf",      "28",   "-row-mt", "1",
-                                     "-cpu-used", "4", "-deadline", "good", "-f",      "webm"};
-  const std::vector<std::string>& rest = is_webm(file) ? vp9 : h264;
-  words.insert(words.end(), rest.begin(), rest.end());
+  const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
+  const std::string quality = is_webm(file) ? "-b:v 0 -crf 28 -row-mt 1 -cpu-used 4 -deadline good -f webm"
+                                            : "-preset medium -crf 18 -movflags +faststart -f mp4";
+  std::istringstream line(std::string(program) + " -hide_banner -nostdin -loglevel error " +
+                          "-f rawvideo -pixel_format rgb24 -video_size " + size + " -framerate " +
+                          shortest_text(format.rate) + " -i pipe:0 -an " +
+                          "-vf scale=in_range=full:out_range=tv:out_color_matrix=bt709,format=yuv420p " +
+                          "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -c:v " + encoder_of(file) + " " +
+                          quality);
+  std::vector<std::string> words(std::istream_iterator<std::string>(line), {});
   words.insert(words.end(), {"-y", "file:" + part.string()});
   return words;
 }

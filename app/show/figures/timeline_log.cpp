@@ -1,6 +1,7 @@
 #include "app/show/figures/timeline_log.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "engine/anim/agent/animation_system.h"
@@ -8,23 +9,8 @@
 namespace throng::app {
 namespace {
 
-const char* name_of(anim::TraceSpan::Kind kind) {
-  switch (kind) {
-    case anim::TraceSpan::Kind::fetch:
-      return "fetch";
-    case anim::TraceSpan::Kind::compute:
-      return "compute";
-    case anim::TraceSpan::Kind::write_back:
-      return "write back";
-    case anim::TraceSpan::Kind::wait:
-      return "wait";
-    case anim::TraceSpan::Kind::schedule:
-      return "schedule";
-    case anim::TraceSpan::Kind::copy_slice:
-      break;
-  }
-  return "copy slice";
-}
+// In the order of anim::TraceSpan::Kind.
+constexpr std::array kind_names{"fetch", "compute", "write back", "wait", "schedule", "copy slice"};
 
 template <typename... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -87,7 +73,7 @@ void TimelineLog::add_update(const anim::AnimationSystem& system, Clock::time_po
       add({.begin_us = update_us + begin,
            .length_us = static_cast<float>(time.ms(span.end) * 1000.0 - begin),
            .lane = lane,
-           .name = name_of(span.kind),
+           .name = kind_names.at(static_cast<std::size_t>(span.kind)),
            .bytes_in = span.bytes_in,
            .bytes_out = span.bytes_out,
            .transfers = span.transfers,

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "app/files/byte_hash.h"
+#include "app/settings/preset.h"
 #include "app/show/recording/bytes.h"
 #include "app/show/request/request_json.h"
+#include "engine/base/json/json_object.h"
 
 namespace throng::app {
 namespace {
@@ -49,6 +51,22 @@ std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   frame.pose_hash = numbers.next<std::uint64_t>();
   const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame() && is_view(frame.view);
   return numbers.good() && can_be ? std::optional(frame) : std::nullopt;
+}
+
+/// Returns what is wrong, as the end of a sentence; nothing where the header was read.
+std::optional<std::string> read_header(std::string_view text, RecordingHeader& header) {
+  const auto json = parse_json(text);
+  if (!json) return json.error().message;
+  std::optional<std::string> complaint;
+  const JsonObject reader("", *json, {"width", "height", "characters", "tuning"}, complaint);
+  reader.need({"width", "height", "characters", "tuning"});
+  reader.whole("width", header.width, 1, most_picture_pixels);
+  reader.whole("height", header.height, 1, most_picture_pixels);
+  header.characters = read_characters(reader["characters"], complaint);
+  Preset preset;
+  if (!complaint) complaint = from_json(reader["tuning"], preset);
+  header.tuning = preset.tuning;
+  return complaint;
 }
 
 }  // namespace

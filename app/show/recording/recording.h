@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -59,9 +57,5 @@ constexpr std::uint16_t short_hash(std::uint64_t hash) { return static_cast<std:
 /// Why a recorded crowd is not recorded: a recording does not hold the rows of a file, nor the moves of its clock.
 inline constexpr const char* no_recording_of_tracks =
     "the scene tracks is not recorded: its file shows the same each time, from any --start at any --track-rate";
-
-std::string header_text(const RecordingHeader& header);
-/// Returns what is wrong, as the end of a sentence; nothing where the header was read.
-std::optional<std::string> read_header(std::string_view text, RecordingHeader& header);
 
 }  // namespace throng::app

@@ -1,10 +1,19 @@
 #include "app/show/recording/writer.h"
 
+#include "app/settings/preset.h"
 #include "app/show/recording/bytes.h"
 #include "app/show/request/request_json.h"
 
 namespace throng::app {
 namespace {
+
+std::string header_text(const RecordingHeader& header) {
+  const Json json = {{"width", header.width},
+                     {"height", header.height},
+                     {"characters", to_json(header.characters)},
+                     {"tuning", to_json(Preset{.tuning = header.tuning, .camera = {}})}};
+  return json.dump();
+}
 
 std::string item_head(RecordKind kind, std::size_t payload_bytes) {
   std::string head;

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "app/show/report/mesh_report.h"
+#include "app/show/report/frame_report.h"
 
 namespace throng::app {
 

@@ -5,6 +5,7 @@
 
 #include "app/people/wardrobe/clothing.h"
 #include "app/settings/choices.h"
+#include "app/show/report/frame_report.h"
 #include "app/show/stage/stage.h"
 
 namespace throng::app {

@@ -2,11 +2,10 @@
 
 #include <cstddef>
 
-#include "app/show/report/wardrobe_report.h"
-
 namespace throng::app {
 
 class Stage;
+struct WardrobeReport;
 
 /// Reports the rules of a character. `standard` stays as it is.
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);

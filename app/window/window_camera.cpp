@@ -4,6 +4,7 @@
 
 #include "app/people/crowd/crowd.h"
 #include "app/show/crowd_framing.h"
+#include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"

@@ -5,15 +5,16 @@
 #include <optional>
 
 #include "app/settings/settings.h"
+#include "app/show/camera/camera_bookmarks.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/input.h"
-#include "app/show/report/camera_report.h"
 #include "app/show/request/request.h"
 #include "app/window/panel/controls/ui_map.h"
 
 namespace throng::app {
 
 class Show;
+struct CameraReport;
 
 /// The camera of the person at the window: flown by hand, sent to a place, or left to the show. In a frame:
 ///     steer(...)  take(...)  show.take(...)  hand_over(...)  show.animate(...)  take_back(...)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,26 +10,28 @@
 #include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
+#include "app/people/crowd/people_over_time.h"
+#include "app/people/wardrobe/cast_tuning.h"
 #include "app/settings/idle_values.h"
 #include "app/settings/settings.h"
+#include "app/show/camera/camera_bookmarks.h"
 #include "app/show/lod/lod_thresholds.h"
-#include "app/show/report/camera_report.h"
-#include "app/show/report/error_report.h"
+#include "app/show/lod/mesh_choice.h"
+#include "app/show/lod/mesh_lods.h"
 #include "app/show/report/frame_details.h"
-#include "app/show/report/mesh_report.h"
 #include "app/show/report/messages.h"
-#include "app/show/report/placement_report.h"
 #include "app/show/report/replay_report.h"
 #include "app/show/report/selection_report.h"
-#include "app/show/report/tracks_report.h"
 #include "app/show/report/tuning_sweep.h"
 #include "app/show/report/viewer_report.h"
-#include "app/show/report/wardrobe_report.h"
 #include "engine/anim/agent/kind_memory.h"
+#include "engine/anim/lod/error_window.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/anim/run/schedule_options.h"
 #include "engine/anim/survey/bone_lod.h"
+#include "engine/anim/survey/placement_guess.h"
 #include "engine/render/crowd_draw.h"
+#include "engine/tracks/track_clock.h"
 
 namespace throng::app {
 
@@ -52,6 +56,64 @@ struct CastMember {
   double share = 1.0;
   double starting_share = 1.0;  ///< as it was loaded
   int agents = 0;
+};
+
+/// The size and place of the character shown.
+struct PlacementReport {
+  anim::PlacementChoice choice;  ///< the requested placement
+  double scale = 1.0;            ///< applied: metres a unit of its file
+  double guessed_scale = 1.0;    ///< applied where none is asked for
+  double units_tall = 0.0;       ///< its height in units of its file, turned upright; 0 without extent
+  std::string reasons;           ///< a sentence: the height and why
+};
+
+/// The rules by which the agents of the character shown dress.
+struct WardrobeReport {
+  CastTuning tuning;    ///< in force; without bodies where the character has no rules
+  CastTuning standard;  ///< as the file says
+  std::string file;     ///< where the rules come from; empty: no file
+  int holding = 0;      ///< agents that hold something
+};
+
+/// Reports the error that level of detail shows on the screen.
+struct ErrorReport {
+  anim::ErrorFigures figures;      ///< over the last 60 frames, and further back where these have few samples
+  anim::ErrorIntervals intervals;  ///< where the percentiles may lie by chance
+  std::vector<float> p99_history, pop_history;  ///< pixels, oldest first, up to 240: a value for two frames
+  std::string skipping_sentence;                ///< why skipping saves little at this frame rate; empty: it does pay
+};
+
+/// A mesh LOD of the character shown.
+struct MeshLodRow {
+  std::uint32_t triangles = 0;
+  float error_mm = 0, face_error_mm = 0;
+  float below_px = 0;  ///< height on screen below which it is drawn, where the error decides; infinity: always
+  int agents = 0;      ///< in view, drawn with it
+};
+
+/// Reports the meshes with which the character shown is drawn, and the values that decide between them.
+struct MeshReport {
+  MeshTolerance tolerance;
+  MeshFigures crowd;             ///< of all characters
+  std::vector<MeshLodRow> lods;  ///< the full mesh first; empty where nothing is drawn
+};
+
+/// All that the overlay shows of the cameras.
+struct CameraReport {
+  bool can_film = false;                    ///< a film or a path can move the camera by itself
+  bool films = false;                       ///< it does so now
+  bool follows = false;                     ///< the camera goes where the selected agent goes
+  float fly_speed = 6;                      ///< metres a second
+  std::array<bool, bookmark_count> kept{};  ///< [bookmark]
+};
+
+/// The rates at which the timeline plays a recorded crowd; 1 is the rate of the file.
+inline constexpr std::array<double, 7> track_rates = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+
+/// All that the timeline shows of a recorded crowd. What a person asks for is another clock.
+struct TracksReport {
+  TrackClock clock;
+  std::shared_ptr<const PeopleOverTime> people;  ///< of the whole file; never null
 };
 
 /// The recording that goes on.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/show/camera/input.h"
-#include "app/show/report/tracks_report.h"
 #include "app/window/panel/tabs.h"
 
 namespace throng::app {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/people/wardrobe/cast_rules_text.h"
+#include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/wardrobe_reporter.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/show/camera_guide.h"
+#include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"

@@ -1,5 +1,6 @@
 #include "app/window/demo.h"
 
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "app/files/exit_status.h"
+#include "app/files/progress_line.h"
 #include "app/output/output.h"
 #include "app/output/regression/origin.h"
 #include "app/show/opened_show.h"
@@ -16,11 +18,12 @@
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/drawn_overlay.h"
-#include "app/window/live_input.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_loop.h"
 #include "engine/base/files/output_file.h"
+#include "engine/base/files/process.h"
+#include "engine/tracks/live/live_tracks.h"
 
 namespace throng::app {
 namespace {
@@ -158,6 +161,20 @@ anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& opti
 void say_on_stderr(const std::string& notice) {
   std::istringstream lines(notice);
   for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
+}
+
+/// Begins to read the rows of a live crowd from standard input, and waits for the first, or until a signal asks the run
+/// to end. Returns null where the options name no standard input. Errors: it ends without a row, or is wrong.
+anim::Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) {
+  if (options.trajectories.file != "-") return std::unique_ptr<LiveTracks>();
+  auto tracks = std::make_unique<LiveTracks>(standard_input, options.trajectories.reading);
+  show_progress("waiting for the first row on standard input");
+  while (!tracks->head() && !tracks->has_ended() && asked_to_stop() == 0) tracks->wait(std::chrono::milliseconds(100));
+  show_progress("");
+  if (tracks->head()) return tracks;
+  if (const Status read = tracks->status(); !read) return anim::Error{read.error().message};
+  return anim::Error{asked_to_stop() != 0 ? "-: the run ends before the first row came"
+                                          : "-: it ended without a row; send rows as a table with a header"};
 }
 
 int run_show(const DemoOptions& options, Replay* replay) {

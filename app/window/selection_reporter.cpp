@@ -4,8 +4,8 @@
 
 #include "app/show/stage/stage.h"
 #include "app/window/agent_layers.h"
-#include "app/window/block_fields.h"
 #include "engine/anim/entity/player.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {
@@ -27,6 +27,43 @@ Posture posture_of(const FallenAgents& fallen, std::uint32_t agent) {
 bool is_player(anim::Handle entity) {
   const std::uint32_t pool = entity.pool();
   return pool == anim::EntityPools::sampled_players || pool == anim::EntityPools::keyframe_players;
+}
+
+template <class Element>
+std::string vector_of(const Element* values, int count) {
+  std::string words;
+  for (int i = 0; i < count; ++i) words += (i == 0 ? "" : ", ") + fixed(static_cast<double>(values[i]), 3);
+  return words;
+}
+
+void add_player(const anim::Player& player, std::vector<BlockField>& fields) {
+  const double seconds = anim::to_seconds(player.position / anim::fine_ticks_per_tick);
+  fields.push_back({"Position", fixed(seconds, 3) + " s"});
+  fields.push_back({"Clip", std::to_string(player.clip)});
+  fields.push_back({"Speed", fixed(player.speed / 65536.0, 3)});
+  fields.push_back({"Loops", std::to_string(player.loop_count)});
+}
+
+/// Returns the fields of an entity's header (paper 2.2.1), and a player's own fields (2.2.2).
+std::vector<BlockField> block_fields(const anim::AnimationStateHeader& state) {
+  const bool resident = state.transforms_offset != 0;
+  std::vector<BlockField> fields = {
+      {"Type", std::to_string(static_cast<unsigned>(state.type))},
+      {"Total size", std::to_string(state.total_size) + " B"},
+      {"Transforms at", resident ? "byte " + std::to_string(state.transforms_offset) : "none: transient"},
+      {"Bones", std::to_string(state.bone_count)},
+      {"Priority", state.priority == anim::highest_priority ? "highest" : std::to_string(state.priority)},
+      {"Owner", std::to_string(state.owner)},
+      {"Floats a bone", std::to_string(state.components)},
+      {"Delta time", fixed(anim::to_seconds(state.delta_time), 3) + " s"},
+      {"Velocity", vector_of(state.linear_velocity, 3) + " m/s"},
+      {"Turning", vector_of(state.angular_velocity, 3) + " rad/s"}};
+  if ((state.flags & anim::AnimationStateHeader::has_absolute_root) != 0) {
+    fields.push_back({"Absolute root", vector_of(state.absolute_position, 3) + " m"});
+  }
+  const bool plays = state.type == anim::EntityType::sampled_player || state.type == anim::EntityType::keyframe_player;
+  if (plays) add_player(reinterpret_cast<const anim::Player&>(state), fields);
+  return fields;
 }
 
 EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim::Character& character) {

@@ -1,9 +1,7 @@
 #include "app/window/selection_log.h"
 
-#include <array>
-#include <cstdio>
-
 #include "app/show/stage/stage.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 
@@ -17,9 +15,7 @@ void SelectionLog::begin(const Stage& stage, const SelectionReport& selected) {
 }
 
 void SelectionLog::note(double seconds, const std::string& what) {
-  std::array<char, 32> time{};
-  std::snprintf(time.data(), time.size(), "%.2f s  ", seconds);
-  events_.push_front(time.data() + what);
+  events_.push_front(fixed(seconds, 2) + " s  " + what);
   if (events_.size() > most_events) events_.pop_back();
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {
@@ -18,11 +19,7 @@ std::array<double, 4> parts_of(const FrameTimes& times) {
   return {times.animation_ms, times.upload_ms, times.submission_ms, times.wait_ms};
 }
 
-std::string milliseconds(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", value);
-  return text;
-}
+std::string milliseconds(double value) { return fixed(value, 1); }
 
 }  // namespace
 

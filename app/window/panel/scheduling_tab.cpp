@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "app/files/byte_hash.h"
 #include "app/show/report/tuning_sweep.h"
 #include "app/window/panel/tabs.h"
 #include "engine/base/text/size_text.h"
@@ -155,22 +155,15 @@ void show_legend(const Theme& theme) {
   ImGui::Dummy({0, font_height(theme.small)});
 }
 
-std::string as_hex(std::uint64_t value) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-  return text.data();
-}
-
 void show_totals(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  const int tile = report.schedule.plan.width;
   std::size_t laid_out = 0;
   for (const PuReport& pu : report.pu) laid_out = std::max(laid_out, pu.local_store_laid_out_bytes);
   widgets.section("In all");
   widgets.fact("Local store laid out",
                size_text(laid_out) + " of " + std::to_string(report.schedule.local_store_bytes / bytes_a_kib) + " KiB",
                {.what = "Of each PU's local store: its fetch buffers and the scratch of a tile. The rest stays free."});
-  widgets.fact("Tile width", std::to_string(tile) + (tile == 1 ? " character" : " characters"),
+  widgets.fact("Tile width", counted(static_cast<std::size_t>(report.schedule.plan.width), "character"),
                {.what = "What the local store has room for, or what was asked for."});
   widgets.fact("Copied in, out",
                size_text(report.work.copies.bytes_in) + ", " + size_text(report.work.copies.bytes_out),
@@ -178,7 +171,7 @@ void show_totals(const TabContext& context) {
   widgets.fact("Palettes written", size_text(report.work.palette_bytes),
                {.what = "Straight into memory that the renderer reads, once.", .unit = "bytes in this frame"});
   widgets.fact("SIMD target", report.simd_target, {.what = "The vector instructions chosen for this processor."});
-  widgets.fact("Pose hash", as_hex(report.pose_hash),
+  widgets.fact("Pose hash", hex_string(report.pose_hash),
                {.what = "Over every bit of every palette so far. PUs, schedule, local store, tile and double buffer do "
                         "not change it."});
 }

@@ -66,23 +66,24 @@ std::string whereabouts(const SelectionReport& selected) {
          fixed(selected.speed, 2) + " m/s";
 }
 
+std::string turn_of(const SelectionReport& selected) {
+  return "posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames");
+}
+
 std::string detail(const SelectionReport& selected) {
   if (!selected.visible) return "out of view, not posed";
-  return "posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames") +
-         "   level " + std::to_string(selected.bone_level) + ", " + std::to_string(selected.bones) + " bones   mesh " +
-         std::to_string(selected.mesh_lod);
+  return turn_of(selected) + "   level " + std::to_string(selected.bone_level) + ", " + std::to_string(selected.bones) +
+         " bones   mesh " + std::to_string(selected.mesh_lod);
 }
 
 std::string blocks(const SelectionReport& selected) {
-  return std::to_string(selected.entities.size()) + (selected.entities.size() == 1 ? " block, " : " blocks, ") +
-         with_thousands(selected.bytes) + " bytes   " + std::to_string(selected.channels) +
-         (selected.channels == 1 ? " channel" : " channels");
+  return counted(selected.entities.size(), "block") + ", " + with_thousands(selected.bytes) + " bytes   " +
+         counted(static_cast<std::size_t>(selected.channels), "channel");
 }
 
 std::string pose_words(const SelectionReport& selected) {
   const std::string agent = "agent " + with_thousands(selected.agent);
-  if (!selected.visible) return agent + ", not posed";
-  return agent + ", posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames");
+  return agent + ", " + (selected.visible ? turn_of(selected) : "not posed");
 }
 
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {

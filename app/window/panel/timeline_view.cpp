@@ -167,7 +167,7 @@ void show_timeline(const TabContext& context) {
   write(axis.from_ms, area.from.x, 0);
   write(axis.to_ms, area.to.x, 1);
   draw_text(theme.small, {(area.from.x + area.to.x) / 2, area.to.y + theme.px(2)}, colour::faint,
-            std::to_string(frames.size()) + (frames.size() == 1 ? " frame" : " frames"), 0.5F);
+            counted(frames.size(), "frame"), 0.5F);
 }
 
 }  // namespace throng::app

@@ -85,8 +85,7 @@ void show_clips(Panel& panel) {
   show_clip_rows(panel, shown);
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  widgets.caption(std::to_string(shown.size()) + " of " + std::to_string(clips.size()) +
-                  (clips.size() == 1 ? " clip" : " clips"));
+  widgets.caption(std::to_string(shown.size()) + " of " + counted(clips.size(), "clip"));
 }
 
 void show_time(Panel& panel) {

@@ -14,7 +14,7 @@ namespace {
 
 using LayerSteps = std::vector<anim::PoseStep>;
 
-std::size_t index_of(const anim::PoseGraph& graph, anim::Handle entity) {
+std::size_t step_of(const anim::PoseGraph& graph, anim::Handle entity) {
   return static_cast<std::size_t>(std::ranges::find(graph.entities, entity) - graph.entities.begin());
 }
 
@@ -73,7 +73,7 @@ std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uin
   std::vector<bool> claimed(steps.size());
   for (std::size_t channel = 0; channel < system.agent(agent).channel_count(); ++channel) {
     const std::size_t state =
-        index_of(graph, system.agent(agent).channel(system.agent(agent).channel_id(channel))->state());
+        step_of(graph, system.agent(agent).channel(system.agent(agent).channel_id(channel))->state());
     LayerRow& layer = layers.emplace_back(LayerRow{.name = "Channel " + std::to_string(channel), .entities = {}});
     claim(steps, state, claimed, layer.entities);
     if (channel == 0 || state == steps.size()) continue;

@@ -17,7 +17,7 @@ namespace {
 constexpr float body_size = 15, small_size = 13, large_size = 22;
 
 /// Latin with its accents, Greek and Cyrillic: bones of real models are named in all of them.
-constexpr ImWchar letters[] = {0x20, 0x24F, 0x370, 0x4FF, 0x2013, 0x2026, 0};
+constexpr ImWchar font_letters[] = {0x20, 0x24F, 0x370, 0x4FF, 0x2013, 0x2026, 0};
 
 /// Returns the bytes of a TrueType font, or none: ImGui ends a program that gives it bytes that it cannot read.
 std::vector<std::byte> read_font(const std::filesystem::path& file) {
@@ -36,7 +36,7 @@ ImFont* add(const std::vector<std::byte>& font, float pixels) {
   config.OversampleV = 2;
   void* const copy = ImGui::MemAlloc(font.size());  // the atlas frees it
   std::memcpy(copy, font.data(), font.size());
-  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(copy, static_cast<int>(font.size()), pixels, &config, letters);
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(copy, static_cast<int>(font.size()), pixels, &config, font_letters);
 }
 
 ImFont* built_in(float scale) {

@@ -2,11 +2,14 @@
 
 #include <string>
 
+#include "app/show/camera/input.h"
 #include "app/show/report/frame_report.h"
 #include "app/show/request/requests.h"
 #include "app/window/panel/controls/widgets.h"
 
 namespace throng::app {
+
+struct TabContext;
 
 /// The reason why an agent cannot be pushed over.
 inline constexpr const char* cannot_fall = "it has fallen already, or its body is not known well enough";
@@ -36,6 +39,23 @@ glm::vec3 ahead_of(const CameraPose& camera);
 
 /// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);
+
+/// Shows a replay's place and outcome at the foot of the crowd, with its controls: play and pause, a frame back and on,
+/// a track over all frames, loop, speed.
+void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& replay, Requests& requests);
+
+/// Carries out the keys pressed in this frame for a replay: Space pauses, Left and Right go a frame back and on.
+void apply_replay_keys(const InputFrame& input, Requests& requests);
+
+/// Shows the timeline of a recorded crowd at the foot of the crowd: how many people are there over the file's time,
+/// with a handle at the present time and one at each end of the part that is played. Below, its controls: a row back,
+/// play backwards, play and pause, a row on, rate, loop, the whole file.
+void show_track_bar(const TabContext& context, const Area& crowd);
+
+/// Carries out the keys pressed in this frame for a recorded crowd: Left and Right go a row back and on, with Shift a
+/// second, and pause; `[` and `]` begin and end the part that is played; Shift+Space plays the other way; Space at the
+/// end begins anew. The caller handles Space as the pause before.
+void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, Requests& requests);
 
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);

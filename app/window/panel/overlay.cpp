@@ -15,9 +15,7 @@
 #include "app/window/panel/imgui_input.h"
 #include "app/window/panel/panel_column.h"
 #include "app/window/panel/picture_aids.h"
-#include "app/window/panel/replay_bar.h"
 #include "app/window/panel/tabs.h"
-#include "app/window/panel/track_bar.h"
 #include "app/window/panel/viewer_panel.h"
 
 namespace throng::app {

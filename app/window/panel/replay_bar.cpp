@@ -1,5 +1,3 @@
-#include "app/window/panel/replay_bar.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,5 +1,3 @@
-#include "app/window/panel/track_bar.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,6 +6,7 @@
 #include "app/window/panel/controls/bar.h"
 #include "app/window/panel/controls/plots.h"
 #include "app/window/panel/controls/time_axis.h"
+#include "app/window/panel/tabs.h"
 
 namespace throng::app {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -91,6 +92,7 @@ struct InputFrame {
   std::u32string characters;         ///< text typed in this frame
   std::vector<std::string> dropped;  ///< files dropped on the window in this frame
 
+  [[nodiscard]] bool was_pressed(Key key) const { return std::ranges::count(pressed, key) > 0; }
   [[nodiscard]] bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
   [[nodiscard]] bool down(MouseButton button) const { return buttons_down[static_cast<std::size_t>(button)]; }
 };

@@ -74,9 +74,8 @@ void show_open_list(const TabContext& context) {
 void show_body(const TabContext& context) {
   bool& open = context.memory.shows_body;
   context.widgets.section("Body");
-  ButtonRow buttons(context.widgets, 1);
-  if (buttons.button(open ? "Hide parts" : "Show parts",
-                     {.what = "Which bone is which part of the body. Feet, gaze and falling go by it."})) {
+  if (wide_button(context.widgets, open ? "Hide parts" : "Show parts",
+                  {.what = "Which bone is which part of the body. Feet, gaze and falling go by it."})) {
     open = !open;
   }
   if (open || context.widgets.is_searching()) show_open_list(context);

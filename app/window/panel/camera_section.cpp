@@ -79,17 +79,17 @@ void show_camera_section(const TabContext& context) {
   say_who_moves_it(context);
   widgets.caption("Bookmarks");
   show_bookmarks(context);
-  auto speed = static_cast<double>(context.report.cameras.fly_speed);
+  float speed = context.report.cameras.fly_speed;
   const NumberScale scale{.lowest = static_cast<double>(lowest_fly_speed),
                           .highest = static_cast<double>(highest_fly_speed),
                           .decimals = 2,
                           .logarithmic = true,
                           .suffix = " m/s"};
-  if (widgets.number("Flying speed", speed, static_cast<double>(usual_fly_speed), scale,
+  if (widgets.number("Flying speed", speed, usual_fly_speed, scale,
                      {.what = "How fast W A S D and Q E fly; the wheel over the crowd changes it too. Shift is four "
                               "times as fast, Ctrl a quarter.",
                       .unit = "metres a second"})) {
-    context.requests.ask(SetFlySpeed{static_cast<float>(speed)});
+    context.requests.ask(SetFlySpeed{speed});
   }
   if (widgets.is_searching()) return;
   const CameraPose& camera = context.report.camera;

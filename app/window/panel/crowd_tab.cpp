@@ -37,8 +37,8 @@ void show_characters(const TabContext& context) {
 void show_who(const TabContext& context) {
   context.widgets.section("Who");
   show_characters(context);
-  if (ButtonRow(context.widgets, 1)
-          .button("View model", {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
+  if (wide_button(context.widgets, "View model",
+                  {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
     context.requests.ask(View{{.character = context.report.character}});
   }
   context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "

@@ -1,6 +1,5 @@
 #include "app/window/panel/hotkeys.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -79,7 +78,7 @@ int tabs_further(const InputFrame& input, Key key) {
 }
 
 void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
-  const bool by_f = input.down(Key::control) && std::ranges::count(input.pressed, Key::f) > 0;
+  const bool by_f = input.down(Key::control) && input.was_pressed(Key::f);
   if (!by_f && !types_slash(input)) return;
   switches.hidden = false;
   switches.enters_search = true;
@@ -109,7 +108,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
 }
 
 void apply_pair_key(const InputFrame& input, TuningPair& pair, Tuning& tuning, Requests& requests) {
-  if (std::ranges::count(input.pressed, Key::b) == 0) return;
+  if (!input.was_pressed(Key::b)) return;
   if (!pair.has_two()) {
     requests.ask(
         Tell{"There is nothing to compare with yet. Copy A to B in the tab Presets, then change some values."});

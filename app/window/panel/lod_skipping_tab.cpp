@@ -86,10 +86,8 @@ void show_looking(const TabContext& context) {
          .cost = "Everyone in view is posed once more in full, and drawn twice."});
   });
   context.unless_idle("split_at", [&] {
-    auto split_at = static_cast<double>(look.split_at);
-    context.widgets.number("Split at", split_at, static_cast<double>(plain.split_at), {.decimals = 2},
+    context.widgets.number("Split at", look.split_at, plain.split_at, {.decimals = 2},
                            {.what = "Where the line is.", .unit = "of the picture's width"});
-    look.split_at = static_cast<float>(split_at);
   });
 }
 

@@ -158,7 +158,7 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
 }
 
 void Overlay::State::take_keys_of_panel(const FrameReport& report) {
-  if (std::ranges::count(input.pressed, Key::f6) > 0) switches.hidden = false;
+  if (input.was_pressed(Key::f6)) switches.hidden = false;
   if (switches.hidden) widgets.focus().give_back();
   widgets.focus().begin_frame(input, {.typing = ImGui::GetIO().WantTextInput,
                                       .list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),

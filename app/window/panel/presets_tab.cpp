@@ -112,15 +112,13 @@ void show_saving(const TabContext& context) {
   widgets.section("Keep");
   widgets.text("Name", name, "letters, digits, - and _", {.what = "What the tuning and the camera are kept under."});
   const bool exists = std::ranges::binary_search(report.preset_names, name);
-  if (ButtonRow(widgets, 1)
-          .button(exists ? "Replace preset" : "Save preset",
+  if (wide_button(widgets, exists ? "Replace preset" : "Save preset",
                   {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
                            "preset of that name is replaced."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
     requests.ask(SavePreset{name});
   }
-  if (ButtonRow(widgets, 1)
-          .button("Copy as command line",
+  if (wide_button(widgets, "Copy as command line",
                   {.what = "Puts the options that make this crowd into the clipboard: its models and roles, and "
                            "what differs from what no option means. Orders of bones and parts of the body are in "
                            "crowd files alone."}))
@@ -155,8 +153,7 @@ void show_crowd_files(const TabContext& context) {
   widgets.section("Crowd files");
   widgets.text("Crowd name", name, "letters, digits, - and _", {.what = "NAME of NAME.throng, in the working folder."});
   const bool exists = std::ranges::binary_search(report.crowd_names, name);
-  if (ButtonRow(widgets, 1)
-          .button(exists ? "Replace crowd" : "Save crowd",
+  if (wide_button(widgets, exists ? "Replace crowd" : "Save crowd",
                   {.what = "Writes NAME.throng: the models and their shares, roles, parts of the body and orders of "
                            "bones, all values and the camera. throng NAME.throng, a drop on the window or Open brings "
                            "all of it back."},

@@ -113,8 +113,8 @@ void show_looked_at(const TabContext& context, const FrameDetails& frame, float 
   widgets.fact("Copied in, out", size_text(frame.work.copies.bytes_in) + ", " + size_text(frame.work.copies.bytes_out),
                {.what = "Entity blocks, over all PUs.", .unit = "bytes"});
   widgets.fact("Palettes written", size_text(frame.work.palette_bytes), {.what = "In that frame.", .unit = "bytes"});
-  if (ButtonRow(widgets, 1)
-          .button("Back to the last frames", {.what = "The table and the timeline show what happens now again."}))
+  if (wide_button(widgets, "Back to the last frames",
+                  {.what = "The table and the timeline show what happens now again."}))
     context.requests.ask(LookAtLastFrames{});
 }
 

@@ -171,12 +171,11 @@ std::string refusals(const SweepCurve& curve) {
 }
 
 void show_sweep_button(const TabContext& context) {
-  ButtonRow buttons(context.widgets, 1);
   const bool stands = context.tuning.paused || context.tuning.taken_away.animation;
   if (context.report.sweep.runs) {
-    if (buttons.button("Stop", {.what = "The curve so far stays."})) context.requests.ask(StopSweep{});
-  } else if (buttons.button(
-                 "Sweep",
+    if (wide_button(context.widgets, "Stop", {.what = "The curve so far stays."})) context.requests.ask(StopSweep{});
+  } else if (wide_button(
+                 context.widgets, "Sweep",
                  {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of all. "
                           "Then the value is as it was. Poses are the same throughout.",
                   .cost = "Some frames are slow meanwhile."},

@@ -24,8 +24,7 @@ struct Panel {
 void show_way_back(const Panel& panel, const std::string& name) {
   Widgets& widgets = panel.widgets;
   widgets.section(name.c_str());
-  ButtonRow buttons(widgets, 1);
-  if (buttons.button("Back to the crowd", {.what = "The crowd goes on where it waits. Key Esc."}))
+  if (wide_button(widgets, "Back to the crowd", {.what = "The crowd goes on where it waits. Key Esc."}))
     panel.requests.ask(LeaveViewer{});
 }
 
@@ -35,9 +34,8 @@ void show_preview(const Panel& panel) {
   const std::string role = role_names.at(index_of(panel.report.preview->role));
   widgets.section("A clip for a role");
   widgets.caption("Choose below what plays for " + role + ". The crowd plays it once you apply it.");
-  ButtonRow buttons(widgets, 1);
-  if (buttons.button("Apply to the crowd",
-                     {.what = "Agents keep their places, unless the character begins or ceases to walk."}))
+  if (wide_button(widgets, "Apply to the crowd",
+                  {.what = "Agents keep their places, unless the character begins or ceases to walk."}))
     panel.requests.ask(ApplyPreview{});
 }
 
@@ -99,17 +97,13 @@ void show_time(Panel& panel) {
                      {.what = "Drag to stop the clip and to move through it.", .unit = "seconds from its start"})) {
     requests.ask(ScrubViewer{static_cast<float>(seconds)});
   }
-  ButtonRow buttons(widgets, 1);
-  if (buttons.button(settings.plays ? "Pause" : "Play", {.what = "Key Space."},
-                     settings.bind_pose ? "nothing moves in the bind pose" : nullptr)) {
+  if (wide_button(widgets, settings.plays ? "Pause" : "Play", {.what = "Key Space."},
+                  settings.bind_pose ? "nothing moves in the bind pose" : nullptr)) {
     settings.plays = !settings.plays;
   }
   widgets.toggle("Loop", settings.loops, true, {.what = "On: the clip begins anew at its end. Off: it stops there."});
-  double speed = static_cast<double>(settings.speed);
-  if (widgets.number("Clip speed", speed, 1, {.lowest = -2, .highest = 4, .decimals = 2},
-                     {.what = "How fast the clip plays; below 0: backwards.", .unit = "times its own speed"})) {
-    settings.speed = static_cast<float>(speed);
-  }
+  widgets.number("Clip speed", settings.speed, 1, {.lowest = -2, .highest = 4, .decimals = 2},
+                 {.what = "How fast the clip plays; below 0: backwards.", .unit = "times its own speed"});
 }
 
 void show_blend(Panel& panel) {
@@ -120,12 +114,9 @@ void show_blend(Panel& panel) {
   widgets.section("Blend");
   widgets.pick("Second clip", settings.blended, no_clip, names, no_clip_name,
                {.what = "A clip that is blended with the first. Both go in step, in the time between theirs."});
-  double weight = static_cast<double>(settings.weight);
   ImGui::BeginDisabled(settings.blended == no_clip);
-  if (widgets.number("Weight", weight, 0.5, {.decimals = 2},
-                     {.what = "How much of the second clip is in the pose.", .unit = "0 to 1"})) {
-    settings.weight = static_cast<float>(weight);
-  }
+  widgets.number("Weight", settings.weight, 0.5F, {.decimals = 2},
+                 {.what = "How much of the second clip is in the pose.", .unit = "0 to 1"});
   ImGui::EndDisabled();
 }
 
@@ -153,8 +144,7 @@ void show_look(Panel& panel) {
   choose_number(widgets, "Mesh LOD", settings.mesh_lod, report.meshes.size(),
                 {.what = "The triangles that a level of detail keeps; 0 has all."});
   widgets.toggle("Turn", settings.turns, false, {.what = "The turntable goes round. A drag turns it by hand."});
-  ButtonRow buttons(widgets, 1);
-  if (buttons.button("Front", {.what = "Back to where the turntable began. Key F."})) requests.ask(FaceFront{});
+  if (wide_button(widgets, "Front", {.what = "Back to where the turntable began. Key F."})) requests.ask(FaceFront{});
 }
 
 std::string metres(float value) { return fixed(value, value < 0.1F ? 4 : (value < 10 ? 2 : 1)) + " m"; }

@@ -35,27 +35,21 @@ void show_weights(const TabContext& context, const std::string& before, const ch
                   WeighedNames& names) {
   for (WeighedName& name : names) {
     if (name.name.empty()) continue;  // the one body of a file that names none
-    double weight = static_cast<double>(name.weight);
-    const NumberScale scale{.highest = std::max(most_on_track, weight), .decimals = 1};
+    const NumberScale scale{.highest = std::max(most_on_track, static_cast<double>(name.weight)), .decimals = 1};
     const std::string label = before.empty() ? capitalised(name.name) : before + name.name;
-    if (context.widgets.number(label.c_str(), weight, static_cast<double>(standard_of(standard, name)), scale,
-                               {.what = what, .unit = "a share beside the others", .cost = cost_of_dressing})) {
-      name.weight = static_cast<float>(weight);
-    }
+    context.widgets.number(label.c_str(), name.weight, standard_of(standard, name), scale,
+                           {.what = what, .unit = "a share beside the others", .cost = cost_of_dressing});
   }
 }
 
 void show_things(const TabContext& context, CastTuning& tuning) {
-  double things = static_cast<double>(tuning.things);
   const NumberScale scale{
       .highest = most_things_on_track, .decimals = 1, .suffix = " times", .most_typed = most_things};
-  if (context.widgets.number(
-          "Things in hands", things, static_cast<double>(context.report.wardrobe.standard.things), scale,
-          {.what = "How much more often people hold a bag, a phone or an umbrella than their "
-                   "styles say. 0: who takes pictures alone. Whoever holds a thing uses it now and then.",
-           .cost = cost_of_dressing})) {
-    tuning.things = static_cast<float>(things);
-  }
+  context.widgets.number(
+      "Things in hands", tuning.things, context.report.wardrobe.standard.things, scale,
+      {.what = "How much more often people hold a bag, a phone or an umbrella than their "
+               "styles say. 0: who takes pictures alone. Whoever holds a thing uses it now and then.",
+       .cost = cost_of_dressing});
 }
 
 void show_styles(const TabContext& context, CastTuning& tuning) {

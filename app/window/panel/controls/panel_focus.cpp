@@ -20,15 +20,13 @@ constexpr std::array repeated_keys = std::to_array<std::pair<Key, ImGuiKey>>({{K
                                                                               {Key::left, ImGuiKey_LeftArrow},
                                                                               {Key::right, ImGuiKey_RightArrow}});
 
-bool was_pressed(const InputFrame& input, Key key) { return std::ranges::count(input.pressed, key) > 0; }
-
 // Ctrl makes other keys of them.
 bool belongs_to_panel(const InputFrame& input, Key key) {
   return !input.down(Key::control) && std::ranges::count(panel_keys, key) > 0;
 }
 
 bool is_held_long(const InputFrame& input, Key key, ImGuiKey theirs) {
-  return input.down(key) && !was_pressed(input, key) && ImGui::IsKeyPressed(theirs, true);
+  return input.down(key) && !input.was_pressed(key) && ImGui::IsKeyPressed(theirs, true);
 }
 
 bool is_clicked(ImVec2 from, ImVec2 to) {
@@ -64,8 +62,8 @@ void PanelFocus::begin_frame(InputFrame& input, const Before& before) {
   if (at_crowd) give_back();
   // The keys with which one leaves a field for the next widget, as in a table.
   constexpr std::array leaving = {Key::tab, Key::up, Key::down};
-  const bool leaves = was_pressed(input, Key::f6) ||
-                      (has_keys_ && std::ranges::any_of(leaving, [&](Key key) { return was_pressed(input, key); }));
+  const bool leaves = input.was_pressed(Key::f6) ||
+                      (has_keys_ && std::ranges::any_of(leaving, [&](Key key) { return input.was_pressed(key); }));
   if (before.typing && leaves) ImGui::ClearActiveID();
   if (before.typing && !leaves) return;
   take_or_give_back(input, before);
@@ -76,12 +74,12 @@ void PanelFocus::begin_frame(InputFrame& input, const Before& before) {
 }
 
 void PanelFocus::take_or_give_back(InputFrame& input, const Before& before) {
-  if (was_pressed(input, Key::f6)) {
+  if (input.was_pressed(Key::f6)) {
     has_keys_ = !has_keys_;
     go_to(focused_);
     waiting_.clear();
   }
-  const bool by_escape = has_keys_ && !before.list && !before.search && was_pressed(input, Key::escape);
+  const bool by_escape = has_keys_ && !before.list && !before.search && input.was_pressed(Key::escape);
   if (!by_escape) return;
   has_keys_ = false;
   std::erase(input.pressed, Key::escape);

@@ -84,6 +84,13 @@ bool Widgets::number(const char* label, double& value, double standard, const Nu
   return true;
 }
 
+bool Widgets::number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help) {
+  auto exact = static_cast<double>(value);
+  const bool changed = number(label, exact, static_cast<double>(standard), scale, help);
+  if (changed) value = static_cast<float>(exact);
+  return changed;
+}
+
 bool Widgets::drag_track(const char* label, const Area& place, double& value, double standard,
                          const NumberScale& scale) {
   pressable(label, place);

@@ -96,6 +96,10 @@ bool ButtonRow::button(const char* label, const Help& help, const char* idle) {
   return pressed;
 }
 
+bool wide_button(Widgets& widgets, const char* label, const Help& help, const char* idle) {
+  return ButtonRow(widgets, 1).button(label, help, idle);
+}
+
 void Widgets::record(const std::string& name, const Area& place, bool takes_clicks) {
   ImRect seen(place.from, place.to);
   seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);

@@ -53,6 +53,7 @@ class Widgets {
 
   void section(const char* title);
   bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
+  bool number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help);
   bool toggle(const char* label, bool& value, bool standard, const Help& help);
   bool button(const char* label, const Help& help, float width) { return named_button(label, label, help, width); }
   /// Shows a button that shares its words with others; `name` tells it apart in the map.
@@ -161,6 +162,9 @@ class ButtonRow {
   float width_;
   bool begun_ = false;
 };
+
+/// Shows one button over all of the width that is left.
+bool wide_button(Widgets& widgets, const char* label, const Help& help, const char* idle = nullptr);
 
 /// Returns a rectangle that knows whether the pointer is over it.
 Area rectangle(ImVec2 from, ImVec2 to);

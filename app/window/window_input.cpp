@@ -45,15 +45,6 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_X, Key::x},
     {GLFW_KEY_Y, Key::y},
     {GLFW_KEY_Z, Key::z},
-    {GLFW_KEY_1, Key::digit_1},
-    {GLFW_KEY_2, Key::digit_2},
-    {GLFW_KEY_3, Key::digit_3},
-    {GLFW_KEY_4, Key::digit_4},
-    {GLFW_KEY_5, Key::digit_5},
-    {GLFW_KEY_6, Key::digit_6},
-    {GLFW_KEY_7, Key::digit_7},
-    {GLFW_KEY_8, Key::digit_8},
-    {GLFW_KEY_9, Key::digit_9},
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F6, Key::f6},
@@ -69,13 +60,17 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
 });
 
 std::optional<Key> key_of(int glfw_key) {
+  const int digit = glfw_key - GLFW_KEY_1;
+  if (digit >= 0 && digit < 9) return static_cast<Key>(static_cast<int>(Key::digit_1) + digit);
   const auto* const found = std::ranges::find(known_keys, glfw_key, &std::pair<int, Key>::first);
   if (found == known_keys.end()) return std::nullopt;
   return found->second;
 }
 
+// A window may outlive its input.
 void send(GLFWwindow* window, const InputEvent& event) {
-  static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->push(event);
+  auto* const input = static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+  if (input != nullptr) input->push(event);
 }
 
 void on_key(GLFWwindow* window, int glfw_key, int /*scancode*/, int action, int /*modifiers*/) {
@@ -138,17 +133,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetWindowFocusCallback(window, on_focus);
 }
 
-WindowInput::~WindowInput() {
-  glfwSetKeyCallback(window_, nullptr);
-  glfwSetCharCallback(window_, nullptr);
-  glfwSetMouseButtonCallback(window_, nullptr);
-  glfwSetCursorPosCallback(window_, nullptr);
-  glfwSetCursorEnterCallback(window_, nullptr);
-  glfwSetScrollCallback(window_, nullptr);
-  glfwSetDropCallback(window_, nullptr);
-  glfwSetWindowFocusCallback(window_, nullptr);
-  glfwSetWindowUserPointer(window_, nullptr);
-}
+WindowInput::~WindowInput() { glfwSetWindowUserPointer(window_, nullptr); }
 
 const InputFrame& WindowInput::next_frame() {
   glfwPollEvents();

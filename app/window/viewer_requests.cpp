@@ -7,38 +7,26 @@
 namespace throng::app {
 namespace {
 
-class ViewerTaker {
- public:
-  explicit ViewerTaker(Show& show) : show_(show) {}
+anim::Status carry_out(const View& view, Show& show) { return show.open_viewer(view.what); }
+anim::Status carry_out(const ViewSelected&, Show& show) {
+  const auto selected = show.stage().selected();
+  if (!selected) return anim::Done{};
+  const std::size_t character = show.stage().crowd().characters()[*selected];
+  if (character >= show.stage().people().size()) return anim::Error{"a thing is not shown alone, only a character is"};
+  return show.open_viewer({.character = character, .agent = selected});
+}
+anim::Status carry_out(const LeaveViewer&, Show& show) { return show.leave_viewer(), anim::Done{}; }
+// The caller makes a request of it.
+anim::Status carry_out(const ApplyPreview&, Show& show) { return show.leave_viewer(), anim::Done{}; }
 
-  anim::Status take(const View& view) const { return show_.open_viewer(view.what); }
-  anim::Status take(const ViewSelected&) const {
-    const auto selected = show_.stage().selected();
-    if (!selected) return anim::Done{};
-    const std::size_t character = show_.stage().crowd().characters()[*selected];
-    if (character >= show_.stage().people().size())
-      return anim::Error{"a thing is not shown alone, only a character is"};
-    return show_.open_viewer({.character = character, .agent = selected});
-  }
-  anim::Status take(const LeaveViewer&) const { return show_.leave_viewer(), anim::Done{}; }
-  anim::Status take(const SetViewer& asked) const {
-    if (show_.viewer() != nullptr) show_.viewer()->choose(asked.settings);
-    return anim::Done{};
-  }
-  anim::Status take(const ScrubViewer& asked) const {
-    if (show_.viewer() != nullptr) show_.viewer()->scrub(asked.seconds);
-    return anim::Done{};
-  }
-  anim::Status take(const FaceFront&) const {
-    if (show_.viewer() != nullptr) show_.viewer()->turntable().face_front();
-    return anim::Done{};
-  }
-  // The caller makes a request of it.
-  anim::Status take(const ApplyPreview&) const { return take(LeaveViewer{}); }
-
- private:
-  Show& show_;
-};
+void change(const SetViewer& asked, Viewer& viewer) { viewer.choose(asked.settings); }
+void change(const ScrubViewer& asked, Viewer& viewer) { viewer.scrub(asked.seconds); }
+void change(const FaceFront&, Viewer& viewer) { viewer.turntable().face_front(); }
+template <typename OfViewer>
+anim::Status carry_out(const OfViewer& asked, Show& show) {
+  if (show.viewer() != nullptr) change(asked, *show.viewer());
+  return anim::Done{};
+}
 
 }  // namespace
 
@@ -52,7 +40,7 @@ std::optional<SetRoles> previewed_roles(const Show& show) {
 }
 
 anim::Status take(const ViewerRequest& request, Show& show) {
-  return std::visit([&](const auto& asked) { return ViewerTaker(show).take(asked); }, request);
+  return std::visit([&](const auto& asked) { return carry_out(asked, show); }, request);
 }
 
 }  // namespace throng::app

@@ -51,7 +51,6 @@ class CameraGuide {
     follows_ = false, behind_ = camera, while_selected_ = while_selected;
   }
   bool follows() const { return follows_ || behind_.has_value(); }
-  bool follows_behind() const { return behind_.has_value(); }
 
   /// Returns the camera for the moment on the stage. `films`: a path or a film moves it. Call it once a frame.
   render::Camera moved(const Stage& stage, const render::Camera& camera, bool films);

@@ -72,7 +72,6 @@ class ErrorMeter {
   /// Returns the last measured error of an agent's pose and mesh together, in pixels; below 0 if it was not measured
   /// since reset().
   float error_of(std::uint32_t agent) const { return errors_[agent]; }
-  const anim::SurfacePoints& points(std::size_t character) const { return characters_[character].points; }
 
  private:
   struct MeasuredCharacter {

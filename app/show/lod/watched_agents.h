@@ -46,7 +46,6 @@ class WatchedAgents {
 
   /// Stops watching, and makes room for at most `watched` of the crowd's `agents`, with palettes of at most `entries`.
   void reset(std::size_t agents, std::size_t watched, std::size_t entries);
-  std::size_t capacity() const { return watched_.size(); }
 
   /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with the agents in view.
   void choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);

@@ -214,6 +214,4 @@ void Overlay::show_tab(const std::string& name) { state_->column.go_to(name); }
 
 TuningPair& Overlay::tuning_pair() { return state_->memory.pair; }
 
-bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }
-
 }  // namespace throng::app

@@ -82,9 +82,6 @@ class Overlay {
   /// Returns the two tunings that the person compares, for the caller to keep or to exchange.
   TuningPair& tuning_pair();
 
-  /// Returns whether the fonts cannot be read; then ImGui's own font is in use.
-  bool fonts_missing() const;
-
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -113,11 +113,11 @@ TEST_F(FollowsInShow, EndsWithTheSelectionInAWindow) {
   EXPECT_TRUE(show->take(Select{0}));
   show->view().guide.follow_behind(FollowCamera(0), true);
   pass(*show, 1.0);
-  EXPECT_TRUE(show->view().guide.follows_behind());
+  EXPECT_TRUE(show->view().guide.follows());
   EXPECT_TRUE(show->take(Select{}));
   const render::Camera before = show->view().camera;
   pass(*show, 1.0);
-  EXPECT_FALSE(show->view().guide.follows_behind());
+  EXPECT_FALSE(show->view().guide.follows());
   EXPECT_EQ(show->view().camera, before);
 }
 

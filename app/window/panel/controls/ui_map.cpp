@@ -1,6 +1,5 @@
 #include "app/window/panel/controls/ui_map.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "app/character/rig_table.h"
@@ -173,16 +172,6 @@ Json camera_json(const CameraPose& camera) {
 }
 
 }  // namespace
-
-const UiRectangle* UiMap::find(const std::string& name) const {
-  const auto found = std::ranges::find(widgets, name, &std::pair<std::string, UiRectangle>::first);
-  return found == widgets.end() ? nullptr : &found->second;
-}
-
-const std::string* UiMap::why_idle(const std::string& row) const {
-  const auto found = std::ranges::find(idle, row, &std::pair<std::string, std::string>::first);
-  return found == idle.end() ? nullptr : &found->second;
-}
 
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report) {
   Json widgets = Json::object();

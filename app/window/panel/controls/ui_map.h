@@ -28,10 +28,6 @@ struct UiMap {
   std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< the visible widgets, in drawing order
   std::vector<UiRectangle> over_crowd;                       ///< the cards, notices and bars that lie over the crowd
   std::vector<std::pair<std::string, std::string>> idle;     ///< rows that have no effect now, and why
-
-  [[nodiscard]] const UiRectangle* find(const std::string& name) const;
-  /// Returns why a row has no effect; null where it has one, or is not there.
-  [[nodiscard]] const std::string* why_idle(const std::string& row) const;
 };
 
 /// Returns the map with the figures that tests wait for, as JSON: `size` [width, height], `tab`, `hidden`, `help`,

@@ -69,8 +69,8 @@ TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
   for (int bone = 0; bone < 40; ++bone) driver.report.body.bones.push_back("z" + std::to_string(bone));
   open();
   driver.click("Right toes");
-  const UiRectangle row = *driver.overlay.ui_map().find("Right toes");
-  const UiRectangle* const bone = driver.overlay.ui_map().find("Right toes:ankle");
+  const UiRectangle row = *driver.find("Right toes");
+  const UiRectangle* const bone = driver.find("Right toes:ankle");
   ASSERT_NE(bone, nullptr);
   EXPECT_LT(bone->y + bone->height, row.y + 1);
 }

@@ -63,11 +63,11 @@ TEST_F(BoneListTest, ABoneThatIsLetGoInItsOwnPlaceChangesNothing) {
 
 TEST_F(BoneListTest, UndoIsAskedForOnlyWhereTheLastChangeWasOneOfBones) {
   EXPECT_FALSE(asks<Undo>(driver.click("Undo")));
-  ASSERT_NE(driver.overlay.ui_map().why_idle("Undo"), nullptr);
-  EXPECT_EQ(*driver.overlay.ui_map().why_idle("Undo"), "the last change was none of bones");
+  ASSERT_NE(driver.why_idle("Undo"), nullptr);
+  EXPECT_EQ(*driver.why_idle("Undo"), "the last change was none of bones");
   driver.report.can_undo_bones = true;
   driver.frames();
-  EXPECT_EQ(driver.overlay.ui_map().why_idle("Undo"), nullptr);
+  EXPECT_EQ(driver.why_idle("Undo"), nullptr);
   const Requests undone = driver.click("Undo");
   EXPECT_TRUE(asks<Undo>(undone));
   EXPECT_FALSE(asks<SetBones>(undone)) << "the order of before is kept elsewhere";

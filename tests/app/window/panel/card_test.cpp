@@ -9,7 +9,7 @@ namespace {
 
 float share_of_crowd(const OverlayDriver& driver, const std::string& card) {
   const UiRectangle crowd = driver.overlay.crowd_area();
-  const UiRectangle* const place = driver.overlay.ui_map().find(card);
+  const UiRectangle* const place = driver.find(card);
   return place == nullptr ? 0 : place->width * place->height / (crowd.width * crowd.height);
 }
 
@@ -37,9 +37,9 @@ TEST(Card, FoldsToItsTitleAndUnfolds) {
 TEST(Card, MovesByItsTitleAndStaysInTheCrowd) {
   OverlayDriver driver;
   driver.press(Key::f1);
-  const UiRectangle before = *driver.overlay.ui_map().find("Help");
+  const UiRectangle before = *driver.find("Help");
   driver.drag_to("Help.title", "tab:Crowd");
-  const UiRectangle after = *driver.overlay.ui_map().find("Help");
+  const UiRectangle after = *driver.find("Help");
   EXPECT_GT(after.x, before.x);
   EXPECT_LE(after.x + after.width, driver.overlay.crowd_area().width) << "not below the panel";
   EXPECT_GE(after.y, 0);
@@ -48,10 +48,10 @@ TEST(Card, MovesByItsTitleAndStaysInTheCrowd) {
 TEST(HelpCard, ExplainsAWordThatIsSearched) {
   OverlayDriver driver;
   driver.press(Key::f1);
-  const float all = driver.overlay.ui_map().find("Help")->height;
+  const float all = driver.find("Help")->height;
   driver.click("Search.field");
   driver.type("tolerance");
-  EXPECT_LT(driver.overlay.ui_map().find("Help")->height, all) << "one line is left";
+  EXPECT_LT(driver.find("Help")->height, all) << "one line is left";
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST_F(LodSkippingTab, WritesFiguresAboveHeadsThatAreInFrontOfTheCamera) {
 
 TEST_F(LodSkippingTab, DisablesWhatTheRuleDoesNotReadAndSaysWhy) {
   driver.report.situation.mesh_levels = 1;
-  const auto is_idle = [&](const char* row) { return driver.overlay.ui_map().why_idle(row) != nullptr; };
+  const auto is_idle = [&](const char* row) { return driver.why_idle(row) != nullptr; };
   for (const char* const rule : {"off", "distance", "budget"}) {
     driver.click(std::string("Rule:") + rule);
     const bool distance = rule == std::string("distance"), budget = rule == std::string("budget");
@@ -113,13 +113,12 @@ TEST_F(LodSkippingTab, DisablesWhatTheRuleDoesNotReadAndSaysWhy) {
     driver.drag("Full rate until", 0.9F);
     EXPECT_EQ(driver.tuning == before, !distance) << rule;
   }
-  EXPECT_EQ(*driver.overlay.ui_map().why_idle("Full rate until"),
-            "the rule budget goes by pixels and milliseconds, not by metres");
+  EXPECT_EQ(*driver.why_idle("Full rate until"), "the rule budget goes by pixels and milliseconds, not by metres");
 }
 
 TEST_F(LodSkippingTab, TellsTheReasonWhereThePointerRestsOnADisabledRow) {
   const auto vertices_at = [&](const char* row) {
-    const UiRectangle place = *driver.overlay.ui_map().find(row);
+    const UiRectangle place = *driver.find(row);
     driver.point_at(place.x + 4, place.y + place.height / 2);
     driver.frames(60);
     return driver.overlay.vertex_count();
@@ -186,12 +185,11 @@ TEST_F(LodSkippingTab, SaysWhySkippingDoesNotPay) {
   driver.report.error.figures.samples = 1;
   driver.frames();
   const int before = driver.overlay.vertex_count();
-  const float place = driver.overlay.ui_map().find("Freeze LOD camera")->y;
+  const float place = driver.find("Freeze LOD camera")->y;
   driver.report.error.skipping_sentence = "At 10 frames a second skipping does not pay.";
   driver.frames();
   EXPECT_GT(driver.overlay.vertex_count(), before);
-  EXPECT_EQ(driver.overlay.ui_map().find("Freeze LOD camera")->y, place)
-      << "nothing below moves while one clicks at it";
+  EXPECT_EQ(driver.find("Freeze LOD camera")->y, place) << "nothing below moves while one clicks at it";
 }
 
 TEST_F(LodSkippingTab, ChoosesWhoIsMeasured) {

@@ -58,10 +58,10 @@ TEST(Notices, TheTuningInUseIsNamedOnceThereAreTwo) {
   driver.frames();
   ASSERT_TRUE(driver.sees("badge:pair"));
   EXPECT_FALSE(driver.overlay.ui_map().shows_b);
-  const float unnamed = driver.overlay.ui_map().find("badge:pair")->width;
+  const float unnamed = driver.find("badge:pair")->width;
   driver.overlay.tuning_pair().names[0] = "baseline";
   driver.frames();
-  EXPECT_GT(driver.overlay.ui_map().find("badge:pair")->width, unnamed) << "it has room for the name";
+  EXPECT_GT(driver.find("badge:pair")->width, unnamed) << "it has room for the name";
   driver.click("badge:pair");
   EXPECT_TRUE(driver.overlay.ui_map().shows_b);
 }
@@ -106,7 +106,7 @@ TEST(Notices, ALongOneTakesMoreLinesAndStaysInTheCrowd) {
   OverlayDriver driver;
   driver.report.messages.say(std::string(60, 'w') + " " + std::string(60, 'w') + " " + std::string(60, 'w'));
   driver.frames();
-  const UiRectangle* const place = driver.overlay.ui_map().find("message:0");
+  const UiRectangle* const place = driver.find("message:0");
   ASSERT_NE(place, nullptr);
   EXPECT_LE(place->x + place->width, driver.overlay.crowd_area().width);
   EXPECT_GT(place->height, 40) << "more than a line";

@@ -1,5 +1,8 @@
 #include "tests/app/window/panel/overlay_driver.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace throng::app {
 OverlayDriver::OverlayDriver(const std::string& fonts)
     : overlay(fonts, 1, Tuning(),
@@ -75,9 +78,21 @@ void OverlayDriver::type(const std::string& text) {
 void OverlayDriver::point_at(float x, float y) { input.push({.kind = InputEvent::Kind::pointer, .x = x, .y = y}); }
 
 void OverlayDriver::point_at(const std::string& widget, float share) {
-  const UiRectangle* const place = overlay.ui_map().find(widget);
+  const UiRectangle* const place = find(widget);
   ASSERT_NE(place, nullptr) << "no widget is called " << widget;
   point_at(place->x + share * place->width, place->y + place->height / 2);
+}
+
+const UiRectangle* OverlayDriver::find(const std::string& widget) const {
+  const auto& all = overlay.ui_map().widgets;
+  const auto found = std::ranges::find(all, widget, &std::pair<std::string, UiRectangle>::first);
+  return found == all.end() ? nullptr : &found->second;
+}
+
+const std::string* OverlayDriver::why_idle(const std::string& row) const {
+  const auto& all = overlay.ui_map().idle;
+  const auto found = std::ranges::find(all, row, &std::pair<std::string, std::string>::first);
+  return found == all.end() ? nullptr : &found->second;
 }
 
 void OverlayDriver::button(bool down) { input.push({.kind = InputEvent::Kind::button, .down = down}); }

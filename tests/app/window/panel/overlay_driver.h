@@ -37,7 +37,11 @@ class OverlayDriver {
   /// Presses or lets go of the left button.
   void button(bool down);
 
-  [[nodiscard]] bool sees(const std::string& widget) const { return overlay.ui_map().find(widget) != nullptr; }
+  /// Returns the place of a widget; null where it is not seen.
+  [[nodiscard]] const UiRectangle* find(const std::string& widget) const;
+  /// Returns why a row has no effect; null where it has one, or is not there.
+  [[nodiscard]] const std::string* why_idle(const std::string& row) const;
+  [[nodiscard]] bool sees(const std::string& widget) const { return find(widget) != nullptr; }
 
   Overlay overlay;
   FrameReport report;

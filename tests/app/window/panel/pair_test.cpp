@@ -21,8 +21,8 @@ TEST_F(PairTest, NothingIsCopiedUntilItIsAskedFor) {
   EXPECT_FALSE(pair().has_two());
   EXPECT_FALSE(driver.overlay.ui_map().shows_b);
   EXPECT_FALSE(driver.sees("badge:pair"));
-  EXPECT_NE(driver.overlay.ui_map().why_idle("B"), nullptr) << "there is no B to be named";
-  EXPECT_NE(driver.overlay.ui_map().why_idle("Forget B"), nullptr);
+  EXPECT_NE(driver.why_idle("B"), nullptr) << "there is no B to be named";
+  EXPECT_NE(driver.why_idle("Forget B"), nullptr);
   driver.click("Copy A to B");
   EXPECT_TRUE(pair().has_two());
   EXPECT_FALSE(asks<Tell>(driver.press(Key::b)));

@@ -17,7 +17,7 @@ bool overlap(const UiRectangle& a, const UiRectangle& b) {
 
 struct PictureAids : testing::Test {
   UiRectangle place(const std::string& widget) {
-    const UiRectangle* const found = driver.overlay.ui_map().find(widget);
+    const UiRectangle* const found = driver.find(widget);
     EXPECT_NE(found, nullptr) << widget;
     return found == nullptr ? UiRectangle() : *found;
   }

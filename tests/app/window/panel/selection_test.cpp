@@ -52,7 +52,7 @@ TEST_F(SelectionCard, ShowsTheSelectedAgentWithEachEntity) {
   EXPECT_TRUE(driver.sees("Selected"));
   for (const std::string row : {"Entity 0", "Entity 1", "Entity 2"}) EXPECT_TRUE(driver.sees(row)) << row;
   EXPECT_FALSE(driver.sees("Entity 3"));
-  const UiRectangle card = *driver.overlay.ui_map().find("Selected"), crowd = driver.overlay.crowd_area();
+  const UiRectangle card = *driver.find("Selected"), crowd = driver.overlay.crowd_area();
   EXPECT_LE(card.x + card.width, crowd.width);
   EXPECT_LE(card.y + card.height, crowd.height);
   driver.report.selected.reset();
@@ -77,7 +77,7 @@ TEST_F(SelectionCard, OfALongGraphShowsTheEndAndStaysInThePicture) {
   EXPECT_FALSE(driver.sees("Entity 47"));
   EXPECT_TRUE(driver.sees("Entity 62"));
   EXPECT_TRUE(driver.sees("Entity 63"));
-  const UiRectangle card = *driver.overlay.ui_map().find("Selected"), crowd = driver.overlay.crowd_area();
+  const UiRectangle card = *driver.find("Selected"), crowd = driver.overlay.crowd_area();
   EXPECT_LE(card.width * card.height, crowd.width * crowd.height / 5);
 }
 
@@ -93,7 +93,7 @@ TEST_F(SelectionCard, ADragAndAClickAtTheOverlayAreNoClicksAtTheCrowd) {
   EXPECT_FALSE(asks<SelectAt>(click_at(1100, 300))) << "the column";
   EXPECT_FALSE(asks<SelectAt>(click_at(300, OverlayDriver::height - 70))) << "the strip";
   select();
-  const UiRectangle card = *driver.overlay.ui_map().find("Selected");
+  const UiRectangle card = *driver.find("Selected");
   EXPECT_FALSE(asks<SelectAt>(click_at(card.x + 20, card.y + 20))) << "the card";
   driver.point_at(1100, 300);
   driver.input.push({.kind = InputEvent::Kind::button, .down = true});

@@ -26,7 +26,7 @@ struct SweepTest : testing::Test {
   }
   /// A click into the curve, at a share of its width.
   void click_at(float share) {
-    const UiRectangle place = *driver.overlay.ui_map().find("Sweep curve");
+    const UiRectangle place = *driver.find("Sweep curve");
     driver.point_at(place.x + share * place.width, place.y + place.height / 2);
     driver.input.push({.kind = InputEvent::Kind::button, .down = true});
     driver.input.push({.kind = InputEvent::Kind::button, .down = false});

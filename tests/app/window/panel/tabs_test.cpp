@@ -109,7 +109,7 @@ struct TimelineTest : testing::Test {
     scroll_down(driver);
   }
   void point_into_timeline(float share) {
-    const UiRectangle place = *driver.overlay.ui_map().find("Timeline");
+    const UiRectangle place = *driver.find("Timeline");
     driver.point_at(place.x + share * place.width, place.y + place.height / 4);
     driver.frames();
   }
@@ -129,11 +129,11 @@ TEST_F(TimelineTest, ShowsEveryFrameThatThereIs) {
 TEST_F(TimelineTest, TheWheelZoomsAndDoesNotScrollTheTab) {
   ASSERT_TRUE(driver.sees("Timeline"));
   point_into_timeline(0.1F);
-  const float y = driver.overlay.ui_map().find("Timeline")->y;
+  const float y = driver.find("Timeline")->y;
   const int all = driver.overlay.vertex_count();
   driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = 10});
   driver.frames();
-  EXPECT_EQ(driver.overlay.ui_map().find("Timeline")->y, y);
+  EXPECT_EQ(driver.find("Timeline")->y, y);
   point_into_timeline(0.99F);  // away from the span that the pointer told of
   EXPECT_NE(driver.overlay.vertex_count(), all);
 }
@@ -218,7 +218,7 @@ TEST(CrowdTabTime, GoesBackToTheSnapshotNearestToWhereTheSliderIsLetGo) {
   OverlayDriver driver;
   driver.report.snapshots = {0.2F, 0.7F, 1.2F, 1.7F};
   driver.frames();
-  const UiRectangle track = *driver.overlay.ui_map().find("Back by");
+  const UiRectangle track = *driver.find("Back by");
   driver.point_at(track.x + 2, track.y + track.height / 2);
   const auto press = [&](bool down) { driver.input.push({.kind = InputEvent::Kind::button, .down = down}); };
   press(true);

@@ -153,8 +153,7 @@ TEST_F(TrackBar, APartOfNoLengthStillHasTwoHandles) {
   person_.type("]");
   EXPECT_EQ(clock().first, 50.0);
   EXPECT_EQ(clock().last, 50.0);
-  const UiRectangle from = *person_.overlay.ui_map().find("Tracks.from"),
-                    to = *person_.overlay.ui_map().find("Tracks.to");
+  const UiRectangle from = *person_.find("Tracks.from"), to = *person_.find("Tracks.to");
   EXPECT_LE(from.x + from.width, to.x + 0.5F);
   person_.drag("Tracks.to", 8.0F);
   EXPECT_GT(clock().last, 52.0);
@@ -197,8 +196,8 @@ TEST_F(TrackBar, KeepsPlayerAndTrackInASmallWindow) {
 }
 
 TEST_F(TrackBar, TakesThePlaceOfSnapshots) {
-  ASSERT_NE(person_.overlay.ui_map().why_idle("Back by"), nullptr);
-  EXPECT_EQ(*person_.overlay.ui_map().why_idle("Back by"), "the timeline at the foot of the crowd goes to any moment");
+  ASSERT_NE(person_.why_idle("Back by"), nullptr);
+  EXPECT_EQ(*person_.why_idle("Back by"), "the timeline at the foot of the crowd goes to any moment");
 }
 
 TEST_F(TrackBar, IsInTheMapAsTheReportHasIt) {

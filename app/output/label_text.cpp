@@ -106,16 +106,12 @@ void write_camera(LineWriter& line, const LabelCamera& camera) {
   line.raw("}");
 }
 
-Json names_of_joints(const anim::Skeleton& skeleton) {
-  Json names = Json::array();
-  for (const anim::Bone& bone : skeleton.bones) names.push_back(bone.name);
-  return names;
-}
-
-Json parents_of_joints(const anim::Skeleton& skeleton) {
-  Json parents = Json::array();
-  for (const anim::Bone& bone : skeleton.bones) parents.push_back(bone.parent);
-  return parents;
+/// Lists a member of each bone.
+template <typename Member>
+Json list_of_bones(const anim::Skeleton& skeleton, Member anim::Bone::*member) {
+  Json list = Json::array();
+  for (const anim::Bone& bone : skeleton.bones) list.push_back(bone.*member);
+  return list;
 }
 
 Json character_json(const CharacterSource& source, const CocoPoints& points) {
@@ -126,8 +122,8 @@ Json character_json(const CharacterSource& source, const CocoPoints& points) {
   }
   return {{"name", source.name},
           {"is_thing", source.roles.is_prop},
-          {"joints", names_of_joints(skeleton)},
-          {"parents", parents_of_joints(skeleton)},
+          {"joints", list_of_bones(skeleton, &anim::Bone::name)},
+          {"parents", list_of_bones(skeleton, &anim::Bone::parent)},
           {"coco_bones", std::move(coco)}};
 }
 
@@ -155,8 +151,6 @@ std::string line_of(const LabelFrame& frame) {
 Json label_conventions(std::span<const CharacterSource> characters, std::span<const CocoPoints> coco) {
   Json all = Json::array();
   for (std::size_t i = 0; i < characters.size(); ++i) all.push_back(character_json(characters[i], coco[i]));
-  Json names = Json::array();
-  for (const std::string_view name : coco_names) names.push_back(name);
   return {{"world", "metres, right-handed, y up; heading is in radians about y, 0 faces +z and pi/2 faces +x"},
           {"camera", "x right, y down, z ahead; pixel = K * (world_to_camera * place), divided by its z; row by row"},
           {"pixels", "from the top left corner of the picture; the pixel in column x and row y is from x to x + 1"},
@@ -164,7 +158,7 @@ Json label_conventions(std::span<const CharacterSource> characters, std::span<co
           {"depth", "grey PNG of 16 bits: times depth_step metres along z; 0 is nothing, 65535 that far or farther"},
           {"boxes", "left, top, width, height"},
           {"points", "x, y, z in metres, column, row, and 0 not in the picture, 1 hidden, 2 visible"},
-          {"coco", std::move(names)},
+          {"coco", coco_names},
           {"coco_guessed", coco_face_points},
           {"characters", std::move(all)}};
 }

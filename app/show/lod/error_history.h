@@ -19,19 +19,15 @@ class ErrorHistory {
   static constexpr std::size_t most_values = 240, frames_a_value = 2;
 
   void add(const ErrorOfFrame& frame) {
-    if (frames_++ % frames_a_value != 0) {
-      p99_[count_ - 1] = frame.p99;
-      pop_[count_ - 1] = std::max(pop_[count_ - 1], frame.pop);
-      return;
-    }
-    if (count_ == most_values) {
+    const bool is_new = frames_++ % frames_a_value == 0;
+    if (is_new && count_ == most_values) {
       std::shift_left(p99_.begin(), p99_.end(), 1);
       std::shift_left(pop_.begin(), pop_.end(), 1);
-    } else {
+    } else if (is_new) {
       ++count_;
     }
     p99_[count_ - 1] = frame.p99;
-    pop_[count_ - 1] = frame.pop;
+    pop_[count_ - 1] = is_new ? frame.pop : std::max(pop_[count_ - 1], frame.pop);
   }
 
   /// Returns the last p99 of each two frames, oldest first.

@@ -22,15 +22,13 @@ void Messages::say(std::string words, Message::Kind kind) {
   if (messages_.size() > most_messages) messages_.pop_front();
 }
 
-bool Messages::report(const anim::Status& outcome) {
-  if (!outcome) say(outcome.error().message, Message::Kind::refused);
-  return static_cast<bool>(outcome);
-}
-
 bool Messages::report(const anim::Status& outcome, const std::string& done) {
-  if (!report(outcome)) return false;
-  say(done);
-  return true;
+  if (outcome) {
+    say(done);
+  } else {
+    say(outcome.error().message, Message::Kind::refused);
+  }
+  return static_cast<bool>(outcome);
 }
 
 float Messages::presence(const Message& message) const {

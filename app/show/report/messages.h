@@ -27,11 +27,8 @@ class Messages {
 
   /// Says something. A message that is still seen and has the same words appears again in its place.
   void say(std::string words, Message::Kind kind = Message::Kind::done);
-  /// Says why something failed, if it did. Returns whether it did not.
-  bool report(const anim::Status& outcome);
-  /// Says `done` if the outcome is a success, else why it failed. Returns whether it is a success.
-  bool report(const anim::Status& outcome, const std::string& done);
-
+  /// Says `done`, if it has words, where the outcome is a success; else says why it failed. Returns whether it is one.
+  bool report(const anim::Status& outcome, const std::string& done = {});
   /// Lets the window's clock go on.
   void pass(double seconds) { clock_ += seconds; }
   [[nodiscard]] double now() const { return clock_; }

@@ -111,9 +111,8 @@ Json tracks_json(const std::optional<TracksReport>& tracks) {
 }
 
 Json cameras_json(const CameraReport& cameras) {
-  Json kept = Json::array();
-  for (const bool each : cameras.kept) kept.push_back(each);
-  return {{"films", cameras.films}, {"follows", cameras.follows}, {"fly_speed", cameras.fly_speed}, {"kept", kept}};
+  return {
+      {"films", cameras.films}, {"follows", cameras.follows}, {"fly_speed", cameras.fly_speed}, {"kept", cameras.kept}};
 }
 
 Json viewer_json(const std::optional<ViewerReport>& viewer) {

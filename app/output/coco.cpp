@@ -1,7 +1,6 @@
 #include "app/output/coco.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>

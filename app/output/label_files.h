@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "app/output/kept_lines.h"
 #include "app/output/label_frame.h"

@@ -1,9 +1,7 @@
 #include "app/output/output_folder.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <system_error>
-#include <utility>
 
 #include "app/files/json_file.h"
 #include "app/files/program_version.h"

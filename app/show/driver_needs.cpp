@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <latch>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>

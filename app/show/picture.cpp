@@ -1,7 +1,6 @@
 #include "app/show/picture.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "app/settings/agent_colors.h"

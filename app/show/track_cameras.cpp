@@ -1,6 +1,5 @@
 #include "app/show/track_cameras.h"
 
-#include <algorithm>
 #include <array>
 
 #include <glm/geometric.hpp>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <utility>
 
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <deque>
 #include <string>
-#include <vector>
 
 #include "app/show/report/selection_report.h"
 

@@ -1,6 +1,5 @@
 #include "app/output/regression/origin.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>

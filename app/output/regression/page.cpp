@@ -1,10 +1,8 @@
 #include "app/output/regression/page.h"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/files/program_version.h"
 #include "app/output/regression/markup.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 #include "engine/anim/base/run_jobs.h"
 #include "engine/anim/kernel/palette/hierarchy.h"

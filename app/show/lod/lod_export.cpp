@@ -1,6 +1,5 @@
 #include "app/show/lod/lod_export.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "app/character/bone_lod.h"

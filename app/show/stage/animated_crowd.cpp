@@ -1,7 +1,5 @@
 #include "app/show/stage/animated_crowd.h"
 
-#include <algorithm>
-
 #include "app/character/cut_scene_models.h"
 #include "app/people/wardrobe/dressed_crowd.h"
 #include "engine/anim/asset/skeleton_order.h"

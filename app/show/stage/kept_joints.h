@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "app/character/source.h"
 #include "engine/anim/agent/animation_system.h"

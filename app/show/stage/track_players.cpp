@@ -1,6 +1,5 @@
 #include "app/show/stage/track_players.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <string>
 
 #include <glm/vec3.hpp>
 

@@ -1,7 +1,5 @@
 #include "app/window/panel/badges.h"
 
-#include <cmath>
-
 #include "app/window/panel/controls/numbers.h"
 
 namespace throng::app {

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/character/rig_table.h"

@@ -6,6 +6,7 @@
 #include "app/show/camera/fly_camera.h"
 #include "app/show/painter.h"
 #include "app/show/stage/stage.h"
+#include "app/window/fixed_report.h"
 #include "engine/base/files/output_file.h"
 
 namespace throng::app {
@@ -29,7 +30,7 @@ anim::Status DrawnOverlay::report(Show& show) {
   reporter_->update(show, place_of(show.view().camera), times.animation_ms + times.drawing_ms());
   if (!options_.ui_fixed) return anim::Done{};
   const auto figures = find_data(data_folders(options_.data), "assets/fixed_report.json");
-  return figures ? reporter_->fix_measured(*figures) : anim::Status(figures.error());
+  return figures ? fix_measured(*figures, reporter_->report()) : anim::Status(figures.error());
 }
 
 void DrawnOverlay::build(Show& show) {

@@ -24,7 +24,7 @@ void FileRequests::carry_out(const SavePreset& asked) {
   const Tuning& tuning = session_.editor.tuning();
   if (!messages().report(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + file.string())) return;
   session_.unsaved.keep(tuning, overlay_.tuning_pair());
-  session_.reporter.set_preset_names(preset_names());
+  session_.reporter.report().preset_names = preset_names();
 }
 
 void FileRequests::carry_out(const LoadPreset& asked) {
@@ -39,7 +39,7 @@ void FileRequests::carry_out(const DeletePreset& asked) {
   std::filesystem::remove(file, failed);
   messages().report(failed ? anim::Status(anim::Error{file.string() + ": " + failed.message()}) : anim::Done{},
                     "Deleted " + file.string());
-  session_.reporter.set_preset_names(preset_names());
+  session_.reporter.report().preset_names = preset_names();
 }
 
 void FileRequests::carry_out(const LoadIntoOther& asked) {
@@ -58,7 +58,7 @@ void FileRequests::carry_out(const SaveCrowd& asked) {
   if (!messages().report(write_crowd_file(file, setup), "Wrote " + file.string())) return;
   session_.unsaved.keep(tuning);
   if (setup.pair.has_two()) session_.unsaved.keep_other(setup.pair.other());
-  session_.reporter.set_crowd_names(crowd_names("."));
+  session_.reporter.report().crowd_names = crowd_names(".");
 }
 
 void FileRequests::carry_out(const OpenCrowd& asked) { open_crowd(crowd_file(asked.crowd)); }

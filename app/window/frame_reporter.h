@@ -7,7 +7,6 @@
 
 #include "app/show/figures/limiter.h"
 #include "app/show/report/frame_report.h"
-#include "app/window/fixed_report.h"
 #include "app/window/selection_log.h"
 #include "app/window/slow_frames.h"
 #include "app/window/tracked_person_reporter.h"
@@ -39,27 +38,13 @@ class FrameReporter {
   /// Returns the messages to the person.
   Messages& messages() { return report_.messages; }
 
-  void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
-  void set_crowd_names(std::vector<std::string> names) { report_.crowd_names = std::move(names); }
-  void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
-  /// Reports a replay.
-  void report_replay(const ReplayReport& replay) { report_.replay = replay; }
-  /// Returns the report of the cameras.
-  CameraReport& cameras() { return report_.cameras; }
   /// Reports the kept frame whose number is nearest from now on, or the last ones again.
   void look_at(int frame) { slow_frames_.look_at(frame); }
   void look_at_last() { slow_frames_.look_at_last(); }
-  /// Reports whether the last change was made to an order of bones.
-  void report_undo(bool is_of_bones) { report_.can_undo_bones = is_of_bones; }
-  /// Reports the camera of the frame that begins.
-  void see_from(const CameraPose& camera) { report_.camera = camera; }
-
-  /// Does what app::fix_measured does.
-  anim::Status fix_measured(const std::filesystem::path& report_file) {
-    return app::fix_measured(report_file, report_);
-  }
 
   const FrameReport& report() const { return report_; }
+  /// Returns the report, for a caller that knows a part of it.
+  FrameReport& report() { return report_; }
 
  private:
   void describe_device(const Show& show);

@@ -34,8 +34,8 @@ class WindowLoop {
         overlay_(fonts_folder(options), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
-    session_.reporter.set_preset_names(preset_names());
-    session_.reporter.set_crowd_names(crowd_names("."));
+    session_.reporter.report().preset_names = preset_names();
+    session_.reporter.report().crowd_names = crowd_names(".");
     session_.reporter.report_recording(options.record);
     show.keep_moments();
     if (!options.crowd_file.empty()) take_kept(options.crowd_file);
@@ -79,10 +79,10 @@ class WindowLoop {
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show.view().width, show.view().height, seconds, input);
     if (!replay_) fly(input, static_cast<float>(seconds));
-    reporter.see_from(session_.camera.place());
-    session_.camera.report(reporter.cameras());
+    reporter.report().camera = session_.camera.place();
+    session_.camera.report(reporter.report().cameras);
     reporter.messages().pass(seconds);
-    reporter.report_undo(session_.editor.can_undo_bones());
+    reporter.report().can_undo_bones = session_.editor.can_undo_bones();
     const Requests requests = overlay_.build(reporter.report(), session_.editor.tuning());
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
@@ -129,7 +129,7 @@ class WindowLoop {
     const Stage& stage = session_.show.stage();
     const bool tells = sweep.runs() && stage.tuning() == sweep.tuning();
     if (tells && stage.system().figures().report().agents_updated > 0) sweep.add(cost_of_last_update(stage.system()));
-    session_.reporter.show_sweep(sweep.curve());
+    session_.reporter.report().sweep = sweep.curve();
   }
 
   bool may_leave() {
@@ -151,7 +151,7 @@ class WindowLoop {
       if (const auto* const drop = as<OpenFiles>(request)) refuse_drop(drop->files.front());
     }
     replay_->advance(session_.show, seconds);
-    session_.reporter.report_replay(replay_->report());
+    session_.reporter.report().replay = replay_->report();
     session_.editor.follow();
   }
 

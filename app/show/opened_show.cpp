@@ -1,7 +1,6 @@
 #include "app/show/opened_show.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,10 +24,6 @@ namespace {
 
 // So much of a start is done, by and large, when characters are there and when the crowd is.
 constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
-
-double milliseconds_since(RunFigures::Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
-}
 
 Tuning with_savings(Tuning tuning, const SoftwareSavings& spared) {
   if (spared.agents > 0) tuning.agents = spared.agents;
@@ -101,9 +96,9 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
     return fail(error, exit_job_failed, fits.error().message);
   }
   line.show(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
-  const auto start = RunFigures::Clock::now();
+  StopWatch watch;
   auto stage = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), 0, std::move(trajectories));
-  show.figures.start().spawn_ms = milliseconds_since(start);
+  show.figures.start().spawn_ms = watch.lap();
   if (!stage) return fail(error, exit_usage, stage.error().message);
   show.stage = std::move(*stage);
   if (!begin_tracks(*show.stage, options, error)) return false;
@@ -181,33 +176,32 @@ std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, s
   parts->view.height = options.height;
   parts->models = {.options = load_options(options), .data = options.data, .left_out = {}};
   StartTimes& times = parts->figures.start();
-  auto start = RunFigures::Clock::now();
-  const auto lap = [&start] { return milliseconds_since(std::exchange(start, RunFigures::Clock::now())); };
+  StopWatch watch;
   StartLine line;
   line.show(0, "reading characters");
   auto cast = load_starting_characters(
       options, error, [&line](double share, const std::string& what) { line.show(share_of_characters * share, what); });
   if (!cast) return nullptr;
   line.show(share_of_characters, "opening the device");
-  times.characters_ms = lap();
+  times.characters_ms = watch.lap();
   parts->models.left_out = std::move(cast->left_out);
   if (!options.trace.empty()) parts->figures.keep_timeline();
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   parts->painter = std::move(*painter);
-  times.device_ms = lap();
+  times.device_ms = watch.lap();
   line.show(share_of_characters, "");  // trajectories have lines of their own
   if (live != nullptr) {
     parts->live = open_live(options, std::move(live), error);
     if (parts->live == nullptr) return nullptr;
   }
   if (!open_stage(*parts, std::move(cast->characters), options, line, error)) return nullptr;
-  start = RunFigures::Clock::now();
+  watch = {};
   line.show(share_of_crowd, "making meshes");
   if (const anim::Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
-  times.meshes_ms = lap();
+  times.meshes_ms = watch.lap();
   if (!place_camera(*parts, options, error)) return nullptr;
   auto show = std::make_unique<Show>(std::move(parts));
   if (options.view && !begin_viewing(*show, *options.view, error)) return nullptr;

@@ -1,7 +1,5 @@
 #include "app/window/drawn_overlay.h"
 
-#include <chrono>
-
 #include "app/files/data_folder.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/painter.h"
@@ -34,12 +32,11 @@ anim::Status DrawnOverlay::report(Show& show) {
 }
 
 void DrawnOverlay::build(Show& show) {
-  const auto start = std::chrono::steady_clock::now();
+  StopWatch watch;
   tuning_ = show.stage().tuning();
   overlay_->begin_frame(show.view().width, show.view().height, options_.dt.value_or(usual_frame_seconds), {});
   overlay_->build(reporter_->report(), tuning_);
-  show.figures().add_overlay(
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  show.figures().add_overlay(watch.lap());
 }
 
 anim::Status DrawnOverlay::draw(Show& show) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -32,12 +34,21 @@ struct TrackedPerson {
   /// Returns a value at a time of the presence.
   [[nodiscard]] float speed_at(double seconds) const { return at(speeds, seconds); }
   [[nodiscard]] float way_at(double seconds) const { return at(ways, seconds); }
-  [[nodiscard]] float fastest() const;
+  [[nodiscard]] float fastest() const { return *std::ranges::max_element(speeds); }
   /// Returns how many feet came down until a time.
-  [[nodiscard]] std::size_t steps_until(double seconds) const;
+  [[nodiscard]] std::size_t steps_until(double seconds) const {
+    const auto later = std::ranges::upper_bound(footfalls, seconds, {}, &Footfall::seconds);
+    return static_cast<std::size_t>(later - footfalls.begin());
+  }
 
  private:
-  [[nodiscard]] float at(const std::vector<float>& values, double seconds) const;
+  [[nodiscard]] float at(const std::vector<float>& values, double seconds) const {
+    const double length = presence.last - presence.first;
+    const double share = length > 0.0 ? std::clamp((seconds - presence.first) / length, 0.0, 1.0) : 0.0;
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto before = std::min(static_cast<std::size_t>(place), values.size() - 2);
+    return std::lerp(values[before], values[before + 1], static_cast<float>(place - static_cast<double>(before)));
+  }
 };
 
 }  // namespace throng::app

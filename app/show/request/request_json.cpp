@@ -17,12 +17,8 @@ class FieldsToJson {
   explicit FieldsToJson(const Tuning& before) : before_(&before) {}
 
   template <typename T>
-  void operator()(const char* key, const T& value) {
+  void operator()(const char* key, const T& value, auto... /*range*/) {
     json[key] = Json(value);
-  }
-  template <typename T>
-  void operator()(const char* key, const T& value, double /*least*/, double /*most*/) {
-    json[key] = value;
   }
   void operator()(const char* key, const glm::vec3& value) { json[key] = Json::array({value.x, value.y, value.z}); }
   void operator()(const char* key, const std::vector<RigChoice>& value) { json[key] = rig_json(value); }

@@ -5,7 +5,6 @@
 
 #include "app/show/request/request.h"
 #include "app/show/show_parts.h"
-#include "app/show/stage/stage_requests.h"
 #include "engine/base/result.h"
 
 /// Requests for which a show needs more than its stage: files, meshes, cameras. Errors: they cannot be; then nothing
@@ -19,7 +18,14 @@ anim::Status carry_out(const SetPlacement& placement, ShowParts& show);
 anim::Status carry_out(const LoadModels& models, ShowParts& show);
 anim::Status carry_out(const SetCast& cast, ShowParts& show);
 anim::Status carry_out(const GoBack& back, ShowParts& show);
-/// Any other request is about the stage alone.
+/// The others are about the stage alone.
+anim::Status carry_out(const SetShare& share, Stage& stage);
+anim::Status carry_out(const SetRoles& roles, Stage& stage);
+anim::Status carry_out(const SetRules& rules, Stage& stage);
+anim::Status carry_out(const Select& select, Stage& stage);
+anim::Status carry_out(const Push& push, Stage& stage);
+anim::Status carry_out(const Hold& hold, Stage& stage);
+anim::Status carry_out(const Seek& seek, Stage& stage);
 template <typename OfStage>
 anim::Status carry_out(const OfStage& asked, ShowParts& show) {
   return carry_out(asked, *show.stage);

@@ -8,9 +8,8 @@
 #include "app/show/stage/rewind.h"
 #include "app/show/stage/stage.h"
 #include "app/show/viewer/viewer.h"
-#include "app/window/mesh_reporter.h"
+#include "app/window/character_reporter.h"
 #include "app/window/selection_reporter.h"
-#include "app/window/wardrobe_reporter.h"
 #include "app/window/window_camera.h"
 #include "engine/anim/base/cores.h"
 

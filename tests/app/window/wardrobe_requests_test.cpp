@@ -8,10 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "app/people/wardrobe/cast_rules_text.h"
-#include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
-#include "app/window/wardrobe_reporter.h"
+#include "app/window/character_reporter.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::wardrobe_requests_test {

@@ -2,10 +2,15 @@
 
 #include <cstddef>
 
+#include "app/show/report/frame_report.h"
+
 namespace throng::app {
 
+class Show;
 class Stage;
-struct WardrobeReport;
+
+/// Reports the meshes with which a character is drawn in the last drawn frame.
+MeshReport report_meshes(const Show& show, std::size_t character);
 
 /// Reports the rules of a character. `standard` stays as it is.
 void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& report);

@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 
 #include "app/people/crowd/cast.h"
-#include "app/show/camera/camera_path.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 #include "app/show/track_cameras.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
-#include "app/show/camera/keyed_path.h"
+#include "app/show/camera/camera_path.h"
 #include "app/show/camera/scenes.h"
 #include "app/show/follow_camera.h"
 #include "engine/render/camera.h"

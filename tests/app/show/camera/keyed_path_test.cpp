@@ -1,5 +1,3 @@
-#include "app/show/camera/keyed_path.h"
-
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -7,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/show/camera/camera_path.h"
 #include "tests/tracks/track_file.h"
 
 namespace throng::app::keyed_path_test {

@@ -15,10 +15,10 @@
 namespace throng::app {
 namespace {
 
-constexpr float distance = 2.6F, height = 1.45F, looked_at = 0.6F;  // of the person's height
-constexpr double place_seconds = 0.12, turn_seconds = 1.2;          // in which most of the way is made good
-constexpr double least_step = 1.0 / 60.0;                           // seconds, also while the crowd pauses
-constexpr float jump = 4.0F;                                        // metres in a frame: the clock was moved
+constexpr float behind_by = 2.6F, above_by = 1.45F, looked_at = 0.6F;  // of the person's height
+constexpr double place_seconds = 0.12, turn_seconds = 1.2;             // in which most of the way is made good
+constexpr double least_step = 1.0 / 60.0;                              // seconds, also while the crowd pauses
+constexpr float jump = 4.0F;                                           // metres in a frame: the clock was moved
 
 float share_of(double seconds, double time) { return 1.0F - static_cast<float>(std::exp(-seconds / time)); }
 
@@ -56,9 +56,9 @@ render::Camera FollowCamera::behind(const Stage& stage, const Pose& pose) const 
   const float tall = body_of(stage, *agent_).height;
   const glm::vec3 ahead(std::sin(pose.heading), 0.0F, std::cos(pose.heading));
   render::Camera camera;
-  camera.position = pose.place - distance * tall * ahead + glm::vec3(0.0F, height * tall, 0.0F);
+  camera.position = pose.place - behind_by * tall * ahead + glm::vec3(0.0F, above_by * tall, 0.0F);
   camera.yaw = pose.heading + std::numbers::pi_v<float>;
-  camera.pitch = -std::atan2(height - looked_at, distance);
+  camera.pitch = -std::atan2(above_by - looked_at, behind_by);
   return camera;
 }
 

@@ -105,12 +105,10 @@ void show_hands(const TabContext& context, const SelectionReport& selected) {
   }
   widgets.end_idle();
   ButtonRow buttons(widgets, 2);
-  if (buttons.button("Let go", {.what = "It goes on as the crowd wants it."},
-                     selected.held_at ? nullptr : "its clip is not held"))
-    requests.ask(Hold{});
-  if (buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."},
-                     selected.can_fall ? nullptr : cannot_fall))
-    requests.ask(Push{selected.agent, ahead_of(report.camera)});
+  buttons.ask(requests, Hold{}, "Let go", {.what = "It goes on as the crowd wants it."},
+              selected.held_at ? nullptr : "its clip is not held");
+  buttons.ask(requests, Push{selected.agent, ahead_of(report.camera)}, "Push",
+              {.what = "Makes a rag-doll of it, which falls. Key P."}, selected.can_fall ? nullptr : cannot_fall);
 }
 
 /// Draws a column a frame, as high as the interval is long, above a dot in the colour of the bone level.

@@ -56,15 +56,12 @@ void show_open_list(const TabContext& context) {
     show_part(context, static_cast<anim::BodyRole>(part));
   }
   ButtonRow buttons(widgets, 2);
-  if (buttons.button(
-          "Save body",
-          {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
-                   "the ground and clips of other files go by it from then on."}))
-    requests.ask(SaveBody{});
-  if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."},
-                     report.body.chosen.empty() ? "every part is as it is guessed" : nullptr)) {
-    requests.ask(SetBody{report.character, {}});
-  }
+  buttons.ask(requests, SaveBody{}, "Save body",
+              {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
+                       "the ground and clips of other files go by it from then on."});
+  buttons.ask(requests, SetBody{report.character, {}}, "Reset body",
+              {.what = "Back to what is guessed, for every part."},
+              report.body.chosen.empty() ? "every part is as it is guessed" : nullptr);
 }
 
 }  // namespace

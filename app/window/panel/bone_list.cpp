@@ -55,15 +55,13 @@ void change(const TabContext& context, const BoneLodChoice& choice) {
 
 void show_bone_buttons(const TabContext& context) {
   ButtonRow buttons(context.widgets, 3);
-  if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."},
-                     context.report.can_undo_bones ? nullptr : "the last change was none of bones")) {
-    context.requests.ask(Undo{});
-  }
-  if (buttons.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."}))
-    context.requests.ask(SaveBones{});
-  if (buttons.button("Export LOD",
-                     {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."}))
-    context.requests.ask(ExportLod{});
+  buttons.ask(context.requests, Undo{}, "Undo",
+              {.what = "Takes back the last change of the order or of a level's end."},
+              context.report.can_undo_bones ? nullptr : "the last change was none of bones");
+  buttons.ask(context.requests, SaveBones{}, "Save order",
+              {.what = "Keeps order and levels beside the model, in MODEL.lod.json."});
+  buttons.ask(context.requests, ExportLod{}, "Export LOD",
+              {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."});
 }
 
 std::string name_of_bone_row(std::size_t place) { return "Bone " + std::to_string(place); }

@@ -25,22 +25,18 @@ void show_scene_cameras(const TabContext& context) {
 void show_ways_to_go(const TabContext& context) {
   const CameraReport& cameras = context.report.cameras;
   ButtonRow buttons(context.widgets, 2);
-  if (buttons.button(
-          "Home",
-          {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."}))
-    context.requests.ask(GoHome{});
-  if (buttons.button("Frame crowd", {.what = "Moves the camera until all agents are seen beside the panel. Key F."}))
-    context.requests.ask(FrameCrowd{});
+  buttons.ask(context.requests, GoHome{}, "Home",
+              {.what = "Back to where the scene's camera begins. A film or a path has the camera again. Key Home."});
+  buttons.ask(context.requests, FrameCrowd{}, "Frame crowd",
+              {.what = "Moves the camera until all agents are seen beside the panel. Key F."});
   const char* const why_not = context.report.selected ? nullptr : "No agent is selected. Click at one first.";
   ButtonRow follow(context.widgets, 2);
-  if (follow.button(cameras.follows ? "Stop following" : "Follow",
-                    {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, why_not))
-    context.requests.ask(ToggleFollow{});
-  if (follow.button("From behind",
-                    {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
-                             "go round."},
-                    why_not))
-    context.requests.ask(FollowBehind{});
+  follow.ask(context.requests, ToggleFollow{}, cameras.follows ? "Stop following" : "Follow",
+             {.what = "The camera goes where the selected agent goes, from where it is now. Key G."}, why_not);
+  follow.ask(context.requests, FollowBehind{}, "From behind",
+             {.what = "The camera goes behind the selected agent and turns with it. Shift and G. Alt and a drag "
+                      "go round."},
+             why_not);
 }
 
 // Says what moves the camera, where that is not the person alone.

@@ -158,13 +158,11 @@ void show_time(const TabContext& context) {
   context.row("time_scale", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
   show_snapshots(context);
   ButtonRow buttons(widgets, 2);
-  if (buttons.button("Step", {.what = "One frame onwards, while paused."},
-                     tuning.paused ? nullptr : "the crowd is not paused"))
-    requests.ask(StepFrame{});
-  if (buttons.button("Rewind", {.what = "Back to the newest snapshot; pressed again, to the one before it."},
-                     ages.empty() ? why_no_snapshot(report) : nullptr)) {
-    requests.ask(GoBack{0});
-  }
+  buttons.ask(requests, StepFrame{}, "Step", {.what = "One frame onwards, while paused."},
+              tuning.paused ? nullptr : "the crowd is not paused");
+  buttons.ask(requests, GoBack{0}, "Rewind",
+              {.what = "Back to the newest snapshot; pressed again, to the one before it."},
+              ages.empty() ? why_no_snapshot(report) : nullptr);
   if (report.tracks) return;
   widgets.caption(ages.empty()
                       ? "No snapshot yet."
@@ -205,9 +203,9 @@ void show_picture(const TabContext& context) {
   context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
                           .cost = "One draw call, and the triangles in view."});
   ButtonRow buttons(widgets, 2);
-  if (buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."}))
-    requests.ask(CopyCamera{});
-  if (buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."})) requests.ask(TakeScreenshot{});
+  buttons.ask(requests, CopyCamera{}, "Copy camera",
+              {.what = "Puts the camera as an option into the clipboard. Key C."});
+  buttons.ask(requests, TakeScreenshot{}, "Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
 }
 
 void show_light(const TabContext& context) {
@@ -285,8 +283,8 @@ void show_roles(const TabContext& context) {
   };
   show_all(true);
   ButtonRow buttons(widgets, 3);
-  if (buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."}))
-    requests.ask(SaveRoles{});
+  buttons.ask(requests, SaveRoles{}, "Save roles",
+              {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."});
   const bool resets = buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."});
   bool& open = memory.shows_gaits;
   if (buttons.button(open ? "Hide gaits" : "Show gaits",

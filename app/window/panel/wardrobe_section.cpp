@@ -85,18 +85,15 @@ void show_rule_files(const TabContext& context) {
                         "--cast NAME.cast.json starts with it."});
   const bool is_named = can_name_a_preset(name);
   ButtonRow buttons(widgets, 2);
-  if (buttons.button("Save rules", {.what = "Writes all rules as they are now. A file of that name is replaced."},
-                     is_named ? nullptr : "a name has letters, digits, - and _")) {
-    requests.ask(SaveRules{name});
-  }
+  buttons.ask(requests, SaveRules{name}, "Save rules",
+              {.what = "Writes all rules as they are now. A file of that name is replaced."},
+              is_named ? nullptr : "a name has letters, digits, - and _");
   const bool has_file = is_named || (name.empty() && !report.wardrobe.file.empty());
-  if (buttons.button("Load rules",
-                     {.what = "Reads NAME.cast.json; without a name, the file of the rules once more, as somebody "
-                              "has edited it.",
-                      .cost = cost_of_dressing},
-                     has_file ? nullptr : "the rules come from no file; give a name")) {
-    requests.ask(LoadRules{name});
-  }
+  buttons.ask(requests, LoadRules{name}, "Load rules",
+              {.what = "Reads NAME.cast.json; without a name, the file of the rules once more, as somebody "
+                       "has edited it.",
+               .cost = cost_of_dressing},
+              has_file ? nullptr : "the rules come from no file; give a name");
 }
 
 std::string origin_of_rules(const WardrobeReport& report) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "app/window/panel/controls/numbers.h"
 #include "app/window/panel/controls/panel_focus.h"
@@ -152,6 +153,10 @@ class ButtonRow {
   /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
   /// was pressed.
   bool button(const char* label, const Help& help, const char* idle = nullptr);
+  /// Shows such a button, which asks for something when it is pressed.
+  void ask(auto& requests, auto asked, const char* label, const Help& help, const char* idle = nullptr) {
+    if (button(label, help, idle)) requests.ask(std::move(asked));
+  }
   /// Shows the next one under a name of its own, with a line under its words if it is `marked`.
   bool marked_button(const char* words, const std::string& name, const Help& help, bool marked);
 

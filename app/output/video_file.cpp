@@ -30,12 +30,11 @@ std::vector<std::string> words_for(const std::filesystem::path& file, const std:
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
   const std::string quality = is_webm(file) ? "-b:v 0 -crf 28 -row-mt 1 -cpu-used 4 -deadline good -f webm"
                                             : "-preset medium -crf 18 -movflags +faststart -f mp4";
-  std::istringstream line(std::string(program) + " -hide_banner -nostdin -loglevel error " +
-                          "-f rawvideo -pixel_format rgb24 -video_size " + size + " -framerate " +
-                          shortest_text(format.rate) + " -i pipe:0 -an " +
-                          "-vf scale=in_range=full:out_range=tv:out_color_matrix=bt709,format=yuv420p " +
-                          "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -c:v " + encoder_of(file) + " " +
-                          quality);
+  std::istringstream line(
+      std::string(program) + " -hide_banner -nostdin -loglevel error " +
+      "-f rawvideo -pixel_format rgb24 -video_size " + size + " -framerate " + shortest_text(format.rate) +
+      " -i pipe:0 -an " + "-vf scale=in_range=full:out_range=tv:out_color_matrix=bt709,format=yuv420p " +
+      "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -c:v " + encoder_of(file) + " " + quality);
   std::vector<std::string> words(std::istream_iterator<std::string>(line), {});
   words.insert(words.end(), {"-y", "file:" + part.string()});
   return words;

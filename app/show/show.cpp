@@ -6,6 +6,7 @@
 #include "app/show/request_history.h"
 #include "app/show/show_parts.h"
 #include "app/show/show_requests.h"
+#include "app/show/stage/picking.h"
 
 namespace throng::app {
 
@@ -114,6 +115,12 @@ anim::Status Show::begin_anew(const Tuning& tuning) {
   parts_->view.frozen.reset();
   if (stage.animated().event_sums()) stage.animated().sum_up_events();
   return anim::Done{};
+}
+
+std::optional<std::uint32_t> Show::agent_at(float x, float y) const {
+  const auto size = glm::vec2(glm::ivec2(view().width, view().height));
+  const auto picked = pick(ray_through(view().camera, {x, y}, size), bodies_in_view(stage()));
+  return picked ? std::optional(picked->agent) : std::nullopt;
 }
 
 void Show::keep_moments() { parts_->keeps_moments = true; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/output/regression/origin.h"
-#include "app/show/agent_at.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
 #include "app/show/request/cast_options.h"
@@ -77,7 +76,7 @@ void WindowRequests::lift_triangle_limit(Tuning& tuning) {
 }
 
 void WindowRequests::carry_out(const SelectAt& asked) {
-  session_.editor.take(Select{agent_at(session_.show, asked.point.x, asked.point.y)});
+  session_.editor.take(Select{session_.show.agent_at(asked.point.x, asked.point.y)});
 }
 
 void WindowRequests::carry_out(const OpenFiles& asked) {

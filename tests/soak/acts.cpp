@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/show/agent_at.h"
 #include "app/show/painter.h"
 #include "app/show/request/request_json.h"
 #include "app/show/stage/stage.h"
@@ -64,7 +63,7 @@ Wished select(const Show& show, const Models&, Random& random) {
   if (random.chance(0.5F)) return app::Select{any_agent(show, random)};
   const float x = static_cast<float>(show.view().width) * random.unit(),
               y = static_cast<float>(show.view().height) * random.unit();
-  return app::Select{app::agent_at(show, x, y)};
+  return app::Select{show.agent_at(x, y)};
 }
 
 Wished push(const Show& show, const Models&, Random& random) {

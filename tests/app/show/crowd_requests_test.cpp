@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/show/agent_at.h"
 #include "app/show/request/request_json.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -37,7 +36,7 @@ TEST_F(CrowdRequests, SelectTheAgentThatIsSeenAtAPixel) {
   const UprightBody& body = bodies.back();
   show_->view().camera = {.position = body.foot + glm::vec3(0, 0.5F * body.height, 1.0F)};
   const auto middle = glm::vec2(glm::ivec2(show_->view().width, show_->view().height)) * 0.5F;
-  EXPECT_TRUE(show_->take(Select{agent_at(*show_, middle.x, middle.y)}));
+  EXPECT_TRUE(show_->take(Select{show_->agent_at(middle.x, middle.y)}));
   EXPECT_EQ(show_->stage().selected(), body.agent);
 }
 
@@ -45,7 +44,7 @@ TEST_F(CrowdRequests, DeselectWhereAClickMeetsTheSky) {
   EXPECT_TRUE(show_->take(Select{3}));
   ASSERT_EQ(show_->stage().selected(), 3U);
   show_->view().camera.pitch = 1.5F;
-  EXPECT_TRUE(show_->take(Select{agent_at(*show_, 1, 1)}));
+  EXPECT_TRUE(show_->take(Select{show_->agent_at(1, 1)}));
   EXPECT_FALSE(show_->stage().selected());
 }
 

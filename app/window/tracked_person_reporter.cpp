@@ -55,7 +55,6 @@ void TrackedPersonReporter::begin(const Stage& stage, std::uint32_t agent) {
   person_->rows = track.rows.size();
   person_->stature =
       stage.crowd().scales()[agent] * static_cast<float>(stage.character_of(agent).character->bounds.height);
-  person_->file_has_stature = track.stature > 0.0F;
   person_->origin = followers.trajectories().origin;
   add_speeds(followers, agent, *person_);
   agent_ = agent;

@@ -24,7 +24,6 @@ struct TrackedPerson {
   Presence presence;
   std::size_t rows = 0;
   float stature = 0.0F;             ///< metres
-  bool file_has_stature = false;    ///< else the crowd's seed chose it
   glm::dvec2 origin{0.0};           ///< of the file's coordinates (Trajectories::origin)
   std::vector<float> speeds;        ///< metres a second, evenly over the presence, at least two
   std::vector<float> ways;          ///< metres walked until each of these times

@@ -41,7 +41,6 @@ TEST_F(ReportedPerson, HasWhatTheFileSays) {
   EXPECT_EQ(person->rows, 201U);
   EXPECT_EQ(person->presence.first, 0.0);
   EXPECT_NEAR(person->presence.last, 20.0, 1e-9);
-  EXPECT_FALSE(person->file_has_stature);
   EXPECT_NEAR(person->stature, 1.75, 0.3);
 }
 

@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr float radians_a_pixel = 0.0035F;
-constexpr float faster = 4, slower = 0.25F;
+constexpr float times_faster = 4, times_slower = 0.25F;
 constexpr float speed_step = 1.2F;  // of the wheel
 
 float axis(const InputFrame& input, Key negative, Key positive) {
@@ -24,7 +24,7 @@ glm::vec3 direction(const InputFrame& input) {
 }
 
 float hurry(const InputFrame& input) {
-  return (input.down(Key::shift) ? faster : 1.0F) * (input.down(Key::control) ? slower : 1.0F);
+  return (input.down(Key::shift) ? times_faster : 1.0F) * (input.down(Key::control) ? times_slower : 1.0F);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 constexpr double frames_averaged = 30.0;
 constexpr double longest_smooth_frame = 40.0;  // milliseconds
 constexpr double little_of_a_frame = 0.2, most_of_the_poses = 0.8;
-constexpr std::array<const char*, 4> names{"Animation", "Upload", "Draw submission", "The GPU"};
-constexpr std::array<const char*, 4> names_in_list{"animation", "upload", "draw submission", "GPU"};
+constexpr std::array<const char*, 4> sentence_names{"Animation", "Upload", "Draw submission", "The GPU"};
+constexpr std::array<const char*, 4> list_names{"animation", "upload", "draw submission", "GPU"};
 
 std::array<double, 4> parts_of(const FrameTimes& times) {
   return {times.animation_ms, times.upload_ms, times.submission_ms, times.wait_ms};
@@ -36,10 +36,10 @@ std::string limit_sentence(const FrameTimes& times) {
   std::string others;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i == most) continue;
-    others += (others.empty() ? "" : ", ") + std::string(names_in_list[i]) + " " + milliseconds(parts[i]);
+    others += (others.empty() ? "" : ", ") + std::string(list_names[i]) + " " + milliseconds(parts[i]);
   }
-  return std::string(names[most]) + " limits you: " + milliseconds(parts[most]) + " of " + milliseconds(whole) +
-         " ms a frame; " + others;
+  return std::string(sentence_names[most]) + " limits you: " + milliseconds(parts[most]) + " of " +
+         milliseconds(whole) + " ms a frame; " + others;
 }
 
 std::string skipping_sentence(const FrameTimes& times, std::span<const int> agents_by_interval) {

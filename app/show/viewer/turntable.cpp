@@ -11,14 +11,14 @@ namespace {
 
 constexpr float turned_a_pixel = 0.008F;
 constexpr float radians_a_second = 0.7F;
-constexpr float step_of_wheel = 0.88F, nearest = 0.2F, farthest_seen = 4.0F;
+constexpr float step_of_wheel = 0.88F, nearest_seen = 0.2F, farthest_seen = 4.0F;
 constexpr float steepest = -1.5F, flattest = -0.03F;  // above the ground that the character stands on
 
 }  // namespace
 
 void Turntable::update(const InputFrame& input, const FlyControls& controls) {
   if (!controls.pointer_free) return;
-  nearness_ = std::clamp(nearness_ * std::pow(step_of_wheel, input.wheel), nearest, farthest_seen);
+  nearness_ = std::clamp(nearness_ * std::pow(step_of_wheel, input.wheel), nearest_seen, farthest_seen);
   if (!input.down(MouseButton::left) && !input.down(MouseButton::right)) return;
   yaw_ = std::remainder(yaw_ - input.moved_x * turned_a_pixel, 2.0F * std::numbers::pi_v<float>);
   pitch_ = std::clamp(pitch_ - input.moved_y * turned_a_pixel, steepest, flattest);

@@ -12,7 +12,6 @@
 
 #include "app/files/json_file.h"
 #include "engine/anim/base/pose.h"
-#include "engine/anim/kernel/kernels.h"
 #include "engine/anim/run/program/cost_model.h"
 #include "engine/base/json/json_object.h"
 

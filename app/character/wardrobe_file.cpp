@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/character/material_data.h"

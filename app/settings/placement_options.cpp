@@ -1,7 +1,5 @@
 #include "app/settings/placement_options.h"
 
-#include <algorithm>
-
 #include "app/settings/choices.h"
 
 namespace throng::app {

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include <sqlite3.h>
 

@@ -2,13 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "engine/base/result.h"
 #include "engine/tracks/ground_plan.h"
-#include "engine/tracks/reading.h"
 
 namespace throng {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "engine/tracks/raw_rows.h"
 #include "engine/tracks/reading.h"
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string_view>
-#include <vector>
 
 #include "engine/tracks/raw_rows.h"
 #include "engine/tracks/text/table_layout.h"

@@ -1,6 +1,5 @@
 #include "app/commands/bench/drawing.h"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>

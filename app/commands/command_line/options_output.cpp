@@ -1,6 +1,5 @@
 // The options that say what a run writes of each of its frames.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>

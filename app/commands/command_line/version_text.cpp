@@ -1,11 +1,9 @@
 #include "app/commands/command_line/version_text.h"
 
 #include <string_view>
-#include <vector>
 
 #include "app/files/program_version.h"
 #include "app/output/regression/origin.h"
-#include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/base/files/child_process.h"
 #include "engine/base/text/joined.h"

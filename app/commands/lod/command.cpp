@@ -1,7 +1,5 @@
 #include "app/commands/lod/command.h"
 
-#include <cstdint>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <utility>
 
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/plot.h"

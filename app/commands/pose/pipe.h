@@ -1,10 +1,8 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "app/commands/pose/dump.h"
-#include "app/settings/settings.h"
 #include "engine/anim/agent/animation_system.h"
 
 namespace throng::app {

@@ -1,9 +1,7 @@
 #include "app/people/crowd/crowd.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "app/people/crowd/formation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,5 @@
 #include "app/people/place/placer.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

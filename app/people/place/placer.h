@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

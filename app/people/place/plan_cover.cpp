@@ -1,7 +1,6 @@
 #include "app/people/place/plan_cover.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "app/people/crowd/cut_scene_layout.h"
 #include "app/people/crowd/numbers/turn.h"

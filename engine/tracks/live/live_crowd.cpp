@@ -1,7 +1,6 @@
 #include "engine/tracks/live/live_crowd.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
-#include <span>
 
 #include "engine/base/text/joined.h"
 

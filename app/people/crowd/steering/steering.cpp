@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "app/commands/bench/times.h"
 #include "app/show/figures/timeline_log.h"
 #include "engine/anim/agent/animation_system.h"

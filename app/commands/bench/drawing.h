@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "app/commands/bench/report.h"
 
 namespace throng::app {

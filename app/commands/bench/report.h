@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "engine/base/json/json.h"
 #include "engine/base/result.h"
 

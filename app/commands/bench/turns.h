@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "app/show/figures/timeline_log.h"
 #include "engine/base/json/json.h"
 

@@ -4,13 +4,13 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands/bake/options.h"
-#include "app/commands/bench/options.h"
-#include "app/commands/check/options.h"
-#include "app/commands/compare/options.h"
-#include "app/commands/inspect/options.h"
-#include "app/commands/lod/options.h"
-#include "app/commands/pose/options.h"
+#include "app/commands/bake/command.h"
+#include "app/commands/bench/command.h"
+#include "app/commands/check/command.h"
+#include "app/commands/compare/command.h"
+#include "app/commands/inspect/command.h"
+#include "app/commands/lod/command.h"
+#include "app/commands/pose/command.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {

@@ -1,8 +1,23 @@
 #pragma once
 
-#include "app/commands/inspect/options.h"
+#include <string>
+#include <vector>
+
+#include "engine/anim/import/import.h"
+#include "engine/anim/survey/placement_guess.h"
+#include "engine/tracks/reading.h"
 
 namespace throng::app {
+
+/// The options of `throng inspect`.
+struct InspectOptions {
+  std::string model;
+  std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
+  anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
+  import::ImportOptions reading{};
+  TrackReading tracks{};  ///< of a file of trajectories
+  bool json = false;      ///< one JSON object on standard output instead of tables for a person
+};
 
 /// Runs `throng inspect`. Returns the exit status; a file that is refused gives one line on stderr.
 int run_inspect(const InspectOptions& options);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "app/commands/bench/report.h"
 #include "engine/base/result.h"
 #include "tests/benchmark/programs/machine_model.h"

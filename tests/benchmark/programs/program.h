@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/commands/bench/options.h"
+#include "app/commands/bench/command.h"
 #include "app/commands/bench/report.h"
 #include "engine/base/result.h"
 

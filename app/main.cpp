@@ -1,16 +1,9 @@
 #include <string>
 #include <variant>
 
-#include "app/commands/bake/command.h"
-#include "app/commands/bench/command.h"
-#include "app/commands/check/command.h"
 #include "app/commands/command_line/command_files.h"
 #include "app/commands/command_line/options.h"
 #include "app/commands/command_line/simd_choice.h"
-#include "app/commands/compare/command.h"
-#include "app/commands/inspect/command.h"
-#include "app/commands/lod/command.h"
-#include "app/commands/pose/command.h"
 #include "app/files/exit_status.h"
 #include "app/files/program_version.h"
 #include "app/window/demo.h"
@@ -38,16 +31,13 @@ int run(const CompareOptions& options) { return run_compare(options); }
 struct Run {
   int operator()(const auto& options) const {
     const RunFiles files = files_of(options);
-    if (const anim::Status checked = check(files); !checked) return end_with(exit_job_failed, checked.error().message);
+    if (const anim::Status checked = check(files); !checked) return end_with(checked);
     for (const std::string& line : report_or_remove_parts(files)) end_with(exit_done, line);
     choose_kernels(options);
     return run(options);
   }
 
-  int operator()(const ShowText& shown) const {
-    const anim::Status printed = print(shown.text);
-    return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
-  }
+  int operator()(const ShowText& shown) const { return end_with(print(shown.text)); }
 
   int operator()(const UsageError& error) const { return end_with(exit_usage, error.message); }
 };

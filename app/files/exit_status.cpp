@@ -30,6 +30,10 @@ int end_with(ExitStatus status, std::string_view sentence) {
   return status;
 }
 
+int end_with(const anim::Status& outcome) {
+  return outcome ? static_cast<int>(exit_done) : end_with(exit_job_failed, outcome.error().message);
+}
+
 std::string_view sentence_of_failure() {
   static char text[512];
   try {

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "engine/base/result.h"
+
 namespace throng::app {
 
 /// The exit status of the program; other programs rely on the numbers.
@@ -12,6 +14,9 @@ constexpr int exit_of_signal(int signal) { return 128 + signal; }
 
 /// Puts the one line on stderr that a failure has, "throng: " and the sentence, and returns `status`.
 int end_with(ExitStatus status, std::string_view sentence);
+
+/// Returns exit_done where a job went well; else ends it with its error and exit_job_failed.
+int end_with(const anim::Status& outcome);
 
 /// Makes every failure in a thread or without a handler end the program with one line and exit_job_failed. A pipe
 /// without a reader and a file that grows too large become errors of their writer.

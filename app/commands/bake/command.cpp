@@ -159,9 +159,6 @@ anim::Status bake(const BakeOptions& options) {
 
 }  // namespace
 
-int run_bake(const BakeOptions& options) {
-  const anim::Status baked = bake(options);
-  return baked ? static_cast<int>(exit_done) : end_with(exit_job_failed, baked.error().message);
-}
+int run_bake(const BakeOptions& options) { return end_with(bake(options)); }
 
 }  // namespace throng::app

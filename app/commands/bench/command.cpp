@@ -93,7 +93,7 @@ int run_table(const BenchOptions& options) {
   if (const auto ended = run_cases(options, rows, trace)) return *ended;
   if (trace) {
     const anim::Status written = write_whole_file(options.trace, trace->to_json());
-    if (!written) return end_with(exit_job_failed, written.error().message);
+    if (!written) return end_with(written);
   }
   const bool one = rows.size() == 1;
   BenchReport report{.text = one ? figures_as_text(rows, {}) : figures_as_text(rows, columns),

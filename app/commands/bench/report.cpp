@@ -6,21 +6,20 @@
 namespace throng::app {
 namespace {
 
-anim::Status write(const BenchOptions& options, const BenchReport& report) {
+anim::Status write(const BenchOptions& options, const anim::Result<BenchReport>& report) {
+  if (!report) return report.error();
   if (!options.plot.empty()) {
-    anim::Status written = write_whole_file(options.plot, report.plot);
+    anim::Status written = write_whole_file(options.plot, report->plot);
     if (!written) return written;
   }
-  if (!options.json.empty()) return write_output(options.json, report.json.dump(2) + "\n");
-  return print(report.text);
+  if (!options.json.empty()) return write_output(options.json, report->json.dump(2) + "\n");
+  return print(report->text);
 }
 
 }  // namespace
 
 int end_with_report(const BenchOptions& options, const anim::Result<BenchReport>& report) {
-  if (!report) return end_with(exit_job_failed, report.error().message);
-  const anim::Status written = write(options, *report);
-  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
+  return end_with(write(options, report));
 }
 
 }  // namespace throng::app

@@ -90,9 +90,9 @@ std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& row
     const bool is_last = pass + 1 == rounds.size();
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const auto character = characters.of(options, cases[i]);
-      if (!character) return end_with(exit_job_failed, character.error().message);
+      if (!character) return end_with(character);
       const anim::Status fits = check_memory(options, cases[i], **character);
-      if (!fits) return end_with(exit_job_failed, fits.error().message);
+      if (!fits) return end_with(fits);
       auto row = run_bench_case(options, cases[i], **character,
                                 {rounds[pass], is_last, label_of(pass, rounds.size(), i, cases)}, times[i], trace);
       if (!row) return end_with(exit_usage, row.error().message);

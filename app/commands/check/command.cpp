@@ -84,7 +84,7 @@ anim::Status write_reports(const RegressionRun& run, const CheckOptions& options
 }
 
 /// Draws all cases, with a line each, and reports.
-int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
+anim::Status check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
   const fs::path report = options.report.empty() ? plan.out / "report.html" : fs::path(options.report);
   RegressionRun run{.title = fs::path(options.cases).stem().string(), .outcomes = {}};
   CaseDrawer drawer(std::move(plan));
@@ -92,18 +92,14 @@ int check_all(const std::vector<RegressionCase>& cases, const CheckOptions& opti
     for (const ContextKind context : options.contexts.empty() ? each.contexts : options.contexts) {
       const bool can = context != ContextKind::osmesa || render::gl::osmesa_is_installed();
       run.outcomes.push_back(can ? drawer.run(each, context) : left_out(each));
-      if (anim::Status told = print(line_of(run.outcomes.back())); !told) {
-        return end_with(exit_job_failed, told.error().message);
-      }
+      if (anim::Status told = print(line_of(run.outcomes.back())); !told) return told;
     }
   }
-  if (anim::Status written = write_reports(run, options, report); !written) {
-    return end_with(exit_job_failed, written.error().message);
-  }
+  if (anim::Status written = write_reports(run, options, report); !written) return written;
   const std::string summary = summary_of(run) + "; see " + report.string();
-  if (std::ranges::any_of(run.outcomes, is_bad, &CaseOutcome::verdict)) return end_with(exit_job_failed, summary);
-  const anim::Status told = print(summary + "\n");
-  return told ? static_cast<int>(exit_done) : end_with(exit_job_failed, told.error().message);
+  const RunCounts counts = counts_of(run);
+  if (counts.failed + counts.not_drawn > 0) return anim::Error{summary};
+  return print(summary + "\n");
 }
 
 }  // namespace
@@ -118,7 +114,7 @@ int run_check(const CheckOptions& options) {
   const auto cases = chosen(*all, options);
   if (!cases) return end_with(exit_usage, cases.error().message);
   const auto program = own_program();
-  if (!program) return end_with(exit_job_failed, program.error().message);
+  if (!program) return end_with(program);
   std::error_code error;
   const fs::path out = fs::absolute(options.out, error);
   fs::create_directories(out, error);
@@ -126,13 +122,13 @@ int run_check(const CheckOptions& options) {
   if (const std::string danger = danger_of_update(*cases, options); !danger.empty()) {
     return end_with(exit_job_failed, danger);
   }
-  return check_all(*cases, options,
-                   {.all = *all,
-                    .program = *program,
-                    .typed = as_typed({"throng", "check", options.cases}),
-                    .out = out,
-                    .data = options.data.empty() ? "" : fs::absolute(options.data, error).string(),
-                    .update = options.update});
+  return end_with(check_all(*cases, options,
+                            {.all = *all,
+                             .program = *program,
+                             .typed = as_typed({"throng", "check", options.cases}),
+                             .out = out,
+                             .data = options.data.empty() ? "" : fs::absolute(options.data, error).string(),
+                             .update = options.update}));
 }
 
 }  // namespace throng::app

@@ -8,28 +8,30 @@
 #include "engine/base/files/output_file.h"
 
 namespace throng::app {
+namespace {
 
-int run_compare(const CompareOptions& options) {
+anim::Status compare(const CompareOptions& options) {
   const auto expected = read_compared(options.expected);
-  if (!expected) return end_with(exit_job_failed, expected.error().message);
+  if (!expected) return expected.error();
   const auto actual = read_compared(options.actual);
-  if (!actual) return end_with(exit_job_failed, actual.error().message);
+  if (!actual) return actual.error();
   const std::string other = other_origin(read_origin(options.expected), read_origin(options.actual));
   const std::string first = other.empty() ? "" : other + "; ";
   const auto difference = measure_difference(*expected, *actual);
-  if (!difference) return end_with(exit_job_failed, first + difference.error().message);
-  if (const std::string unfit = unfit_limits(*difference, options.tolerance); !unfit.empty()) {
-    return end_with(exit_job_failed, unfit);
-  }
+  if (!difference) return anim::Error{first + difference.error().message};
+  if (std::string unfit = unfit_limits(*difference, options.tolerance); !unfit.empty()) return anim::Error{unfit};
   if (!options.difference.empty()) {
     const auto written = render::write_png(paint_difference(*expected, *actual), options.difference);
-    if (!written) return end_with(exit_job_failed, written.error().message);
+    if (!written) return written.error();
   }
-  if (anim::Status told = print(figures_text(*difference) + "\n"); !told) {
-    return end_with(exit_job_failed, told.error().message);
-  }
+  if (anim::Status told = print(figures_text(*difference) + "\n"); !told) return told;
   const std::vector<JudgedFigure> figures = judge(*difference, options.tolerance);
-  return all_within(figures) ? static_cast<int>(exit_done) : end_with(exit_job_failed, first + excess_text(figures));
+  if (!all_within(figures)) return anim::Error{first + excess_text(figures)};
+  return anim::Done{};
 }
+
+}  // namespace
+
+int run_compare(const CompareOptions& options) { return end_with(compare(options)); }
 
 }  // namespace throng::app

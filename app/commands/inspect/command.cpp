@@ -193,30 +193,29 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
   return models;
 }
 
-int inspect_tracks(const InspectOptions& options) {
+anim::Status inspect_tracks(const InspectOptions& options) {
   const auto tracks = read_trajectories(options.model, options.tracks);
-  if (!tracks) return end_with(exit_job_failed, tracks.error().message);
-  const anim::Status printed = print(options.json ? tracks_json(*tracks) : tracks_text(*tracks));
-  return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
+  if (!tracks) return tracks.error();
+  return print(options.json ? tracks_json(*tracks) : tracks_text(*tracks));
+}
+
+anim::Status inspect(const InspectOptions& options) {
+  if (looks_like_trajectories(options.model)) return inspect_tracks(options);
+  if (options.tracks != TrackReading{.up = options.tracks.up}) {
+    return anim::Error{options.model +
+                       ": it is no file of trajectories; leave out --fps and what else is for their rows"};
+  }
+  auto file = read_model_file(options.model, options.reading);
+  if (!file) return file.error();
+  anim::face_forward(*file);
+  anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
+  if (!added) return added;
+  const std::vector<InspectedModel> models = placed_models(*file, options.placement);
+  return print(options.json ? inspection_json(*file, models) : inspection_text(*file, models));
 }
 
 }  // namespace
 
-int run_inspect(const InspectOptions& options) {
-  if (looks_like_trajectories(options.model)) return inspect_tracks(options);
-  if (options.tracks != TrackReading{.up = options.tracks.up}) {
-    return end_with(exit_job_failed,
-                    options.model + ": it is no file of trajectories; leave out --fps and what else is for their rows");
-  }
-  auto file = read_model_file(options.model, options.reading);
-  if (!file) return end_with(exit_job_failed, file.error().message);
-  anim::face_forward(*file);
-  const anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
-  if (!added) return end_with(exit_job_failed, added.error().message);
-  const std::vector<InspectedModel> models = placed_models(*file, options.placement);
-  const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);
-  const anim::Status printed = print(text);
-  return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
-}
+int run_inspect(const InspectOptions& options) { return end_with(inspect(options)); }
 
 }  // namespace throng::app

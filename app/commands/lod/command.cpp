@@ -45,22 +45,22 @@ anim::Status write_files(const LodOptions& options, const CharacterSource& sourc
   return anim::Done{};
 }
 
-}  // namespace
-
-int run_lod(const LodOptions& options) {
+anim::Status measure_levels(const LodOptions& options) {
   const auto source = character_of(options);
-  if (!source) return end_with(exit_job_failed, source.error().message);
+  if (!source) return source.error();
   LodCurve curve{.bones = lod_levels(*source), .meshes = {}};
   if (source->has_surface()) {
     const auto surface = render::surface_parts(mesh_data(*source));
-    if (!surface) return end_with(exit_job_failed, surface.error().message);
+    if (!surface) return surface.error();
     curve.meshes = mesh_levels(surface->triangles_by_lod, surface->error_by_lod);
   }
-  const auto timed = time_levels(*source, curve.bones);
-  if (!timed) return end_with(exit_job_failed, timed.error().message);
+  if (anim::Status timed = time_levels(*source, curve.bones); !timed) return timed;
   anim::Status written = options.json == "-" ? anim::Done{} : print(curve_as_text(*source, curve, options.pixels));
-  if (written) written = write_files(options, *source, curve);
-  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
+  return written ? write_files(options, *source, curve) : written;
 }
+
+}  // namespace
+
+int run_lod(const LodOptions& options) { return end_with(measure_levels(options)); }
 
 }  // namespace throng::app

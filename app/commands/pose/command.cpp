@@ -118,11 +118,7 @@ anim::Result<std::string> import_and_pose(const PoseOptions& options) {
 
 int run_pose(const PoseOptions& options) {
   const auto text = import_and_pose(options);
-  if (!text) return end_with(exit_job_failed, text.error().message);
-  if (const auto written = write_output(options.json, *text); !written) {
-    return end_with(exit_job_failed, written.error().message);
-  }
-  return exit_done;
+  return end_with(text ? write_output(options.json, *text) : text.error());
 }
 
 }  // namespace throng::app

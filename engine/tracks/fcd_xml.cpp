@@ -141,7 +141,7 @@ Status read_fcd_xml(const std::string& file, const TrackReading& options, const 
                         "; its rows up to there are read.");
     } else if (!is_read) {
       if (sink.ids.size() > most_people) return too_many_people(file);
-      return parser.is_row_at_fault() ? row_error(file, parser.fault(), "") : Error{file + ": " + parser.fault()};
+      return parser.is_row_at_fault() ? row_error(file, parser.fault()) : Error{file + ": " + parser.fault()};
     }
     if (!sink.rows.empty()) tracks.blocks.push_back({take_rows_of(sink), 0});
     clock.show(static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(input->size(), 1)));

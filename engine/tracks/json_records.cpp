@@ -152,7 +152,7 @@ Status read_json_records(const std::string& file, const TrackReading& options, R
   RecordWalk walk(sink, options.lenient);
   const bool is_read = walk.take(*json, {});
   if (sink.ids.size() > most_people) return too_many_people(file);
-  if (!is_read) return row_error(file, walk.first_bad(), "");
+  if (!is_read) return row_error(file, walk.first_bad());
   if (walk.records() == 0) {
     return Error{
         file + ": it is JSON without an object that has x and y; name them so beside \"id\" and \"time\" or \"frame\""};

@@ -61,7 +61,7 @@ Status read_text_rows(const std::string& file, std::string_view head, const Trac
   if (head.size() >= head_bytes && head.find('\n') == std::string_view::npos && why_no_text(head).empty()) {
     return Error{file + ": line 1: it is longer than 64 KiB; name a file with a row a line"};
   }
-  auto format = text_format_of(head, options);
+  auto format = text_format_of(head);
   if (!format) return Error{file + ": " + format.error().message};
   tracks.facts = format->facts;
   Status read = read_rows(file, *format, options, progress, tracks);
@@ -143,7 +143,7 @@ bool looks_like_trajectories(const std::string& file) {
     RawTracks tracks;
     return head->starts_with('[') || read_json_records(file, {}, tracks).has_value();
   }
-  if (text_format_of(*head, {})) return true;
+  if (text_format_of(*head)) return true;
   // A table that is refused is still no model.
   std::filesystem::path name = file;
   if (name.extension() == ".gz") name.replace_extension();

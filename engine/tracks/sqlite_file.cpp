@@ -227,7 +227,7 @@ Status read_with_sqlite(const std::string& file, Database& database, bool has_di
     });
   });
   for (ReadRange& range : read) {
-    if (range.is_refused) return row_error(file, range.first_bad, "");
+    if (range.is_refused) return row_error(file, range.first_bad);
     if (!range.status) return Error{file + ": " + range.status.error().message};
     if (tracks.bad_rows == 0) tracks.first_bad_row = range.first_bad;
     tracks.bad_rows += range.bad;

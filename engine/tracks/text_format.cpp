@@ -303,7 +303,7 @@ std::string why_no_text(std::string_view head, std::string_view remedy) {
   return {};
 }
 
-Result<TextFormat> text_format_of(std::string_view head, const TrackReading& /*options*/) {
+Result<TextFormat> text_format_of(std::string_view head) {
   if (const std::string why = why_no_text(head); !why.empty()) return Error{why};
   const HeadLines lines = lines_of(head);
   if (lines.first.empty()) {

@@ -25,7 +25,7 @@ void take_columns(const TableLayout& layout, RowFacts& facts);
 
 /// Finds the format of a text by its first lines, which `head` holds up to its last newline or the file's end.
 /// The error is the end of a sentence that begins with the file's name.
-Result<TextFormat> text_format_of(std::string_view head, const TrackReading& options);
+Result<TextFormat> text_format_of(std::string_view head);
 
 /// Returns whether whole lines hold the first row, so that text_format_of() can find the format.
 bool has_first_row(std::string_view head);

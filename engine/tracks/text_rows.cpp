@@ -111,8 +111,8 @@ void read_lines(const TextBlock& block, bool is_lenient, LineParser& parser, Row
 
 }  // namespace
 
-Error row_error(const std::string& file, const std::string& where, const std::string& fault) {
-  return {file + ": " + where + fault + ", or skip such rows with --lenient"};
+Error row_error(const std::string& file, const std::string& fault) {
+  return {file + ": " + fault + ", or skip such rows with --lenient"};
 }
 
 Error too_many_people(const std::string& file) {
@@ -166,7 +166,7 @@ Status read_rows(const std::string& file, const TextFormat& format, const TrackR
   }
   std::ranges::sort(blocks, {}, &ReadBlock::number);
   for (ReadBlock& block : blocks) {
-    if (block.is_refused) return row_error(file, block.first_bad, "");
+    if (block.is_refused) return row_error(file, block.first_bad);
     if (tracks.bad_rows == 0 && block.bad > 0) tracks.first_bad_row = block.first_bad;
     tracks.bad_rows += block.bad;
     tracks.blocks.push_back(std::move(block.rows));

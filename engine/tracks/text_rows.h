@@ -21,7 +21,7 @@ Status read_rows(const std::string& file, const TextFormat& format, const TrackR
                  const ReadProgress& progress, RawTracks& tracks);
 
 /// Returns the error of a row: "FILE: line 7: ... , or skip such rows with --lenient".
-Error row_error(const std::string& file, const std::string& where, const std::string& fault);
+Error row_error(const std::string& file, const std::string& fault);
 
 Error too_many_people(const std::string& file);
 

@@ -143,7 +143,7 @@ bool LiveTracks::State::choose_format(bool is_last) {
   const std::string_view whole = is_last ? std::string_view(text) : std::string_view(text).substr(0, newline + 1);
   if (const std::string why = why_no_text(text); !why.empty()) return fail(why);
   if (!is_last && (newline == std::string::npos || !has_first_row(whole))) return true;
-  auto format = text_format_of(whole, options);
+  auto format = text_format_of(whole);
   if (!format) return fail(format.error().message);
   lines = std::move(format->parser);
   facts = std::move(format->facts);

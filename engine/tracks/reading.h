@@ -35,9 +35,8 @@ struct TrackReading {
   TrackUp up = TrackUp::z;
   TrackHeight height = TrackHeight::by_format;
   TrackAngle angle = TrackAngle::guessed;
-  std::optional<double> start_seconds = {};  ///< rows before this time of the file's clock are left out
-  std::string walls = {};                    ///< a file of read_ground_plan(); empty: the plan in or beside the file
-  bool lenient = false;                      ///< skip rows that are wrong, and count them
+  std::string walls = {};  ///< a file of read_ground_plan(); empty: the plan in or beside the file
+  bool lenient = false;    ///< skip rows that are wrong, and count them
 
   friend bool operator==(const TrackReading&, const TrackReading&) = default;
 };

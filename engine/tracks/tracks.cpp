@@ -139,14 +139,6 @@ OddityTally finish_people(std::vector<PersonTrack>& persons, const RowScale& sca
   return all;
 }
 
-void drop_rows_before(double start, std::vector<PersonTrack>& persons) {
-  for (PersonTrack& person : persons) {
-    const auto first = std::ranges::lower_bound(person.rows, start, {}, &TrackRow::seconds);
-    person.rows.erase(person.rows.begin(), first);
-  }
-  std::erase_if(persons, [](const PersonTrack& person) { return person.rows.empty(); });
-}
-
 /// The rate of most people, over some of their steps.
 double common_rate(const std::vector<PersonTrack>& persons) {
   constexpr std::size_t most_steps = 100'000;
@@ -230,10 +222,6 @@ Result<Trajectories> tracks_of_rows(RawTracks& tracks, const std::string& file, 
   const std::size_t parts = bounds.count < rows_worth_a_thread ? 1 : reading_threads();
   result.persons = take_rows(tracks, counts, *scale, result.origin, parts);
   const OddityTally duplicates = finish_people(result.persons, *scale, tracks.facts, parts);
-  if (options.start_seconds) drop_rows_before(*options.start_seconds, result.persons);
-  if (result.persons.empty()) {
-    return Error{file + ": it has no row after " + fixed(*options.start_seconds, 2) + " s; choose an earlier --start"};
-  }
   sum_up(result);
   report_oddity(TrackOddity::bad_row, {.count = tracks.bad_rows, .first = tracks.first_bad_row}, result.report);
   report_oddity(TrackOddity::duplicate, duplicates, result.report);

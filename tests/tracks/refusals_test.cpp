@@ -125,8 +125,6 @@ TEST(TrackRefusals, LimitPeopleAndWidth) {
   EXPECT_THAT(table_error("1,0,0,0\n2,0,0,12000\n"),
               HasSubstr("its people are up to 12.0 km apart, and 10 km is the most"));
   EXPECT_TRUE(read_as("a.csv", std::string(header) + "1,0,0,0\n2,0,0,12000\n", {.metres_a_unit = 0.01}));
-  EXPECT_THAT(error_of("a.csv", std::string(header) + "1,0,0,0\n", {.start_seconds = 5.0}),
-              HasSubstr("it has no row after 5.00 s; choose an earlier --start"));
 }
 
 }  // namespace

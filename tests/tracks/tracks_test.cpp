@@ -115,15 +115,6 @@ TEST(Tracks, AreTheSameReadInBlocksOnTwoThreads) {
   EXPECT_EQ(shares.back(), 1.0);
 }
 
-TEST(Tracks, BeginAtTheTimeThatIsToldToThem) {
-  const auto tracks =
-      read_as("a.csv", std::string(header) + "1,0,0,0\n1,1,1,0\n1,2,2,0\n2,0.5,3,3\n", {.start_seconds = 1.0});
-  ASSERT_TRUE(tracks) << tracks.error().message;
-  ASSERT_EQ(tracks->persons.size(), 1U);
-  EXPECT_EQ(tracks->row_count, 2U);
-  EXPECT_EQ(tracks->first_seconds, 1.0);
-}
-
 TEST(Tracks, AreToldFromModels) {
   const TrackFolder folder;
   EXPECT_TRUE(looks_like_trajectories(folder.file("a", "id,time,x,y\n1,0,0,0\n")));

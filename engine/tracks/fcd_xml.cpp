@@ -12,7 +12,6 @@
 #include "engine/base/text/plain_text.h"
 #include "engine/tracks/progress_clock.h"
 #include "engine/tracks/text/number_text.h"
-#include "engine/tracks/text/xml_text.h"
 #include "engine/tracks/text_rows.h"
 
 namespace throng {
@@ -22,92 +21,65 @@ constexpr std::size_t piece_bytes = std::size_t{256} << 10U;
 
 }  // namespace
 
-struct FcdParser::State final : XmlReader {
-  State(RowSink& rows_to, bool lenient)
-      : XmlReader("let SUMO write it to its end, or take what is there with --lenient"),
-        sink(&rows_to),
-        is_lenient(lenient) {}
+FcdParser::FcdParser(RowSink& sink, bool is_lenient)
+    : XmlReader("let SUMO write it to its end, or take what is there with --lenient"),
+      sink_(sink),
+      is_lenient_(is_lenient) {}
 
-  RowSink* sink;
-  bool is_lenient;
-  double time = 0.0;
-  bool has_time = false, has_people = false, has_z = false, is_row_at_fault = false;
-  std::string first_bad = {};
-  std::size_t bad = 0;
+void FcdParser::refuse(const std::string& what) {
+  if (bad_++ == 0) first_bad_ = here() + what;
+  if (is_lenient_) return;
+  is_row_at_fault_ = true;
+  stop(what);
+}
 
-  /// A row, or the time of rows, is wrong.
-  void refuse(const std::string& what) {
-    if (bad++ == 0) first_bad = here() + what;
-    if (is_lenient) return;
-    is_row_at_fault = true;
-    stop(what);
+bool FcdParser::take(XmlAttributes attributes, const char* name, double& number) {
+  const char* const text = attributes.of(name);
+  if (text != nullptr && is_number_text(text, number) && std::isfinite(number)) return true;
+  const std::string seen = text == nullptr ? std::string("no ") + name : in_quotes(std::string(text).substr(0, 40));
+  refuse(text == nullptr ? "it has " + seen + "; add it" : seen + " is not a number; put " + name + " there");
+  return false;
+}
+
+void FcdParser::take_row(XmlAttributes attributes) {
+  if (!has_time_) return;
+  RawRow row{.time = time_};
+  const char* const id = attributes.of("id");
+  if (id == nullptr || *id == '\0') return refuse("it has no id; add one");
+  if (!take(attributes, "x", row.x) || !take(attributes, "y", row.y)) return;
+  double number = 0.0;
+  if (attributes.of("z") != nullptr) {
+    if (!take(attributes, "z", number)) return;
+    row.z = static_cast<float>(number);
+    has_z_ = true;
   }
-
-  bool take(XmlAttributes attributes, const char* name, double& number) {
-    const char* const text = attributes.of(name);
-    if (text != nullptr && is_number_text(text, number) && std::isfinite(number)) return true;
-    const std::string seen = text == nullptr ? std::string("no ") + name : in_quotes(std::string(text).substr(0, 40));
-    refuse(text == nullptr ? "it has " + seen + "; add it" : seen + " is not a number; put " + name + " there");
-    return false;
+  if (attributes.of("angle") != nullptr) {
+    if (!take(attributes, "angle", number)) return;
+    row.angle = static_cast<float>(number);
   }
+  row.person = sink_.ids.number_of(id);
+  if (!add_row(row, sink_)) refuse(sink_.fault);
+  if (sink_.ids.size() > most_people) stop("more than 100,000 people");
+}
 
-  void take_row(XmlAttributes attributes) {
-    if (!has_time) return;
-    RawRow row{.time = time};
-    const char* const id = attributes.of("id");
-    if (id == nullptr || *id == '\0') return refuse("it has no id; add one");
-    if (!take(attributes, "x", row.x) || !take(attributes, "y", row.y)) return;
-    double number = 0.0;
-    if (attributes.of("z") != nullptr) {
-      if (!take(attributes, "z", number)) return;
-      row.z = static_cast<float>(number);
-      has_z = true;
-    }
-    if (attributes.of("angle") != nullptr) {
-      if (!take(attributes, "angle", number)) return;
-      row.angle = static_cast<float>(number);
-    }
-    row.person = sink->ids.number_of(id);
-    if (!add_row(row, *sink)) refuse(sink->fault);
-    if (sink->ids.size() > most_people) stop("more than 100,000 people");
+void FcdParser::open(const char* name, XmlAttributes attributes, std::size_t depth) {
+  if (depth == 0 && std::strcmp(name, "fcd-export") != 0) {
+    return stop("<" + plain_text(std::string(name).substr(0, 40)) +
+                "> is not what SUMO calls trajectories; name the file of --fcd-output");
   }
-
-  void open(const char* name, XmlAttributes attributes, std::size_t depth) override {
-    if (depth == 0 && std::strcmp(name, "fcd-export") != 0) {
-      return stop("<" + plain_text(std::string(name).substr(0, 40)) +
-                  "> is not what SUMO calls trajectories; name the file of --fcd-output");
+  const bool is_person = std::strcmp(name, "person") == 0;
+  if (std::strcmp(name, "timestep") == 0) {
+    has_time_ = take(attributes, "time", time_);
+  } else if (is_person && !has_people_) {
+    has_people_ = true;
+    if (forget_vehicles_) {
+      sink_.rows.clear();
+      forget_vehicles_();
     }
-    const bool is_person = std::strcmp(name, "person") == 0;
-    if (std::strcmp(name, "timestep") == 0) {
-      has_time = take(attributes, "time", time);
-    } else if (is_person && !has_people) {
-      has_people = true;
-      if (forget_vehicles) {
-        sink->rows.clear();
-        forget_vehicles();
-      }
-      take_row(attributes);
-    } else if (is_person || (!has_people && std::strcmp(name, "vehicle") == 0)) {
-      take_row(attributes);
-    }
+    take_row(attributes);
+  } else if (is_person || (!has_people_ && std::strcmp(name, "vehicle") == 0)) {
+    take_row(attributes);
   }
-
-  std::function<void()> forget_vehicles;
-};
-
-FcdParser::FcdParser(RowSink& sink, bool is_lenient) : state_(std::make_unique<State>(sink, is_lenient)) {}
-FcdParser::~FcdParser() = default;
-
-bool FcdParser::read(std::string_view text, bool is_last) { return state_->read(text, is_last); }
-const std::string& FcdParser::fault() const { return state_->fault(); }
-bool FcdParser::ends_early() const { return state_->ends_early(); }
-bool FcdParser::is_row_at_fault() const { return state_->is_row_at_fault; }
-std::size_t FcdParser::bad_rows() const { return state_->bad; }
-const std::string& FcdParser::first_bad_row() const { return state_->first_bad; }
-bool FcdParser::has_people() const { return state_->has_people; }
-bool FcdParser::has_z() const { return state_->has_z; }
-void FcdParser::when_people_come(std::function<void()> forget_vehicles) {
-  state_->forget_vehicles = std::move(forget_vehicles);
 }
 
 RowFacts fcd_facts() {

@@ -86,6 +86,13 @@ struct LiveTracks::State {
   bool has_ended = false;
   std::size_t bad = 0, late = 0;
 
+  /// Returns a value that both threads see.
+  template <typename Value>
+  Value seen(Value State::*value) const {
+    const std::lock_guard lock(mutex);
+    return this->*value;
+  }
+
   void run();
   bool read_more();
   bool take_text(bool is_last);
@@ -264,39 +271,15 @@ void LiveTracks::wait(std::chrono::milliseconds most) const {
   state_->came.wait_for(lock, most, [this] { return !state_->rows.empty() || state_->has_ended; });
 }
 
-bool LiveTracks::has_ended() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->has_ended;
-}
-
-std::optional<LiveHead> LiveTracks::head() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->live_head;
-}
-
 std::string LiveTracks::id(std::uint32_t person) const {
   const std::lock_guard lock(state_->mutex);
   return state_->ids[person];
 }
 
-std::size_t LiveTracks::people() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->ids.size();
-}
-
-Status LiveTracks::status() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->status;
-}
-
-std::size_t LiveTracks::bad_rows() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->bad;
-}
-
-std::size_t LiveTracks::late_rows() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->late;
-}
+bool LiveTracks::has_ended() const { return state_->seen(&State::has_ended); }
+std::optional<LiveHead> LiveTracks::head() const { return state_->seen(&State::live_head); }
+Status LiveTracks::status() const { return state_->seen(&State::status); }
+std::size_t LiveTracks::bad_rows() const { return state_->seen(&State::bad); }
+std::size_t LiveTracks::late_rows() const { return state_->seen(&State::late); }
 
 }  // namespace throng

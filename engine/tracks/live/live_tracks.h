@@ -52,7 +52,6 @@ class LiveTracks {
   bool has_ended() const;
   std::optional<LiveHead> head() const;  ///< nothing before the first row
   std::string id(std::uint32_t person) const;
-  std::size_t people() const;
   /// Returns the fault that ended the text; the sentence begins with its name.
   Status status() const;
   std::size_t bad_rows() const;   ///< skipped, because options.lenient is set

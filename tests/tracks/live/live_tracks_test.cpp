@@ -75,7 +75,7 @@ TEST(Live, GivesAPersonFromItsFirstRow) {
   EXPECT_EQ(feed.rows[0].row.seconds, 0.5);
   feed.send("bob,0.5,11,21\nann,1,10.5,20\n");
   ASSERT_TRUE(feed.wait_for(3));
-  EXPECT_EQ(feed.live().people(), 2U);
+  EXPECT_EQ(feed.live().id(feed.rows[1].person), "bob");
   EXPECT_EQ(feed.rows[1].row.z, -1.0F);
   feed.end();
   feed.wait();

@@ -17,36 +17,20 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::size_t index_of(TrackField field) { return static_cast<std::size_t>(field); }
 
-std::string_view meaning_of(TrackField field) {
-  switch (field) {
-    case TrackField::id:
-      return "the person's id";
-    case TrackField::time:
-      return "the time in seconds";
-    case TrackField::end_time:
-      return "the end of the step in seconds";
-    case TrackField::frame:
-      return "the number of the frame";
-    case TrackField::x:
-      return "x in metres";
-    case TrackField::y:
-      return "y in metres";
-    case TrackField::end_x:
-      return "x of the step's end in metres";
-    case TrackField::end_y:
-      return "y of the step's end in metres";
-    case TrackField::z:
-      return "z in metres";
-    case TrackField::angle:
-      return "an angle";
-    case TrackField::direction_x:
-    case TrackField::direction_y:
-      return "a part of the direction";
-    case TrackField::none:
-      break;
-  }
-  return "a number";
-}
+/// What a cell of each TrackField holds, in its order.
+constexpr std::array<std::string_view, track_field_count> meanings{"a number",
+                                                                   "the person's id",
+                                                                   "the time in seconds",
+                                                                   "the number of the frame",
+                                                                   "x in metres",
+                                                                   "y in metres",
+                                                                   "z in metres",
+                                                                   "an angle",
+                                                                   "a part of the direction",
+                                                                   "a part of the direction",
+                                                                   "the end of the step in seconds",
+                                                                   "x of the step's end in metres",
+                                                                   "y of the step's end in metres"};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -195,7 +179,7 @@ bool TableParser::refuse_cell(std::size_t column, std::string_view text, RowSink
   const bool is_number = is_number_text(text, number);
   const std::string_view wrong = text.empty() ? " is no number" : is_number ? " is not finite" : " is not a number";
   sink.fault = (text.empty() ? "an empty cell" : shown(text)) + std::string(wrong) + "; put " +
-               std::string(meaning_of(layout_.columns[column].field)) + " there";
+               std::string(meanings[index_of(layout_.columns[column].field)]) + " there";
   if (text.find(',') != std::string_view::npos) sink.fault += ", with a point instead of the comma";
   return false;
 }

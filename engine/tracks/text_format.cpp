@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,12 +33,6 @@ bool is_mostly_numbers(std::string_view line) {
   const auto count =
       std::ranges::count_if(fields, [&](const std::string& field) { return is_number_text(field, number); });
   return static_cast<std::size_t>(count) * 2 > fields.size();
-}
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
 }
 
 /// Returns the number after `word` in a comment: "framerate: 25 fps".

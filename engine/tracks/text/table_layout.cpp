@@ -44,12 +44,6 @@ constexpr std::array field_names{
 constexpr std::array<std::string_view, 17> units{"m",  "cm", "mm",  "km",     "ft",      "in",  "s",       "sec", "ms",
                                                  "us", "ns", "deg", "degree", "degrees", "rad", "radians", "min"};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
 std::string letters_and_digits(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -111,6 +105,12 @@ std::string acceptable(TrackField field) {
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
 bool TableLayout::has(TrackField field) const { return column_of(field) != nullptr; }
 
 const TableColumn* TableLayout::column_of(TrackField field) const {
@@ -163,7 +163,7 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
 bool is_unit(std::string_view word) { return std::ranges::count(units, word) > 0; }
 
 TableColumn column_named(std::string_view name) {
-  std::string text = lower(name);
+  std::string text = lower_case(name);
   if (const std::size_t colon = text.find(':'); text.starts_with('$') && colon != std::string::npos) {
     text.erase(0, colon + 1);  // $PEDESTRIAN:NO of Viswalk
   }
@@ -176,7 +176,7 @@ TableColumn column_named(std::string_view name) {
 }
 
 std::size_t rank_of(const TableColumn& column) {
-  std::string text = lower(column.name);
+  std::string text = lower_case(column.name);
   unit_taken_off(text);
   return words_of(column.field).find(letters_and_digits(text));
 }
@@ -184,7 +184,7 @@ std::size_t rank_of(const TableColumn& column) {
 TableLayout layout_of_header(std::string_view line, std::string_view prefix) {
   TableLayout layout{.separator = separator_of(line), .columns = {}, .is_whole = true};
   for (const std::string& name : fields_of(line, layout.separator)) {
-    const bool has_prefix = !prefix.empty() && lower(name).starts_with(prefix);
+    const bool has_prefix = !prefix.empty() && lower_case(name).starts_with(prefix);
     TableColumn column = column_named(has_prefix ? std::string_view(name).substr(prefix.size()) : name);
     const bool is_other = !prefix.empty() && !has_prefix && column.field != TrackField::time;
     if (is_other) column.field = TrackField::none;
@@ -213,7 +213,7 @@ std::string missing_fields(const TableLayout& layout) {
 bool has_columns_of(std::string_view header, std::string_view prefix) {
   bool has_time = false, has_id = false;
   for (const std::string& name : fields_of(header, separator_of(header))) {
-    const std::string word = letters_and_digits(lower(name));
+    const std::string word = letters_and_digits(lower_case(name));
     has_time = has_time || word == "timesteptime";
     has_id = has_id || word == std::string(prefix) + "id";
   }

@@ -43,6 +43,8 @@ struct TableLayout {
   const TableColumn* column_of(TrackField field) const;
 };
 
+std::string lower_case(std::string_view text);
+
 /// Returns the separator of a line: the most frequent of ; tab , in it, or ' '.
 char separator_of(std::string_view line);
 

@@ -27,7 +27,7 @@ enum class TrackAngle : std::uint8_t {
 /// The axis of a file that points up. The ground is the file's (x, y) where z points up, and (x, -z) where y does.
 enum class TrackUp : std::uint8_t { z, y };
 
-/// Says how trajectories are read. The reader finds each value that is not set, and lists it in Trajectories::said.
+/// Says how trajectories are read. The reader finds each value that is not set, and lists it in Trajectories::remarks.
 struct TrackReading {
   std::optional<double> fps = {};             ///< frames a second of rows that have frames
   std::optional<double> times_a_second = {};  ///< units of time in a second, of rows that have times

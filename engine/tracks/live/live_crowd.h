@@ -59,7 +59,7 @@ class LiveCrowd {
   Status status() const;
   /// Returns sentences on what people would not expect.
   std::vector<std::string> remarks() const;
-  /// Returns a number that is another one whenever said() is.
+  /// Returns a number that is another one whenever remarks() is.
   std::size_t news() const;
 
  private:

@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
+#include "app/people/wardrobe/dressed_crowd.h"
 #include "app/people/wardrobe/dresser.h"
-#include "app/people/wardrobe/face.h"
 #include "assets/sheet/contact_sheet.h"
 #include "assets/sheet/studio.h"
 

@@ -1,6 +1,7 @@
 #include "app/people/wardrobe/dressed_crowd.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -10,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/people/wardrobe/dresser.h"
-#include "app/people/wardrobe/face.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
@@ -19,6 +19,7 @@ namespace {
 constexpr std::uint32_t most_attempts = 12, attempts_to_be_unique = 6;
 constexpr std::size_t most_unique = 20'000;  // people; there are not many more looks that are told apart
 constexpr float same_group = 2.2F;           // metres from a stander to the next of the list
+constexpr std::uint64_t face_stream = 27, stoop_stream = 28;
 constexpr std::uint32_t gray_hair[]{0xC9C5C0, 0xA8A4A0, 0xDCD9D6, 0x8E8A86};
 
 /// Finds people who look alike.
@@ -135,6 +136,17 @@ void turn_gray(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed)
   look.tints.at(index_of(render::Region::hair)) = render::tint_of(faded(gray, random));
 }
 
+std::uint32_t signed_byte(float value) {
+  return static_cast<std::uint8_t>(static_cast<std::int8_t>(std::lround(value * 127.0F)));
+}
+
+/// Makes an agent stoop as old people do, one more than another.
+void stoop(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
+  constexpr std::uint32_t posture = 0xFF0000;
+  Random random(seed + agent, stoop_stream);
+  look.shape = (look.shape & ~posture) | signed_byte(random.between(0.55F, 1.0F)) << 16U;
+}
+
 /// Gives clothes of any cut the colours of a shape that is seen from above.
 void wear_pattern(render::AgentLook& look, const Tints& tints) {
   using enum render::Region;
@@ -145,6 +157,13 @@ void wear_pattern(render::AgentLook& look, const Tints& tints) {
 }
 
 }  // namespace
+
+void give_face(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed, bool is_child) {
+  Random random(seed + agent, face_stream);
+  const float reach = is_child ? 0.4F : 1.0F;
+  look.face = 0;
+  for (const unsigned shift : {0U, 8U, 16U, 24U}) look.face |= signed_byte(random.between(-reach, reach)) << shift;
+}
 
 DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning) {
   const Occasion occasion{.scene = word_of(tuning.scene),

@@ -28,4 +28,7 @@ struct DressedCrowd {
 /// stay as they are. The same crowd, rules and weather give the same clothes.
 DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning);
 
+/// Gives an agent a jaw, a nose, a brow and eyes of its own. Children's faces differ less.
+void give_face(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed, bool is_child);
+
 }  // namespace throng::app

@@ -9,6 +9,7 @@
 #include "app/files/nearest_names.h"
 #include "app/people/wardrobe/look_words.h"
 #include "engine/base/json/json_object.h"
+#include "engine/base/text/joined.h"
 #include "engine/base/text/plain_text.h"
 
 namespace throng::app {
@@ -77,6 +78,15 @@ class RulesReader {
     if (!complaint_) complaint_ = std::move(text);
   }
 
+  /// Returns the enumerator of a name; `names` stand in the order of the enumerators.
+  template <typename Value>
+  std::optional<Value> known(const std::string& owner, const char* kind, const auto& names, std::string_view name) {
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) return static_cast<Value>(found - names.begin());
+    complain(owner + ": no " + kind + " is called " + in_quotes(name) + "; there are " + joined(names, ", ", " and "));
+    return {};
+  }
+
   WeighedNames weighed(const std::string& owner, const Json& json) {
     WeighedNames names;
     if (!json.is_object()) complain(owner + " must be an object of names with weights");
@@ -128,20 +138,13 @@ class RulesReader {
     ClothRule cloth{.part = member.key, .colors = {}, .seconds = {}, .patterns = {}};
     object.text("colours", cloth.colors);
     object.text("seconds", cloth.seconds);
-    std::string fabric = fabric_name(cloth.fabric);
+    std::string fabric = fabric_names.at(static_cast<std::size_t>(cloth.fabric));
     object.text("fabric", fabric);
-    if (const auto found = fabric_named(fabric)) {
-      cloth.fabric = *found;
-    } else {
-      complain(owner + ": no fabric is called " + in_quotes(fabric) + "; there are " + known_fabrics());
-    }
+    cloth.fabric = known<render::Fabric>(owner, "fabric", fabric_names, fabric).value_or(cloth.fabric);
     if (object.has("patterns")) {
       for (const WeighedName& pattern : weighed(owner + ", patterns", object["patterns"])) {
-        if (const auto found = pattern_named(pattern.name)) {
-          cloth.patterns.emplace_back(*found, pattern.weight);
-        } else {
-          complain(owner + ": no pattern is called " + in_quotes(pattern.name) + "; there are " + known_patterns());
-        }
+        const auto found = known<render::Pattern>(owner, "pattern", pattern_names, pattern.name);
+        if (found) cloth.patterns.emplace_back(*found, pattern.weight);
       }
     }
     rules_.clothes.push_back(std::move(cloth));

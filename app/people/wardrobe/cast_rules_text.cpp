@@ -50,8 +50,10 @@ Json cloth_json(const ClothRule& cloth) {
   Json json = Json::object();
   if (!cloth.colors.empty()) json["colours"] = cloth.colors;
   if (!cloth.seconds.empty()) json["seconds"] = cloth.seconds;
-  for (const auto& [pattern, weight] : cloth.patterns) json["patterns"][pattern_name(pattern)] = shortest(weight);
-  json["fabric"] = fabric_name(cloth.fabric);
+  for (const auto& [pattern, weight] : cloth.patterns) {
+    json["patterns"][pattern_names.at(static_cast<std::size_t>(pattern))] = shortest(weight);
+  }
+  json["fabric"] = fabric_names.at(static_cast<std::size_t>(cloth.fabric));
   return json;
 }
 

@@ -1,20 +1,19 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
+#include <array>
+#include <cstddef>
 
 #include "engine/render/agent_look.h"
 
-// These functions name patterns and fabrics as rules do.
-
 namespace throng::app {
 
-std::optional<render::Pattern> pattern_named(std::string_view name);
-std::optional<render::Fabric> fabric_named(std::string_view name);
-std::string pattern_name(render::Pattern pattern);
-std::string fabric_name(render::Fabric fabric);
-std::string known_patterns();  ///< "plain, stripes_across, ... and herringbone"
-std::string known_fabrics();
+// Rules call patterns and fabrics so. The names stand in the order of the enumerators.
+inline constexpr std::array<const char*, 13> pattern_names{
+    "plain", "stripes_across", "stripes_along", "checks",  "tartan",     "dots",       "denim",
+    "print", "trim",           "blocks",        "flowers", "camouflage", "herringbone"};
+inline constexpr std::array<const char*, 8> fabric_names{"cotton",  "denim", "wool", "satin",
+                                                         "leather", "nylon", "skin", "plastic"};
+static_assert(pattern_names.size() == static_cast<std::size_t>(render::Pattern::herringbone) + 1);
+static_assert(fabric_names.size() == static_cast<std::size_t>(render::Fabric::plastic) + 1);
 
 }  // namespace throng::app

@@ -91,9 +91,7 @@ std::vector<RestSpot> chosen_places(std::vector<RestSpot> places, const Characte
     const bool is_taken = random.chance(chance_to_rest(place));
     return !is_taken || !can_rest(place, roles);
   });
-  for (std::size_t i = places.size(); i > 1; --i) {
-    std::swap(places[i - 1], places[random.below(static_cast<std::uint32_t>(i))]);
-  }
+  shuffle(places, random);
   return places;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace throng::app {
 
@@ -35,5 +38,13 @@ class Random {
   std::uint64_t state_ = 0;
   std::uint64_t increment_;
 };
+
+/// Puts elements into a random order.
+template <typename Element>
+void shuffle(std::vector<Element>& elements, Random& random) {
+  for (std::size_t left = elements.size(); left > 1; --left) {
+    std::swap(elements[left - 1], elements[random.below(static_cast<std::uint32_t>(left))]);
+  }
+}
 
 }  // namespace throng::app

@@ -3,18 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace throng::app {
-namespace {
-
-void mix_up(std::vector<std::uint8_t>& numbers, Random& random) {
-  for (std::size_t left = numbers.size(); left > 1; --left) {
-    std::swap(numbers[left - 1], numbers[random.below(static_cast<std::uint32_t>(left))]);
-  }
-}
-
-}  // namespace
 
 ShareDealer::ShareDealer(std::span<const CharacterRoles> characters) : owed_(characters.size(), 0.0) {
   for (const CharacterRoles& character : characters) shares_.push_back(character.share);
@@ -38,7 +28,7 @@ std::vector<std::uint8_t> ShareDealer::deal(std::span<const std::uint8_t> number
     dealt.push_back(*std::ranges::max_element(numbers, {}, owed));
     owed_[dealt.back()] -= 1.0;
   }
-  mix_up(dealt, random);
+  shuffle(dealt, random);
   return dealt;
 }
 

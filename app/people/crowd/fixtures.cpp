@@ -1,5 +1,8 @@
 #include "app/people/crowd/fixtures.h"
 
+#include <array>
+#include <cstddef>
+
 namespace throng::app {
 namespace {
 
@@ -11,23 +14,9 @@ constexpr double bench_back = 0.08;         // its discs lie behind its middle, 
 }  // namespace
 
 double radius_of(FixtureKind kind) {
-  switch (kind) {
-    case FixtureKind::fountain:
-      return 3.3;
-    case FixtureKind::statue:
-      return 1.3;
-    case FixtureKind::tree:
-      return 0.4;
-    case FixtureKind::planter:
-      return 0.8;
-    case FixtureKind::lamp:
-      return 0.25;
-    case FixtureKind::kiosk:
-      return 1.7;
-    case FixtureKind::bench:
-      break;
-  }
-  return 0.32;
+  constexpr std::array<double, 7> radii{3.3, 1.3, 0.4, 0.8, 0.25, 0.32, 1.7};  // in the order of the kinds
+  static_assert(radii.size() == static_cast<std::size_t>(FixtureKind::kiosk) + 1);
+  return radii.at(static_cast<std::size_t>(kind));
 }
 
 std::vector<Obstacle> obstacles_of(std::span<const Fixture> fixtures, double spacing) {

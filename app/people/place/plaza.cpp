@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "app/people/crowd/layout.h"
 #include "app/people/crowd/plaza_plan.h"
@@ -19,29 +20,13 @@ constexpr double tower_aside = 6.0;
 constexpr int bollards = 6;            // across the mouth of a side street
 constexpr double paved_around = 70.0;  // of the square, until fields begin
 
-Prop prop_of(FixtureKind kind) {
-  switch (kind) {
-    case FixtureKind::fountain:
-      return Prop::fountain;
-    case FixtureKind::statue:
-      return Prop::statue;
-    case FixtureKind::planter:
-      return Prop::planter;
-    case FixtureKind::lamp:
-      return Prop::lamp;
-    case FixtureKind::bench:
-      return Prop::bench;
-    case FixtureKind::kiosk:
-      return Prop::kiosk;
-    case FixtureKind::tree:
-      break;
-  }
-  return Prop::tree_a;
-}
+/// The prop of each kind of fixture, in the order of the kinds.
+constexpr std::array<Prop, 7> fixture_props{Prop::fountain, Prop::statue, Prop::tree_a, Prop::planter,
+                                            Prop::lamp,     Prop::bench,  Prop::kiosk};
 
 void put_fixture(const Fixture& fixture, Placer& placer) {
   if (fixture.kind == FixtureKind::tree) return placer.put_tree(fixture.position);
-  placer.put(prop_of(fixture.kind), fixture.position, fixture.heading);
+  placer.put(fixture_props.at(static_cast<std::size_t>(fixture.kind)), fixture.position, fixture.heading);
 }
 
 // A row with a gap where a side street leaves, and houses along that street.

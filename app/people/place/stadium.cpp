@@ -12,8 +12,7 @@ namespace {
 
 // Metres, for a person 1.8 m tall. A tread reaches from before the feet to the next riser.
 constexpr double tread_front = 0.33, tread_back = 0.62;
-constexpr double seat_behind_feet = 0.39;  // as the clip `sit` has it
-constexpr double riser = 0.44;             // a little more than a tier rises
+constexpr double riser = 0.44;  // a little more than a tier rises
 constexpr double longest_block = 18.0;
 constexpr double wall_above = 1.0, wall_thick = 0.3;
 constexpr double track_width = 4.0, apron = 0.45, around_field = 1.2;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/import/import.h"
@@ -15,5 +15,8 @@ anim::Result<anim::ImportedFile> import_to_draw(const std::string& path, import:
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material);
 
 render::MaterialData material_data(const anim::Material& material);
+
+/// Returns the changes that the model's morphs make to its surface, as drawing takes them.
+std::vector<render::MorphDeltaData> morph_deltas(const anim::Model& model);
 
 }  // namespace throng::app

@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/character/material_data.h"
-#include "app/character/morph_deltas.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"

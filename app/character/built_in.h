@@ -22,6 +22,10 @@ struct BuiltInFiles {
 /// Finds them in the folders that --data leads. A wardrobe that is not needed may be missing.
 anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe);
 
+/// Adds the parts of another file, whose skeleton has the same joints at rest, to the parts of a character's model.
+/// Errors: the file cannot be imported, it has no parts, or the character lacks one of their joints.
+anim::Status add_parts(anim::Model& model, const std::string& character, const std::filesystem::path& file);
+
 /// Imports and bakes the built-in character, with the order of its bones that `kept` has, if any. It has the parts of
 /// the wardrobe if LoadOptions::wardrobe says so.
 anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,

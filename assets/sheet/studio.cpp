@@ -8,7 +8,7 @@
 #include <cstring>
 #include <span>
 
-#include "app/character/wardrobe_file.h"
+#include "app/character/built_in.h"
 #include "app/show/worn_pieces.h"
 #include "assets/sheet/contact_sheet.h"
 #include "engine/anim/asset/reference_pose.h"

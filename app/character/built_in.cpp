@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/material_data.h"
 #include "app/character/packed.h"
+#include "app/character/role_table.h"
 #include "app/files/data_folder.h"
 #include "engine/base/files/free_memory.h"
 #include "engine/base/text/plain_text.h"
@@ -109,6 +111,24 @@ anim::Status add_parts(anim::Model& model, const std::string& character, const f
   std::ranges::move(wardrobe.images, std::back_inserter(model.images));
   std::ranges::move(wardrobe.parts, std::back_inserter(model.parts));
   return anim::Done{};
+}
+
+anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
+  const auto files = find_built_in(data_option, options.wardrobe);
+  if (!files) return files.error();
+  const auto rules = find_data(data_folders(data_option), "assets/cast.json");
+  if (!rules) return rules.error();
+  const BoneLodFile kept{{}};
+  auto taken = take_built_in(*files, options);
+  auto source = taken ? anim::Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options, &kept);
+  if (!source) return source;
+  source->cast_rules = rules->string();
+  const auto rig = RoleFile({}).read_rig();
+  if (!rig) return rig.error();
+  if (rig->empty()) return source;
+  const anim::Status rigged = take_rig(*source, *rig);
+  if (!rigged) return anim::Error{"the rig kept for " + source->name + ": " + rigged.error().message};
+  return source;
 }
 
 anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe) {

@@ -13,6 +13,9 @@ namespace throng::app {
 /// start neither imports nor bakes nor simplifies a model.
 inline constexpr const char* built_in_pack_name = "built_in.pack";
 
+/// Loads the character that comes with the program, from the folders that --data leads.
+anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
+
 /// The files that the built-in character is made of.
 struct BuiltInFiles {
   std::filesystem::path mannequin;

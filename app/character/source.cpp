@@ -145,6 +145,17 @@ anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim
   return anim::Error{"the rig kept for " + plain_text(path) + ": " + chosen.error().message};
 }
 
+anim::Status take_kept_roles(CharacterSource& character) {
+  const auto kept = RoleFile(character.file).read();
+  if (!kept) return kept.error();
+  RoleClips clips = character.roles.clips;
+  if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
+    return anim::Error{"the roles kept for " + character.name + ": " + chosen.error().message};
+  }
+  assign_roles(character, clips);
+  return anim::Done{};
+}
+
 void guess_roles(CharacterSource& source) {
   for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
   source.roles = roles_by_name(source.clip_names);

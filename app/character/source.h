@@ -57,6 +57,10 @@ struct CharacterSource {
 /// none if nothing was chosen. The error names the file and the wrong part.
 anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
+/// Takes the roles that a person kept for the character, where there are any. The error names the file or the
+/// character, and the role that cannot be.
+anim::Status take_kept_roles(CharacterSource& character);
+
 /// Finds the clips that the roles play, once the character is there.
 void guess_roles(CharacterSource& source);
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 
 namespace throng::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/character/files.h"
+#include "app/character/source.h"
 #include "app/files/exit_status.h"
 #include "app/files/nearest_names.h"
 #include "app/files/progress_line.h"

@@ -4,9 +4,7 @@
 #include <utility>
 
 #include "app/character/cast_files.h"
-#include "app/character/files.h"
-#include "app/people/wardrobe/cast_rules_text.h"
-#include "app/settings/option_values.h"
+#include "app/character/source.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/stage/memory_needs.h"
 #include "app/show/stage/stage.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/character/model_placement.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
 #include "app/show/lod/mesh_lods.h"

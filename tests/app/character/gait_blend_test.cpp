@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/character/gait_plane.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/blend_space_2d_channel.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 
 namespace throng::app::gait_plane_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/source.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "engine/anim/asset/joint_list.h"

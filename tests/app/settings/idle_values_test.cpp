@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/settings/choices.h"
 #include "app/settings/tuning_values.h"
 #include "app/show/camera/fly_camera.h"

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/people/wardrobe/clothing.h"
 #include "tests/app/people/wardrobe/part_of_piece.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app::mesh_lods_test {

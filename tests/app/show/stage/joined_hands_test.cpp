@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
+#include "app/character/built_in.h"
 #include "app/show/stage/rewind.h"
 #include "app/show/stage/stage.h"
 #include "tests/app/show/stage/watched_stage.h"

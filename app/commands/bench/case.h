@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/commands/bench/command.h"
-#include "app/commands/bench/times.h"
+#include "app/commands/bench/rounds.h"
 #include "app/show/figures/timeline_log.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/model.h"

@@ -9,8 +9,6 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "app/commands/bench/times.h"
-#include "app/commands/bench/turns.h"
 
 namespace throng::app::figures_test {
 namespace {

@@ -8,9 +8,8 @@
 
 #include "engine/base/text/joined.h"
 #include "engine/base/text/plain_text.h"
-#include "engine/tracks/first_columns.h"
+#include "engine/tracks/first_rows.h"
 #include "engine/tracks/ndjson.h"
-#include "engine/tracks/rounded_times.h"
 #include "engine/tracks/table_parser.h"
 #include "engine/tracks/text/head_lines.h"
 #include "engine/tracks/text/number_text.h"

@@ -1,15 +1,15 @@
-#include "engine/tracks/first_columns.h"
+#include "engine/tracks/first_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "engine/tracks/text/number_text.h"
-#include "engine/tracks/text/table_layout.h"
 
 namespace throng {
 namespace {
@@ -18,17 +18,25 @@ using FirstNumbers = std::array<double, 4>;
 
 constexpr std::size_t most_rows = 4000;
 
+/// Calls `visit` with the fields of one row after the other while it returns true.
+template <class Visit>
+void visit_rows(std::string_view rows, char separator, const Visit& visit) {
+  while (!rows.empty()) {
+    const std::size_t end = rows.find('\n');
+    if (!visit(fields_of(rows.substr(0, end), separator))) return;
+    rows.remove_prefix(end == std::string_view::npos ? rows.size() : end + 1);
+  }
+}
+
 std::vector<FirstNumbers> numbers_of(std::string_view rows, char separator) {
   std::vector<FirstNumbers> result;
-  while (!rows.empty() && result.size() < most_rows) {
-    const std::size_t end = rows.find('\n');
-    const std::vector<std::string> fields = fields_of(rows.substr(0, end), separator);
+  visit_rows(rows, separator, [&](const std::vector<std::string>& fields) {
     FirstNumbers numbers{};
     bool is_row = fields.size() >= numbers.size();
     for (std::size_t i = 0; is_row && i < numbers.size(); ++i) is_row = is_number_text(fields[i], numbers[i]);
     if (is_row) result.push_back(numbers);
-    rows.remove_prefix(end == std::string_view::npos ? rows.size() : end + 1);
-  }
+    return result.size() < most_rows;
+  });
   return result;
 }
 
@@ -69,6 +77,30 @@ bool follows_better(const Succession& a, const Succession& b) {
   return std::abs(a.even - b.even) > clearly ? a.even > b.even : a.metres < b.metres;
 }
 
+struct Moment {
+  double frame = 0.0, time = 0.0;
+};
+
+std::size_t place_of(const TableLayout& layout, TrackField field) {
+  return static_cast<std::size_t>(layout.column_of(field) - layout.columns.data());
+}
+
+/// Returns the moments of each person, in the order of the file.
+std::map<std::string, std::vector<Moment>> moments_of(std::string_view rows, const TableLayout& layout) {
+  const std::size_t id = place_of(layout, TrackField::id), frame = place_of(layout, TrackField::frame),
+                    time = place_of(layout, TrackField::time);
+  std::map<std::string, std::vector<Moment>> people;
+  std::size_t count = 0;
+  visit_rows(rows, layout.separator, [&](const std::vector<std::string>& fields) {
+    Moment moment;
+    const bool is_row = fields.size() > std::max({id, frame, time}) && is_number_text(fields[frame], moment.frame) &&
+                        is_number_text(fields[time], moment.time);
+    if (is_row) people[fields[id]].push_back(moment);
+    return ++count < most_rows;
+  });
+  return people;
+}
+
 }  // namespace
 
 FirstColumns first_columns_of(std::string_view rows, char separator) {
@@ -79,6 +111,26 @@ FirstColumns first_columns_of(std::string_view rows, char separator) {
   result.counts_frames =
       std::ranges::all_of(numbers, [&](const FirstNumbers& row) { return row.at(frame) == std::floor(row.at(frame)); });
   result.skips_frames = (result.frame_is_first ? frame_first : id_first).usual > 1.0;
+  return result;
+}
+
+RoundedTimes rounded_times_of(std::string_view rows, const TableLayout& layout) {
+  std::size_t steps = 0, at_one_time = 0;
+  std::map<double, double> first_frames;  // of each time
+  for (const auto& [id, moments] : moments_of(rows, layout)) {
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      const auto [found, is_new] = first_frames.try_emplace(moments[i].time, moments[i].frame);
+      found->second = std::min(found->second, moments[i].frame);
+      if (i == 0 || moments[i].frame <= moments[i - 1].frame) continue;
+      ++steps;
+      if (moments[i].time == moments[i - 1].time) ++at_one_time;
+    }
+  }
+  RoundedTimes result{.are_rounded = steps >= 10 && at_one_time * 10 >= steps};
+  if (!result.are_rounded || first_frames.size() < 3) return result;
+  const auto begin = std::next(first_frames.begin()), end = std::prev(first_frames.end());  // the first time is cut off
+  const double frames = end->second - begin->second;
+  if (frames > 0.0) result.rate = frames / (end->first - begin->first);
   return result;
 }
 

@@ -4,18 +4,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/character/cast_entry.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
-#include "app/settings/output_options.h"
-#include "app/settings/trajectory_options.h"
 #include "engine/anim/agent/system_options.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/render/scene_light.h"
+#include "engine/tracks/reading.h"
 
 namespace throng::app {
 
@@ -131,7 +131,6 @@ inline Tuning without_level_of_detail(Tuning tuning) {
   return tuning;
 }
 
-/// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
 /// The seconds of a headless frame without --dt.
 inline constexpr double usual_frame_seconds = 1.0 / 60.0;
 /// The range of --dt in seconds, and the largest factor that a window's clock multiplies it by.
@@ -141,8 +140,31 @@ inline constexpr float most_time_scale = 4;
 /// The camera stands no farther from the origin on any axis, in metres.
 inline constexpr float farthest_camera = 1e6F;
 
+/// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
 inline constexpr int most_picture_pixels = 32767;
-inline constexpr int most_window_pixels = 16384;  ///< of a window, which is one target
+inline constexpr int most_window_pixels = 16384;    ///< of a window, which is one target
+inline constexpr int most_labelled_agents = 65534;  ///< an id mask has 16 bits; 0 is no person
+
+/// The recorded or simulated crowd that a run shows.
+struct TrajectoryOptions {
+  std::string file;  ///< empty: there is none
+  TrackReading reading;
+  std::optional<double> start;  ///< seconds of the file's clock; unset: where the part begins in the way it is played
+  std::optional<double> rate;   ///< seconds of the file's clock a second, not 0; below 0: backwards
+  std::optional<std::pair<double, double>> part;  ///< seconds of the file's clock, in any order; unset: all of it
+  bool repeats = false;                           ///< without a window too
+};
+
+/// Says what a headless run writes of each of its frames (app/output/README.md).
+struct OutputOptions {
+  std::string video;                        ///< FILE.mp4 or FILE.webm; empty: none
+  std::string pictures, labels;             ///< folders; empty: none
+  std::optional<double> frames_per_second;  ///< of the video; unset: it plays as fast as the run's time goes
+  std::optional<double> seconds;            ///< the run's time; unset: DemoOptions::frames says its length
+  std::vector<std::string> run;             ///< the words of the command line that decide the pictures
+
+  bool any() const { return !video.empty() || !pictures.empty() || !labels.empty(); }
+};
 
 /// The options of the demo (app/commands/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {

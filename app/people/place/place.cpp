@@ -17,20 +17,16 @@ Surroundings surroundings_of(Scene scene, std::size_t agents, std::uint32_t seed
   Placer placer(place, roles.spacing(), Random(seed, place_stream));
   switch (scene) {
     case Scene::plaza:
-      place.ground = plaza_ground(crowd);
-      put_plaza(crowd, placer);
+      place.ground = put_plaza(crowd, placer);
       break;
     case Scene::parade:
-      place.ground = parade_ground(crowd);
-      put_parade(crowd, placer);
+      place.ground = put_parade(crowd, placer);
       break;
     case Scene::stadium:
-      place.ground = stadium_ground(crowd);
-      put_stadium(crowd, placer);
+      place.ground = put_stadium(crowd, placer);
       break;
     case Scene::film:
-      place.ground = film_ground(crowd);
-      put_film(crowd, placer);
+      place.ground = put_film(crowd, placer);
       break;
     case Scene::grid:
     case Scene::tracks:

@@ -66,13 +66,7 @@ void put_steps(const SceneCrowd& crowd, Placer& placer) {
 
 }  // namespace
 
-render::SceneGround plaza_ground(const SceneCrowd& crowd) {
-  const double unit = crowd.roles.spacing();
-  const auto edge = static_cast<float>(plaza_edge(crowd.agents, unit, crowd.clothes));
-  return {.unit = static_cast<float>(unit), .core = {edge, edge}, .paved = static_cast<float>(paved_around * unit)};
-}
-
-void put_plaza(const SceneCrowd& crowd, Placer& placer) {
+render::SceneGround put_plaza(const SceneCrowd& crowd, Placer& placer) {
   const double unit = placer.unit(), edge = plaza_edge(crowd.agents, unit, crowd.clothes);
   for (const Fixture& fixture : plan_plaza(crowd.agents, crowd.seed, crowd.roles, crowd.clothes).fixtures) {
     put_fixture(fixture, placer);
@@ -86,6 +80,9 @@ void put_plaza(const SceneCrowd& crowd, Placer& placer) {
   put_far_street(edge, placer);
   put_steps(crowd, placer);
   placer.put_horizon(edge);
+  return {.unit = static_cast<float>(unit),
+          .core = glm::vec2(static_cast<float>(edge)),
+          .paved = static_cast<float>(paved_around * unit)};
 }
 
 }  // namespace throng::app

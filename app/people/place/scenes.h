@@ -17,16 +17,10 @@ struct SceneCrowd {
   Clothes clothes;
 };
 
-/// These functions put the props of a scene.
-void put_plaza(const SceneCrowd& crowd, Placer& placer);
-void put_parade(const SceneCrowd& crowd, Placer& placer);
-void put_film(const SceneCrowd& crowd, Placer& placer);
-void put_stadium(const SceneCrowd& crowd, Placer& placer);
-
-/// These functions return the ground of a scene.
-render::SceneGround plaza_ground(const SceneCrowd& crowd);
-render::SceneGround parade_ground(const SceneCrowd& crowd);
-render::SceneGround film_ground(const SceneCrowd& crowd);
-render::SceneGround stadium_ground(const SceneCrowd& crowd);
+/// These functions put the props of a scene and return its ground.
+render::SceneGround put_plaza(const SceneCrowd& crowd, Placer& placer);
+render::SceneGround put_parade(const SceneCrowd& crowd, Placer& placer);
+render::SceneGround put_film(const SceneCrowd& crowd, Placer& placer);
+render::SceneGround put_stadium(const SceneCrowd& crowd, Placer& placer);
 
 }  // namespace throng::app

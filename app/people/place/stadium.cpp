@@ -167,32 +167,32 @@ void put_roof(const StadiumTier& last, double depth, Placer& placer) {
   }
 }
 
-}  // namespace
-
-render::SceneGround stadium_ground(const SceneCrowd& crowd) {
-  const std::vector<StadiumTier> tiers = stadium_tiers(crowd.agents, crowd.roles);
-  const StadiumTier& last = tiers.back();
-  const Lane lowest = tiers.front().lane;
-  const double unit = crowd.roles.spacing(), radius = lowest.corner_radius - apron * unit;
+render::SceneGround stadium_ground(const std::vector<StadiumTier>& tiers, double unit) {
+  const Lane &lowest = tiers.front().lane, &highest = tiers.back().lane;
+  const double radius = lowest.corner_radius - apron * unit;
   return {.style = render::GroundStyle::pitch,
           .unit = static_cast<float>(unit),
           .core = lowest.core,
           .radius = static_cast<float>(radius),
           .half_width = static_cast<float>(std::min(track_width * unit, radius - 0.2 * unit)),
-          .paved = static_cast<float>(last.lane.corner_radius - lowest.corner_radius + stadium_paved * unit)};
+          .paved = static_cast<float>(highest.corner_radius - lowest.corner_radius + stadium_paved * unit)};
 }
 
-void put_stadium(const SceneCrowd& crowd, Placer& placer) {
+}  // namespace
+
+render::SceneGround put_stadium(const SceneCrowd& crowd, Placer& placer) {
   const std::vector<StadiumTier> tiers = stadium_tiers(crowd.agents, crowd.roles);
   const double half_length = tiers.front().lane.core.x + tiers.front().lane.corner_radius;
   for (const StadiumTier& tier : tiers) put_tier(tier, half_length, placer);
   put_back(tiers.back(), half_length, placer);
-  put_field(stadium_ground(crowd), placer);
+  const render::SceneGround ground = stadium_ground(tiers, placer.unit());
+  put_field(ground, placer);
   put_lights(tiers.back(), half_length, placer);
   put_park(tiers.back(), placer);
   const StadiumSize size = stadium_size(crowd.agents, crowd.roles);
   put_roof(tiers.back(), size.depth, placer);
   placer.put_horizon(tiers.back().lane.core.x + tiers.back().lane.corner_radius);
+  return ground;
 }
 
 }  // namespace throng::app

@@ -141,9 +141,16 @@ double film_houses(const CutSceneStreet& street, double unit) {
 
 }  // namespace
 
-render::SceneGround parade_ground(const SceneCrowd& crowd) {
+render::SceneGround put_parade(const SceneCrowd& crowd, Placer& placer) {
   const ParadeSize size = parade_size(crowd.agents, crowd.roles);
-  const double unit = crowd.roles.spacing();
+  put_barriers(size, placer);
+  put_flags_and_lamps(size, placer);
+  put_bunting(size, placer);
+  put_island(size, placer);
+  const double unit = placer.unit();
+  const Rectangle houses = houses_of(size, unit);
+  put_parade_houses(houses, placer);
+  placer.put_horizon(houses.x);
   return {.style = render::GroundStyle::street,
           .unit = static_cast<float>(unit),
           .core = {size.half_length, 0.0},
@@ -152,26 +159,7 @@ render::SceneGround parade_ground(const SceneCrowd& crowd) {
           .paved = static_cast<float>(size.outside + street_paved * unit)};
 }
 
-void put_parade(const SceneCrowd& crowd, Placer& placer) {
-  const ParadeSize size = parade_size(crowd.agents, crowd.roles);
-  put_barriers(size, placer);
-  put_flags_and_lamps(size, placer);
-  put_bunting(size, placer);
-  put_island(size, placer);
-  const Rectangle houses = houses_of(size, placer.unit());
-  put_parade_houses(houses, placer);
-  placer.put_horizon(houses.x);
-}
-
-render::SceneGround film_ground(const SceneCrowd& crowd) {
-  const CutSceneStreet street = cut_scene_street(crowd.agents, crowd.roles);
-  return {.style = render::GroundStyle::street,
-          .unit = static_cast<float>(crowd.roles.spacing()),
-          .core = {0.0F, 1e5F * static_cast<float>(crowd.roles.spacing())},
-          .half_width = static_cast<float>(street.half_road)};
-}
-
-void put_film(const SceneCrowd& crowd, Placer& placer) {
+render::SceneGround put_film(const SceneCrowd& crowd, Placer& placer) {
   const double unit = placer.unit();
   const CutSceneStreet street = cut_scene_street(crowd.agents, crowd.roles);
   const double houses = film_houses(street, unit), far = street.first_end - 30.0 * unit;
@@ -196,6 +184,10 @@ void put_film(const SceneCrowd& crowd, Placer& placer) {
                {.stretch = {2.0 * houses / (bunting_width * unit), 1.15, 1.0}, .tint = color_of(turn / 2 + 1)});
   }
   placer.put_horizon(std::max(-far, houses));
+  return {.style = render::GroundStyle::street,
+          .unit = static_cast<float>(unit),
+          .core = {0.0F, 1e5F * static_cast<float>(unit)},
+          .half_width = static_cast<float>(street.half_road)};
 }
 
 }  // namespace throng::app

@@ -24,6 +24,10 @@ constexpr std::array<std::pair<std::string_view, HeldThing>, 13> held_names{{{"h
                                                                              {"camera", HeldThing::camera},
                                                                              {"pushchair", HeldThing::pushchair}}};
 
+/// The role whose clip an arm plays while it holds each thing, in the order of the things.
+constexpr std::array<std::optional<Role>, held_count> arm_roles{
+    std::nullopt, carry, carry, hold_up, hold_phone, drink, stick, hold_up, hold_up, take_picture, lead, led, push};
+
 constexpr bool is_one_of(Role role, std::initializer_list<Role> roles) {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
@@ -39,33 +43,7 @@ HeldThing held_named(std::string_view part) {
   return found == held_names.end() ? HeldThing::nothing : found->second;
 }
 
-std::optional<Role> arm_of(HeldThing held) {
-  switch (held) {
-    case HeldThing::bag:
-    case HeldThing::briefcase:
-      return carry;
-    case HeldThing::umbrella:
-    case HeldThing::balloon:
-    case HeldThing::flag:
-      return hold_up;
-    case HeldThing::phone:
-      return hold_phone;
-    case HeldThing::cup:
-      return drink;
-    case HeldThing::camera:
-      return take_picture;
-    case HeldThing::stick:
-      return stick;
-    case HeldThing::child:
-      return lead;
-    case HeldThing::grown_up:
-      return led;
-    case HeldThing::pushchair:
-      return push;
-    default:
-      return std::nullopt;
-  }
-}
+std::optional<Role> arm_of(HeldThing held) { return arm_roles.at(static_cast<std::size_t>(held)); }
 
 bool arm_lies_over(HeldThing held, Role role) {
   if (held == HeldThing::nothing || is_of_whole_body(role)) return false;

@@ -113,15 +113,7 @@ ValueReader memory_size(std::uint64_t& target) {
   };
 }
 
-ValueReader frame_seconds(std::optional<double>& target) {
-  return [&target](const std::string& text) -> Complaint {
-    return read_number(text, least_frame_seconds, most_frame_seconds, target.emplace());
-  };
-}
-
-ValueReader scale_above_zero(std::optional<double>& target) {
-  return [&target](const std::string& text) { return read_number(text, least_scale, most_scale, target.emplace()); };
-}
+ValueReader scale_above_zero(std::optional<double>& target) { return real_number(target, least_scale, most_scale); }
 
 ValueReader number_above_zero(float& target, std::string unit) {
   return [&target, unit = std::move(unit)](const std::string& text) -> Complaint {

@@ -56,7 +56,6 @@ ValueReader real_number(std::optional<double>& target, double least, double most
 ValueReader frame_rate(std::optional<double>& target, double least, double most);
 /// Reads a number of bytes with or without a unit: "500MB", "1.5GB", "2GiB".
 ValueReader memory_size(std::uint64_t& target);
-ValueReader frame_seconds(std::optional<double>& target);  ///< 1e-6 to 3600
 /// Reads a scale from least_scale to most_scale, metres a unit of a model's file.
 inline constexpr double least_scale = 1e-6, most_scale = 1e6;
 ValueReader scale_above_zero(std::optional<double>& target);

@@ -138,7 +138,8 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
       choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
   reader.value("--frames", "N", "Frames (headless: 60; a window: until it is closed)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
-  reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)", frame_seconds(options.dt));
+  reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)",
+               real_number(options.dt, least_frame_seconds, most_frame_seconds));
   reader.value("--replay", "FILE", "Repeat a recording, and name the first frame and agent that differ",
                file_name(options.replay));
 }

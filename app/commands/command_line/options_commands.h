@@ -36,6 +36,14 @@ void declare_output(OptionReader& reader, DemoOptions& options);
 /// Fills values that follow from these options and others, once the line is read. Returns a contradiction among them.
 std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options);
 
+/// Adds the options that say how a file of trajectories is read.
+void declare_track_reading(OptionReader& reader, TrackReading& reading);
+/// Adds the options of a recorded crowd.
+void declare_trajectories(OptionReader& reader, DemoOptions& options);
+/// Makes the scene `tracks`, if a recorded crowd is named. `--up` is the crowd's where it has the crowd's name, or no
+/// model is named. Returns a contradiction, "--start: goes with --trajectories".
+std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoOptions& options);
+
 /// Returns the demo's help as the tables of app/commands/command_line/README.md.
 std::string demo_options_as_markdown();
 

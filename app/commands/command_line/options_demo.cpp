@@ -5,7 +5,6 @@
 
 #include "app/commands/command_line/option_reader.h"
 #include "app/commands/command_line/options_commands.h"
-#include "app/commands/command_line/options_trajectories.h"
 #include "app/settings/cast_option.h"
 #include "app/settings/placement_options.h"
 #include "app/settings/preset.h"

@@ -1,11 +1,12 @@
-#include "app/commands/command_line/options_trajectories.h"
-
+// The options of a recorded crowd.
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "app/commands/command_line/option_reader.h"
+#include "app/commands/command_line/options_commands.h"
 #include "engine/tracks/live/live_crowd.h"
 
 namespace throng::app {
@@ -132,8 +133,7 @@ std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoO
   } else if (options.models.empty() && options.cast.empty() && reader.given("--up")) {
     axis = std::exchange(options.placement.up, anim::UpAxis::y);
   }
-  Complaint complaint = axis ? take_up_axis(asked.reading, *axis) : Complaint();
-  return complaint;
+  return axis ? take_up_axis(asked.reading, *axis) : Complaint();
 }
 
 }  // namespace throng::app

@@ -1,7 +1,6 @@
 #include <string>
 #include <variant>
 
-#include "app/commands/command_line/command_files.h"
 #include "app/commands/command_line/options.h"
 #include "app/commands/command_line/simd_choice.h"
 #include "app/files/exit_status.h"

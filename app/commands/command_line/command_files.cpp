@@ -1,6 +1,7 @@
-#include "app/commands/command_line/command_files.h"
-
+// The files that the options of a command name.
 #include <span>
+
+#include "app/commands/command_line/options.h"
 
 namespace throng::app {
 namespace {

@@ -11,6 +11,7 @@
 #include "app/commands/inspect/command.h"
 #include "app/commands/lod/command.h"
 #include "app/commands/pose/command.h"
+#include "app/files/run_files.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
@@ -31,5 +32,15 @@ using ParsedCommand = std::variant<DemoOptions, PoseOptions, InspectOptions, Lod
 
 /// Reads a command line as README.md beside it documents it. `arguments` are without the program's own name.
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments);
+
+/// Each function returns the files that the options of a command name.
+RunFiles files_of(const DemoOptions& options);
+RunFiles files_of(const PoseOptions& options);
+RunFiles files_of(const InspectOptions& options);
+RunFiles files_of(const LodOptions& options);
+RunFiles files_of(const BenchOptions& options);
+RunFiles files_of(const BakeOptions& options);
+RunFiles files_of(const CheckOptions& options);
+RunFiles files_of(const CompareOptions& options);
 
 }  // namespace throng::app

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/cast_entry.h"
 #include "app/settings/settings.h"
 #include "engine/base/text/joined.h"
 
@@ -77,6 +78,23 @@ ValueReader file_name(std::string& target);                ///< anything but `-`
 ValueReader file_names(std::vector<std::string>& target);  ///< FILE[,FILE...]
 ValueReader file_that_ends_in(std::string ending, std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
+
+/// Reads ENTRY[*SHARE][,ENTRY[*SHARE]...]; an entry is a file, FILE#SKIN, or a folder. A file whose own name ends like
+/// a share goes first.
+ValueReader cast_entries(std::vector<CastEntry>& target);
+
+/// Reads entries of cast_entries(), or the name of a file of rules, which ends in .json.
+ValueReader cast_or_rules(std::vector<CastEntry>& target, std::string& rules);
+
+/// These read VALUE, for all models, or NAME=VALUE, for the model of that name, with commas between several. A name is
+/// a file's, with or without its ending, or a character's. A value for one model wins over the value for all.
+ValueReader model_scales(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+ValueReader model_up_axes(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+ValueReader model_grounds(anim::PlacementChoice& all, std::vector<ModelPlacement>& some);
+
+/// These two read a value for all models.
+ValueReader up_axis(anim::UpAxis& target);
+ValueReader ground_rule(anim::GroundRule& target);
 
 /// Reads one of a few words. `Target` is the value's type or an optional of it.
 template <typename Value, typename Target>

@@ -5,8 +5,6 @@
 
 #include "app/commands/command_line/option_reader.h"
 #include "app/commands/command_line/options_commands.h"
-#include "app/settings/cast_option.h"
-#include "app/settings/placement_options.h"
 #include "app/settings/preset.h"
 #include "app/settings/times_of_day.h"
 #include "app/settings/tuning_values.h"

@@ -3,7 +3,6 @@
 
 #include "app/commands/command_line/option_reader.h"
 #include "app/commands/command_line/options_commands.h"
-#include "app/settings/placement_options.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::app {

@@ -12,7 +12,6 @@
 #include "app/files/byte_hash.h"
 #include "app/settings/choices.h"
 #include "app/settings/option_values.h"
-#include "app/settings/placement_options.h"
 #include "engine/anim/base/hash.h"
 #include "engine/base/json/json_object.h"
 #include "engine/base/text/plain_text.h"

@@ -1,4 +1,4 @@
-#include "app/settings/cast_option.h"
+#include "app/settings/option_values.h"
 
 #include <fstream>
 #include <string>

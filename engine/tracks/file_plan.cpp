@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/base/files/input_file.h"
-#include "engine/tracks/floor_xml.h"
 #include "engine/tracks/sqlite_file.h"
 #include "engine/tracks/text/head_lines.h"
 #include "engine/tracks/text/xml_text.h"

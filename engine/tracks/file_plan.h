@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 
@@ -19,6 +20,10 @@ using FileLine = FilePlan::Line;
 /// Reads Well-Known Text: points are left out, lines become walls, polygons floors, and polygons within another one
 /// obstacles. Several geometries may follow each other. The error is the end of a sentence, "line 3: ...; ...".
 Result<FilePlan> parse_wkt(std::string_view text);
+
+/// Reads a .floor of crowd:it: walls that are closed become obstacles, and the others walls. A file with one closed
+/// wall alone means the floor within it. The error is the end of a sentence, "line 3: ...; ...".
+Result<FilePlan> parse_floor(std::string_view text);
 
 /// Reads walls and floors: WKT, a scenario of Vadere, a .floor of crowd:it, or a database of JuPedSim. Errors begin
 /// with the file's name.

@@ -1,5 +1,3 @@
-#include "engine/tracks/floor_xml.h"
-
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/text/plain_text.h"
+#include "engine/tracks/file_plan.h"
 #include "engine/tracks/raw_rows.h"
 #include "engine/tracks/text/number_text.h"
 #include "engine/tracks/text/xml_text.h"

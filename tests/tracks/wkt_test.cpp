@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/tracks/file_plan.h"
-#include "engine/tracks/floor_xml.h"
 #include "tests/tracks/track_file.h"
 
 namespace throng::wkt_test {

@@ -2,7 +2,6 @@
 #include <variant>
 
 #include "app/commands/command_line/options.h"
-#include "app/commands/command_line/simd_choice.h"
 #include "app/files/exit_status.h"
 #include "app/files/program_version.h"
 #include "app/window/demo.h"

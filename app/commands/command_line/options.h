@@ -13,6 +13,7 @@
 #include "app/commands/pose/command.h"
 #include "app/files/run_files.h"
 #include "app/settings/settings.h"
+#include "engine/anim/kernel/choose_kernels.h"
 
 namespace throng::app {
 
@@ -42,5 +43,13 @@ RunFiles files_of(const BenchOptions& options);
 RunFiles files_of(const BakeOptions& options);
 RunFiles files_of(const CheckOptions& options);
 RunFiles files_of(const CompareOptions& options);
+
+/// Makes the program use the SIMD target that the options of a command name from now on. Commands that pose nothing
+/// have no such option.
+void choose_kernels(const auto& options) {
+  if constexpr (requires { options.kernels; }) {
+    if (options.kernels != nullptr) anim::choose_kernels(*options.kernels);
+  }
+}
 
 }  // namespace throng::app

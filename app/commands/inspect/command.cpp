@@ -9,7 +9,6 @@
 #include "app/character/clip_files.h"
 #include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
-#include "app/commands/inspect/tracks_report.h"
 #include "app/files/exit_status.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"

@@ -1,5 +1,4 @@
-#include "app/commands/inspect/tracks_report.h"
-
+// The answer about a file of trajectories.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/inspect/report.h"
 #include "engine/base/json/json.h"
 #include "engine/base/text/joined.h"
 

@@ -1,4 +1,4 @@
-#include "app/commands/inspect/tracks_report.h"
+#include "app/commands/inspect/report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

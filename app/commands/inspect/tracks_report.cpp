@@ -1,5 +1,6 @@
 // The answer about a file of trajectories.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -52,21 +53,15 @@ struct OddityWords {
   const char* many;
 };
 
-OddityWords words_of(TrackOddity oddity) {
-  switch (oddity) {
-    case TrackOddity::bad_row:
-      return {"bad_row", "bad row, skipped", "bad rows, skipped"};
-    case TrackOddity::duplicate:
-      return {"duplicate", "row at a time that has one", "rows at times that have one"};
-    case TrackOddity::gap:
-      return {"gap", "gap", "gaps"};
-    case TrackOddity::teleport:
-      return {"teleport", "jump, faster than 12 m/s", "jumps, faster than 12 m/s"};
-    case TrackOddity::overlap:
-      return {"overlap", "pair that stands on each other", "pairs that stand on each other"};
-  }
-  return {"", "", ""};
-}
+/// The words for each kind, in the order of the kinds.
+constexpr std::array<OddityWords, 5> oddity_words{
+    {{"bad_row", "bad row, skipped", "bad rows, skipped"},
+     {"duplicate", "row at a time that has one", "rows at times that have one"},
+     {"gap", "gap", "gaps"},
+     {"teleport", "jump, faster than 12 m/s", "jumps, faster than 12 m/s"},
+     {"overlap", "pair that stands on each other", "pairs that stand on each other"}}};
+
+const OddityWords& words_of(TrackOddity oddity) { return oddity_words.at(static_cast<std::size_t>(oddity)); }
 
 std::string range_text(const Extent& extent, int decimals) {
   return fixed(extent.least, decimals) + " to " + fixed(extent.most, decimals);
@@ -106,7 +101,7 @@ std::string tracks_text(const Trajectories& tracks) {
   if (!tracks.remarks.empty() || !tracks.report.found.empty()) text += "\n";
   for (const std::string& remark : tracks.remarks) text += "noted: " + remark + "\n";
   for (const OddityCount& found : tracks.report.found) {
-    const OddityWords words = words_of(found.oddity);
+    const OddityWords& words = words_of(found.oddity);
     text += "odd: " + std::to_string(found.count) + " " + (found.count == 1 ? words.one : words.many) + "; first " +
             found.first + "\n";
   }

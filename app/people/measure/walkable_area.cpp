@@ -88,11 +88,7 @@ WalkableArea::WalkableArea(const GroundPlan& plan) {
 void WalkableArea::take_pieces(const GroundPlan& plan) {
   PlanCover cover;
   if (plan.floors.empty()) cover.add(CoverLayer::floor, std::array{floor_around(plan)});
-  for (const GroundArea& floor : plan.floors) {
-    std::vector<DoubleRing> rings{doubled(floor.outline)};
-    for (const GroundRing& hole : floor.holes) rings.push_back(doubled(hole));
-    cover.add(CoverLayer::floor, rings);
-  }
+  for (const GroundArea& floor : plan.floors) cover.add(CoverLayer::floor, rings_of(floor));
   for (const GroundRing& ring : plan.obstacles) cover.add(CoverLayer::solid, std::array{doubled(ring)});
   for (const GroundLine& wall : plan.walls) {
     cover.add_band(CoverLayer::solid, doubled(wall.points), false, wall_half_width);

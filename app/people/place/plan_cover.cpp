@@ -55,6 +55,12 @@ class Inside {
 
 }  // namespace
 
+std::vector<DoubleRing> rings_of(const GroundArea& area) {
+  std::vector<DoubleRing> rings{doubled(area.outline)};
+  for (const GroundRing& hole : area.holes) rings.push_back(doubled(hole));
+  return rings;
+}
+
 glm::dvec2 cover_direction() { return turned_back({1.0, 0.0}); }
 
 double PlanCover::Edge::x_at(double y) const {

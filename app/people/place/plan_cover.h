@@ -9,6 +9,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/tracks/ground_plan.h"
+
 namespace throng::app {
 
 /// Names the layers on the ground of a plan. `border` becomes a wall where no agent walks, `solid` everywhere.
@@ -29,6 +31,8 @@ struct CoverPiece {
 /// A ring or a line of a plan, in double precision, as it is cut.
 using DoubleRing = std::vector<glm::dvec2>;
 inline DoubleRing doubled(const std::vector<glm::vec2>& points) { return {points.begin(), points.end()}; }
+/// Returns the outline of an area, and then its holes.
+std::vector<DoubleRing> rings_of(const GroundArea& area);
 
 /// Returns the direction of the level lines at which pieces begin and end; a turn to the left goes from low to high.
 glm::dvec2 cover_direction();

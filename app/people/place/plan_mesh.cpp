@@ -112,12 +112,6 @@ PlanSize size_of(const GroundPlan& plan) {
   return size;
 }
 
-std::vector<DoubleRing> rings_of(const GroundArea& area) {
-  std::vector<DoubleRing> rings{doubled(area.outline)};
-  for (const GroundRing& hole : area.holes) rings.push_back(doubled(hole));
-  return rings;
-}
-
 // A floor has walls around it and blocks in its holes; they end where agents walk.
 void add_floor(const GroundArea& area, PlanCover& cover) {
   constexpr double least_area = 1e-4;  // square metres

@@ -77,14 +77,6 @@ void SystemSubject::configure(const anim::SystemOptions& options) {
   static_cast<void>(configured);
 }
 
-anim::Result<BenchCrowd> BenchCrowd::create(std::shared_ptr<const anim::Character> character,
-                                            const anim::SystemOptions& options, std::vector<BenchAgent> agents) {
-  BenchPalettes palettes(static_cast<int>(agents.size()), character->skeleton.palette_count());
-  auto subject = SystemSubject::create(std::move(character), options, agents, palettes);
-  if (!subject) return subject.error();
-  return BenchCrowd{std::move(agents), std::move(palettes), std::move(*subject)};
-}
-
 KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,
                              std::span<const BenchAgent> agents, const BenchPalettes& palettes)
     : character_(&character),

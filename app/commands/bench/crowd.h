@@ -63,17 +63,6 @@ class SystemSubject {
   std::vector<anim::AgentUpdate> updates_;
 };
 
-/// Agents of one character, memory for their palettes, and the system that updates them.
-struct BenchCrowd {
-  std::vector<BenchAgent> agents;
-  BenchPalettes palettes;
-  SystemSubject subject;
-
-  static anim::Result<BenchCrowd> create(std::shared_ptr<const anim::Character> character,
-                                         const anim::SystemOptions& options, std::vector<BenchAgent> agents);
-  const anim::AnimationSystem& system() const { return subject.system(); }
-};
-
 /// The bare kernels over the same agents: clips to palettes of their format, one thread, no blocks and no copies.
 class KernelSubject {
  public:

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "app/commands/bench/case.h"
-#include "app/commands/bench/crowd.h"
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
+#include "tests/benchmark/programs/bench_crowd.h"
 #include "tests/benchmark/programs/program.h"
 
 namespace throng::app {

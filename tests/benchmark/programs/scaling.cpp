@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "app/commands/bench/case.h"
-#include "app/commands/bench/crowd.h"
 #include "app/files/exit_status.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/scenes.h"
@@ -23,6 +22,7 @@
 #include "app/show/stage/stage.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/run_jobs.h"
+#include "tests/benchmark/programs/bench_crowd.h"
 #include "tests/benchmark/programs/frame_recorder.h"
 #include "tests/benchmark/programs/many_pus.h"
 

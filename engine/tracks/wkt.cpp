@@ -145,7 +145,8 @@ class WktReader {
     std::size_t before = at_;
     std::string kind = word();
     if (kind == "SRID") {
-      if (!take('=') || !skip_srid() || !take(';')) return false;
+      double ignored = 0.0;
+      if (!take('=') || !read_number_here(ignored) || !take(';')) return false;
       before = at_;
       kind = word();
     }
@@ -162,10 +163,6 @@ class WktReader {
     skip_blanks();
     return refuse(kind.empty() ? "a geometry should be where \"" + shown_rest() + "\" is"
                                : in_quotes(kind.substr(0, 30)) + " is no geometry that is read here");
-  }
-  bool skip_srid() {
-    double ignored = 0.0;
-    return read_number_here(ignored);
   }
 
   std::string_view text_;

@@ -125,15 +125,9 @@ class TalkPlanner {
   explicit TalkPlanner(std::size_t people) : glances_(people), taken_(people) {}
 
   void talk(const Encounter& met) {
-    const bool is_free = is_free_for(met.one, met) && is_free_for(met.other, met);
-    if (is_free) {
-      take(met.one, met, true);
-      take(met.other, met, true);
-    } else if (is_free_for(met.one, met)) {
-      take(met.one, met, false);
-    } else if (is_free_for(met.other, met)) {
-      take(met.other, met, false);
-    }
+    const bool one_is_free = is_free_for(met.one, met), other_is_free = is_free_for(met.other, met);
+    if (one_is_free) take(met.one, met, other_is_free);
+    if (other_is_free) take(met.other, met, one_is_free);
   }
 
   std::vector<std::vector<Talks::Glance>> finished() {

@@ -196,10 +196,9 @@ bool LiveTracks::State::take_xml(bool is_last) {
 void LiveTracks::State::begin() {
   const RawRow& first = sink.rows.front();
   scale = scale_at_once(facts, options, first);
-  LiveHead known{.origin = {std::round(first.x * scale.metres_a_unit), std::round(first.y * scale.metres_a_unit)},
-                 .format = facts.format,
-                 .remarks = facts.remarks};
-  live_head = std::move(known);
+  live_head = LiveHead{.origin = {std::round(first.x * scale.metres_a_unit), std::round(first.y * scale.metres_a_unit)},
+                       .format = facts.format,
+                       .remarks = facts.remarks};
 }
 
 /// Gives the rows that were read to the thread that takes them.

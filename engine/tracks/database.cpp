@@ -1,7 +1,6 @@
 #include "engine/tracks/database.h"
 
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "engine/base/files/input_file.h"
 #include "engine/base/text/size_text.h"
+#include "engine/tracks/text/table_layout.h"
 
 namespace throng {
 namespace {
@@ -104,8 +104,7 @@ std::uint64_t size_by_header(InputFile& file) {
 
 /// Returns whether the columns of a table lie in its records one after the other, by the statement that created it.
 bool is_plain_table(std::string_view made) {
-  std::string lower(made);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = lower_case(made);
   for (const char* const word : {"without", "primary", "generated", " as", ")as"}) {
     if (lower.find(word) != std::string::npos) return false;
   }

@@ -85,13 +85,9 @@ bool is_plain_sumo(const TableLayout& layout) {
   });
 }
 
-TableLayout layout_without_header(std::initializer_list<TrackField> fields) {
+TableLayout layout_without_header(std::initializer_list<const char*> names) {
   TableLayout layout;
-  static constexpr const char* names[] = {"",      "id",          "time",        "frame",    "x",     "y",    "z",
-                                          "angle", "direction x", "direction y", "end time", "end x", "end y"};
-  for (const TrackField field : fields) {
-    layout.columns.push_back({field, names[static_cast<std::size_t>(field)], {}});
-  }
+  for (const char* const name : names) layout.columns.push_back(column_named(name));
   return layout;
 }
 
@@ -138,8 +134,7 @@ TextFormat archive_text(const HeadLines& lines, TableLayout layout) {
 
 TextFormat street_matrix() {
   TextFormat format;
-  using enum TrackField;
-  TableLayout layout = layout_without_header({frame, id, x, z, y});
+  TableLayout layout = layout_without_header({"frame", "id", "x", "z", "y"});
   take_columns(layout, format.facts);
   format.facts.format = "ETH/UCY matrix (obsmat)";
   format.facts.rate_rule = RateRule::annotated;
@@ -149,11 +144,10 @@ TextFormat street_matrix() {
 
 /// Reads rows of four or five numbers without names, in the order that the first rows show.
 TextFormat four_numbers(const HeadLines& lines, std::string_view rows, bool has_height) {
-  using enum TrackField;
   const FirstColumns first = first_columns_of(rows, separator_of(lines.first));
-  const TrackField when = first.counts_frames ? frame : time;
-  TableLayout layout =
-      first.frame_is_first ? layout_without_header({when, id, x, y}) : layout_without_header({id, when, x, y});
+  const char* const when = first.counts_frames ? "frame" : "time";
+  TableLayout layout = first.frame_is_first ? layout_without_header({when, "id", "x", "y"})
+                                            : layout_without_header({"id", when, "x", "y"});
   if (has_height) layout.columns.push_back(column_named("z"));
   TextFormat format = archive_text(lines, std::move(layout));
   if (!first.frame_is_first) return format;

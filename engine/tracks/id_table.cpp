@@ -1,6 +1,8 @@
 #include "engine/tracks/id_table.h"
 
+#include <charconv>
 #include <cstring>
+#include <iterator>
 
 namespace throng {
 namespace {
@@ -33,6 +35,12 @@ std::uint32_t IdTable::number_of(std::string_view id) {
   hashes_.push_back(hash);
   slots_[slot] = static_cast<std::uint32_t>(ids_.size());
   return slots_[slot] - 1;
+}
+
+std::uint32_t IdTable::number_of(std::int64_t id) {
+  char digits[32];
+  const char* const end = std::to_chars(digits, std::end(digits), id).ptr;
+  return number_of(std::string_view(digits, static_cast<std::size_t>(end - digits)));
 }
 
 void IdTable::grow() {

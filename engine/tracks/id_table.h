@@ -13,6 +13,7 @@ class IdTable {
  public:
   /// Returns the number of an id, which is a new one if the id was not seen before.
   std::uint32_t number_of(std::string_view id);
+  std::uint32_t number_of(std::int64_t id);  ///< of its digits
   std::size_t size() const { return ids_.size(); }
   const std::string& id(std::uint32_t number) const { return ids_[number]; }
 

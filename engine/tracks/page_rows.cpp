@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -52,23 +51,17 @@ class WholeIds {
     if (!(std::abs(id) < 9e15) || id != std::floor(id)) return false;
     const auto whole = static_cast<std::int64_t>(id);
     if (whole < 0 || whole >= 1'000'000) {
-      number = number_of(whole);
+      number = ids_.number_of(whole);
       return true;
     }
     const auto at = static_cast<std::size_t>(whole);
     if (at >= known_.size()) known_.resize(at + 1, 0);
-    if (known_[at] == 0) known_[at] = number_of(whole) + 1;
+    if (known_[at] == 0) known_[at] = ids_.number_of(whole) + 1;
     number = known_[at] - 1;
     return true;
   }
 
  private:
-  std::uint32_t number_of(std::int64_t id) {
-    char digits[32];
-    const char* const end = std::to_chars(digits, std::end(digits), id).ptr;
-    return ids_.number_of({digits, static_cast<std::size_t>(end - digits)});
-  }
-
   IdTable& ids_;
   std::vector<std::uint32_t> known_;  // by id: a number and 1, or 0
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -163,9 +162,7 @@ bool read_row(const DatabaseRow& row, bool has_direction, RowSink& sink) {
   const bool is_whole_real =
       kind == DatabaseRow::Kind::real && std::abs(row.real(1)) < 9e15 && row.real(1) == std::floor(row.real(1));
   if (kind == DatabaseRow::Kind::whole || is_whole_real) {
-    char digits[32];
-    const char* const end = std::to_chars(digits, std::end(digits), row.whole(1)).ptr;
-    raw.person = sink.ids.number_of({digits, static_cast<std::size_t>(end - digits)});
+    raw.person = sink.ids.number_of(row.whole(1));
   } else if (kind == DatabaseRow::Kind::text && !row.text(1).empty()) {
     raw.person = sink.ids.number_of(row.text(1).substr(0, 100));
   } else {

@@ -10,7 +10,6 @@
 #include "app/commands/bench/drawing.h"
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/report.h"
-#include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
 #include "app/files/exit_status.h"
 #include "engine/base/files/output_file.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/commands/bench/plot.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/files/progress_line.h"
 #include "app/settings/choices.h"
 #include "app/show/figures/statistics.h"

@@ -8,8 +8,8 @@
 
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/plot.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "engine/base/json/json.h"
 
 namespace throng::app {

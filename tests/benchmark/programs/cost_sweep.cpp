@@ -14,8 +14,8 @@
 
 #include "app/commands/bench/case.h"
 #include "app/commands/bench/crowd.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/show/figures/statistics.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/look_at_process.h"

@@ -10,8 +10,8 @@
 
 #include "app/commands/bench/case.h"
 #include "app/commands/bench/plot.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
 #include "tests/benchmark/programs/bench_crowd.h"
 #include "tests/benchmark/programs/program.h"

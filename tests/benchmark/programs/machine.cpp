@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/commands/bench/case.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/settings/choices.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/benchmark/programs/bench_crowd.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/scenes.h"
 #include "app/show/picture.h"

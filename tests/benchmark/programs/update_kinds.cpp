@@ -9,8 +9,8 @@
 
 #include "app/commands/bench/case.h"
 #include "app/commands/bench/crowd.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
 #include "tests/benchmark/programs/held.h"
 #include "tests/benchmark/programs/joints.h"

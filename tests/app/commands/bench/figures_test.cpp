@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/commands/bench/plot.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/table.h"
 
 namespace throng::app::figures_test {
 namespace {

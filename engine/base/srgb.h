@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace throng {
@@ -12,6 +14,17 @@ inline float light_of_srgb(float srgb) {
 }
 inline float srgb_of_light(float light) {
   return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+}
+
+/// Returns the light of each number of sRGB that a byte holds, of which 255 is 1.
+inline const std::array<float, 256>& lights_of_srgb() {
+  static const std::array<float, 256> lights = [] {
+    std::array<float, 256> made{};
+    for (std::size_t byte = 0; byte < made.size(); ++byte)
+      made[byte] = light_of_srgb(static_cast<float>(byte) / 255.0F);
+    return made;
+  }();
+  return lights;
 }
 
 /// Rounds a number to a byte, of which 255 is 1.

@@ -14,15 +14,6 @@ namespace throng::render {
 namespace {
 
 constexpr float half_film = 0.012F;  // metres
-const std::array<float, 256>& lights() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> made{};
-    for (std::size_t byte = 0; byte < made.size(); ++byte)
-      made.at(byte) = light_of_srgb(static_cast<float>(byte) / 255.0F);
-    return made;
-  }();
-  return table;
-}
 
 }  // namespace
 
@@ -56,7 +47,7 @@ void AveragedPicture::add(const Image& image) {
     light_.assign(image.rgba.size() / 4, glm::vec3(0.0F));
   }
   assert(image.width == width_ && image.height == height_);
-  const std::array<float, 256>& table = lights();
+  const std::array<float, 256>& table = lights_of_srgb();
   for (std::size_t pixel = 0; pixel < light_.size(); ++pixel) {
     const std::uint8_t* const bytes = image.rgba.data() + 4 * pixel;
     light_[pixel] += glm::vec3(table.at(bytes[0]), table.at(bytes[1]), table.at(bytes[2]));

@@ -33,17 +33,6 @@ float metallic_of(float diffuse, float specular, float scattered_share) {
   return std::clamp((std::sqrt(discriminant) - b) / (2.0F * dielectric), 0.0F, 1.0F);
 }
 
-float from_srgb(std::uint8_t value) {
-  static const std::array<float, 256> linear = [] {
-    std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      table.at(i) = light_of_srgb(static_cast<float>(i) / 255.0F);
-    }
-    return table;
-  }();
-  return linear.at(value);
-}
-
 std::uint8_t to_srgb(float linear) { return to_byte(srgb_of_light(linear)); }
 
 /// Reads an sRGB image with linear alpha at the middle of a texel of a larger one, between its own texels.
@@ -67,7 +56,8 @@ class ImageReader {
     const auto column = static_cast<std::size_t>(std::min(x, image_.width - 1));
     const auto row = static_cast<std::size_t>(std::min(y, image_.height - 1));
     const std::uint8_t* rgba = &image_.rgba[(row * static_cast<std::size_t>(image_.width) + column) * 4];
-    return {from_srgb(rgba[0]), from_srgb(rgba[1]), from_srgb(rgba[2]), static_cast<float>(rgba[3]) / 255.0F};
+    const std::array<float, 256>& light = lights_of_srgb();
+    return {light.at(rgba[0]), light.at(rgba[1]), light.at(rgba[2]), static_cast<float>(rgba[3]) / 255.0F};
   }
 
   const anim::Image& image_;

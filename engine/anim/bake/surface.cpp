@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/anim/asset/keyframe_stream_clip.h"
+#include "engine/anim/base/box.h"
 #include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
@@ -76,15 +77,6 @@ std::vector<SurfacePoint> farthest_vertices(const Model& model) {
   return farthest;
 }
 
-struct Box {
-  glm::dvec3 low{1e300};
-  glm::dvec3 high{-1e300};
-  void add(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-};
-
 Box rest_box(const Model& model, std::span<const BoneFrame> frames) {
   Box box;
   for_each_vertex(model, [&](const SkinnedMesh& mesh, std::size_t v) {
@@ -97,7 +89,7 @@ Box rest_box(const Model& model, std::span<const BoneFrame> frames) {
     }
     box.add(skinned);
   });
-  if (box.low.x > box.high.x) std::ranges::for_each(frames, [&](const BoneFrame& frame) { box.add(frame.origin); });
+  if (box.is_empty()) std::ranges::for_each(frames, [&](const BoneFrame& frame) { box.add(frame.origin); });
   return box;
 }
 
@@ -106,8 +98,7 @@ double rest_height(const Model& model) {
   ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(stream.get()));
   std::vector<BoneFrame> frames(model.skeleton.bones.size());
   compute_frames(model.skeleton, poses.at(Ticks{}), frames);
-  const Box box = rest_box(model, frames);
-  const glm::dvec3 size = box.high - box.low;
+  const glm::dvec3 size = rest_box(model, frames).size();
   if (size.y > least_height) return size.y;
   return std::max({size.x, size.z, least_height});
 }

@@ -6,14 +6,16 @@
 #include <optional>
 #include <string>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "engine/anim/base/box.h"
 #include "engine/anim/import/accessors.h"
 
 namespace throng::import {
 
 namespace {
+
+using anim::Box;
 
 constexpr double surroundings = 1.0;   // to each side, of the body's largest side: hats, guns and turrets lie within
 constexpr double largest_part = 1.5;   // of the body's largest side: a floor is larger
@@ -21,27 +23,13 @@ constexpr std::size_t most_names = 4;  // of meshes in one sentence
 constexpr int no_group = -1;
 constexpr int several_groups = -2;
 
-struct SceneBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+double largest_side(const Box& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
 
-  void add(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  bool is_empty() const { return !(low.x <= high.x); }
-  glm::dvec3 middle() const { return (low + high) * 0.5; }
-  double largest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-  bool holds(const SceneBox& other) const {
-    return glm::all(glm::lessThanEqual(low, other.low)) && glm::all(glm::greaterThanEqual(high, other.high));
-  }
-  SceneBox widened(double by) const {
-    SceneBox wide;
-    wide.low = low - by;
-    wide.high = high + by;
-    return wide;
-  }
-};
+/// Returns whether a box that is so much wider on each side holds the other.
+bool holds(const Box& box, double widened, const Box& other) {
+  return glm::all(glm::lessThanEqual(box.low - widened, other.low)) &&
+         glm::all(glm::greaterThanEqual(box.high + widened, other.high));
+}
 
 class MeshSorter {
  public:
@@ -101,14 +89,14 @@ class MeshSorter {
   }
 
   int group_that_carries(int node) {
-    const SceneBox box = box_of(document_.gltf.nodes[at(node)].mesh, tree_.globals[at(node)]);
+    const Box box = box_of(document_.gltf.nodes[at(node)].mesh, tree_.globals[at(node)]);
     if (box.is_empty()) return no_group;
     const int together = group_beside(node);
     int nearest = no_group;
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t group = 0; group < groups_.size(); ++group) {
       if (together >= 0 && together != static_cast<int>(group)) continue;
-      const SceneBox& body = body_of(group);
+      const Box& body = body_of(group);
       if (body.is_empty() || !may_carry(body, box)) continue;
       const double distance = glm::distance(body.middle(), box.middle());
       if (distance >= shortest) continue;
@@ -118,9 +106,9 @@ class MeshSorter {
     return nearest;
   }
 
-  static bool may_carry(const SceneBox& body, const SceneBox& mesh) {
-    const double side = body.largest_side();
-    return mesh.largest_side() <= largest_part * side && body.widened(surroundings * side).holds(mesh);
+  static bool may_carry(const Box& body, const Box& mesh) {
+    const double side = largest_side(body);
+    return largest_side(mesh) <= largest_part * side && holds(body, surroundings * side, mesh);
   }
 
   /// Returns the only skeleton below the nearest node above that has any below it.
@@ -130,16 +118,16 @@ class MeshSorter {
   }
 
   /// Returns the room of a skeleton in the rest pose. Its skins follow their first joints.
-  const SceneBox& body_of(std::size_t group) {
+  const Box& body_of(std::size_t group) {
     bodies_.resize(groups_.size());
     if (bodies_[group]) return *bodies_[group];
-    SceneBox body;
+    Box body;
     for (const int index : groups_[group]) {
       const FileSkin& skin = skins_[at(index)];
       for (const int joint : skin.joints) body.add(glm::dvec3(tree_.globals[at(joint)][3]));
       const glm::dmat4 bind = tree_.globals[at(skin.joints.front())] * skin.inverse_binds.front();
       for (const int node : skin.mesh_nodes) {
-        const SceneBox box = box_of(document_.gltf.nodes[at(node)].mesh, bind);
+        const Box box = box_of(document_.gltf.nodes[at(node)].mesh, bind);
         if (box.is_empty()) continue;
         body.add(box.low);
         body.add(box.high);
@@ -149,8 +137,8 @@ class MeshSorter {
   }
 
   /// Returns the room of a mesh, by the bounds that its accessors state (glTF 2.0, 3.6.2.5: POSITION must have them).
-  SceneBox box_of(int mesh, const glm::dmat4& placement) const {
-    SceneBox box;
+  Box box_of(int mesh, const glm::dmat4& placement) const {
+    Box box;
     for (const tinygltf::Primitive& primitive : document_.gltf.meshes[at(mesh)].primitives) {
       const auto positions = primitive.attributes.find("POSITION");
       if (positions == primitive.attributes.end()) continue;
@@ -204,8 +192,8 @@ class MeshSorter {
   const std::vector<FileSkin>& skins_;
   const std::vector<std::vector<int>>& groups_;
   std::vector<bool> below_joint_;
-  std::vector<int> group_below_;                 // by node: the skeleton, no_group or several_groups
-  std::vector<std::optional<SceneBox>> bodies_;  // by group
+  std::vector<int> group_below_;            // by node: the skeleton, no_group or several_groups
+  std::vector<std::optional<Box>> bodies_;  // by group
   std::vector<int> left_out_;
 };
 

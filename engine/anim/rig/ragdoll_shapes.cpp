@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/base/box.h"
+
 namespace throng::anim {
 namespace {
 
@@ -50,13 +52,9 @@ class ShapeFitter {
       if (body_of_[bone] < 0 && parent >= 0) body_of_[bone] = body_of_[nth(parent)];
     }
     for (const SkinnedMesh& mesh : model.meshes) collect(mesh);
-    glm::dvec3 low = origin(chosen[0].bone);
-    glm::dvec3 high = low;
-    for (const RagdollBone& bone : chosen) {
-      low = glm::min(low, origin(bone.bone));
-      high = glm::max(high, origin(bone.bone));
-    }
-    height_ = 1.1 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-6});
+    Box box;
+    for (const RagdollBone& bone : chosen) box.add(origin(bone.bone));
+    height_ = 1.1 * std::max({box.size().x, box.size().y, box.size().z, 1e-6});
   }
 
   RagdollShape fit(int body) const {

@@ -5,9 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include <glm/common.hpp>
-
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/box.h"
 #include "engine/anim/rig/limbs.h"
 #include "engine/anim/survey/surface_points.h"
 
@@ -20,20 +19,6 @@ constexpr int measured_poses = 6;
 constexpr double alike_heights = 2.0;  // a rest pose of at most so many times the clips' height says the size
 constexpr double same_ground = 0.1;    // of the height: the rest pose stands where the clips do
 constexpr double no_side = 1e-9;       // units: a model that is smaller has no extent
-
-struct RestBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void add(const glm::dvec3& point) {
-    if (!std::isfinite(point.x + point.y + point.z)) return;
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  bool is_empty() const { return low.x > high.x; }
-  glm::dvec3 size() const { return high - low; }
-  glm::dvec3 middle() const { return (low + high) * 0.5; }
-};
 
 /// Holds the measurements of one clip, or of the rest pose.
 struct Room {
@@ -102,11 +87,13 @@ class ExtentSurvey {
     std::vector<double> lowest;
     for (int i = 0; i < samples; ++i) {
       const double seconds = clip == nullptr ? 0.0 : clip->start + (clip->duration - clip->start) * i / samples;
-      RestBox box, standing;
+      Box box, standing;
       const std::vector<glm::dvec3> at = places(points_, reference_pose(model_.skeleton, clip, seconds));
       for (std::size_t point = 0; point < at.size(); ++point) {
-        box.add(upright_ * at[point]);
-        if (stands_[point]) standing.add(upright_ * at[point]);
+        const glm::dvec3 place = upright_ * at[point];
+        if (!std::isfinite(place.x + place.y + place.z)) continue;
+        box.add(place);
+        if (stands_[point]) standing.add(place);
       }
       if (box.is_empty()) continue;
       if (lowest.empty()) room.middle = box.middle();

@@ -25,10 +25,11 @@ Surface small_surface() {
   surface.tangents = {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}};
   surface.entries = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 0, 0, 0}, {1, 1, 1, 1}, {5, 5, 5, 5}, {9, 0, 0, 0}};
   surface.indices = {0, 1, 0, 1, 0, 1, 0, 0, 1};
-  surface.runs_by_lod = {{{0, 0, 3}, {1, 3, 3}}, {{1, 6, 3}}};
-  surface.triangles_by_lod = {2, 1};
-  surface.error_by_lod = {{}, {0.25F, 0.125F}};
-  surface.pieces = {{.first_lod = 4,
+  surface.pieces = {{.first_lod = 0,
+                     .runs_by_level = {{{0, 0, 3}, {1, 3, 3}}, {{1, 6, 3}}},
+                     .triangles_by_level = {2, 1},
+                     .error_by_level = {{}, {0.25F, 0.125F}}},
+                    {.first_lod = 4,
                      .runs_by_level = {{{0, 0, 3}}, {{0, 3, 3}, {1, 6, 3}}},
                      .triangles_by_level = {1, 2},
                      .error_by_level = {{0.5F, 0.5F}, {0.75F, 0.5F}}},
@@ -69,20 +70,20 @@ TEST(PackedSurface, IsTheSurfaceThatWasPacked) {
   EXPECT_THAT(view->tangents, ElementsAreArray(surface.tangents));
   EXPECT_THAT(view->entries, ElementsAreArray(surface.entries));
   EXPECT_THAT(view->indices, ElementsAreArray(surface.indices));
-  ASSERT_EQ(view->runs_by_lod.size(), 2U);
-  EXPECT_EQ(view->runs_by_lod[0].size(), 2U);
-  EXPECT_EQ(view->runs_by_lod[1][0].first_index, 6U);
-  EXPECT_THAT(view->triangles_by_lod, ElementsAre(2U, 1U));
-  EXPECT_THAT(view->error_by_lod, ElementsAre(MeshError{}, MeshError{0.25F, 0.125F}));
-  ASSERT_EQ(view->pieces.size(), 2U);
-  const SurfacePiece& piece = view->pieces[0];
+  ASSERT_EQ(view->pieces.size(), 3U);
+  const SurfacePiece &whole = view->pieces[0], &piece = view->pieces[1];
+  ASSERT_EQ(whole.runs_by_level.size(), 2U);
+  EXPECT_EQ(whole.runs_by_level[0].size(), 2U);
+  EXPECT_EQ(whole.runs_by_level[1][0].first_index, 6U);
+  EXPECT_THAT(whole.triangles_by_level, ElementsAre(2U, 1U));
+  EXPECT_THAT(whole.error_by_level, ElementsAre(MeshError{}, MeshError{0.25F, 0.125F}));
   EXPECT_EQ(piece.first_lod, 4U);
   EXPECT_THAT(piece.triangles_by_level, ElementsAre(1U, 2U));
-  EXPECT_THAT(piece.error_by_level, ElementsAreArray(surface.pieces[0].error_by_level));
+  EXPECT_THAT(piece.error_by_level, ElementsAreArray(surface.pieces[1].error_by_level));
   ASSERT_EQ(piece.runs_by_level.size(), 2U);
   ASSERT_EQ(piece.runs_by_level[1].size(), 2U);
   EXPECT_EQ(piece.runs_by_level[1][1].first_index, 6U);
-  EXPECT_EQ(view->pieces[1].runs_by_level.size(), 1U);
+  EXPECT_EQ(view->pieces[2].runs_by_level.size(), 1U);
   EXPECT_EQ(view->vertex_count, 2U);
   EXPECT_EQ(view->first_bone_end, 2U);
   EXPECT_EQ(view->bone_end_count, 1U);
@@ -109,14 +110,14 @@ TEST(PackedSurface, IsRefusedCutShortOrOfAnotherVersion) {
 
 TEST(PackedSurface, IsRefusedWhereARunLeavesTheIndices) {
   Surface surface = small_surface();
-  surface.runs_by_lod[1][0].index_count = 4;
+  surface.pieces[0].runs_by_level[1][0].index_count = 4;
   const Aligned packed(pack_surface(view_of(surface)));
   EXPECT_THAT(view_packed_surface(packed.bytes()).error().message, HasSubstr("is damaged"));
 }
 
 TEST(PackedSurface, IsRefusedWhereAPieceHasNoLevel) {
   Surface surface = small_surface();
-  surface.pieces[1] = {};
+  surface.pieces[2] = {};
   const Aligned packed(pack_surface(view_of(surface)));
   EXPECT_THAT(view_packed_surface(packed.bytes()).error().message, HasSubstr("is damaged"));
 }

@@ -63,8 +63,8 @@ TEST(SurfacePieces, HaveTheLevelsThatAreStated) {
   Wardrobe wardrobe;
   wardrobe.data.pieces = {{.levels = {{{wardrobe.fine.part()}, 0.0F}, {{wardrobe.middle.part()}, 0.01F}}}};
   const Surface surface = build_surface(wardrobe.data);
-  ASSERT_EQ(surface.pieces.size(), 1U);
-  const SurfacePiece& piece = surface.pieces.front();
+  ASSERT_EQ(surface.pieces.size(), 2U);
+  const SurfacePiece& piece = surface.pieces[1];
   EXPECT_EQ(piece.triangles_by_level, (std::vector{wardrobe.fine.triangles(), wardrobe.middle.triangles()}));
   const std::size_t first = wardrobe.whole.vertices(), of_fine = wardrobe.fine.vertices();
   EXPECT_EQ(surface.first_bone_end, first + of_fine + wardrobe.middle.vertices());
@@ -89,7 +89,7 @@ TEST(SurfacePieces, ShareTheVerticesOfALevelThatIsRepeated) {
   wardrobe.data.pieces = {{.levels = {{{part}, 0.0F}, {{part}, 0.0F}, {{wardrobe.coarse.part()}, 0.03F}}}};
   const Surface surface = build_surface(wardrobe.data);
   EXPECT_EQ(surface.first_bone_end, wardrobe.whole.vertices() + wardrobe.fine.vertices() + wardrobe.coarse.vertices());
-  EXPECT_EQ(surface.pieces[0].triangles_by_level[1], wardrobe.fine.triangles());
+  EXPECT_EQ(surface.pieces[1].triangles_by_level[1], wardrobe.fine.triangles());
   std::size_t parts = 0;
   for_each_part(wardrobe.data, [&](const MeshPartData&) { ++parts; });
   EXPECT_EQ(parts, 3U) << "with the character itself";
@@ -98,7 +98,7 @@ TEST(SurfacePieces, ShareTheVerticesOfALevelThatIsRepeated) {
 TEST(SurfacePieces, AloneAreSimplified) {
   Wardrobe wardrobe;
   wardrobe.data.pieces = {{.levels = {{{wardrobe.fine.part()}, 0.0F}}}};
-  const SurfacePiece piece = build_surface(wardrobe.data).pieces.front();
+  const SurfacePiece piece = build_surface(wardrobe.data).pieces[1];
   ASSERT_GT(piece.triangles_by_level.size(), 1U);
   EXPECT_LT(piece.triangles_by_level.back(), wardrobe.fine.triangles() / 4) << "it is flat";
 }
@@ -109,7 +109,7 @@ TEST(SurfacePieces, StandForMeshLodsThatFollowTheirLastLevel) {
   wardrobe.data.pieces = {{.levels = {{{fine}, 0.0F}, {{middle}, 0.008F}}},
                           {.levels = {{{fine}, 0.075F}, {{middle}, 0.12F}, {{coarse}, 0.2F}}, .is_silhouette = true}};
   const Surface surface = build_surface(wardrobe.data);
-  const SurfacePiece &piece = surface.pieces[0], &silhouette = surface.pieces[1];
+  const SurfacePiece &piece = surface.pieces[1], &silhouette = surface.pieces[2];
   EXPECT_EQ(piece.level_at(0), 0U);
   EXPECT_EQ(piece.level_at(3), 1U);
   EXPECT_EQ(piece.lod_count(), 2U);
@@ -127,7 +127,7 @@ TEST(SurfacePieces, AreOffOnAFaceOnlyWhereTheyLieOnOne) {
   for (const std::uint8_t on_face : {std::uint8_t{0}, std::uint8_t{1}}) {
     wardrobe.data.face_entries = {on_face};
     const Surface surface = build_surface(wardrobe.data);
-    EXPECT_FLOAT_EQ(surface.pieces[0].error_by_level[1].face, on_face == 1 ? 0.008F : 0.0F);
+    EXPECT_FLOAT_EQ(surface.pieces[1].error_by_level[1].face, on_face == 1 ? 0.008F : 0.0F);
   }
 }
 

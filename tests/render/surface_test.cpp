@@ -38,8 +38,8 @@ struct TwoQuads {
 
 TEST(Surface, HasOneRunAMaterialWithItsTriangles) {
   const Surface surface = build_surface(TwoQuads().data);
-  ASSERT_EQ(surface.runs_by_lod.size(), surface.triangles_by_lod.size());
-  const std::vector<MaterialRun>& runs = surface.runs_by_lod[0];
+  ASSERT_EQ(surface.pieces[0].runs_by_level.size(), surface.pieces[0].triangles_by_level.size());
+  const std::vector<MaterialRun>& runs = surface.pieces[0].runs_by_level[0];
   ASSERT_EQ(runs.size(), 2U);
   for (const MaterialRun& run : runs) {
     ASSERT_EQ(run.index_count, 6U);
@@ -47,7 +47,7 @@ TEST(Surface, HasOneRunAMaterialWithItsTriangles) {
       EXPECT_EQ(surface.indices[i] < 4, run.material == 1);
     }
   }
-  EXPECT_EQ(surface.triangles_by_lod[0], 4U);
+  EXPECT_EQ(surface.pieces[0].triangles_by_level[0], 4U);
 }
 
 TEST(Surface, TakesMeshLodsThatCameWithTheCharacterAsTheyAre) {
@@ -57,12 +57,12 @@ TEST(Surface, TakesMeshLodsThatCameWithTheCharacterAsTheyAre) {
   coarse.indices = one_triangle;
   quads.data.baked_lods.push_back({{coarse}});
   const Surface surface = build_surface(quads.data);
-  EXPECT_EQ(surface.triangles_by_lod, (std::vector<std::uint32_t>{4, 1}));
-  EXPECT_EQ(surface.error_by_lod[0], MeshError{});
-  EXPECT_FLOAT_EQ(surface.error_by_lod[1].surface, 0.125F) << "measured: a part is lost";
+  EXPECT_EQ(surface.pieces[0].triangles_by_level, (std::vector<std::uint32_t>{4, 1}));
+  EXPECT_EQ(surface.pieces[0].error_by_level[0], MeshError{});
+  EXPECT_FLOAT_EQ(surface.pieces[0].error_by_level[1].surface, 0.125F) << "measured: a part is lost";
   EXPECT_EQ(surface.vertex_count, 8U) << "of the full surface";
   EXPECT_EQ(surface.first_bone_end, 12U) << "its own vertices lie behind them";
-  const MaterialRun run = surface.runs_by_lod[1].front();
+  const MaterialRun run = surface.pieces[0].runs_by_level[1].front();
   EXPECT_EQ(run.material, coarse.material);
   for (std::uint32_t i = 0; i < run.index_count; ++i) EXPECT_GE(surface.indices[run.first_index + i], 8U);
 }

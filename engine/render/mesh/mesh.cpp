@@ -142,9 +142,8 @@ void CrowdMesh::create_morphs(std::span<const MorphDeltaData> deltas, std::size_
   morph_entries_ = create_buffer_of(std::span<const MorphEntry>(table.entries));
 }
 
-int CrowdMesh::coarsest_lod(std::size_t piece, float metres) const {
-  if (piece == 0) return pick_mesh_lod(parts_.error_by_lod, {metres, metres});
-  return static_cast<int>(worn(piece).first_lod) + pick_mesh_lod(worn(piece).error_by_level, {metres, metres});
+int CrowdMesh::coarsest_lod(std::size_t number, float metres) const {
+  return static_cast<int>(piece(number).first_lod) + pick_mesh_lod(piece(number).error_by_level, {metres, metres});
 }
 
 void CrowdMesh::bind() const {

@@ -19,29 +19,26 @@ class CrowdMesh {
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   /// These three functions tell of piece 0: all of the character.
-  std::size_t lod_count() const { return parts_.runs_by_lod.size(); }
-  std::span<const std::uint32_t> triangles_by_lod() const { return parts_.triangles_by_lod; }
-  std::span<const MeshError> error_by_lod() const { return parts_.error_by_lod; }
+  std::size_t lod_count() const { return lod_count(0); }
+  std::span<const std::uint32_t> triangles_by_lod() const { return piece(0).triangles_by_level; }
+  std::span<const MeshError> error_by_lod() const { return piece(0).error_by_level; }
 
   /// Counts its pieces, all of the character among them.
-  std::size_t piece_count() const { return parts_.pieces.size() + 1; }
+  std::size_t piece_count() const { return parts_.pieces.size(); }
   /// Counts the mesh LODs of a piece. Its coarsest mesh stands for all that follow.
-  std::size_t lod_count(std::size_t piece) const {
-    return piece == 0 ? parts_.runs_by_lod.size() : worn(piece).lod_count();
-  }
+  std::size_t lod_count(std::size_t number) const { return piece(number).lod_count(); }
   /// Gives the runs that draw a piece at a mesh LOD, one a material.
-  std::span<const MaterialRun> runs(std::size_t piece, std::size_t lod) const {
-    return piece == 0 ? parts_.runs_by_lod[of_all(lod)] : worn(piece).runs_by_level[worn(piece).level_at(lod)];
+  std::span<const MaterialRun> runs(std::size_t number, std::size_t lod) const {
+    return piece(number).runs_by_level[piece(number).level_at(lod)];
   }
-  std::uint32_t triangles(std::size_t piece, std::size_t lod) const {
-    return piece == 0 ? parts_.triangles_by_lod[of_all(lod)]
-                      : worn(piece).triangles_by_level[worn(piece).level_at(lod)];
+  std::uint32_t triangles(std::size_t number, std::size_t lod) const {
+    return piece(number).triangles_by_level[piece(number).level_at(lod)];
   }
-  const MeshError& error(std::size_t piece, std::size_t lod) const {
-    return piece == 0 ? parts_.error_by_lod[of_all(lod)] : worn(piece).error_by_level[worn(piece).level_at(lod)];
+  const MeshError& error(std::size_t number, std::size_t lod) const {
+    return piece(number).error_by_level[piece(number).level_at(lod)];
   }
   /// Returns the coarsest mesh LOD of a piece that is off by at most so many metres, or its finest.
-  int coarsest_lod(std::size_t piece, float metres) const;
+  int coarsest_lod(std::size_t number, float metres) const;
   const MaterialSet& materials() const { return materials_; }
 
   /// Says whether morphs move some of its vertices.
@@ -66,8 +63,7 @@ class CrowdMesh {
 
  private:
   CrowdMesh() = default;
-  const SurfacePiece& worn(std::size_t piece) const { return parts_.pieces[piece - 1]; }
-  std::size_t of_all(std::size_t lod) const { return std::min(lod, parts_.runs_by_lod.size() - 1); }
+  const SurfacePiece& piece(std::size_t number) const { return parts_.pieces[number]; }
   void copy_to_device(const SurfaceView& surface, std::span<const MorphDeltaData> morph_deltas);
   void create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count);
 

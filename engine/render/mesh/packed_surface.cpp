@@ -52,16 +52,15 @@ class RunDealer {
  public:
   RunDealer(std::span<const MaterialRun> runs, std::span<const PackedSurfaceLod> lods) : runs_(runs), lods_(lods) {}
 
-  /// Gives the next `count` LODs out; none where there are not so many.
-  void deal(std::size_t count, std::vector<std::vector<MaterialRun>>& runs, std::vector<std::uint32_t>& triangles,
-            std::vector<MeshError>& errors) {
+  /// Gives the next `count` levels to a piece; none where there are not so many.
+  void deal(std::size_t count, SurfacePiece& piece) {
     if (count > lods_.size()) failed_ = true, count = 0;
     for (const PackedSurfaceLod& lod : lods_.first(count)) {
       if (lod.runs > runs_.size()) failed_ = true;
       if (failed_) return;
-      runs.emplace_back(runs_.begin(), runs_.begin() + lod.runs);
-      triangles.push_back(lod.triangles);
-      errors.push_back(lod.error);
+      piece.runs_by_level.emplace_back(runs_.begin(), runs_.begin() + lod.runs);
+      piece.triangles_by_level.push_back(lod.triangles);
+      piece.error_by_level.push_back(lod.error);
       runs_ = runs_.subspan(lod.runs);
     }
     lods_ = lods_.subspan(count);
@@ -75,14 +74,12 @@ class RunDealer {
 };
 
 /// Returns false if there are not as many of anything as there should be.
-bool deal_runs(RunDealer dealer, std::size_t lods, std::span<const PackedSurfacePiece> pieces, SurfaceParts& parts) {
-  if (lods == 0 || lods > largest_mesh_lod_count) return false;
-  dealer.deal(lods, parts.runs_by_lod, parts.triangles_by_lod, parts.error_by_lod);
+bool deal_runs(RunDealer dealer, std::span<const PackedSurfacePiece> pieces, SurfaceParts& parts) {
   for (const PackedSurfacePiece& packed : pieces) {
     if (packed.levels == 0 || packed.levels > largest_mesh_lod_count) return false;
     SurfacePiece& piece = parts.pieces.emplace_back();
     piece.first_lod = packed.first_lod;
-    dealer.deal(packed.levels, piece.runs_by_level, piece.triangles_by_level, piece.error_by_level);
+    dealer.deal(packed.levels, piece);
   }
   return dealer.dealt_all();
 }
@@ -97,17 +94,12 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
   std::vector<MaterialRun> runs;
   std::vector<PackedSurfaceLod> lods;
   std::vector<PackedSurfacePiece> pieces;
-  const auto add = [&](const std::vector<MaterialRun>& of_lod, std::uint32_t triangles, const MeshError& error) {
-    runs.insert(runs.end(), of_lod.begin(), of_lod.end());
-    lods.push_back({count_of(of_lod.size()), triangles, error});
-  };
-  for (std::size_t lod = 0; lod < surface.runs_by_lod.size(); ++lod) {
-    add(surface.runs_by_lod[lod], surface.triangles_by_lod[lod], surface.error_by_lod[lod]);
-  }
   for (const SurfacePiece& piece : surface.pieces) {
     pieces.push_back({piece.first_lod, count_of(piece.runs_by_level.size())});
     for (std::size_t level = 0; level < piece.runs_by_level.size(); ++level) {
-      add(piece.runs_by_level[level], piece.triangles_by_level[level], piece.error_by_level[level]);
+      const std::vector<MaterialRun>& of_level = piece.runs_by_level[level];
+      runs.insert(runs.end(), of_level.begin(), of_level.end());
+      lods.push_back({count_of(of_level.size()), piece.triangles_by_level[level], piece.error_by_level[level]});
     }
   }
   const std::size_t levels = surface.vertices.empty() ? 0 : surface.entries.size() / surface.vertices.size();
@@ -117,12 +109,12 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
                              .indices = count_of(surface.indices.size()),
                              .runs = count_of(runs.size()),
                              .vertices = count_of(surface.vertices.size()),
-                             .lods = count_of(surface.runs_by_lod.size()),
+                             .lods = pieces.front().levels,
                              .vertex_count = surface.vertex_count,
                              .first_bone_end = surface.first_bone_end,
                              .bone_end_count = surface.bone_end_count,
                              .tangents = count_of(surface.tangents.size()),
-                             .pieces = count_of(pieces.size())};
+                             .pieces = count_of(pieces.size() - 1)};
   ArrayWriter writer;
   writer.add(std::span(&header, 1));
   writer.add(surface.vertices);
@@ -131,7 +123,7 @@ std::vector<std::byte> pack_surface(const SurfaceView& surface) {
   writer.add(surface.entries);
   writer.add(surface.indices);
   writer.add(std::span<const MaterialRun>(runs));
-  writer.add(std::span<const PackedSurfacePiece>(pieces));
+  writer.add(std::span<const PackedSurfacePiece>(pieces).subspan(1));
   writer.add(std::span<const PackedSurfaceLod>(lods));
   return writer.take();
 }
@@ -152,16 +144,17 @@ Result<SurfaceView> view_packed_surface(std::span<const std::byte> packed) {
   surface.entries = reader.take<PaletteEntries>(std::size_t{header.levels} * header.vertices);
   surface.indices = reader.take<std::uint32_t>(header.indices);
   const auto runs = reader.take<MaterialRun>(header.runs);
-  const auto pieces = reader.take<PackedSurfacePiece>(header.pieces);
-  std::size_t lods = header.lods;
+  std::vector<PackedSurfacePiece> pieces{{.first_lod = 0, .levels = header.lods}};
+  const auto worn = reader.take<PackedSurfacePiece>(header.pieces);
+  pieces.insert(pieces.end(), worn.begin(), worn.end());
+  std::size_t lods = 0;
   for (const PackedSurfacePiece& piece : pieces) lods += piece.levels;
   const RunDealer dealer(runs, reader.take<PackedSurfaceLod>(lods));
   surface.vertex_count = header.vertex_count;
   surface.first_bone_end = header.first_bone_end;
   surface.bone_end_count = header.bone_end_count;
   const auto fits = [&](const MaterialRun& run) { return lies_within(run, surface.indices.size()); };
-  if (!reader.read_all() || !deal_runs(dealer, header.lods, pieces, surface) || !std::ranges::all_of(runs, fits))
-    return damaged;
+  if (!reader.read_all() || !deal_runs(dealer, pieces, surface) || !std::ranges::all_of(runs, fits)) return damaged;
   return surface;
 }
 

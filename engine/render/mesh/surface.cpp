@@ -144,8 +144,8 @@ SkinnedSurfaceView view_of(const Merged& merged) {
 /// Appends one mesh LOD to the indices of the surface, sorted by the material of each triangle's first vertex. Parts
 /// share no vertices, so only clustering can mix materials in a triangle.
 void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materials, int material_count,
-                Surface& surface) {
-  std::vector<MaterialRun> runs;
+                std::vector<std::uint32_t>& indices, SurfacePiece& piece) {
+  std::vector<MaterialRun>& runs = piece.runs_by_level.emplace_back();
   std::vector<std::uint32_t> of_material;
   for (int material = 0; material < material_count; ++material) {
     of_material.clear();
@@ -157,11 +157,10 @@ void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materia
     if (of_material.empty()) continue;
     meshopt_optimizeVertexCache(of_material.data(), of_material.data(), of_material.size(), materials.size());
     runs.push_back(
-        {material, static_cast<std::uint32_t>(surface.indices.size()), static_cast<std::uint32_t>(of_material.size())});
-    surface.indices.insert(surface.indices.end(), of_material.begin(), of_material.end());
+        {material, static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(of_material.size())});
+    indices.insert(indices.end(), of_material.begin(), of_material.end());
   }
-  surface.runs_by_lod.push_back(std::move(runs));
-  surface.triangles_by_lod.push_back(static_cast<std::uint32_t>(lod.size() / 3));
+  piece.triangles_by_level.push_back(static_cast<std::uint32_t>(lod.size() / 3));
 }
 
 /// Appends the vertices of baked LODs, and returns the mesh LODs with their errors.
@@ -190,11 +189,14 @@ std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& s
   return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
 }
 
-void append_lods(const std::vector<MeshLod>& lods, const Merged& merged, const CrowdMeshData& data, Surface& surface) {
+SurfacePiece append_lods(const std::vector<MeshLod>& lods, const Merged& merged, const CrowdMeshData& data,
+                         Surface& surface) {
+  SurfacePiece piece;
   for (const MeshLod& lod : lods) {
-    append_lod(lod.indices, merged.materials, static_cast<int>(data.materials.size()), surface);
-    surface.error_by_lod.push_back(lod.error);
+    append_lod(lod.indices, merged.materials, static_cast<int>(data.materials.size()), surface.indices, piece);
+    piece.error_by_level.push_back(lod.error);
   }
+  return piece;
 }
 
 /// Returns the stated errors of the levels of a piece; on faces too, where the piece lies on a face.
@@ -236,20 +238,18 @@ std::vector<MeshLod> lods_of_piece(const CrowdMeshData& data, const MeshPieceDat
 SurfacePiece append_piece(const CrowdMeshData& data, const MeshPieceData& piece, Surface& surface, Merged& merged) {
   Surface own;
   Merged of_own;
-  append_lods(lods_of_piece(data, piece, own, of_own), of_own, data, own);
+  SurfacePiece appended = append_lods(lods_of_piece(data, piece, own, of_own), of_own, data, own);
+  if (piece.is_silhouette) appended.first_lod = static_cast<std::uint32_t>(first_silhouette_lod);
   const auto first_vertex = static_cast<std::uint32_t>(surface.vertices.size());
   const auto first_index = static_cast<std::uint32_t>(surface.indices.size());
   surface.vertices.insert(surface.vertices.end(), own.vertices.begin(), own.vertices.end());
   for (const std::uint32_t index : own.indices) surface.indices.push_back(first_vertex + index);
   const std::vector<PaletteEntries>& entries = of_own.palette_entries;
   merged.palette_entries.insert(merged.palette_entries.end(), entries.begin(), entries.end());
-  for (std::vector<MaterialRun>& runs : own.runs_by_lod) {
+  for (std::vector<MaterialRun>& runs : appended.runs_by_level) {
     for (MaterialRun& run : runs) run.first_index += first_index;
   }
-  return {.first_lod = piece.is_silhouette ? static_cast<std::uint32_t>(first_silhouette_lod) : 0U,
-          .runs_by_level = std::move(own.runs_by_lod),
-          .triangles_by_level = std::move(own.triangles_by_lod),
-          .error_by_level = std::move(own.error_by_lod)};
+  return appended;
 }
 
 /// Appends the entries that the vertices read at one bone level.
@@ -286,8 +286,9 @@ Surface build_surface(const CrowdMeshData& data) {
   if (std::ranges::any_of(data.materials, shows_an_image)) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
-  append_lods(data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged),
-              merged, data, surface);
+  surface.pieces.push_back(
+      append_lods(data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged),
+                  merged, data, surface));
   for (const MeshPieceData& piece : data.pieces) surface.pieces.push_back(append_piece(data, piece, surface, merged));
   append_bone_ends(data.bone_ends, surface, merged);
   if (!surface.detail_coords.empty()) surface.detail_coords.resize(surface.vertices.size());

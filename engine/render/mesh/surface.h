@@ -69,7 +69,7 @@ struct MaterialRun {
   std::uint32_t index_count = 0;
 };
 
-/// The meshes of a piece that some agents wear, finest first.
+/// The meshes of all of the character, or of a piece that some agents wear, finest first.
 struct SurfacePiece {
   std::uint32_t first_lod = 0;                          ///< the mesh LOD that the finest stands for
   std::vector<std::vector<MaterialRun>> runs_by_level;  ///< at most one run a material
@@ -86,11 +86,8 @@ struct SurfacePiece {
 
 /// Says to which part each vertex and index of a surface belongs.
 struct SurfaceParts {
-  std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< of piece 0; at most one run a material
-  std::vector<std::uint32_t> triangles_by_lod;        ///< of piece 0
-  std::vector<MeshError> error_by_lod;                ///< of piece 0
-  std::vector<SurfacePiece> pieces;                   ///< pieces 1, 2 ...
-  std::uint32_t vertex_count = 0;  ///< vertices of the full surface, which come first; baked LODs and pieces follow
+  std::vector<SurfacePiece> pieces;  ///< [0] is all of the character
+  std::uint32_t vertex_count = 0;    ///< vertices of the full surface, which come first; baked LODs and pieces follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

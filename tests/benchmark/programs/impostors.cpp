@@ -128,9 +128,10 @@ int run(const std::string& model) {
   }
   const auto surface = render::surface_parts(figure.data());
   if (!surface) return 1;
-  for (std::size_t lod = 0; lod < surface->error_by_lod.size(); ++lod) {
-    const double share = static_cast<double>(surface->error_by_lod[lod].surface) / figure.height();
-    const std::uint32_t triangles = surface->triangles_by_lod[lod];
+  const render::SurfacePiece& whole = surface->pieces[0];
+  for (std::size_t lod = 0; lod < whole.error_by_level.size(); ++lod) {
+    const double share = static_cast<double>(whole.error_by_level[lod].surface) / figure.height();
+    const std::uint32_t triangles = whole.triangles_by_level[lod];
     print_row("mesh of " + std::to_string(triangles) + " triangles", triangles * 12.0, share, share);
   }
   return 0;

@@ -122,8 +122,8 @@ TEST_F(Bake, MakesTheCharacterThatTheFileMakes) {
   EXPECT_EQ(from_pack.roles.clips, from_file.roles.clips);
   EXPECT_FALSE(from_pack.surface.bytes.empty());
   const auto drawn = render::surface_parts(mesh_data(from_pack)), built = render::surface_parts(mesh_data(from_file));
-  EXPECT_EQ(drawn->triangles_by_lod, built->triangles_by_lod);
-  EXPECT_EQ(drawn->error_by_lod, built->error_by_lod);
+  EXPECT_EQ(drawn->pieces[0].triangles_by_level, built->pieces[0].triangles_by_level);
+  EXPECT_EQ(drawn->pieces[0].error_by_level, built->pieces[0].error_by_level);
 }
 
 TEST_F(Bake, GivesACastWhereThePackHoldsSeveralFiles) {

@@ -37,7 +37,7 @@ TEST(BuiltInMeshes, HaveNoGapBetweenNearAndFarOnes) {
   ASSERT_TRUE(source);
   const auto surface = render::surface_parts(mesh_data(*source));
   ASSERT_TRUE(surface);
-  const std::vector<std::uint32_t>& triangles = surface->triangles_by_lod;
+  const std::vector<std::uint32_t>& triangles = surface->pieces[0].triangles_by_level;
   ASSERT_GE(triangles.size(), 2U);
   for (std::size_t lod = 1; lod < triangles.size(); ++lod) {
     EXPECT_GE(triangles[lod] * 3, triangles[lod - 1]) << "mesh " << lod;

@@ -1,6 +1,7 @@
 #include "engine/anim/rig/ragdoll_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 
@@ -13,33 +14,14 @@ namespace {
 
 std::size_t nth(int index) { return static_cast<std::size_t>(index); }
 
-/// Returns a radius as a share of the height, as measured on a person.
+/// Radii of RagdollPart as shares of the height, as measured on a person: pelvis, spine, chest, head; upper arm,
+/// forearm, hand; thigh, shin, foot.
+constexpr std::array usual_radii{0.064, 0.062, 0.068, 0.052, 0.026, 0.022, 0.018, 0.042, 0.030, 0.022};
+static_assert(usual_radii.size() == static_cast<std::size_t>(RagdollPart::other));
+
 double usual_radius(RagdollPart part, double height, double length) {
-  switch (part) {
-    case RagdollPart::pelvis:
-      return 0.064 * height;
-    case RagdollPart::spine:
-      return 0.062 * height;
-    case RagdollPart::chest:
-      return 0.068 * height;
-    case RagdollPart::head:
-      return 0.052 * height;
-    case RagdollPart::upper_arm:
-      return 0.026 * height;
-    case RagdollPart::forearm:
-      return 0.022 * height;
-    case RagdollPart::hand:
-      return 0.018 * height;
-    case RagdollPart::thigh:
-      return 0.042 * height;
-    case RagdollPart::shin:
-      return 0.030 * height;
-    case RagdollPart::foot:
-      return 0.022 * height;
-    case RagdollPart::other:
-      break;
-  }
-  return std::clamp(0.2 * length, 0.01 * height, 0.06 * height);
+  if (part == RagdollPart::other) return std::clamp(0.2 * length, 0.01 * height, 0.06 * height);
+  return usual_radii.at(static_cast<std::size_t>(part)) * height;
 }
 
 class ShapeFitter {

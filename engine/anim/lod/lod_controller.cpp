@@ -1,7 +1,9 @@
 #include "engine/anim/lod/lod_controller.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace throng::anim {
 namespace {
@@ -114,17 +116,8 @@ void LodController::settle(const LodLimits& limits, const LodOutcome& outcome) {
 }
 
 const char* name_of(BindingLimit limit) {
-  switch (limit) {
-    case BindingLimit::none:
-      return "none";
-    case BindingLimit::error:
-      return "error";
-    case BindingLimit::budget:
-      return "budget";
-    case BindingLimit::both_miss:
-      break;
-  }
-  return "both miss";
+  constexpr std::array names{"none", "error", "budget", "both miss"};
+  return names.at(static_cast<std::size_t>(limit));
 }
 
 }  // namespace throng::anim

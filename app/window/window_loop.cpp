@@ -12,7 +12,6 @@
 #include "app/show/request/crowd_file.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
-#include "app/show/stage/stage.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_picture.h"
@@ -89,10 +88,10 @@ class WindowLoop {
       repeat(requests, seconds);
     } else {
       requests_.take(requests);
-      show_wanted_values(last_of<ShowExactCrowd>(requests) != nullptr);
+      session_.show_wanted_values(last_of<ShowExactCrowd>(requests) != nullptr);
       session_.camera.hand_over(show);
       show.animate(step(seconds, last_of<StepFrame>(requests) != nullptr));
-      measure_for_sweep();
+      session_.measure_for_sweep();
     }
     session_.camera.take_back(show);
     failed_ = picture_.present(overlay_);
@@ -104,32 +103,6 @@ class WindowLoop {
     reporter.messages().report(show.recorder().outcome());
     done_ = !failed_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
             asked_to_stop() != 0;
-  }
-
-  // The values are of the exact crowd while a person holds its key, of the next stop of a sweep, or as asked for.
-  void show_wanted_values(bool exact_crowd) {
-    const Tuning& tuning = session_.editor.tuning();
-    TuningSweep& sweep = session_.sweep;
-    if (!sweep.began_with(tuning)) sweep.stop();
-    while (sweep.runs() && !exact_crowd) {
-      const anim::Status given = give(sweep.tuning());
-      if (given) return;
-      sweep.refuse(given.error().message);
-    }
-    session_.messages().report(give(exact_crowd ? without_level_of_detail(tuning) : tuning));
-  }
-
-  anim::Status give(const Tuning& tuning) {
-    return tuning == session_.show.stage().tuning() ? anim::Done{} : session_.show.take(Apply{tuning});
-  }
-
-  // Frames in which no agent was posed, or the exact crowd was, tell nothing.
-  void measure_for_sweep() {
-    TuningSweep& sweep = session_.sweep;
-    const Stage& stage = session_.show.stage();
-    const bool tells = sweep.runs() && stage.tuning() == sweep.tuning();
-    if (tells && stage.system().figures().report().agents_updated > 0) sweep.add(cost_of_last_update(stage.system()));
-    session_.reporter.report().sweep = sweep.curve();
   }
 
   bool may_leave() {

@@ -18,6 +18,12 @@ struct WindowSession {
 
   Messages& messages() { return reporter.messages(); }
 
+  /// Gives the show the values of the next frame: those of the exact crowd while a person holds its key, of the next
+  /// stop of a sweep, or as asked for.
+  void show_wanted_values(bool exact_crowd);
+  /// Adds the cost of the frame that was animated last to the sweep that runs, and reports the sweep.
+  void measure_for_sweep();
+
   Show& show;
   const DemoOptions& options;
   UnsavedValues unsaved;

@@ -24,7 +24,7 @@
 #include "app/show/report/selection_report.h"
 #include "app/show/report/tuning_sweep.h"
 #include "app/show/report/viewer_report.h"
-#include "engine/anim/agent/kind_memory.h"
+#include "engine/anim/entity/kind_memory.h"
 #include "engine/anim/lod/error_window.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/anim/run/schedule_options.h"

@@ -7,9 +7,9 @@
 
 #include "engine/anim/agent/agent_graphs.h"
 #include "engine/anim/agent/agent_motion.h"
-#include "engine/anim/agent/kind_memory.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/entity/kind_memory.h"
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/program/agent_work.h"
 

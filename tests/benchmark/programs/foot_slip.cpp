@@ -68,6 +68,7 @@ bool print_slips(const char* name, CharacterSource source, bool placed_feet, con
 }  // namespace throng::app
 
 int main(int argument_count, char** arguments) {
+  using namespace throng;
   using namespace throng::app;
   if (argument_count < 2) return std::fputs("throng_foot_slip FILE [SECONDS [START]]\n", stderr), 2;
   TrackReading reading;

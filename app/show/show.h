@@ -69,7 +69,8 @@ class Show {
   /// Draws which agent is where in the frame that was animated last, whether it was drawn or not. Errors: those of
   /// render::Renderer::draw_labels.
   anim::Status draw_labels(bool is_drawn, render::LabelPicture& labels);
-  /// Returns the agent that is seen at a pixel from the top left of the picture drawn last; nothing where there is none.
+  /// Returns the agent that is seen at a pixel from the top left of the picture drawn last; nothing where there is
+  /// none.
   std::optional<std::uint32_t> agent_at(float x, float y) const;
 
   /// Shows one character alone from now on: animate() and draw() are about it, and the crowd waits as it is. Errors:

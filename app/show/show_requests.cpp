@@ -5,6 +5,8 @@
 
 #include "app/character/cast_files.h"
 #include "app/character/source.h"
+#include "app/people/wardrobe/cast_rules_text.h"
+#include "app/settings/option_values.h"
 #include "app/show/opened_crowd.h"
 #include "app/show/stage/memory_needs.h"
 #include "app/show/stage/stage.h"

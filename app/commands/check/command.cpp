@@ -97,8 +97,8 @@ anim::Status check_all(const std::vector<RegressionCase>& cases, const CheckOpti
   }
   if (anim::Status written = write_reports(run, options, report); !written) return written;
   const std::string summary = summary_of(run) + "; see " + report.string();
-  const RunCounts counts = counts_of(run);
-  if (counts.failed + counts.not_drawn > 0) return anim::Error{summary};
+  const auto is_bad_case = [](const CaseOutcome& outcome) { return is_bad(outcome.verdict); };
+  if (std::ranges::any_of(run.outcomes, is_bad_case)) return anim::Error{summary};
   return print(summary + "\n");
 }
 

@@ -51,7 +51,7 @@ anim::Status measure_levels(const LodOptions& options) {
   LodCurve curve{.bones = lod_levels(*source), .meshes = {}};
   if (source->has_surface()) {
     const auto surface = render::surface_parts(mesh_data(*source));
-    if (!surface) return end_with(exit_job_failed, surface.error().message);
+    if (!surface) return surface.error();
     curve.meshes = mesh_levels(surface->pieces[0].triangles_by_level, surface->pieces[0].error_by_level);
   }
   if (anim::Status timed = time_levels(*source, curve.bones); !timed) return timed;

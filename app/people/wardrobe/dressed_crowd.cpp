@@ -140,13 +140,6 @@ std::uint32_t signed_byte(float value) {
   return static_cast<std::uint8_t>(static_cast<std::int8_t>(std::lround(value * 127.0F)));
 }
 
-/// Makes an agent stoop as old people do, one more than another.
-void stoop(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
-  constexpr std::uint32_t posture = 0xFF0000;
-  Random random(seed + agent, stoop_stream);
-  look.shape = (look.shape & ~posture) | signed_byte(random.between(0.55F, 1.0F)) << 16U;
-}
-
 /// Gives clothes of any cut the colours of a shape that is seen from above.
 void wear_pattern(render::AgentLook& look, const Tints& tints) {
   using enum render::Region;
@@ -163,6 +156,12 @@ void give_face(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed,
   const float reach = is_child ? 0.4F : 1.0F;
   look.face = 0;
   for (const unsigned shift : {0U, 8U, 16U, 24U}) look.face |= signed_byte(random.between(-reach, reach)) << shift;
+}
+
+void stoop(render::AgentLook& look, std::uint32_t agent, std::uint32_t seed) {
+  constexpr std::uint32_t posture = 0xFF0000;
+  Random random(seed + agent, stoop_stream);
+  look.shape = (look.shape & ~posture) | signed_byte(random.between(0.55F, 1.0F)) << 16U;
 }
 
 DressedCrowd dress_crowd(const Crowd& crowd, std::span<const Clothing> clothing, const Tuning& tuning) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace throng::app {
 class Requests {
  public:
   /// Adds a request of any kind behind the others.
-  void ask(Request request) { all_.push_back(std::move(request)); }
+  void ask(Request request);
 
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }

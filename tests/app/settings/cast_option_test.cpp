@@ -1,5 +1,3 @@
-#include "app/settings/option_values.h"
-
 #include <fstream>
 #include <string>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/settings/option_values.h"
 #include "tests/app/temporary_folder.h"
 
 namespace throng::app::cast_option_test {

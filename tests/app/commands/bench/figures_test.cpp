@@ -9,6 +9,7 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
+#include "app/commands/bench/turns.h"
 
 namespace throng::app::figures_test {
 namespace {

@@ -1,8 +1,7 @@
-#include "app/commands/inspect/report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/commands/inspect/report.h"
 #include "engine/base/json/json.h"
 #include "tests/tracks/track_file.h"
 

@@ -73,10 +73,7 @@ inline auto members(anim::MorphDelta& delta) {
   return std::tie(delta.vertex, delta.morph, delta.position, delta.normal);
 }
 
-template <typename Archive, Same<anim::VertexChannel> T>
-void describe(Archive& archive, T& channel) {
-  archive(channel.name, channel.components, channel.values);
-}
+inline auto members(anim::VertexChannel& channel) { return std::tie(channel.name, channel.components, channel.values); }
 
 template <typename Archive, Same<anim::SkinnedMesh> T>
 void describe(Archive& archive, T& mesh) {

@@ -75,14 +75,14 @@ const std::set<std::string> left_out{
 TEST(PackTables, NameEveryMemberOfWhatTheyHold) {
   const std::string tables = text_of(engine / "pack" / "tables.h");
   const auto bodies = structs();
-  static const std::regex described(R"(Same<anim::(\w+)> T>)");
+  static const std::regex described(R"((?:Same<|auto members\()anim::(\w+)[>&] \w+[>)])");
   std::set<std::string> forgotten;
   int checked = 0;
   for (std::sregex_iterator it(tables.begin(), tables.end(), described), end; it != end; ++it) {
     const std::string name = (*it)[1];
     const auto body = bodies.find(name);
     if (body == bodies.end()) continue;  // a template
-    const std::string describe = braced(tables.substr(static_cast<std::size_t>(it->position())), "void describe");
+    const std::string describe = braced(tables.substr(static_cast<std::size_t>(it->position())), "anim::");
     for (const std::string& member : members_in(body->second)) {
       ++checked;
       const bool is_named = std::regex_search(describe, std::regex("\\." + member + "\\b"));

@@ -77,7 +77,7 @@ TEST(RuleDoubts, NameWeightsThatAreAllZero) {
 TEST(RuleDoubts, NameABodyWithoutAStyle) {
   EXPECT_THAT(
       doubts_with("{\"wears\"", "{\"bodies\": [\"man\"], \"wears\""),
-      ElementsAre(HasSubstr("scene \"any\": no style is for the body \"woman\", who wears \"casual\" for want")));
+      ElementsAre(HasSubstr("scene \"any\": no style is for the body \"woman\", which wears \"casual\" for want")));
 }
 
 TEST(RuleDoubts, NameWhatNothingUses) {

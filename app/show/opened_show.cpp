@@ -22,7 +22,7 @@
 namespace throng::app {
 namespace {
 
-// So much of a start is done, by and large, when characters are there and when the crowd is.
+// The rough shares of a start that are over when the characters are loaded and when the crowd is placed.
 constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
 Tuning with_savings(Tuning tuning, const SoftwareSavings& spared) {

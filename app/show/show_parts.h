@@ -18,9 +18,9 @@ namespace throng::app {
 
 /// How characters are loaded in a run, and what came of it.
 struct LoadedModels {
-  LoadOptions options;                // of models that are dropped too
-  std::string data;                   // the folder that --data names
-  std::vector<std::string> left_out;  // of the files that were named or dropped
+  LoadOptions options;                ///< of models that are dropped too
+  std::string data;                   ///< the folder that --data names
+  std::vector<std::string> left_out;  ///< of the files that were named or dropped
 };
 
 /// What a show is made of. open_show() fills it.
@@ -28,9 +28,9 @@ struct ShowParts {
   ShowView view;
   LoadedModels models;
   std::unique_ptr<Painter> painter;
-  std::unique_ptr<Stage> stage;     // goes before the painter, as it uses the painter's pages
-  std::unique_ptr<LiveCrowd> live;  // null: no rows come
-  std::unique_ptr<Viewer> viewer;   // null: the crowd is shown; goes before the stage, as it uses the stage's slots
+  std::unique_ptr<Stage> stage;     ///< goes before the painter, as it uses the painter's pages
+  std::unique_ptr<LiveCrowd> live;  ///< null: no rows come
+  std::unique_ptr<Viewer> viewer;   ///< null: the crowd is shown; goes before the stage, as it uses the stage's slots
   RunFigures figures;
   Recorder recorder;
   Rewind rewind;

@@ -30,11 +30,11 @@ void UnsavedValues::keep(const Tuning& tuning, const TuningPair& pair) {
 void UnsavedValues::keep_other(const Tuning& tuning) { kept_other_ = worth_keeping(tuning); }
 
 bool UnsavedValues::ask_about(const Tuning& tuning, const TuningPair& pair) {
-  std::vector<Tuning> unkept{worth_keeping(tuning)};
-  if (pair.has_two()) unkept.push_back(worth_keeping(pair.other()));
-  std::erase_if(unkept, [this](const Tuning& each) { return is_kept(each); });
-  if (unkept.empty() || unkept == asked_about_) return false;
-  asked_about_ = std::move(unkept);
+  std::vector<Tuning> unsaved{worth_keeping(tuning)};
+  if (pair.has_two()) unsaved.push_back(worth_keeping(pair.other()));
+  std::erase_if(unsaved, [this](const Tuning& each) { return is_kept(each); });
+  if (unsaved.empty() || unsaved == asked_about_) return false;
+  asked_about_ = std::move(unsaved);
   return true;
 }
 

@@ -74,8 +74,8 @@ std::string danger_of_update(const std::vector<RegressionCase>& cases, const Che
   for (const RegressionCase& each : cases) {
     if (std::ranges::find(files, each.expected) == files.end()) files.push_back(each.expected);
   }
-  const auto unkept = missing_in_git(files);
-  return unkept ? "--update: " + *unkept + "; --force replaces them all the same" : std::string();
+  const auto missing = missing_in_git(files);
+  return missing ? "--update: " + *missing + "; --force replaces them all the same" : std::string();
 }
 
 anim::Status write_reports(const RegressionRun& run, const CheckOptions& options, const fs::path& report) {

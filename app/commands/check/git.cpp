@@ -24,7 +24,7 @@ std::vector<std::string> names_in(const std::string& status) {
   return names;
 }
 
-std::optional<std::string> unkept_in(const fs::path& folder, const std::vector<std::string>& names) {
+std::optional<std::string> uncommitted_in(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<std::string> words{"git",
                                  "--literal-pathspecs",
                                  "-C",
@@ -41,9 +41,9 @@ std::optional<std::string> unkept_in(const fs::path& folder, const std::vector<s
     const std::string why = ended->errors.empty() ? "" : " (" + first_line(ended->errors) + ")";
     return "git cannot bring back what is replaced in " + folder.string() + why;
   }
-  const std::vector<std::string> unkept = names_in(ended->output);
-  if (unkept.empty()) return {};
-  return folder.string() + " has uncommitted changes: " + joined(unkept) + "; commit them first";
+  const std::vector<std::string> changed = names_in(ended->output);
+  if (changed.empty()) return {};
+  return folder.string() + " has uncommitted changes: " + joined(changed) + "; commit them first";
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ std::optional<std::string> missing_in_git(const std::vector<fs::path>& files) {
     if (fs::exists(file, error)) by_folder[file.parent_path()].push_back(file.filename().string());
   }
   for (const auto& [folder, names] : by_folder) {
-    if (auto unkept = unkept_in(folder, names)) return unkept;
+    if (auto why = uncommitted_in(folder, names)) return why;
   }
   return {};
 }

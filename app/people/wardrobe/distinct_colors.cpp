@@ -13,9 +13,9 @@ namespace {
 float channel(std::uint32_t color, unsigned shift) { return static_cast<float>(color >> shift & 0xFFU); }
 
 bool is_near(std::uint32_t one, float one_lightness, std::uint32_t other, float other_lightness) {
-  constexpr float told_apart = 12.0F;  // of 255, in one channel
+  constexpr float most_apart = 12.0F;  // of 255, in one channel
   return std::ranges::all_of(std::array{0U, 8U, 16U}, [&](unsigned shift) {
-    return std::abs(channel(one, shift) * one_lightness - channel(other, shift) * other_lightness) <= told_apart;
+    return std::abs(channel(one, shift) * one_lightness - channel(other, shift) * other_lightness) <= most_apart;
   });
 }
 

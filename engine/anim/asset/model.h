@@ -115,7 +115,7 @@ struct SkinnedMesh {
                                                        ///< regions and no texture has its `TEXCOORD_0`
   std::vector<glm::vec4> colors;                       ///< linear RGBA, one a position, or empty
   std::vector<std::uint8_t> regions;          ///< `_REGION`: tint region 0..8, 5 untinted; one a position, or empty
-  std::vector<VertexChannel> channels;        ///< those of ImportOptions::channels that the file has
+  std::vector<VertexChannel> channels;        ///< the attributes of ImportOptions::channels that the file has
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front

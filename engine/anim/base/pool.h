@@ -126,7 +126,7 @@ class Pool {
   std::size_t block_size_;
   PoolTables tables_;
   std::vector<std::byte*> slabs_;
-  std::vector<AlignedBytes> memory_;  // owns slabs_; those that were made together lie together, in huge pages
+  std::vector<AlignedBytes> memory_;  // owns slabs_; slabs that were made together lie together, in huge pages
 };
 
 }  // namespace throng::anim

@@ -73,7 +73,7 @@ class DressedCrowdTest : public testing::Test {
   /// Says whether two who wear the same have the same patterns in colours that one cannot tell apart.
   static bool same_colors(const render::AgentLook& one, const render::AgentLook& other,
                           const std::set<std::string>& worn) {
-    constexpr int told_apart = 10;  // of 255, in one channel
+    constexpr int most_apart = 10;  // of 255, in one channel
     for (const auto& [slot, region] :
          {std::pair{"top ", render::Region::top}, std::pair{"bottom ", render::Region::bottom},
           std::pair{"outer ", render::Region::outer}}) {
@@ -83,7 +83,7 @@ class DressedCrowdTest : public testing::Test {
       for (const unsigned shift : {0U, 8U, 16U}) {
         const int a = static_cast<int>(one.tints[at] >> shift & 0xFFU);
         const int b = static_cast<int>(other.tints[at] >> shift & 0xFFU);
-        if (std::abs(a - b) > told_apart) return false;
+        if (std::abs(a - b) > most_apart) return false;
       }
     }
     return true;

@@ -77,17 +77,17 @@ LabelMaker::LabelMaker(const Stage& stage) {
 
 anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
   if (anim::Status drawn = show.draw_labels(is_drawn, picture_); !drawn) return drawn;
-  const float aspect = static_cast<float>(show.view().width) / static_cast<float>(show.view().height);
+  PaintedView view = show.view();
+  view.frozen.reset();
   frame_.number = number;
   frame_.seconds = anim::to_seconds(show.stage().system().clock());
   const Crowd& crowd = show.stage().crowd();
   frame_.file_seconds.reset();
   if (crowd.tracks() != nullptr) frame_.file_seconds = crowd.tracks()->clock().seconds;
-  frame_.size = {show.view().width, show.view().height};
-  frame_.camera = LabelCamera(render::view_of(show.view().camera, aspect), frame_.size);
+  frame_.size = {view.width, view.height};
+  frame_.camera = LabelCamera(render::view_of(view.camera, view.aspect()), frame_.size);
   find_seen_parts(show.stage().crowd().size());
   bound_bodies(show);
-  const PaintedView view{show.view().camera, {}, show.view().width, show.view().height};
   if (anim::Status measured = show.painter().measure_bodies(show.stage(), view, boxes_, bodies_); !measured) {
     return measured;
   }

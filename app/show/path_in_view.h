@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/show/lod_view.h"
+#include "app/show/scene_lines.h"
 
 namespace throng::app {
 

@@ -79,19 +79,19 @@ bool Show::has_rows_for(anim::Ticks step, std::chrono::milliseconds most) {
 
 anim::Status Show::draw() {
   Painter& painter = *parts_->painter;
-  const PaintedView seen = parts_->view.painted();
+  const ShowView& seen = parts_->view;
   if (parts_->viewer == nullptr) {
     const std::size_t left_out_before = painter.lines_left_out();
     anim::Status drawn = painter.draw(*parts_->stage, seen, parts_->figures);
     if (painter.lines_left_out() != left_out_before) notice_ = notice_of(*parts_);
     return drawn;
   }
-  const render::Camera round = parts_->viewer->turntable().camera(seen.aspect(), parts_->view.covered);
+  const render::Camera round = parts_->viewer->turntable().camera(seen.aspect(), seen.covered);
   return painter.draw(parts_->viewer->frame(render::view_of(round, seen.aspect())), parts_->stage->tuning());
 }
 
 anim::Status Show::draw_labels(bool is_drawn, render::LabelPicture& labels) {
-  PaintedView seen = parts_->view.painted();
+  PaintedView seen = parts_->view;
   seen.frozen.reset();
   return parts_->painter->draw_labels(*parts_->stage, seen, is_drawn, labels);
 }

@@ -11,26 +11,19 @@ namespace throng::app {
 /// Says from where a picture is drawn, and from where level of detail looks in it.
 struct PaintedView {
   render::Camera camera;
-  std::optional<render::Camera> frozen;  ///< the camera from which level of detail looks instead
+  std::optional<render::Camera> frozen;  ///< from where level of detail looks while a person holds it there
   int width = 0, height = 0;
 
   const render::Camera& lod_camera() const { return frozen ? *frozen : camera; }
+  LodView for_level_of_detail() const { return {lod_camera(), width, height}; }
   float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
 };
 
 /// The camera of a show with its picture. A person sets the camera, or the guide moves it from frame to frame.
-struct ShowView {
-  render::Camera camera;
+struct ShowView : PaintedView {
   bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   CameraGuide guide;
-  int width = 0;
-  int height = 0;
   float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
-  std::optional<render::Camera> frozen;  ///< from where level of detail looks while a person holds it there
-
-  float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
-  PaintedView painted() const { return {camera, frozen, width, height}; }
-  LodView for_level_of_detail() const { return {frozen.value_or(camera), width, height}; }
 
   /// Takes the camera that the scene on the stage brings.
   void begin_scene(const Stage& stage) { camera = guide.begin_scene(stage), films = true; }

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/show/lod_view.h"
+#include "app/show/scene_lines.h"
 
 namespace throng::app {
 

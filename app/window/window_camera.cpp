@@ -84,7 +84,7 @@ void WindowCamera::put(const CameraPose& place, Show& show) {
 void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
   const std::vector<FramedBox> boxes = boxes_of(show.stage());
   if (boxes.empty()) return;
-  const float aspect = static_cast<float>(show.view().width) / static_cast<float>(show.view().height);
+  const float aspect = show.view().aspect();
   fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.view().width, show.view().height)));
   show.view().films = false;
 }

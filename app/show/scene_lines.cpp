@@ -1,4 +1,4 @@
-#include "app/show/lod_view.h"
+#include "app/show/scene_lines.h"
 
 #include <array>
 #include <cmath>

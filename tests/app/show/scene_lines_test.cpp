@@ -1,4 +1,4 @@
-#include "app/show/lod_view.h"
+#include "app/show/scene_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace throng::app::lod_view_test {
+namespace throng::app::scene_lines_test {
 namespace {
 
 TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
@@ -22,7 +22,7 @@ TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
   EXPECT_EQ(interval_at(thresholds, 1000), 4);
 }
 
-/// Somebody who walks, whose levels are off by a millimetre, a centimetre and a decimetre.
+/// A person who walks, whose levels are off by a millimetre, a centimetre and a decimetre.
 anim::MotionLod walk(bool smooth = true) {
   const anim::LodCharacter person{.level_error_metres = {0.0F, 0.001F, 0.01F, 0.1F},
                                   .update_nanoseconds = {1600, 1200, 800, 400}};
@@ -95,4 +95,4 @@ TEST(FrustumLines, AreDrawnOnTheGroundThatTheCameraSees) {
 }
 
 }  // namespace
-}  // namespace throng::app::lod_view_test
+}  // namespace throng::app::scene_lines_test

@@ -210,7 +210,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
       .runs = picture.runs(),
       .first_plain_lod = stage.posed().mesh_lods().first_below(stage.tuning(), stage.people().size(),
                                                                least_dressed_pixels, render::first_silhouette_lod),
-      .jobs = &jobs_};
+      .jobs = {.executor = &stage.system().executor(), .at_once = stage.system().options().pus}};
   light_as_tuned(stage.tuning(), frame);
   return frame;
 }
@@ -255,7 +255,6 @@ void Painter::time_device() {
 anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
-  jobs_.use(stage.system());
   FrameTimes times;
   anim::Status drawn = anim::Done{};
   if (!taken_away.upload) times.upload_ms = time_of([&] { drawn = upload(stage, view); });
@@ -275,7 +274,6 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
 }
 
 anim::Status Painter::draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels) {
-  jobs_.use(stage.system());
   if (!is_drawn) {
     if (anim::Status uploaded = upload(stage, view); !uploaded) return uploaded;
   }

@@ -13,7 +13,6 @@
 #include "app/show/lod/lod_export.h"
 #include "app/show/path_in_view.h"
 #include "app/show/picture.h"
-#include "app/show/pu_jobs.h"
 #include "app/show/scene_lines.h"
 #include "app/show/scenery.h"
 #include "app/show/show_view.h"
@@ -88,7 +87,6 @@ class Painter {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::optional<render::gl::DeviceTimer> device_timer_;  // goes before the context
-  PuJobs jobs_;                                          // of the stage that is drawn
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;

@@ -6,7 +6,7 @@
 #include "app/settings/agent_colors.h"
 #include "app/show/stage/stage.h"
 #include "app/show/worn_pieces.h"
-#include "engine/anim/base/run_jobs.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::app {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t runs_a_line = 64 / sizeof(std::uint32_t);  // of the cache
 /// Calls visit(tile) for each tile, on the PUs of a stage.
 template <typename Tile, typename Visit>
 void visit_on_pus(const Stage& stage, std::span<Tile> tiles, Visit visit) {
-  anim::run_jobs(stage.system().executor(), tiles.size(), [&](std::size_t tile) { visit(tiles[tile]); });
+  run_jobs(stage.system().executor(), tiles.size(), [&](std::size_t tile) { visit(tiles[tile]); });
 }
 
 }  // namespace

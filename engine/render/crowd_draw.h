@@ -6,10 +6,11 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "throng/host.h"
+
 #include "engine/render/agent_look.h"
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/instance_record.h"
-#include "engine/render/job_runner.h"
 #include "engine/render/scene_ground.h"
 #include "engine/render/scene_light.h"
 
@@ -48,6 +49,12 @@ struct WeighedEntries {
   std::uint32_t count = 0;
 };
 
+/// The jobs that parts of a picture's work are cut into. The renderer starts no threads.
+struct RenderJobs {
+  Executor* executor = nullptr;  ///< a host's job system; null: the calling thread does all
+  int at_once = 1;               ///< the jobs that run at a time
+};
+
 /// Holds everything that one picture needs, as plain data that is valid during the call.
 struct CrowdFrame {
   CameraView camera;
@@ -75,7 +82,7 @@ struct CrowdFrame {
   std::span<const CrowdBatch> runs = {};
   /// The first mesh LOD at which pieces have the mean colours of their patterns, and no fabrics and faces of their own.
   std::size_t first_plain_lod = first_silhouette_lod;
-  JobRunner* jobs = nullptr;  ///< does parts of the work at once; null: the calling thread does all
+  RenderJobs jobs = {};
 };
 
 /// Returns the runs of a frame's instances that share a page and a character; some may follow each other.

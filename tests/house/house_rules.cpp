@@ -154,9 +154,9 @@ Findings includes_that_join(const Tree& tree) {
     std::vector<std::string_view> sees;
   };
   static const std::vector<Part> parts_that_stand_alone{
-      {"engine/base/", "engine/", {"engine/anim/include/throng/standard.h"}},
+      {"engine/base/", "engine/", {"engine/anim/include/throng/standard.h", "engine/anim/include/throng/host.h"}},
       {"engine/anim/", "engine/", {"engine/base/"}},
-      {"engine/render/", "engine/", {"engine/base/"}},
+      {"engine/render/", "engine/", {"engine/base/", "engine/anim/include/throng/host.h"}},
       {"engine/tracks/", "engine/", {"engine/base/", "engine/anim/"}},
       {"app/window/panel/",
        "app/show/",

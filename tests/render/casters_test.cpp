@@ -18,20 +18,18 @@ constexpr std::array<bool, cascade_count> all_wanted{true, true, true, true};
 constexpr float of_first = 1.0F, of_others = 2.5F;  // metres that surfaces reach
 
 /// Runs each job on a thread of its own.
-class Threads final : public JobRunner {
+class Threads final : public Executor {
  public:
-  explicit Threads(int at_once) : at_once_(at_once) {}
-  void run(int count, void (*job)(void* context, int index), void* context) override {
+  void run(int count, Job job) override {
     asked_for_ = count;
     std::vector<std::thread> threads;
-    for (int index = 0; index < count; ++index) threads.emplace_back(job, context, index);
+    for (int index = 0; index < count; ++index) threads.emplace_back(job.run, job.context, index);
     for (std::thread& thread : threads) thread.join();
   }
-  int jobs_at_once() const override { return at_once_; }
   int asked_for() const { return asked_for_; }
 
  private:
-  int at_once_, asked_for_ = 0;
+  int asked_for_ = 0;
 };
 
 /// A crowd of three batches that stands all around a camera.
@@ -51,7 +49,7 @@ class CastersOfACrowd : public testing::Test {
     cascades_ = plan_cascades(frame_.camera, axes_, {0.5F, 200.0F}, 2048);
   }
 
-  Casters chosen(JobRunner* jobs, const std::array<bool, cascade_count>& wanted = all_wanted) {
+  Casters chosen(const RenderJobs& jobs, const std::array<bool, cascade_count>& wanted = all_wanted) {
     frame_.jobs = jobs;
     Casters casters;
     casters.choose(frame_, reaches_, axes_, cast_limits(cascades_, axes_, wanted));
@@ -69,7 +67,7 @@ class CastersOfACrowd : public testing::Test {
 };
 
 TEST_F(CastersOfACrowd, AreAllWhoseBallsReachOverTheMapOfACascade) {
-  const Casters casters = chosen(nullptr);
+  const Casters casters = chosen({});
   const CastLimits limits = cast_limits(cascades_, axes_, all_wanted);
   std::size_t next = 0;
   for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
@@ -94,11 +92,11 @@ TEST_F(CastersOfACrowd, AreAllWhoseBallsReachOverTheMapOfACascade) {
 }
 
 TEST_F(CastersOfACrowd, AreTheSameForAnyNumberOfJobs) {
-  const Casters alone = chosen(nullptr);
+  const Casters alone = chosen({});
   for (const int at_once : {1, 2, 3, 8}) {
-    Threads threads(at_once);
-    const Casters casters = chosen(&threads);
-    EXPECT_EQ(threads.asked_for(), at_once == 1 ? 0 : at_once);
+    Threads threads;
+    const Casters casters = chosen({.executor = &threads, .at_once = at_once});
+    EXPECT_EQ(threads.asked_for(), at_once);
     ASSERT_EQ(casters.all().size(), alone.all().size()) << at_once;
     EXPECT_EQ(casters.largest_scale(), alone.largest_scale());
     EXPECT_TRUE(std::equal(alone.all().begin(), alone.all().end(), casters.all().begin())) << at_once;
@@ -111,7 +109,7 @@ TEST_F(CastersOfACrowd, AreTheSameForAnyNumberOfJobs) {
 // Everybody wears two pieces of three, so each batch is cut into three lists.
 TEST_F(CastersOfACrowd, OfListsAreThoseOfTheirBatchesForAnyNumberOfJobs) {
   constexpr std::uint32_t pieces = 3;
-  const Casters of_runs = chosen(nullptr);
+  const Casters of_runs = chosen({});
   std::vector<std::uint8_t> casts(instances_.size());
   std::size_t next = 0;
   for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
@@ -136,8 +134,8 @@ TEST_F(CastersOfACrowd, OfListsAreThoseOfTheirBatchesForAnyNumberOfJobs) {
   frame_.drawn = drawn;
   frame_.runs = batches_;
   for (const int at_once : {1, 2, 8}) {
-    Threads threads(at_once);
-    const Casters casters = chosen(&threads);
+    Threads threads;
+    const Casters casters = chosen({.executor = &threads, .at_once = at_once});
     EXPECT_EQ(casters.largest_scale(), of_runs.largest_scale());
     std::size_t at = 0;
     for (std::size_t cascade = 0; cascade < cascade_count; ++cascade) {
@@ -156,7 +154,7 @@ TEST_F(CastersOfACrowd, OfListsAreThoseOfTheirBatchesForAnyNumberOfJobs) {
 }
 
 TEST_F(CastersOfACrowd, AreNoneOfACascadeThatIsNotWanted) {
-  const Casters all = chosen(nullptr), some = chosen(nullptr, {true, false, true, false});
+  const Casters all = chosen({}), some = chosen({}, {true, false, true, false});
   for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
     for (const std::size_t cascade : {0U, 2U}) EXPECT_EQ(some.count(cascade, batch), all.count(cascade, batch));
     for (const std::size_t cascade : {1U, 3U}) EXPECT_EQ(some.count(cascade, batch), 0U);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "engine/anim/base/run_jobs.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::app {
 namespace {
@@ -160,7 +160,7 @@ void ErrorMeter::measure_chosen(anim::AnimationSystem& system, const MeasuredFra
   measured_.resize(chosen_.size());
   const std::size_t jobs = std::min({chosen_.size(), static_cast<std::size_t>(system.options().pus), most_jobs});
   if (jobs == 0) return;
-  anim::run_jobs(system.executor(), jobs, [&](std::size_t job) {
+  run_jobs(system.executor(), jobs, [&](std::size_t job) {
     const std::span room = std::span(blended_).subspan(job * most_entries_, most_entries_);
     for (std::size_t i = job; i < chosen_.size(); i += jobs) {
       measured_[i] = measure(watched_.all()[chosen_[i]], exact_[i].palette, frame, room);

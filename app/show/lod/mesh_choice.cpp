@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "engine/anim/base/run_jobs.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::app {
 namespace {
@@ -99,12 +99,12 @@ void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<c
     tiles[i].end = visible_ * (i + 1) / count;
   }
   Frame frame{visible, character_of, lods, tuning, lods_};
-  anim::run_jobs(executor, count, [&](std::size_t tile) { frame.choose(tiles[tile]); });
+  run_jobs(executor, count, [&](std::size_t tile) { frame.choose(tiles[tile]); });
   const auto budget = static_cast<std::uint64_t>(tuning.triangle_budget);
   sum_up(tiles);
   if (!frame.has_budget() || figures_.triangles <= budget) return;
   frame.last_class = plan_demotions(figures_.triangles - budget, tiles);
-  anim::run_jobs(executor, count, [&](std::size_t tile) { frame.demote(tiles[tile]); });
+  run_jobs(executor, count, [&](std::size_t tile) { frame.demote(tiles[tile]); });
   sum_up(tiles);
   figures_.budget_held = figures_.triangles <= budget;
 }

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/anim/base/run_jobs.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::anim {
 namespace {

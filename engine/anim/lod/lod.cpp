@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/anim/base/run_jobs.h"
 #include "engine/anim/lod/lod_choices.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::anim {
 namespace {

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <bit>
 
+#include "engine/base/run_jobs.h"
+
 namespace throng::render {
 namespace {
 
@@ -16,9 +18,8 @@ std::size_t total_of(std::span<const CrowdBatch> batches) {
   return total;
 }
 
-std::size_t tiles_for(std::size_t instances, JobRunner* jobs) {
-  const auto at_once = static_cast<std::size_t>(jobs == nullptr ? 1 : jobs->jobs_at_once());
-  return std::clamp<std::size_t>(std::min(instances / instances_worth_a_job, at_once), 1, most_tiles);
+std::size_t tiles_for(std::size_t instances, const RenderJobs& jobs) {
+  return std::clamp<std::size_t>(std::min(instances / instances_worth_a_job, std::size_t(jobs.at_once)), 1, most_tiles);
 }
 
 }  // namespace
@@ -40,12 +41,14 @@ struct Casters::Frame {
 };
 
 template <typename Visit>
-void Casters::visit_in_tiles(std::size_t total, JobRunner* jobs, std::span<Tile> tiles, const Visit& visit) {
+void Casters::visit_in_tiles(std::size_t total, const RenderJobs& jobs, std::span<Tile> tiles, const Visit& visit) {
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     tiles[i].first = total * i / tiles.size();
     tiles[i].end = total * (i + 1) / tiles.size();
   }
-  run_jobs(jobs, static_cast<int>(tiles.size()), [&](int tile) { visit(tiles[static_cast<std::size_t>(tile)]); });
+  InOrder in_order;
+  Executor& executor = jobs.executor == nullptr ? in_order : *jobs.executor;
+  run_jobs(executor, tiles.size(), [&](std::size_t tile) { visit(tiles[tile]); });
 }
 
 void Casters::choose(const CrowdFrame& frame, std::span<const float> reaches, const SunAxes& axes,

@@ -42,7 +42,7 @@ class Casters {
   void list_all(const Frame& frame, Tile& tile);
   void list_batch(const Frame& frame, std::size_t batch, std::uint32_t first, std::uint32_t count, Tile& tile);
   template <typename Visit>
-  static void visit_in_tiles(std::size_t total, JobRunner* jobs, std::span<Tile> tiles, const Visit& visit);
+  static void visit_in_tiles(std::size_t total, const RenderJobs& jobs, std::span<Tile> tiles, const Visit& visit);
   static void for_each_part(std::span<const CrowdBatch> batches, const Tile& tile, const auto& visit);
   void close_gaps(std::size_t total, std::span<const Tile> tiles);
 

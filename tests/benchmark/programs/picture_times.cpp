@@ -14,7 +14,6 @@
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/scenes.h"
 #include "app/show/picture.h"
-#include "app/show/pu_jobs.h"
 #include "app/show/stage/stage.h"
 #include "engine/anim/base/cores.h"
 #include "engine/render/passes/casters.h"
@@ -69,9 +68,8 @@ class Subject {
   }
   void compose() { picture_.compose(*stage_); }
   void choose_casters() {
-    jobs_.use(stage_->system());
     render::CrowdFrame frame = this->frame();
-    frame.jobs = &jobs_;
+    frame.jobs = {.executor = &stage_->system().executor(), .at_once = stage_->system().options().pus};
     reaches_.assign(stage_->characters().size(), reach);
     casters_.choose(frame, reaches_, axes_, render::cast_limits(cascades_, axes_, all_cascades));
   }
@@ -121,7 +119,6 @@ class Subject {
   std::unique_ptr<Stage> stage_;
   render::CameraView view_;
   Picture picture_;
-  PuJobs jobs_;
   render::SunAxes axes_{};
   std::array<render::Cascade, render::cascade_count> cascades_{};
   std::vector<float> reaches_;

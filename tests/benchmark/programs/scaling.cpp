@@ -21,7 +21,7 @@
 #include "app/show/figures/statistics.h"
 #include "app/show/stage/stage.h"
 #include "engine/anim/base/aligned_bytes.h"
-#include "engine/anim/base/run_jobs.h"
+#include "engine/base/run_jobs.h"
 #include "tests/benchmark/programs/bench_crowd.h"
 #include "tests/benchmark/programs/frame_recorder.h"
 #include "tests/benchmark/programs/many_pus.h"
@@ -124,8 +124,8 @@ double memory_rate(FrameRecorder& recorder, int pus) {
   std::vector<double> rates;
   for (int round = 0; round < rounds; ++round) {
     const double ns = recorder.time([&] {
-      anim::run_jobs(recorder, static_cast<std::size_t>(pus),
-                     [&](std::size_t pu) { std::memcpy(to[pu].get(), from[pu].get(), bytes); });
+      run_jobs(recorder, static_cast<std::size_t>(pus),
+               [&](std::size_t pu) { std::memcpy(to[pu].get(), from[pu].get(), bytes); });
     });
     rates.push_back(2.0 * static_cast<double>(bytes) * pus / ns);
   }
@@ -139,7 +139,7 @@ double empty_round_ns(FrameRecorder& recorder) {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::microseconds(20)) {
     }
-    times.push_back(recorder.time([&] { anim::run_jobs(recorder, pus_here, [](std::size_t) {}); }));
+    times.push_back(recorder.time([&] { run_jobs(recorder, pus_here, [](std::size_t) {}); }));
   }
   return median(std::move(times));
 }

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstddef>
 
-#include "engine/anim/base/run_jobs.h"
+#include "engine/base/run_jobs.h"
 
 namespace throng::app {
 
@@ -50,7 +50,7 @@ void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& 
   const std::size_t most = std::min(static_cast<std::size_t>(jobs), SharedTiles::most_jobs);
   const std::size_t used = std::clamp<std::size_t>(tiles / SharedTiles::tiles_worth_a_job, 1, most);
   SharedTiles shared(count, used);
-  anim::run_jobs(executor, used, [&](std::size_t job) { shared.run(job, visit); });
+  run_jobs(executor, used, [&](std::size_t job) { shared.run(job, visit); });
 }
 
 /// Calls visit(i) for each i below `count`, in the tiles of visit_tiles().

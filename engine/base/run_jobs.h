@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/anim/base/executor.h"
+#include "throng/host.h"
 
-namespace throng::anim {
+namespace throng {
 
 /// Calls visit(index) for each index below `count`, once each, as jobs of an executor. Allocates nothing.
 template <typename Visit>
@@ -23,4 +23,4 @@ void run_ranges(Executor& executor, std::size_t count, std::size_t least, int jo
   run_jobs(executor, ranges, [&](std::size_t range) { visit(count * range / ranges, count * (range + 1) / ranges); });
 }
 
-}  // namespace throng::anim
+}  // namespace throng

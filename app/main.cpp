@@ -29,7 +29,7 @@ int run(const CompareOptions& options) { return run_compare(options); }
 struct Run {
   int operator()(const auto& options) const {
     const RunFiles files = files_of(options);
-    if (const anim::Status checked = check(files); !checked) return end_with(checked);
+    if (const Status checked = check(files); !checked) return end_with(checked);
     for (const std::string& line : report_or_remove_parts(files)) end_with(exit_done, line);
     choose_kernels(options);
     return run(options);

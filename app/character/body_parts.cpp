@@ -117,7 +117,7 @@ BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& r
   return parts;
 }
 
-anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices) {
+Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices) {
   anim::Skeleton& skeleton = source.model.skeleton;
   std::vector<anim::Bone> before = skeleton.bones;
   const std::vector<std::string> keys = bone_keys(skeleton);
@@ -125,10 +125,10 @@ anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& cho
   give_parts(source.parts_in_file, keys, skeleton);
   give_parts(said_as_before(choices, source.rig), keys, skeleton);
   PartBones bones = anim::find_rig(skeleton).bones;
-  anim::Status taken = choose_bones(choices, skeleton);
+  Status taken = choose_bones(choices, skeleton);
   if (taken) {
     put_over(choices, keys, bones);
-    if (const auto misplaced = misplaced_part(choices, bones, skeleton)) taken = anim::Error{*misplaced};
+    if (const auto misplaced = misplaced_part(choices, bones, skeleton)) taken = Error{*misplaced};
   }
   if (taken) {
     source.rig = choices;

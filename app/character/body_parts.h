@@ -35,6 +35,6 @@ BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& r
 /// Gives a character the parts that a person chooses, in place of all former choices. Its clips and its size stay as
 /// they were baked. Errors: as choose_bones(), and a part on the wrong side of a guessed part; then nothing has
 /// changed.
-anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices);
+Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices);
 
 }  // namespace throng::app

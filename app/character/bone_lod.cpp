@@ -23,39 +23,39 @@ constexpr int version = 1;
 constexpr const char* remedy = "mend it, or delete it to have the order computed again";
 
 // Words for people: a permutation, each bone after its parent.
-anim::Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {
+Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {
   const std::vector<std::string> names = bone_keys(skeleton);
   std::vector<bool> seen(names.size(), false);
   for (const int bone : bones) {
-    if (bone < 0 || bone >= skeleton.bone_count()) return anim::Error{"a bone that the model does not have"};
+    if (bone < 0 || bone >= skeleton.bone_count()) return Error{"a bone that the model does not have"};
     const auto index = static_cast<std::size_t>(bone);
     const int parent = skeleton.bones[index].parent;
-    if (seen[index]) return anim::Error{"bone \"" + names[index] + "\" is listed twice"};
+    if (seen[index]) return Error{"bone \"" + names[index] + "\" is listed twice"};
     if (parent >= 0 && !seen[static_cast<std::size_t>(parent)]) {
-      return anim::Error{"bone \"" + names[index] + "\" comes before its parent \"" +
-                         names[static_cast<std::size_t>(parent)] + "\""};
+      return Error{"bone \"" + names[index] + "\" comes before its parent \"" +
+                   names[static_cast<std::size_t>(parent)] + "\""};
     }
     seen[index] = true;
   }
   const auto missing = std::ranges::find(seen, false);
-  if (missing == seen.end()) return anim::Done{};
-  return anim::Error{"bone \"" + names[static_cast<std::size_t>(missing - seen.begin())] + "\" is missing"};
+  if (missing == seen.end()) return Done{};
+  return Error{"bone \"" + names[static_cast<std::size_t>(missing - seen.begin())] + "\" is missing"};
 }
 
-anim::Status check_levels(std::span<const int> counts, int bones) {
+Status check_levels(std::span<const int> counts, int bones) {
   if (counts.empty() || counts.size() > anim::max_bone_levels) {
-    return anim::Error{"there must be 1 to " + std::to_string(anim::max_bone_levels) + " levels"};
+    return Error{"there must be 1 to " + std::to_string(anim::max_bone_levels) + " levels"};
   }
-  if (counts.front() != bones) return anim::Error{"level 0 must keep all " + std::to_string(bones) + " bones"};
+  if (counts.front() != bones) return Error{"level 0 must keep all " + std::to_string(bones) + " bones"};
   for (std::size_t level = 1; level < counts.size(); ++level) {
     if (counts[level] >= 1 && counts[level] < counts[level - 1]) continue;
-    return anim::Error{"level " + std::to_string(level) + " must keep at least 1 bone and fewer than level " +
-                       std::to_string(level - 1)};
+    return Error{"level " + std::to_string(level) + " must keep at least 1 bone and fewer than level " +
+                 std::to_string(level - 1)};
   }
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const JsonFile& file) {
+Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const JsonFile& file) {
   const std::initializer_list<std::string_view> keys = {"version", "bones", "level_counts"};
   std::optional<std::string> complaint;
   const JsonObject reader("", table, keys, complaint);
@@ -86,21 +86,21 @@ std::vector<std::string> bone_keys(const anim::Skeleton& skeleton) {
   return keys;
 }
 
-anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton) {
+Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton) {
   const std::vector<std::string> all = bone_keys(skeleton);
   std::map<std::string_view, int> by_key;
   for (std::size_t bone = 0; bone < all.size(); ++bone) by_key.emplace(all[bone], static_cast<int>(bone));
   std::vector<int> bones;
   for (const std::string& key : keys) {
     const auto found = by_key.find(key);
-    if (found == by_key.end()) return anim::Error{"the model has no bone \"" + key + "\""};
+    if (found == by_key.end()) return Error{"the model has no bone \"" + key + "\""};
     bones.push_back(found->second);
   }
   return bones;
 }
 
-anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice) {
-  const anim::Status order = check_order(skeleton, choice.bones);
+Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice) {
+  const Status order = check_order(skeleton, choice.bones);
   return order ? check_levels(choice.level_counts, skeleton.bone_count()) : order;
 }
 
@@ -141,7 +141,7 @@ double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level) {
 
 BoneLodFile::BoneLodFile(const fs::path& model) : file_(model, ".lod.json", "The order of the bones") {}
 
-anim::Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleton& skeleton) const {
+Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleton& skeleton) const {
   const fs::path found = file_.found();
   if (found.empty()) return std::optional<BoneLodChoice>();
   const JsonFile file(found, {.malformed = remedy, .wrong = remedy});
@@ -152,7 +152,7 @@ anim::Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleto
   return std::optional(std::move(*choice));
 }
 
-anim::Result<fs::path> BoneLodFile::write(const anim::Skeleton& skeleton) const {
+Result<fs::path> BoneLodFile::write(const anim::Skeleton& skeleton) const {
   const Json table = {
       {"version", version}, {"bones", bone_keys(skeleton)}, {"level_counts", skeleton.level_bone_counts}};
   return file_.write(table.dump(2) + "\n");

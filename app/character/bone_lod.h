@@ -21,11 +21,11 @@ using BoneLodChoice = anim::BoneOrder;
 std::vector<std::string> bone_keys(const anim::Skeleton& skeleton);
 
 /// Returns the indices of bones by their keys. Errors: the skeleton does not have a key; the error names the first.
-anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton);
+Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton);
 
 /// Checks that every bone comes once and after its parent, and that there are 1 to anim::max_bone_levels levels: the
 /// first with all bones, each further one with fewer, none empty. Errors name the first bone or level that breaks this.
-anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
+Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
 
 /// Returns the present order of a character with this many bones.
 BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts);
@@ -51,9 +51,9 @@ class BoneLodFile {
 
   /// Returns the choice in the file; nothing if there is no file. The error names the file, what is wrong in it and
   /// what to do.
-  anim::Result<std::optional<BoneLodChoice>> read(const anim::Skeleton& skeleton) const;
+  Result<std::optional<BoneLodChoice>> read(const anim::Skeleton& skeleton) const;
   /// Writes the file whole or not at all. Returns its path, to show to people.
-  anim::Result<std::filesystem::path> write(const anim::Skeleton& skeleton) const;
+  Result<std::filesystem::path> write(const anim::Skeleton& skeleton) const;
 
  private:
   KeptFile file_;

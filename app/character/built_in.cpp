@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr const char* built_in_name = "mannequin (built in)";
 constexpr std::uintmax_t spaces_for_a_pack = 4;  // less address space: no pack, for half of it is copied
 
-anim::Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {
+Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {
   const std::array paths{files.mannequin.string(), files.wardrobe.string()};
   return pack::fingerprint_of(paths);
 }
@@ -86,13 +86,13 @@ void move_images(anim::Material& material, int first_image) {
 
 }  // namespace
 
-anim::Status add_parts(anim::Model& model, const std::string& character, const fs::path& file) {
+Status add_parts(anim::Model& model, const std::string& character, const fs::path& file) {
   auto imported = import_to_draw(file.string());
   if (!imported) return imported.error();
   anim::Model& wardrobe = imported->models.front();
   const std::string name = plain_text(file.string());
   if (wardrobe.parts.empty()) {
-    return anim::Error{name + ": it has no parts to wear; engine/anim/import/README.md says how a node becomes one"};
+    return Error{name + ": it has no parts to wear; engine/anim/import/README.md says how a node becomes one"};
   }
   const std::vector<std::uint16_t> entries = entries_in(wardrobe.skeleton, model.skeleton);
   const auto first_material = static_cast<int>(model.materials.size());
@@ -103,35 +103,35 @@ anim::Status add_parts(anim::Model& model, const std::string& character, const f
   });
   if (unknown >= 0) {
     const auto bone = static_cast<std::size_t>(wardrobe.skeleton.palette[static_cast<std::size_t>(unknown)].bone);
-    return anim::Error{name + ": its joint " + in_quotes(wardrobe.skeleton.bones[bone].name) + " is none of " +
-                       character + "; export it with the skeleton of that character"};
+    return Error{name + ": its joint " + in_quotes(wardrobe.skeleton.bones[bone].name) + " is none of " + character +
+                 "; export it with the skeleton of that character"};
   }
   for (anim::Material& material : wardrobe.materials) move_images(material, first_image);
   std::ranges::move(wardrobe.materials, std::back_inserter(model.materials));
   std::ranges::move(wardrobe.images, std::back_inserter(model.images));
   std::ranges::move(wardrobe.parts, std::back_inserter(model.parts));
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
+Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
   const auto files = find_built_in(data_option, options.wardrobe);
   if (!files) return files.error();
   const auto rules = find_data(data_folders(data_option), "assets/cast.json");
   if (!rules) return rules.error();
   const BoneLodFile kept{{}};
   auto taken = take_built_in(*files, options);
-  auto source = taken ? anim::Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options, &kept);
+  auto source = taken ? Result<CharacterSource>(std::move(*taken)) : make_built_in(*files, options, &kept);
   if (!source) return source;
   source->cast_rules = rules->string();
   const auto rig = RoleFile({}).read_rig();
   if (!rig) return rig.error();
   if (rig->empty()) return source;
-  const anim::Status rigged = take_rig(*source, *rig);
-  if (!rigged) return anim::Error{"the rig kept for " + source->name + ": " + rigged.error().message};
+  const Status rigged = take_rig(*source, *rig);
+  if (!rigged) return Error{"the rig kept for " + source->name + ": " + rigged.error().message};
   return source;
 }
 
-anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe) {
+Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe) {
   const std::vector<fs::path> folders = data_folders(data_option);
   const auto mannequin = find_data(folders, "assets/mannequin.glb");
   if (!mannequin) return mannequin.error();
@@ -140,11 +140,10 @@ anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool ne
   return BuiltInFiles{*mannequin, wardrobe ? *wardrobe : fs::path()};
 }
 
-anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
-                                            const BoneLodFile* kept) {
+Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options, const BoneLodFile* kept) {
   auto source = load_character(files.mannequin.string(), built_in_name, kept, options);
   if (!source || !options.wardrobe) return source;
-  const anim::Status dressed = add_parts(source->model, source->name, files.wardrobe);
+  const Status dressed = add_parts(source->model, source->name, files.wardrobe);
   if (!dressed) return dressed.error();
   return source;
 }
@@ -160,14 +159,14 @@ std::optional<CharacterSource> take_built_in(const BuiltInFiles& files, const Lo
   return std::move(*source);
 }
 
-anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files) {
+Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files) {
   const auto fingerprint = fingerprint_of(files);
   if (!fingerprint) return fingerprint.error();
   auto source = make_built_in(files, {.wardrobe = true});
   if (!source) return source.error();
   auto imported = import_to_draw(files.mannequin.string());
   if (!imported) return imported.error();
-  anim::Status dressed = add_parts(imported->models.front(), source->name, files.wardrobe);
+  Status dressed = add_parts(imported->models.front(), source->name, files.wardrobe);
   if (!dressed) return dressed.error();
   pack::FileToPack file{.name = "mannequin", .file = std::move(*imported), .characters = {}, .made_of = *fingerprint};
   file.characters.push_back(

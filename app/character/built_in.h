@@ -14,7 +14,7 @@ namespace throng::app {
 inline constexpr const char* built_in_pack_name = "built_in.pack";
 
 /// Loads the character that comes with the program, from the folders that --data leads.
-anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
+Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
 
 /// The files that the built-in character is made of.
 struct BuiltInFiles {
@@ -23,16 +23,16 @@ struct BuiltInFiles {
 };
 
 /// Finds them in the folders that --data leads. A wardrobe that is not needed may be missing.
-anim::Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe);
+Result<BuiltInFiles> find_built_in(const std::string& data_option, bool needs_wardrobe);
 
 /// Adds the parts of another file, whose skeleton has the same joints at rest, to the parts of a character's model.
 /// Errors: the file cannot be imported, it has no parts, or the character lacks one of their joints.
-anim::Status add_parts(anim::Model& model, const std::string& character, const std::filesystem::path& file);
+Status add_parts(anim::Model& model, const std::string& character, const std::filesystem::path& file);
 
 /// Imports and bakes the built-in character, with the order of its bones that `kept` has, if any. It has the parts of
 /// the wardrobe if LoadOptions::wardrobe says so.
-anim::Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
-                                            const BoneLodFile* kept = nullptr);
+Result<CharacterSource> make_built_in(const BuiltInFiles& files, const LoadOptions& options,
+                                      const BoneLodFile* kept = nullptr);
 
 /// Takes the character out of a pack beside the program or the files. Returns nothing if no pack was made of these very
 /// files, or if the options ask for other values than were baked.
@@ -40,6 +40,6 @@ std::optional<CharacterSource> take_built_in(const BuiltInFiles& files, const Lo
 
 /// Returns the built-in character, with all parts of its wardrobe, as a pack takes it: without a person's choices for
 /// it.
-anim::Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files);
+Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files);
 
 }  // namespace throng::app

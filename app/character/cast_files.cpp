@@ -66,7 +66,7 @@ bool is_folder(const std::string& path) {
 }
 
 // In the order of their names, whatever the order of the folder. Hidden files are other programs' notes.
-anim::Result<std::vector<std::string>> models_in(const std::string& folder) {
+Result<std::vector<std::string>> models_in(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -75,10 +75,10 @@ anim::Result<std::vector<std::string>> models_in(const std::string& folder) {
       files.push_back(entry->path().string());
     }
   }
-  if (error) return anim::Error{plain_text(folder) + ": the folder cannot be read: " + error.message()};
+  if (error) return Error{plain_text(folder) + ": the folder cannot be read: " + error.message()};
   if (files.empty()) {
-    return anim::Error{plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
-                       " file; name one that holds models, not in folders below it"};
+    return Error{plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
+                 " file; name one that holds models, not in folders below it"};
   }
   leave_out_packs_of_others(files);
   std::ranges::sort(files);
@@ -89,7 +89,7 @@ bool has_surface(const anim::ImportedFile& file) {
   return std::ranges::any_of(file.models, [](const anim::Model& model) { return !model.meshes.empty(); });
 }
 
-anim::Error no_mesh(const std::string& path, const anim::Model& model) {
+Error no_mesh(const std::string& path, const anim::Model& model) {
   const std::size_t clips = model.clips.size();
   return {plain_text(path) + ": it has a skeleton of " + counted(model.skeleton.bones.size(), "bone") +
           (clips > 0 ? " and " + counted(clips, "clip") : "") + ", but no mesh to draw; " +
@@ -97,7 +97,7 @@ anim::Error no_mesh(const std::string& path, const anim::Model& model) {
                      : "export it into one .glb with its mesh")};
 }
 
-anim::Error too_many(const std::string& entry) {
+Error too_many(const std::string& entry) {
   return {plain_text(entry) + ": with it there are more than " + std::to_string(most_models) +
           " characters, the most of one crowd; name fewer, as in --cast FILE,FILE"};
 }
@@ -107,9 +107,9 @@ class CastLoader {
   CastLoader(std::span<const CastEntry> entries, const LoadOptions& options, bool came_together)
       : entries_(entries), options_(options), came_together_(came_together) {}
 
-  anim::Result<LoadedCast> load() {
+  Result<LoadedCast> load() {
     for (const auto step : {&CastLoader::list, &CastLoader::read_all, &CastLoader::make_all}) {
-      if (const anim::Status done = (this->*step)(); !done) return done.error();
+      if (const Status done = (this->*step)(); !done) return done.error();
     }
     if (cast_.characters.empty()) return no_characters();
     if (!unexplained_.empty()) {
@@ -120,7 +120,7 @@ class CastLoader {
   }
 
  private:
-  anim::Status list() {
+  Status list() {
     for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
       const CharacterFile wanted = character_file(entries_[entry].file);
       if (!is_folder(wanted.path)) {
@@ -134,29 +134,29 @@ class CastLoader {
         members_.push_back({with_skin(file, wanted.skin), entry, false});
       }
     }
-    return anim::Done{};
+    return Done{};
   }
 
-  anim::Status read_all() {
+  Status read_all() {
     for (const Member& member : members_) {
-      const anim::Status read = this->read(member);
-      if (anim::Status taken = take(member, read); !taken) return taken;
+      const Status read = this->read(member);
+      if (Status taken = take(member, read); !taken) return taken;
       if (characters_ > most_models) return too_many(entries_[member.entry].file);
     }
-    return anim::Done{};
+    return Done{};
   }
 
-  anim::Status read(const Member& member) {
+  Status read(const Member& member) {
     const CharacterFile wanted = character_file(member.file);
     if (pack::is_pack(wanted.path)) return read_pack(member, wanted);
     auto imported = import_to_draw(wanted.path, options_.import);
     if (imported && has_surface(*imported)) return choose(member, wanted.skin, std::move(*imported));
-    if (!member.is_named && take_clips(member, wanted.path, imported)) return anim::Done{};
+    if (!member.is_named && take_clips(member, wanted.path, imported)) return Done{};
     return imported ? no_mesh(imported->file, imported->models.front()) : imported.error();
   }
 
   // Opens each pack once. Without a skin it stands for the first character of each file in it.
-  anim::Status read_pack(const Member& member, const CharacterFile& wanted) {
+  Status read_pack(const Member& member, const CharacterFile& wanted) {
     auto known = packs_.find(wanted.path);
     if (known == packs_.end()) {
       auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
@@ -172,10 +172,10 @@ class CastLoader {
       read_.push_back({.member = one, .pack = &pack, .imported = {}, .names = {}, .chosen = {0}});
     }
     characters_ += names.size();
-    return anim::Done{};
+    return Done{};
   }
 
-  anim::Status choose(const Member& member, const std::string& skin, anim::ImportedFile imported) {
+  Status choose(const Member& member, const std::string& skin, anim::ImportedFile imported) {
     ReadMember read{
         .member = member, .pack = nullptr, .imported = {}, .names = character_names(imported), .chosen = {}};
     if (skin == all_skins) {
@@ -188,11 +188,11 @@ class CastLoader {
     characters_ += read.chosen.size();
     read.imported = std::move(imported);
     read_.push_back(std::move(read));
-    return anim::Done{};
+    return Done{};
   }
 
   // Clips beside characters are for them.
-  bool take_clips(const Member& member, const std::string& path, anim::Result<anim::ImportedFile>& imported) {
+  bool take_clips(const Member& member, const std::string& path, Result<anim::ImportedFile>& imported) {
     auto clips = imported ? take_clips_alone(path, *imported) : read_clips_alone(path, options_.import);
     if (!clips) return false;
     clips->must_fit = false;
@@ -201,29 +201,29 @@ class CastLoader {
   }
 
   // A file that a person named must be shown. A file of a folder is left out if it cannot be.
-  anim::Status take(const Member& member, const anim::Status& status) {
+  Status take(const Member& member, const Status& status) {
     if (status || member.is_named || options_.import.strict) return status;
     if (cast_.left_out.size() < most_explained) {
       cast_.left_out.push_back(status.error().message + "; it is left out.");
     } else {
       unexplained_.push_back(plain_text(fs::path(member.file).filename().string()));
     }
-    return anim::Done{};
+    return Done{};
   }
 
-  anim::Status make_all() {
+  Status make_all() {
     for (ReadMember& read : read_) {
       const auto clips = clips_for(read.member.entry);
       if (!clips) return clips.error();
       for (const std::size_t model : read.chosen) {
-        if (anim::Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
+        if (Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
         ++made_;
       }
     }
-    return anim::Done{};
+    return Done{};
   }
 
-  anim::Result<std::vector<const ClipFile*>> clips_for(std::size_t entry) {
+  Result<std::vector<const ClipFile*>> clips_for(std::size_t entry) {
     const auto& own = entries_[entry].clip_files;
     std::vector<const ClipFile*> clips;
     for (const std::string& path : own ? *own : options_.clips_from) {
@@ -248,7 +248,7 @@ class CastLoader {
   }
 
   // A pack takes no clips that lie beside it, for it is baked.
-  anim::Result<CharacterSource> make_packed(const ReadMember& read) const {
+  Result<CharacterSource> make_packed(const ReadMember& read) const {
     const std::string& file = read.member.file;
     const BoneLodFile kept(file);
     LoadOptions options = options_;
@@ -257,8 +257,8 @@ class CastLoader {
     return take_packed(*read.pack, character_file(file), file, &kept, options);
   }
 
-  anim::Result<CharacterSource> make_imported(ReadMember& read, std::size_t model, const std::string& file,
-                                              std::span<const ClipFile* const> clips) const {
+  Result<CharacterSource> make_imported(ReadMember& read, std::size_t model, const std::string& file,
+                                        std::span<const ClipFile* const> clips) const {
     const BoneLodFile kept(file);
     const std::string path = character_file(read.member.file).path;
     auto character = make_character(read.imported, model,
@@ -274,17 +274,17 @@ class CastLoader {
     return character;
   }
 
-  anim::Status make(ReadMember& read, std::size_t model, std::span<const ClipFile* const> clips) {
+  Status make(ReadMember& read, std::size_t model, std::span<const ClipFile* const> clips) {
     const CharacterFile wanted = character_file(read.member.file);
     const std::string file = wanted.skin == all_skins ? with_skin(wanted.path, read.names[model]) : read.member.file;
     auto character = read.pack != nullptr ? make_packed(read) : make_imported(read, model, file, clips);
     if (!character) return character.error();
     if (!character->has_surface()) return no_mesh(wanted.path, character->model);
-    if (anim::Status seen = check_extent(*character, wanted.path); !seen) return seen;
+    if (Status seen = check_extent(*character, wanted.path); !seen) return seen;
     character->file = file;
     cast_.characters.push_back(std::move(*character));
     entry_of_.push_back(read.member.entry);
-    return anim::Done{};
+    return Done{};
   }
 
   LoadProgress progress_of_one() const {
@@ -301,7 +301,7 @@ class CastLoader {
     }
   }
 
-  anim::Error no_characters() const {
+  Error no_characters() const {
     if (!cast_.left_out.empty()) return {"there is no character to show: " + cast_.left_out.front()};
     const std::string first = entries_.empty() ? "" : plain_text(entries_.front().file) + ": ";
     return {first + "there are clips and no character to play them; give the file of a character with them"};
@@ -323,20 +323,20 @@ class CastLoader {
 
 }  // namespace
 
-anim::Status check_extent(const CharacterSource& character, const std::string& path) {
+Status check_extent(const CharacterSource& character, const std::string& path) {
   constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
   const auto is_sensible = [&](double length) { return length > least && length < most; };
   const anim::CharacterBounds& bounds = character.character->bounds;
-  if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return anim::Done{};
-  return anim::Error{plain_text(path) +
-                     ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
+  if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return Done{};
+  return Error{plain_text(path) +
+               ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
 }
 
-anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options) {
+Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options) {
   return CastLoader(entries, options, false).load();
 }
 
-anim::Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options) {
+Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options) {
   const std::vector<CastEntry> entries = cast_of(files);
   return CastLoader(entries, options, files.size() > 1).load();
 }

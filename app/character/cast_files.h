@@ -20,13 +20,13 @@ struct LoadedCast {
 /// "all" stands for every character of its file.
 /// Errors: a file that was named cannot be shown; a folder has no character to show; there are more than most_models. A
 /// file of a folder that cannot be shown is left out, unless options.import.strict.
-anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options = {});
+Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options = {});
 
 /// Loads files and folders that came together, as if they lay in one folder. A file that came alone counts as named.
-anim::Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options = {});
+Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options = {});
 
 /// Returns whether the character has a height that can be shown. The error names `path`.
-anim::Status check_extent(const CharacterSource& character, const std::string& path);
+Status check_extent(const CharacterSource& character, const std::string& path);
 
 /// Returns the entries of files without shares.
 std::vector<CastEntry> cast_of(std::span<const std::string> files);

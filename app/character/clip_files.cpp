@@ -78,11 +78,11 @@ std::string how_they_fit(const anim::Retargeter& retargeter, bool as_they_were) 
   return text;
 }
 
-anim::Error no_clips(const std::string& clip_file) {
+Error no_clips(const std::string& clip_file) {
   return {plain_text(clip_file) + ": it has no clips; give a file with animations to --clips-from"};
 }
 
-anim::Error no_bone_in_common(const std::string& clip_file, const std::string& file) {
+Error no_bone_in_common(const std::string& clip_file, const std::string& file) {
   return {plain_text(clip_file + ": no bone of " + file + " has the name or the part of one of its bones; say in " +
                      file + ".throng.json, under \"rig\", which is which")};
 }
@@ -92,7 +92,7 @@ bool walks_otherwise(const anim::RetargetPlan& plan) {
   return plan.own_carriage == anim::Carriage::bent && plan.source_carriage == anim::Carriage::upright;
 }
 
-anim::Error another_body(const std::string& clip_file, const std::string& file) {
+Error another_body(const std::string& clip_file, const std::string& file) {
   return {plain_text(clip_file + ": its body stands upright, and the trunk of " + file +
                      " lies across its legs, as on four feet; give --clips-from clips of a body like it, or "
                      "export a person standing")};
@@ -104,18 +104,18 @@ void leave_out_morphs(std::vector<anim::Clip>& clips) {
   std::erase_if(clips, [](const anim::Clip& clip) { return clip.tracks.empty(); });
 }
 
-anim::Status prepare_for_others(const std::string& path, anim::ImportedFile& file) {
+Status prepare_for_others(const std::string& path, anim::ImportedFile& file) {
   for (anim::Model& model : file.models) {
     leave_out_morphs(model.clips);
     if (const auto taken = take_kept_rig(path, model.skeleton); !taken) return taken.error();
   }
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<ClipFile> read_clip_file(const std::string& path, const import::ImportOptions& options) {
+Result<ClipFile> read_clip_file(const std::string& path, const import::ImportOptions& options) {
   auto clips = read_model_file(path, options, ModelFileUse::clips);
   if (!clips) return clips.error();
-  if (const anim::Status taken = prepare_for_others(path, *clips); !taken) return taken.error();
+  if (const Status taken = prepare_for_others(path, *clips); !taken) return taken.error();
   return ClipFile{.path = path, .imported = std::move(*clips)};
 }
 
@@ -147,14 +147,14 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
                        (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
 }
 
-anim::Error no_skeleton(const std::string& path) {
+Error no_skeleton(const std::string& path) {
   return {plain_text(path) + ": it holds no skin, so clips of other files have no character to play them"};
 }
 
 }  // namespace
 
-anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
-                                                    const import::ImportOptions& options) {
+Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
+                                              const import::ImportOptions& options) {
   std::vector<ClipFile> files;
   for (const std::string& path : paths) {
     auto file = read_clip_file(path, options);
@@ -183,8 +183,8 @@ std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files) {
   return pointers;
 }
 
-anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
-                                                      anim::ImportedFile& file, std::size_t model) {
+Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files, anim::ImportedFile& file,
+                                                std::size_t model) {
   std::vector<std::string> taken;
   for (const ClipFile* const clips : clip_files) {
     const ClipSource source = best_source(clips->imported, file.models[model].skeleton);
@@ -205,14 +205,14 @@ anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* 
   return taken;
 }
 
-anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
-                          const import::ImportOptions& options) {
-  if (file.models.empty()) return clip_files.empty() ? anim::Status(anim::Done{}) : no_skeleton(path);
+Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
+                    const import::ImportOptions& options) {
+  if (file.models.empty()) return clip_files.empty() ? Status(Done{}) : no_skeleton(path);
   if (const auto taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken.error();
   const auto clips = read_clip_files(clip_files, options);
   if (!clips) return clips.error();
   const auto added = add_clips_from(pointers_to(*clips), file, 0);
-  return added ? anim::Status(anim::Done{}) : anim::Status(added.error());
+  return added ? Status(Done{}) : Status(added.error());
 }
 
 }  // namespace throng::app

@@ -21,8 +21,8 @@ struct ClipFile {
 
 /// Reads files of clips, which need no mesh and no skin, with the parts of the body that a person chose for each.
 /// Errors: a file that cannot be read.
-anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
-                                                    const import::ImportOptions& options = {});
+Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
+                                              const import::ImportOptions& options = {});
 
 std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files);
 
@@ -38,12 +38,12 @@ std::optional<ClipFile> read_clips_alone(const std::string& path, const import::
 /// place yet. Returns the paths of the files whose clips were taken.
 /// Errors: a file that has no clips, or that must fit and has no bone that the model knows, or whose body stands
 /// upright while the model rests on four feet.
-anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
-                                                      anim::ImportedFile& file, std::size_t model);
+Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files, anim::ImportedFile& file,
+                                                std::size_t model);
 
 /// Adds clips to the largest model from files that are yet to be read, after giving it the parts of the body that a
 /// person chose for `path`, the file of `file`.
-anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
-                          const import::ImportOptions& options = {});
+Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
+                    const import::ImportOptions& options = {});
 
 }  // namespace throng::app

@@ -60,14 +60,13 @@ std::vector<GaitPoint> gait_points(const CharacterRoles& roles, Middle middle) {
   return points;
 }
 
-anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
-                                                                   Middle middle) {
+Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
+                                                             Middle middle) {
   std::vector<anim::BlendPoint2d> points;
   for (const GaitPoint& point : gait_points(roles, middle)) {
-    points.push_back(
-        {.clip = point.clip, .place = point.velocity, .pace = point.is_gait ? anim::Pace::gait : anim::Pace::own});
+    points.push_back({.clip = point.clip, .place = point.velocity, .pace = point.is_gait ? Pace::gait : Pace::own});
   }
-  return anim::BlendSpace2d::create(std::move(points), anim::PlaneMeaning::velocity, clip_count);
+  return anim::BlendSpace2d::create(std::move(points), PlaneMeaning::velocity, clip_count);
 }
 
 }  // namespace throng::app

@@ -36,7 +36,7 @@ std::vector<GaitPoint> gait_points(const CharacterRoles& roles, Middle middle = 
 int standing_clip(const CharacterRoles& roles);
 
 /// Returns gait_points() as a blend space. Errors: a role plays a clip that the character does not have.
-anim::Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
-                                                                   Middle middle = Middle::stands);
+Result<std::shared_ptr<const anim::BlendSpace2d>> gait_plane(const CharacterRoles& roles, int clip_count,
+                                                             Middle middle = Middle::stands);
 
 }  // namespace throng::app

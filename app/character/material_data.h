@@ -9,7 +9,7 @@
 namespace throng::app {
 
 /// Imports as import::import_file() does, with the channels that part_data() hands to drawing.
-anim::Result<anim::ImportedFile> import_to_draw(const std::string& path, import::ImportOptions options = {});
+Result<anim::ImportedFile> import_to_draw(const std::string& path, import::ImportOptions options = {});
 
 /// Describes a mesh for drawing, with the coordinates that the textures of its material read. Points to the mesh.
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material);

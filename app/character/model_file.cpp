@@ -10,8 +10,7 @@
 namespace throng::app {
 namespace {
 
-anim::Result<anim::ImportedFile> import_for(ModelFileUse use, const std::string& file,
-                                            const import::ImportOptions& options) {
+Result<anim::ImportedFile> import_for(ModelFileUse use, const std::string& file, const import::ImportOptions& options) {
   switch (use) {
     case ModelFileUse::skins:
       return import::import_skins(file, options);
@@ -22,25 +21,25 @@ anim::Result<anim::ImportedFile> import_for(ModelFileUse use, const std::string&
   }
 }
 
-anim::Result<anim::ImportedFile> read_packed(const CharacterFile& wanted, bool strict) {
+Result<anim::ImportedFile> read_packed(const CharacterFile& wanted, bool strict) {
   const auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
   if (!pack) return pack.error();
   if (wanted.skin.empty() && pack->file_count() > 1) {
-    return anim::Error{plain_text(wanted.path) + ": it holds " + counted(pack->file_count(), "file") +
-                       "; say which behind a #: " + joined(packed_names(*pack, false), ", ", " or ")};
+    return Error{plain_text(wanted.path) + ": it holds " + counted(pack->file_count(), "file") +
+                 "; say which behind a #: " + joined(packed_names(*pack, false), ", ", " or ")};
   }
   const auto chosen = choose_packed(*pack, wanted.path, wanted.skin);
   if (!chosen) return chosen.error();
   if (strict) {
-    if (const anim::Status clean = check_strictly(*pack, chosen->file, wanted.path); !clean) return clean.error();
+    if (const Status clean = check_strictly(*pack, chosen->file, wanted.path); !clean) return clean.error();
   }
   return pack->imported(chosen->file);
 }
 
 }  // namespace
 
-anim::Result<anim::ImportedFile> read_model_file(const std::string& file, const import::ImportOptions& options,
-                                                 ModelFileUse use) {
+Result<anim::ImportedFile> read_model_file(const std::string& file, const import::ImportOptions& options,
+                                           ModelFileUse use) {
   const CharacterFile wanted = character_file(file);
   return pack::is_pack(wanted.path) ? read_packed(wanted, options.strict) : import_for(use, file, options);
 }

@@ -11,7 +11,7 @@ enum class ModelFileUse : unsigned char { characters, skins, clips };
 
 /// Reads a model file with all its models and keys: glTF, or a pack. "PACK#NAME" names a file of a pack that holds
 /// several. The error names the file and what to do.
-anim::Result<anim::ImportedFile> read_model_file(const std::string& file, const import::ImportOptions& options = {},
-                                                 ModelFileUse use = ModelFileUse::characters);
+Result<anim::ImportedFile> read_model_file(const std::string& file, const import::ImportOptions& options = {},
+                                           ModelFileUse use = ModelFileUse::characters);
 
 }  // namespace throng::app

@@ -34,8 +34,7 @@ anim::PlacementChoice placement_for(const std::string& file, const LoadOptions& 
   return choice;
 }
 
-anim::Status check_placed_models(std::span<const ModelPlacement> placements,
-                                 std::span<const CharacterSource> characters) {
+Status check_placed_models(std::span<const ModelPlacement> placements, std::span<const CharacterSource> characters) {
   for (const ModelPlacement& asked : placements) {
     const auto is_meant = [&](const CharacterSource& character) { return is_called(character.file, asked.model); };
     if (std::ranges::any_of(characters, is_meant)) continue;
@@ -44,10 +43,10 @@ anim::Status check_placed_models(std::span<const ModelPlacement> placements,
       const std::filesystem::path path(character_file(character.file).path);
       names.insert(character.file.empty() ? character.name : plain_text(path.filename().string()));
     }
-    return anim::Error{std::string(option_of(asked)) + ": no model is called " + plain_text(asked.model) +
-                       "; there is " + joined(std::vector<std::string>(names.begin(), names.end()), ", ", " and ")};
+    return Error{std::string(option_of(asked)) + ": no model is called " + plain_text(asked.model) + "; there is " +
+                 joined(std::vector<std::string>(names.begin(), names.end()), ", ", " and ")};
   }
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

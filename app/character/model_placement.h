@@ -13,7 +13,6 @@ namespace throng::app {
 anim::PlacementChoice placement_for(const std::string& file, const LoadOptions& options);
 
 /// Errors: a placement names a model that is not among the characters. The error names the characters.
-anim::Status check_placed_models(std::span<const ModelPlacement> placements,
-                                 std::span<const CharacterSource> characters);
+Status check_placed_models(std::span<const ModelPlacement> placements, std::span<const CharacterSource> characters);
 
 }  // namespace throng::app

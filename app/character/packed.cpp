@@ -22,8 +22,8 @@ std::vector<std::string> packed_file_names(const pack::Pack& pack) {
 }
 
 /// Says whether the character can be taken as it was baked.
-anim::Result<bool> is_as_asked(const pack::BakedModel& baked, const std::string& path, const BoneLodFile* kept,
-                               const LoadOptions& options) {
+Result<bool> is_as_asked(const pack::BakedModel& baked, const std::string& path, const BoneLodFile* kept,
+                         const LoadOptions& options) {
   const bool as_placed =
       options.placement == anim::PlacementChoice{} || options.placement == baked.prepared.placement.choice;
   if (!as_placed || !options.clips_from.empty()) return false;
@@ -34,15 +34,15 @@ anim::Result<bool> is_as_asked(const pack::BakedModel& baked, const std::string&
 }
 
 /// Returns the order of bones that was kept for the pack, if any.
-anim::Result<std::optional<BoneLodChoice>> kept_order(const BoneLodFile* kept, const anim::Skeleton& skeleton) {
+Result<std::optional<BoneLodChoice>> kept_order(const BoneLodFile* kept, const anim::Skeleton& skeleton) {
   if (kept == nullptr) return std::optional<BoneLodChoice>();
   return kept->read(skeleton);
 }
 
 /// `order` is the baked order, which counts unless a person has kept another.
-anim::Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedCharacter& chosen,
-                                        const std::optional<BoneLodChoice>& order, const std::string& path,
-                                        const BoneLodFile* kept, const LoadOptions& options) {
+Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedCharacter& chosen,
+                                  const std::optional<BoneLodChoice>& order, const std::string& path,
+                                  const BoneLodFile* kept, const LoadOptions& options) {
   auto imported = pack.imported(chosen.file);
   if (!imported) return imported.error();
   const auto clips = read_clip_files(options.clips_from, options.import);
@@ -57,8 +57,8 @@ anim::Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedChar
   return source;
 }
 
-anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedCharacter& chosen, pack::BakedModel baked,
-                                       const BoneLodFile* kept) {
+Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedCharacter& chosen, pack::BakedModel baked,
+                                 const BoneLodFile* kept) {
   auto model = pack.model(chosen.file, chosen.model, baked);
   if (!model) return model.error();
   CharacterSource source;
@@ -78,7 +78,7 @@ anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedChara
 
 }  // namespace
 
-anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin) {
+Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin) {
   if (skin.empty()) return PackedCharacter{};
   const std::vector<std::string> files = packed_file_names(pack);
   if (const std::size_t file = index_in(files, skin); file < files.size()) return PackedCharacter{file, 0};
@@ -88,15 +88,15 @@ anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::s
     if (const std::size_t model = index_in(names, skin); model < names.size()) return PackedCharacter{file, model};
     all.insert(all.end(), names.begin(), names.end());
   }
-  return anim::Error{plain_text(path) + ": it has no character \"" + plain_text(skin) + "\"; it has " +
-                     joined(pack.file_count() > 1 ? files : all, ", ", " and ")};
+  return Error{plain_text(path) + ": it has no character \"" + plain_text(skin) + "\"; it has " +
+               joined(pack.file_count() > 1 ? files : all, ", ", " and ")};
 }
 
-anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path) {
+Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path) {
   const std::vector<std::string>& repairs = pack.header(file).repairs;
-  if (repairs.empty()) return anim::Done{};
-  return anim::Error{plain_text(path) + ": it was baked of a file that was repaired: " + repairs.front() +
-                     "; mend the file and bake it again, or leave --strict out"};
+  if (repairs.empty()) return Done{};
+  return Error{plain_text(path) + ": it was baked of a file that was repaired: " + repairs.front() +
+               "; mend the file and bake it again, or leave --strict out"};
 }
 
 std::vector<std::string> packed_names(const pack::Pack& pack, bool all) {
@@ -113,12 +113,12 @@ std::vector<std::string> packed_names(const pack::Pack& pack, bool all) {
   return names;
 }
 
-anim::Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
-                                          const BoneLodFile* kept, const LoadOptions& options) {
+Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
+                                    const BoneLodFile* kept, const LoadOptions& options) {
   const auto chosen = choose_packed(pack, wanted.path, wanted.skin);
   if (!chosen) return chosen.error();
   if (options.import.strict) {
-    if (const anim::Status clean = check_strictly(pack, chosen->file, wanted.path); !clean) return clean.error();
+    if (const Status clean = check_strictly(pack, chosen->file, wanted.path); !clean) return clean.error();
   }
   auto baked = pack.baked(chosen->file, chosen->model);
   if (!baked) return baked.error();

@@ -18,17 +18,17 @@ struct PackedCharacter {
 
 /// Finds the character that `skin` names: the first of the file of that name, or else the character of that name;
 /// without a name, the first of all. The error lists the known names.
-anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin);
+Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin);
 
 /// Returns the name behind "FILE#" of the first character of each file of a pack, or, with `all`, of each character.
 std::vector<std::string> packed_names(const pack::Pack& pack, bool all);
 
 /// A strict run takes no character of a file that was repaired. The error names one of the repairs.
-anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path);
+Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path);
 
 /// Takes a character out of a pack. If a person asks for another size, other clips or other parts of the body now,
 /// bakes it anew from the file that the pack keeps whole.
-anim::Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
-                                          const BoneLodFile* kept, const LoadOptions& options);
+Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
+                                    const BoneLodFile* kept, const LoadOptions& options);
 
 }  // namespace throng::app

@@ -108,7 +108,7 @@ std::optional<std::string> misplaced_part(std::span<const RigChoice> choices, co
   return {};
 }
 
-anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton) {
+Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton) {
   const std::vector<std::string> keys = bone_keys(skeleton);
   std::vector<anim::Bone> bones = skeleton.bones;
   PartBones chosen;
@@ -116,14 +116,14 @@ anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& sk
   for (const auto& [role, key] : choices) {
     const auto found = std::ranges::find(keys, key);
     if (found == keys.end()) {
-      return anim::Error{std::string(anim::name_of(role)) + "=" + key +
-                         ": the skeleton has no such bone; nearest are " + nearest_names(key, keys)};
+      return Error{std::string(anim::name_of(role)) + "=" + key + ": the skeleton has no such bone; nearest are " +
+                   nearest_names(key, keys)};
     }
     const auto bone = static_cast<int>(found - keys.begin());
     if (const auto* const other = std::ranges::find(chosen, bone); other != chosen.end()) {
       const auto part = static_cast<anim::BodyRole>(other - chosen.begin());
-      return anim::Error{key + " cannot be both the " + words_of(part) + " and the " + words_of(role) +
-                         "; choose another bone for one of them"};
+      return Error{key + " cannot be both the " + words_of(part) + " and the " + words_of(role) +
+                   "; choose another bone for one of them"};
     }
     chosen[anim::index_of(role)] = bone;
     for (anim::Bone& each : bones) {
@@ -131,9 +131,9 @@ anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& sk
     }
     bones[static_cast<std::size_t>(bone)].role = role;
   }
-  if (const auto misplaced = misplaced_part(choices, chosen, skeleton)) return anim::Error{*misplaced};
+  if (const auto misplaced = misplaced_part(choices, chosen, skeleton)) return Error{*misplaced};
   skeleton.bones = std::move(bones);
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

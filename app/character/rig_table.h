@@ -20,7 +20,7 @@ Json rig_json(std::span<const RigChoice> choices);
 
 /// Gives bones the parts that a person chose, over the file's own. Errors: the skeleton has no such bone, one bone is
 /// chosen for two parts, or a part lies on the wrong side of another (misplaced_part); then nothing has changed.
-anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton);
+Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton);
 
 /// Returns the parts that the file or a person gave to bones.
 std::vector<RigChoice> said_parts(const anim::Skeleton& skeleton);

@@ -17,20 +17,19 @@ constexpr JsonRemedies remedies{.malformed = "delete it to go by the names of cl
 
 }  // namespace
 
-anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
-                          RoleClips& clips) {
+Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names, RoleClips& clips) {
   RoleClips chosen = clips;
   for (const auto& [role, name] : choices) {
     const auto found = std::ranges::find(clip_names, name);
     const std::string which = std::string(role_names.at(index_of(role))) + "=" + name;
     if (found == clip_names.end() && name != no_clip_name) {
-      if (clip_names.empty()) return anim::Error{which + ": the model has no clips; the only choice is none"};
-      return anim::Error{which + ": the model has no such clip; nearest are " + nearest_names(name, clip_names)};
+      if (clip_names.empty()) return Error{which + ": the model has no clips; the only choice is none"};
+      return Error{which + ": the model has no such clip; nearest are " + nearest_names(name, clip_names)};
     }
     chosen.at(index_of(role)) = found == clip_names.end() ? no_clip : static_cast<int>(found - clip_names.begin());
   }
   clips = chosen;
-  return anim::Done{};
+  return Done{};
 }
 
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names) {
@@ -63,8 +62,9 @@ Json clips_json(std::span<const RoleChoice> choices) {
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
 template <typename Choice>
-anim::Result<std::vector<Choice>> RoleFile::read_key(
-    const char* key, std::optional<std::string> (*read_choices)(const Json&, std::vector<Choice>&)) const {
+Result<std::vector<Choice>> RoleFile::read_key(const char* key,
+                                               std::optional<std::string> (*read_choices)(const Json&,
+                                                                                          std::vector<Choice>&)) const {
   const fs::path found = file_.found();
   if (found.empty()) return std::vector<Choice>();
   const JsonFile file(found, remedies);
@@ -78,21 +78,21 @@ anim::Result<std::vector<Choice>> RoleFile::read_key(
   return choices;
 }
 
-anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key("clips", read_role_choices); }
+Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key("clips", read_role_choices); }
 
-anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key("rig", read_rig_choices); }
+Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key("rig", read_rig_choices); }
 
-anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
+Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
   const auto rig = read_rig();
   return rig ? write_both(choices, *rig) : rig.error();
 }
 
-anim::Result<fs::path> RoleFile::write_rig(std::span<const RigChoice> choices) const {
+Result<fs::path> RoleFile::write_rig(std::span<const RigChoice> choices) const {
   const auto clips = read();
   return clips ? write_both(*clips, choices) : clips.error();
 }
 
-anim::Result<fs::path> RoleFile::write_both(std::span<const RoleChoice> clips, std::span<const RigChoice> rig) const {
+Result<fs::path> RoleFile::write_both(std::span<const RoleChoice> clips, std::span<const RigChoice> rig) const {
   Json written = {{"version", role_table_version}};
   if (!clips.empty()) written["clips"] = clips_json(clips);
   if (!rig.empty()) written["rig"] = rig_json(rig);

@@ -15,8 +15,7 @@ namespace throng::app {
 
 /// Puts `choices` over `clips`. Errors name the role, the clip and the names that come nearest; then nothing has
 /// changed.
-anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
-                          RoleClips& clips);
+Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names, RoleClips& clips);
 
 /// Returns every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
@@ -35,24 +34,23 @@ class RoleFile {
   explicit RoleFile(const std::filesystem::path& model);
 
   /// Returns the choices in the file; none if there is no file. The error names the file and what is wrong in it.
-  anim::Result<std::vector<RoleChoice>> read() const;
+  Result<std::vector<RoleChoice>> read() const;
   /// Returns the parts of the body that the file says; none if there is no file.
-  anim::Result<std::vector<RigChoice>> read_rig() const;
+  Result<std::vector<RigChoice>> read_rig() const;
   /// Writes the file whole or not at all, and returns its path. The parts of the body stay as
   /// they are in it, so a file that cannot be read is not written over.
-  anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
+  Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
   /// Writes the parts of the body; the clips stay as they are.
-  anim::Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
+  Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
 
  private:
   /// Returns what `read_choices(value, choices)` adds for one key of the file; nothing where there is no file or no
   /// such key.
   template <typename Choice>
-  anim::Result<std::vector<Choice>> read_key(const char* key,
-                                             std::optional<std::string> (*read_choices)(const Json&,
-                                                                                        std::vector<Choice>&)) const;
-  anim::Result<std::filesystem::path> write_both(std::span<const RoleChoice> clips,
-                                                 std::span<const RigChoice> rig) const;
+  Result<std::vector<Choice>> read_key(const char* key,
+                                       std::optional<std::string> (*read_choices)(const Json&,
+                                                                                  std::vector<Choice>&)) const;
+  Result<std::filesystem::path> write_both(std::span<const RoleChoice> clips, std::span<const RigChoice> rig) const;
 
   KeptFile file_;
 };

@@ -55,7 +55,7 @@ std::vector<std::string> character_names(const anim::ImportedFile& file) {
   return names;
 }
 
-anim::Result<std::size_t> choose_model(const anim::ImportedFile& file, const std::string& skin) {
+Result<std::size_t> choose_model(const anim::ImportedFile& file, const std::string& skin) {
   const std::vector<std::string> names = character_names(file);
   if (skin.empty()) return std::size_t{0};
   const auto named = std::ranges::find(names, skin);
@@ -68,7 +68,7 @@ anim::Result<std::size_t> choose_model(const anim::ImportedFile& file, const std
   const auto [stop, error] = std::from_chars(skin.data(), end, number);
   if (error == std::errc{} && stop == end && number >= 1 && number <= names.size()) return number - 1;
   const std::string there = names.empty() ? "no character with a mesh" : joined(names, ", ", " and ");
-  return anim::Error{file.file + ": it has no skin \"" + skin + "\"; it has " + there};
+  return Error{file.file + ": it has no skin \"" + skin + "\"; it has " + there};
 }
 
 }  // namespace throng::app

@@ -29,6 +29,6 @@ std::string with_skin(const std::string& file, const std::string& skin);
 std::vector<std::string> character_names(const anim::ImportedFile& file);
 
 /// Returns the index of the chosen model. The error lists the known names.
-anim::Result<std::size_t> choose_model(const anim::ImportedFile& file, const std::string& skin);
+Result<std::size_t> choose_model(const anim::ImportedFile& file, const std::string& skin);
 
 }  // namespace throng::app

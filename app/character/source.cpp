@@ -137,23 +137,23 @@ std::shared_ptr<const anim::Character> bake(const CharacterSource& source, const
 
 }  // namespace
 
-anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
+Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
   auto kept = RoleFile(path).read_rig();
   if (!kept) return kept.error();
-  const anim::Status chosen = choose_bones(*kept, skeleton);
+  const Status chosen = choose_bones(*kept, skeleton);
   if (chosen) return kept;
-  return anim::Error{"the rig kept for " + plain_text(path) + ": " + chosen.error().message};
+  return Error{"the rig kept for " + plain_text(path) + ": " + chosen.error().message};
 }
 
-anim::Status take_kept_roles(CharacterSource& character) {
+Status take_kept_roles(CharacterSource& character) {
   const auto kept = RoleFile(character.file).read();
   if (!kept) return kept.error();
   RoleClips clips = character.roles.clips;
   if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
-    return anim::Error{"the roles kept for " + character.name + ": " + chosen.error().message};
+    return Error{"the roles kept for " + character.name + ": " + chosen.error().message};
   }
   assign_roles(character, clips);
-  return anim::Done{};
+  return Done{};
 }
 
 void guess_roles(CharacterSource& source) {
@@ -167,12 +167,12 @@ void guess_roles(CharacterSource& source) {
   source.passages = {source.roles.sit_down, source.roles.stand_up};
   for (Passage& passage : source.passages) {
     if (passage.clip == no_clip) continue;
-    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
+    passage.seconds = to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
   }
   assign_roles(source, source.suggested);
 }
 
-anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how) {
+Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how) {
   anim::ImportedFile one = with_model_of(file, model);
   anim::face_forward(one);
   CharacterSource source;
@@ -202,15 +202,15 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
   return source;
 }
 
-anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
-                                             const LoadOptions& options) {
+Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
+                                       const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
   if (pack::is_pack(wanted.path)) {
     const auto pack = pack::Pack::open(wanted.path, pack::PackBytes::copied);
     if (!pack) return pack.error();
     return take_packed(*pack, wanted, name, kept, options);
   }
-  anim::Result<anim::ImportedFile> imported = import_to_draw(wanted.path, options.import);
+  Result<anim::ImportedFile> imported = import_to_draw(wanted.path, options.import);
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);
   if (!chosen) return chosen.error();
@@ -258,7 +258,7 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
   if (least_gain * glm::length(shuffle) > roles.walk_speed) shuffle = glm::dvec2(0.0);
   if (!roles.can_walk()) return;
   const auto walk = static_cast<std::size_t>(roles.clip(Role::walk));
-  roles.walk_seconds = anim::to_seconds(source.character->clips[walk].duration);
+  roles.walk_seconds = to_seconds(source.character->clips[walk].duration);
 }
 
 std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton) {

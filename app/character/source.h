@@ -55,11 +55,11 @@ struct CharacterSource {
 
 /// Gives the bones of the model in `path` the parts of the body that a person chose for it, and returns these parts;
 /// none if nothing was chosen. The error names the file and the wrong part.
-anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
+Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
 /// Takes the roles that a person kept for the character, where there are any. The error names the file or the
 /// character, and the role that cannot be.
-anim::Status take_kept_roles(CharacterSource& character);
+Status take_kept_roles(CharacterSource& character);
 
 /// Finds the clips that the roles play, once the character is there.
 void guess_roles(CharacterSource& source);
@@ -67,8 +67,8 @@ void guess_roles(CharacterSource& source);
 /// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
 /// gives it size and place, and bakes it; or takes it out of a pack (packed.h). `kept` has the order of its bones that
 /// a person chose; with it, the parts of the body that a person kept for the file count too.
-anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
-                                             const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
+Result<CharacterSource> load_character(const std::string& file, const std::string& name,
+                                       const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 
 /// Says how a model becomes a character.
 struct CharacterMaking {
@@ -79,7 +79,7 @@ struct CharacterMaking {
   LoadProgress progress = {};  ///< of this character
 };
 /// Makes a character of one of the models of a file that was read, which it takes out of the file.
-anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
+Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
 
 /// Brings a character into an order that check_bone_lod() let pass, without baking its clips again.
 void take_order(CharacterSource& source, const BoneLodChoice& choice);

@@ -36,14 +36,14 @@ std::vector<fs::path> data_folders(const std::string& data_option) {
   return folders;
 }
 
-anim::Result<fs::path> find_data(const std::vector<fs::path>& folders, const fs::path& name) {
+Result<fs::path> find_data(const std::vector<fs::path>& folders, const fs::path& name) {
   std::string tried;
   for (const fs::path& folder : folders) {
     std::error_code error;
     if (fs::exists(folder / name, error)) return folder / name;
     tried += (tried.empty() ? "" : ", ") + folder.string();
   }
-  return anim::Error{name.string() + ": not found in " + tried + "; --data DIR names the folder that has it"};
+  return Error{name.string() + ": not found in " + tried + "; --data DIR names the folder that has it"};
 }
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> data_folders(const std::string& data_option);
 
 /// Returns the path of `name` (a file or folder, such as "assets/mannequin.glb") in the first of `folders` that has it.
 /// Errors: none has it; the error lists the places tried.
-anim::Result<std::filesystem::path> find_data(const std::vector<std::filesystem::path>& folders,
-                                              const std::filesystem::path& name);
+Result<std::filesystem::path> find_data(const std::vector<std::filesystem::path>& folders,
+                                        const std::filesystem::path& name);
 
 }  // namespace throng::app

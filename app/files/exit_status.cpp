@@ -30,7 +30,7 @@ int end_with(ExitStatus status, std::string_view sentence) {
   return status;
 }
 
-int end_with(const anim::Status& outcome) {
+int end_with(const Status& outcome) {
   return outcome ? static_cast<int>(exit_done) : end_with(exit_job_failed, outcome.error().message);
 }
 

@@ -16,7 +16,7 @@ constexpr int exit_of_signal(int signal) { return 128 + signal; }
 int end_with(ExitStatus status, std::string_view sentence);
 
 /// Returns exit_done where a job went well; else ends it with its error and exit_job_failed.
-int end_with(const anim::Status& outcome);
+int end_with(const Status& outcome);
 
 /// Makes every failure in a thread or without a handler end the program with one line and exit_job_failed. A pipe
 /// without a reader and a file that grows too large become errors of their writer.

@@ -13,15 +13,15 @@ std::string ending(std::string_view remedy) { return remedy.empty() ? "" : "; " 
 
 JsonFile::JsonFile(std::filesystem::path file, JsonRemedies remedies) : file_(std::move(file)), remedies_(remedies) {}
 
-anim::Result<Json> JsonFile::read() const {
+Result<Json> JsonFile::read() const {
   const auto text = read_text(file_, "a file of JSON", most_json_bytes);
-  if (!text) return anim::Error{file_.string() + ": " + text.error().message + ending(remedies_.unread)};
+  if (!text) return Error{file_.string() + ": " + text.error().message + ending(remedies_.unread)};
   auto json = parse_json(*text);
-  if (!json) return anim::Error{file_.string() + ": " + json.error().message + ending(remedies_.malformed)};
+  if (!json) return Error{file_.string() + ": " + json.error().message + ending(remedies_.malformed)};
   return json;
 }
 
-anim::Error JsonFile::wrong(const std::string& what) const {
+Error JsonFile::wrong(const std::string& what) const {
   return {file_.string() + ": " + what + ending(remedies_.wrong)};
 }
 

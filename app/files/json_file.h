@@ -18,8 +18,8 @@ class JsonFile {
  public:
   explicit JsonFile(std::filesystem::path file, JsonRemedies remedies = {});
 
-  anim::Result<Json> read() const;
-  anim::Error wrong(const std::string& what) const;
+  Result<Json> read() const;
+  Error wrong(const std::string& what) const;
 
  private:
   std::filesystem::path file_;

@@ -39,16 +39,16 @@ fs::path KeptFile::found() const {
   return !beside_.empty() && fs::exists(beside_, error) ? beside_ : fs::path();
 }
 
-anim::Result<fs::path> KeptFile::write(std::string_view text) const {
+Result<fs::path> KeptFile::write(std::string_view text) const {
   const bool beside = can_write_beside(beside_);
   const fs::path file = beside ? beside_ : own_;
   if (file.empty()) {
     const std::string whose = beside_.empty() ? std::string(what_) : beside_.string();
-    return anim::Error{whose + ": cannot be written, and neither XDG_CONFIG_HOME nor HOME names a folder"};
+    return Error{whose + ": cannot be written, and neither XDG_CONFIG_HOME nor HOME names a folder"};
   }
   std::error_code error;
   if (!beside) fs::create_directories(file.parent_path(), error);
-  const anim::Status written = write_whole_file(file, text);
+  const Status written = write_whole_file(file, text);
   if (!written) return written.error();
   return file;
 }

@@ -23,7 +23,7 @@ class KeptFile {
   /// file goes before the one that came with the model.
   std::filesystem::path found() const;
   /// Writes the file whole or not at all, and returns its path.
-  anim::Result<std::filesystem::path> write(std::string_view text) const;
+  Result<std::filesystem::path> write(std::string_view text) const;
 
  private:
   std::filesystem::path beside_;  // empty for the built-in character

@@ -52,7 +52,7 @@ std::vector<fs::path> files_named_by(const fs::path& model) {
   return files;
 }
 
-anim::Error refused(const NamedFile& file, const NamedFile& other, std::string_view what) {
+Error refused(const NamedFile& file, const NamedFile& other, std::string_view what) {
   return {file.option + " " + file.file.string() + ": " + other.option + " " + std::string(what) + "; name another"};
 }
 
@@ -75,7 +75,7 @@ void RunFiles::read_model(const std::string& model) {
   }
 }
 
-anim::Status check(const RunFiles& files) {
+Status check(const RunFiles& files) {
   for (std::size_t i = 0; i < files.written.size(); ++i) {
     const NamedFile& output = files.written[i];
     if (output.file.empty() || is_device_or_pipe(output.file)) continue;
@@ -88,9 +88,9 @@ anim::Status check(const RunFiles& files) {
   }
   for (const auto& [option, file] : files.written) {
     if (file.empty() || file == standard_output) continue;
-    if (anim::Status writable = check_can_be_written(option, file); !writable) return writable;
+    if (Status writable = check_can_be_written(option, file); !writable) return writable;
   }
-  return anim::Done{};
+  return Done{};
 }
 
 std::vector<std::string> report_or_remove_parts(const RunFiles& files) {

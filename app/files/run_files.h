@@ -27,7 +27,7 @@ struct RunFiles {
 /// Checks, before the first frame of a run, that it can write its files, and that it reads or writes none of them for
 /// another option. Devices and pipes may be named several times.
 /// Errors name the option, the file and the other option.
-anim::Status check(const RunFiles& files);
+Status check(const RunFiles& files);
 
 /// Names in a line each the remains of killed runs beside the files to write, or removes them and says so.
 std::vector<std::string> report_or_remove_parts(const RunFiles& files);

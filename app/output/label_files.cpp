@@ -41,11 +41,11 @@ render::NumberImage depth_of(const render::LabelPicture& labels, double step) {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<LabelFiles>> LabelFiles::open(const DemoOptions& options, const Show& show) {
+Result<std::unique_ptr<LabelFiles>> LabelFiles::open(const DemoOptions& options, const Show& show) {
   const glm::ivec2 size(options.width, options.height);
   const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   const std::string what = "the labels of " + std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels";
-  const anim::Status fits = check_memory(what, pixels * bytes_a_labelled_pixel, "ask for a smaller --size");
+  const Status fits = check_memory(what, pixels * bytes_a_labelled_pixel, "ask for a smaller --size");
   if (!fits) return fits.error();
   auto folder = OutputFolder::open("--labels", options.output.labels, options.output.run);
   if (!folder) return folder.error();
@@ -73,8 +73,8 @@ bool LabelFiles::has(int frame) const {
   return frame <= kept_.count() && is_there("mask") && is_there("depth");
 }
 
-anim::Status LabelFiles::take(Show& show, int frame, bool is_drawn) {
-  if (anim::Status made = maker_.make(show, frame, is_drawn); !made) return made;
+Status LabelFiles::take(Show& show, int frame, bool is_drawn) {
+  if (Status made = maker_.make(show, frame, is_drawn); !made) return made;
   const auto mask = std::make_shared<const render::NumberImage>(mask_of(maker_.picture()));
   const auto depth =
       std::make_shared<const render::NumberImage>(depth_of(maker_.picture(), maker_.frame().metres_a_step));
@@ -82,33 +82,32 @@ anim::Status LabelFiles::take(Show& show, int frame, bool is_drawn) {
   return writer_.add([=, this] { return write(*labels, *mask, *depth); });
 }
 
-anim::Status LabelFiles::write(const LabelFrame& frame, const render::NumberImage& mask,
-                               const render::NumberImage& depth) {
+Status LabelFiles::write(const LabelFrame& frame, const render::NumberImage& mask, const render::NumberImage& depth) {
   static_cast<void>(kept_.next());
-  anim::Status written = render::write_png(mask, folder_.file("mask", frame.number), label_texts());
+  Status written = render::write_png(mask, folder_.file("mask", frame.number), label_texts());
   if (!written) return written;
   written = render::write_png(depth, folder_.file("depth", frame.number), depth_texts(frame.metres_a_step));
   if (!written) return written;
   return lines_.write(line_of(frame) + "\n");
 }
 
-anim::Status LabelFiles::keep() {
-  return writer_.add([this]() -> anim::Status {
+Status LabelFiles::keep() {
+  return writer_.add([this]() -> Status {
     const auto line = kept_.next();
     if (line) return lines_.write(*line + "\n");
-    return anim::Error{lines_.file().string() + ": it has changed while it was read; name another folder"};
+    return Error{lines_.file().string() + ": it has changed while it was read; name another folder"};
   });
 }
 
 // A shorter run keeps the frames that a longer one has written after its end.
-anim::Status LabelFiles::finish() {
-  if (anim::Status finished = writer_.finish(); !finished) return finished;
+Status LabelFiles::finish() {
+  if (Status finished = writer_.finish(); !finished) return finished;
   while (const auto line = kept_.next()) {
-    if (anim::Status written = lines_.write(*line + "\n"); !written) return written;
+    if (Status written = lines_.write(*line + "\n"); !written) return written;
   }
-  if (anim::Status written = lines_.commit(); !written) return written;
+  if (Status written = lines_.commit(); !written) return written;
   kept_.remove_parts();
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

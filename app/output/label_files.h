@@ -18,21 +18,21 @@ namespace throng::app {
 class LabelFiles {
  public:
   /// Errors: as OutputFolder::open(), memory does not hold the labels, or a file cannot be written.
-  static anim::Result<std::unique_ptr<LabelFiles>> open(const DemoOptions& options, const Show& show);
+  static Result<std::unique_ptr<LabelFiles>> open(const DemoOptions& options, const Show& show);
 
   /// Returns whether an earlier part of the run has written the files of a frame.
   bool has(int frame) const;
   /// Takes the frames one after the other, from the first. Errors: as LabelMaker::make(), or one of the frames before
   /// could not be written.
-  anim::Status take(Show& show, int frame, bool is_drawn);
+  Status take(Show& show, int frame, bool is_drawn);
   /// Passes over a frame that is there. Errors: one of the frames before could not be written.
-  anim::Status keep();
+  Status keep();
   /// Ends labels.jsonl.
-  anim::Status finish();
+  Status finish();
 
  private:
   LabelFiles(OutputFolder folder, OutputFile lines, const Stage& stage, glm::ivec2 size);
-  anim::Status write(const LabelFrame& frame, const render::NumberImage& mask, const render::NumberImage& depth);
+  Status write(const LabelFrame& frame, const render::NumberImage& mask, const render::NumberImage& depth);
 
   OutputFolder folder_;
   glm::ivec2 size_;

@@ -75,12 +75,12 @@ LabelMaker::LabelMaker(const Stage& stage) {
   for (const CharacterSource& source : stage.characters()) coco_.push_back(coco_points(source));
 }
 
-anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
-  if (anim::Status drawn = show.draw_labels(is_drawn, picture_); !drawn) return drawn;
+Status LabelMaker::make(Show& show, int number, bool is_drawn) {
+  if (Status drawn = show.draw_labels(is_drawn, picture_); !drawn) return drawn;
   PaintedView view = show.view();
   view.frozen.reset();
   frame_.number = number;
-  frame_.seconds = anim::to_seconds(show.stage().system().clock());
+  frame_.seconds = to_seconds(show.stage().system().clock());
   const Crowd& crowd = show.stage().crowd();
   frame_.file_seconds.reset();
   if (crowd.tracks() != nullptr) frame_.file_seconds = crowd.tracks()->clock().seconds;
@@ -88,12 +88,12 @@ anim::Status LabelMaker::make(Show& show, int number, bool is_drawn) {
   frame_.camera = LabelCamera(render::view_of(view.camera, view.aspect()), frame_.size);
   find_seen_parts(show.stage().crowd().size());
   bound_bodies(show);
-  if (anim::Status measured = show.painter().measure_bodies(show.stage(), view, boxes_, bodies_); !measured) {
+  if (Status measured = show.painter().measure_bodies(show.stage(), view, boxes_, bodies_); !measured) {
     return measured;
   }
   add_people(show);
   choose_scale();
-  return anim::Done{};
+  return Done{};
 }
 
 void LabelMaker::find_seen_parts(std::size_t agents) {

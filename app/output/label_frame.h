@@ -75,7 +75,7 @@ class LabelMaker {
   explicit LabelMaker(const Stage& stage);
 
   /// Errors: as draw_labels() and Painter::measure_bodies().
-  anim::Status make(Show& show, int number, bool is_drawn);
+  Status make(Show& show, int number, bool is_drawn);
   const render::LabelPicture& picture() const { return picture_; }
   LabelFrame& frame() { return frame_; }
   const std::vector<CocoPoints>& coco() const { return coco_; }

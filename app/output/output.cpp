@@ -35,8 +35,8 @@ int picture_writers() { return std::clamp(anim::usable_cores() / 2, 1, most_pict
 
 }  // namespace
 
-anim::Status check_output(const OutputOptions& options) {
-  return options.video.empty() ? anim::Done{} : check_encoder(options.video);
+Status check_output(const OutputOptions& options) {
+  return options.video.empty() ? Done{} : check_encoder(options.video);
 }
 
 int frames_of_run(const DemoOptions& options, const Show& show) {
@@ -50,17 +50,17 @@ int frames_of_run(const DemoOptions& options, const Show& show) {
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));
 }
 
-anim::Result<std::unique_ptr<Output>> Output::begin(const DemoOptions& options, const Show& show) {
+Result<std::unique_ptr<Output>> Output::begin(const DemoOptions& options, const Show& show) {
   const bool is_known = options.replay.empty() || options.frames_given;  // or the recording says it
   std::unique_ptr<Output> output(new Output(options, is_known ? frames_of_run(options, show) : 0));
-  if (const anim::Status opened = output->open_files(options, show); !opened) return opened.error();
+  if (const Status opened = output->open_files(options, show); !opened) return opened.error();
   return output;
 }
 
 Output::Output(const DemoOptions& options, int frames)
     : options_(options.output), format_(format_of(options)), progress_(frames) {}
 
-anim::Status Output::open_files(const DemoOptions& options, const Show& show) {
+Status Output::open_files(const DemoOptions& options, const Show& show) {
   const std::size_t most_waiting = most_waiting_frames(format_);
   if (!options_.labels.empty()) {
     auto labels = LabelFiles::open(options, show);
@@ -73,12 +73,12 @@ anim::Status Output::open_files(const DemoOptions& options, const Show& show) {
     pictures_ = std::move(*folder);
     picture_writers_.emplace(picture_writers(), most_waiting);
   }
-  if (options_.video.empty()) return anim::Done{};
+  if (options_.video.empty()) return Done{};
   auto video = VideoFile::create(options.output.video, format_);
   if (!video) return video.error();
   video_ = std::move(*video);
   encoder_.emplace(1, most_waiting);
-  return anim::Done{};
+  return Done{};
 }
 
 bool Output::is_there(int frame) const {
@@ -87,71 +87,71 @@ bool Output::is_there(int frame) const {
   return !pictures_ || render::is_whole_png(pictures_->file("frame", frame), format_.width, format_.height);
 }
 
-anim::Status Output::take(Show& show, int frame) {
+Status Output::take(Show& show, int frame) {
   frames_ = frame;
-  anim::Status taken = is_there(frame) ? use_again(frame) : draw(show, frame);
+  Status taken = is_there(frame) ? use_again(frame) : draw(show, frame);
   progress_.show(frame);
   return taken;
 }
 
-anim::Status Output::draw(Show& show, int frame) {
+Status Output::draw(Show& show, int frame) {
   drew_last_ = video_ || pictures_;
   if (drew_last_) {
-    if (anim::Status drawn = show.draw(); !drawn) return drawn;
+    if (Status drawn = show.draw(); !drawn) return drawn;
   }
   if (labels_) {
-    if (anim::Status taken = labels_->take(show, frame, drew_last_); !taken) return taken;
+    if (Status taken = labels_->take(show, frame, drew_last_); !taken) return taken;
   }
-  if (!drew_last_) return anim::Done{};
-  if (anim::Status drawn = draw_over_ ? draw_over_(show) : anim::Done{}; !drawn) return drawn;
+  if (!drew_last_) return Done{};
+  if (Status drawn = draw_over_ ? draw_over_(show) : Done{}; !drawn) return drawn;
   return keep_image(show, frame);
 }
 
-anim::Status Output::keep_image(Show& show, int frame) {
+Status Output::keep_image(Show& show, int frame) {
   render::Renderer& renderer = show.painter().renderer();
   const auto image = std::make_shared<const render::Image>(renderer.read_image());
-  if (anim::Status read = renderer.finish(); !read) return read;
+  if (Status read = renderer.finish(); !read) return read;
   if (pictures_) {
     const auto write = [image, file = pictures_->file("frame", frame),
                         texts = origin_texts(show.painter().drawn_by())] {
       return render::write_png(*image, file, texts);
     };
-    if (anim::Status added = picture_writers_->add(write); !added) return added;
+    if (Status added = picture_writers_->add(write); !added) return added;
   }
-  return video_ ? add_to_video(image) : anim::Done{};
+  return video_ ? add_to_video(image) : Done{};
 }
 
-anim::Status Output::use_again(int frame) {
+Status Output::use_again(int frame) {
   ++kept_;
   drew_last_ = false;
   if (labels_) {
-    if (anim::Status kept = labels_->keep(); !kept) return kept;
+    if (Status kept = labels_->keep(); !kept) return kept;
   }
-  if (!video_) return anim::Done{};
-  return encoder_->add([this, file = pictures_->file("frame", frame)]() -> anim::Status {
+  if (!video_) return Done{};
+  return encoder_->add([this, file = pictures_->file("frame", frame)]() -> Status {
     const auto image = render::read_png(file);
     return image ? video_->add(*image) : image.error();
   });
 }
 
-anim::Status Output::add_to_video(SharedImage image) {
+Status Output::add_to_video(SharedImage image) {
   return encoder_->add([this, image = std::move(image)] { return video_->add(*image); });
 }
 
-anim::Status Output::finish() {
+Status Output::finish() {
   for (auto* const workers : {&picture_writers_, &encoder_}) {
     if (!*workers) continue;
-    if (anim::Status finished = (*workers)->finish(); !finished) return finished;
+    if (Status finished = (*workers)->finish(); !finished) return finished;
   }
   if (labels_) {
-    if (anim::Status finished = labels_->finish(); !finished) return finished;
+    if (Status finished = labels_->finish(); !finished) return finished;
   }
   if (video_) {
-    if (anim::Status finished = video_->finish(); !finished) return finished;
+    if (Status finished = video_->finish(); !finished) return finished;
   }
   progress_.end();
   std::fprintf(stderr, "throng: %s\n", summary().c_str());
-  return anim::Done{};
+  return Done{};
 }
 
 std::string Output::summary() const {

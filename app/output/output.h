@@ -18,7 +18,7 @@ namespace throng::app {
 
 /// Checks, before anything is loaded, that the other programs that an output needs are there. Errors: as
 /// check_encoder().
-anim::Status check_output(const OutputOptions& options);
+Status check_output(const OutputOptions& options);
 
 /// Returns how many frames a run has: as options ask; else to the end of a recorded crowd that is written. Returns 0
 /// where the rows of a live crowd still come, since their number is unknown.
@@ -29,33 +29,33 @@ int frames_of_run(const DemoOptions& options, const Show& show);
 class Output {
  public:
   /// Errors: a file or folder cannot be written, or belongs to another run.
-  static anim::Result<std::unique_ptr<Output>> begin(const DemoOptions& options, const Show& show);
+  static Result<std::unique_ptr<Output>> begin(const DemoOptions& options, const Show& show);
 
   /// Calls `draw` over each picture of a frame; labels do not show it. Its error ends the run.
-  void draw_over_pictures(std::function<anim::Status(Show& show)> draw) { draw_over_ = std::move(draw); }
+  void draw_over_pictures(std::function<Status(Show& show)> draw) { draw_over_ = std::move(draw); }
 
   /// Takes the frame that the show animated last, counted from 1; draws it unless its files are there. Errors: it
   /// cannot be drawn, or one of the frames before could not be written.
-  anim::Status take(Show& show, int frame);
+  Status take(Show& show, int frame);
   /// Returns whether the show's picture is of the last frame.
   bool drew_last() const { return drew_last_; }
   /// Waits until all is written, ends the video, and lists the files in one line. Errors: a file could not be written.
-  anim::Status finish();
+  Status finish();
 
  private:
   using SharedImage = std::shared_ptr<const render::Image>;
 
   Output(const DemoOptions& options, int frames);
-  anim::Status open_files(const DemoOptions& options, const Show& show);
+  Status open_files(const DemoOptions& options, const Show& show);
   bool is_there(int frame) const;
-  anim::Status draw(Show& show, int frame);
-  anim::Status keep_image(Show& show, int frame);
-  anim::Status use_again(int frame);
-  anim::Status add_to_video(SharedImage image);
+  Status draw(Show& show, int frame);
+  Status keep_image(Show& show, int frame);
+  Status use_again(int frame);
+  Status add_to_video(SharedImage image);
   std::string summary() const;
 
   OutputOptions options_;
-  std::function<anim::Status(Show& show)> draw_over_;  // may be empty
+  std::function<Status(Show& show)> draw_over_;  // may be empty
   VideoFormat format_;
   std::optional<OutputFolder> pictures_;
   std::unique_ptr<LabelFiles> labels_;

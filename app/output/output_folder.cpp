@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* run_name = "run.json";
 
-anim::Error refused_folder(std::string_view option, const fs::path& folder, const std::string& why) {
+Error refused_folder(std::string_view option, const fs::path& folder, const std::string& why) {
   return {std::string(option) + " " + folder.string() + ": " + why};
 }
 
@@ -31,8 +31,8 @@ std::string as_line(std::vector<std::string> words) {
 
 }  // namespace
 
-anim::Result<OutputFolder> OutputFolder::open(std::string_view option, const fs::path& folder,
-                                              const std::vector<std::string>& run) {
+Result<OutputFolder> OutputFolder::open(std::string_view option, const fs::path& folder,
+                                        const std::vector<std::string>& run) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return refused_folder(option, folder, "cannot be made: " + error.message());
@@ -51,7 +51,7 @@ anim::Result<OutputFolder> OutputFolder::open(std::string_view option, const fs:
     return refused_folder(option, folder, "has files, and no run.json says of which run; name another folder");
   }
   const Json json = {{"throng", program_version()}, {"run", run}};
-  if (anim::Status written = write_whole_file(file, json.dump() + "\n"); !written) return written.error();
+  if (Status written = write_whole_file(file, json.dump() + "\n"); !written) return written.error();
   return OutputFolder(folder);
 }
 

@@ -14,8 +14,8 @@ class OutputFolder {
  public:
   /// Makes the folder where there is none, and takes one of the same run. Errors begin with `option`: the folder is of
   /// another or unknown run, or cannot be made.
-  static anim::Result<OutputFolder> open(std::string_view option, const std::filesystem::path& folder,
-                                         const std::vector<std::string>& run);
+  static Result<OutputFolder> open(std::string_view option, const std::filesystem::path& folder,
+                                   const std::vector<std::string>& run);
 
   /// Returns the file of a frame, counted from 1: "frame_000001.png" where `kind` is "frame".
   std::filesystem::path file(std::string_view kind, int frame) const;

@@ -18,7 +18,7 @@ bool is_webm(const std::filesystem::path& file) { return file.extension() == ".w
 
 std::string encoder_of(const std::filesystem::path& file) { return is_webm(file) ? "libvpx-vp9" : "libx264"; }
 
-anim::Error not_started(const std::string& why) {
+Error not_started(const std::string& why) {
   return {std::string("--video: ") + program + " does not start: " + why +
           "; install the package ffmpeg, or write --pictures"};
 }
@@ -42,22 +42,21 @@ std::vector<std::string> words_for(const std::filesystem::path& file, const std:
 
 }  // namespace
 
-anim::Status check_encoder(const std::filesystem::path& file) {
+Status check_encoder(const std::filesystem::path& file) {
   auto asked = PipedProgram::start({program, "-hide_banner", "-loglevel", "error", "-encoders"});
   if (!asked) return not_started(asked.error().message);
   const int status = asked->finish();
   const std::string encoder = encoder_of(file);
   const std::string words = last_line(asked->answer());
   if (status != 0) return not_started(words.empty() ? "it ends with status " + std::to_string(status) : words);
-  if (asked->answer().find(" " + encoder + " ") != std::string::npos) return anim::Done{};
-  return anim::Error{"--video " + file.string() + ": this ffmpeg has no encoder " + encoder +
-                     "; install the package ffmpeg, or name a " + (is_webm(file) ? ".mp4" : ".webm")};
+  if (asked->answer().find(" " + encoder + " ") != std::string::npos) return Done{};
+  return Error{"--video " + file.string() + ": this ffmpeg has no encoder " + encoder +
+               "; install the package ffmpeg, or name a " + (is_webm(file) ? ".mp4" : ".webm")};
 }
 
-anim::Result<std::unique_ptr<VideoFile>> VideoFile::create(const std::filesystem::path& file,
-                                                           const VideoFormat& format) {
+Result<std::unique_ptr<VideoFile>> VideoFile::create(const std::filesystem::path& file, const VideoFormat& format) {
   if (is_device_or_pipe(file)) {
-    return anim::Error{"--video " + file.string() + ": a video is written to and fro; name a file, not a pipe"};
+    return Error{"--video " + file.string() + ": a video is written to and fro; name a file, not a pipe"};
   }
   auto output = OutputFile::create(file);
   if (!output) return output.error();
@@ -71,24 +70,24 @@ VideoFile::VideoFile(OutputFile file, PipedProgram encoder, const VideoFormat& f
   rgb_.resize(static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height) * 3);
 }
 
-anim::Status VideoFile::add(const render::Image& frame) {
+Status VideoFile::add(const render::Image& frame) {
   for (std::size_t pixel = 0; pixel < rgb_.size() / 3; ++pixel) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       rgb_[3 * pixel + channel] = std::byte{frame.rgba[4 * pixel + channel]};
     }
   }
-  if (encoder_.write(rgb_)) return anim::Done{};
+  if (encoder_.write(rgb_)) return Done{};
   return ended("ended before the video did", encoder_.finish());
 }
 
-anim::Status VideoFile::finish() {
+Status VideoFile::finish() {
   const int status = encoder_.finish();
   if (status != 0) return ended("failed at the end of the video", status);
   const bool is_whole = !file_.full_disk_in(encoder_.answer()) && is_whole_video(file_.part());
   return is_whole ? file_.commit() : ended("left a video that is not whole", status);
 }
 
-anim::Error VideoFile::ended(const std::string& how, int status) const {
+Error VideoFile::ended(const std::string& how, int status) const {
   if (auto full = file_.full_disk_in(encoder_.answer())) return *full;
   const std::string words = last_line(encoder_.answer());
   return {file_.file().string() + ": ffmpeg " + how + " (status " + std::to_string(status) + ")" +

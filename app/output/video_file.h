@@ -21,23 +21,23 @@ struct VideoFormat {
 
 /// Checks that an ffmpeg is installed that can make a video of this name. Errors: it is missing, with the package that
 /// has it; it lacks the encoder.
-anim::Status check_encoder(const std::filesystem::path& file);
+Status check_encoder(const std::filesystem::path& file);
 
 /// A video that an ffmpeg makes of frames: H.264 in .mp4, VP9 in .webm. The file is whole, or stays as before.
 class VideoFile {
  public:
   /// Errors: ffmpeg does not start, or the file cannot be written.
-  static anim::Result<std::unique_ptr<VideoFile>> create(const std::filesystem::path& file, const VideoFormat& format);
+  static Result<std::unique_ptr<VideoFile>> create(const std::filesystem::path& file, const VideoFormat& format);
 
   /// Adds a frame, which has the size of the video. Errors: ffmpeg ended; the error has its last words.
-  anim::Status add(const render::Image& frame);
+  Status add(const render::Image& frame);
   /// Ends the video, and gives the file its name. Errors: ffmpeg failed, the disk is full, or the video has no end,
   /// whatever the exit status of ffmpeg.
-  anim::Status finish();
+  Status finish();
 
  private:
   VideoFile(OutputFile file, PipedProgram encoder, const VideoFormat& format);
-  anim::Error ended(const std::string& how, int status) const;
+  Error ended(const std::string& how, int status) const;
 
   OutputFile file_;
   PipedProgram encoder_;

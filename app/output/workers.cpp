@@ -21,17 +21,17 @@ Workers::~Workers() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-anim::Status Workers::add(Job job) {
+Status Workers::add(Job job) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return waiting_.size() < most_waiting_ || !outcome_; });
   if (!outcome_) return outcome_;
   waiting_.push_back(std::move(job));
   lock.unlock();
   changed_.notify_all();
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status Workers::finish() {
+Status Workers::finish() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return waiting_.empty() && at_work_ == 0; });
   return outcome_;
@@ -47,7 +47,7 @@ void Workers::work() {
     ++at_work_;
     lock.unlock();
     changed_.notify_all();
-    anim::Status outcome = done(job);
+    Status outcome = done(job);
     lock.lock();
     --at_work_;
     if (!outcome && outcome_) {
@@ -59,11 +59,11 @@ void Workers::work() {
 }
 
 // An exception that left a thread would end the program at once.
-anim::Status Workers::done(const Job& job) {
+Status Workers::done(const Job& job) {
   try {
     return job();
   } catch (...) {
-    return anim::Error{std::string(sentence_of_failure())};
+    return Error{std::string(sentence_of_failure())};
   }
 }
 

@@ -16,7 +16,7 @@ namespace throng::app {
 /// came. add() waits while as many jobs wait as may.
 class Workers {
  public:
-  using Job = std::function<anim::Status()>;
+  using Job = std::function<Status()>;
 
   Workers(int threads, std::size_t most_waiting);
   /// Leaves out the jobs that have not begun.
@@ -25,13 +25,13 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   /// Adds a job. Errors: the error of the first job that failed; from then on none is done.
-  anim::Status add(Job job);
+  Status add(Job job);
   /// Waits until all jobs are done. Errors: the error of the first job that failed.
-  anim::Status finish();
+  Status finish();
 
  private:
   void work();
-  static anim::Status done(const Job& job);
+  static Status done(const Job& job);
 
   std::size_t most_waiting_;
   std::mutex mutex_;
@@ -39,7 +39,7 @@ class Workers {
   std::deque<Job> waiting_;
   std::size_t at_work_ = 0;  // jobs that have begun and not ended
   bool ends_ = false;
-  anim::Status outcome_ = anim::Done{};
+  Status outcome_ = Done{};
   std::vector<std::thread> threads_;  // last, as they use all of it
 };
 

@@ -92,13 +92,13 @@ Complaint from_json(const Json& json, Preset& preset) {
   return {};
 }
 
-anim::Result<Preset> read_preset(const fs::path& file) {
+Result<Preset> read_preset(const fs::path& file) {
   Preset preset;
-  if (const Complaint complaint = read_into(file, preset)) return anim::Error{file.string() + ": " + *complaint};
+  if (const Complaint complaint = read_into(file, preset)) return Error{file.string() + ": " + *complaint};
   return preset;
 }
 
-anim::Status write_preset(const fs::path& file, const Preset& preset) {
+Status write_preset(const fs::path& file, const Preset& preset) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   return write_whole_file(file, to_json(preset).dump(2) + "\n");

@@ -32,9 +32,9 @@ Complaint from_json_text(std::string_view text, Preset& preset);
 
 /// Reads a preset from a file. Keys that are missing have their defaults. The error is one line that names the file,
 /// the key and what is allowed.
-anim::Result<Preset> read_preset(const std::filesystem::path& file);
+Result<Preset> read_preset(const std::filesystem::path& file);
 /// Writes the file whole or not at all, and makes its folder.
-anim::Status write_preset(const std::filesystem::path& file, const Preset& preset);
+Status write_preset(const std::filesystem::path& file, const Preset& preset);
 
 /// Returns the folder of presets with a name: $XDG_CONFIG_HOME/throng/presets, else ~/.config/throng/presets; empty if
 /// the system names neither.

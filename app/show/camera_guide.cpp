@@ -42,8 +42,8 @@ bool CameraGuide::can_film(const Stage& stage) const {
 }
 
 render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& camera, bool films) {
-  if (films && !keys_.empty()) return along(keys_, anim::to_seconds(stage.system().clock()));
-  if (films && path_ != CameraPath::none) return along(path_, start_, anim::to_seconds(stage.system().clock()));
+  if (films && !keys_.empty()) return along(keys_, to_seconds(stage.system().clock()));
+  if (films && path_ != CameraPath::none) return along(path_, start_, to_seconds(stage.system().clock()));
   if (films && stage.animated().cut_scene() != nullptr) return stage.animated().cut_scene()->film();
   look_for_another(stage);
   const render::Camera next = films && is_live(stage) ? held_live(stage, camera) : camera;
@@ -60,8 +60,8 @@ render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& 
     live_place_ = camera_at(named != nullptr ? named->place : cameras.front().place);
     live_bounds_ = bounds;
   }
-  const anim::Ticks now = stage.system().clock(), before = std::exchange(clock_, now);
-  const auto share = static_cast<float>(1.0 - std::exp(-anim::to_seconds(now - before) / seconds_to_go));
+  const Ticks now = stage.system().clock(), before = std::exchange(clock_, now);
+  const auto share = static_cast<float>(1.0 - std::exp(-to_seconds(now - before) / seconds_to_go));
   render::Camera next = live_place_;
   next.position = glm::mix(camera.position, live_place_.position, share);
   return next;

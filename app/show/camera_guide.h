@@ -77,7 +77,7 @@ class CameraGuide {
   std::string live_name_;     // empty: no crowd was live
   GroundBounds live_bounds_;  // the bounds that live_place_ frames
   render::Camera live_place_;
-  anim::Ticks clock_{};
+  Ticks clock_{};
 };
 
 }  // namespace throng::app

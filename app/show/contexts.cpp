@@ -38,10 +38,10 @@ std::string last_resort(const DemoOptions& options) {
 MadeContext refuse(std::string reasons, std::span<const Alternative> alternatives, const DemoOptions& options) {
   for (const Alternative& other : alternatives) {
     const MadeContext made = other.make();
-    if (made) return render::Error{reasons + "; use " + other.advice};
+    if (made) return Error{reasons + "; use " + other.advice};
     reasons += "; " + made.error().message;
   }
-  return render::Error{reasons + last_resort(options)};
+  return Error{reasons + last_resort(options)};
 }
 
 MadeContext open_or_refuse(const Maker& make, std::span<const Alternative> alternatives, const DemoOptions& options) {
@@ -79,11 +79,11 @@ bool run_at_once(int threads) {
 
 /// Checks that an OpenGL driver can have the memory and the address space that it takes before it draws anything.
 /// Software renderers crash without them, far from any code of ours. The error says what is missing.
-anim::Status check_room_to_draw() {
+Status check_room_to_draw() {
   const std::uint64_t reserved = address_space_of_driver(), left = free_address_space();
   if (reserved > left) {
-    return anim::Error{"drawing needs " + size_text(reserved) + " of address space, but " + size_text(left) +
-                       " are left; raise the limit (ulimit -v)"};
+    return Error{"drawing needs " + size_text(reserved) + " of address space, but " + size_text(left) +
+                 " are left; raise the limit (ulimit -v)"};
   }
   return check_memory("drivers of OpenGL", bytes_of_driver, "close other programs");
 }
@@ -109,8 +109,8 @@ ContextMakers context_makers(const DemoOptions& options) {
 }
 
 MadeContext open_context(const DemoOptions& options, const ContextMakers& makers) {
-  if (const anim::Status fits = check_room_to_draw(); !fits) {
-    return render::Error{fits.error().message + last_resort(options)};
+  if (const Status fits = check_room_to_draw(); !fits) {
+    return Error{fits.error().message + last_resort(options)};
   }
   spare_driver_threads();
   const auto refuse_unless = [&](const Maker& make, const std::vector<Alternative>& alternatives) {

@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-using MadeContext = render::Result<std::unique_ptr<render::gl::Context>>;
+using MadeContext = Result<std::unique_ptr<render::gl::Context>>;
 
 /// Makes a context of each kind.
 struct ContextMakers {

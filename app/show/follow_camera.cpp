@@ -72,14 +72,14 @@ void FollowCamera::find_by_id(const Stage& stage) {
 render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& camera) {
   find_by_id(stage);
   const auto wanted = agent_ ? pose_of(stage, *agent_) : std::nullopt;
-  const anim::Ticks now = stage.system().clock(), before = std::exchange(clock_, now);
+  const Ticks now = stage.system().clock(), before = std::exchange(clock_, now);
   if (!wanted) return camera;
   if (!pose_) {
     pose_ = wanted;
     return behind(stage, *pose_);
   }
   const Pose from = *pose_;
-  const double seconds = std::max(anim::to_seconds(now - before), least_step);
+  const double seconds = std::max(to_seconds(now - before), least_step);
   const bool jumps = glm::distance(from.place, wanted->place) > jump;
   const float turn = wrapped_angle(wanted->heading - from.heading) * (jumps ? 1.0F : share_of(seconds, turn_seconds));
   pose_->place += (wanted->place - from.place) * (jumps ? 1.0F : share_of(seconds, place_seconds));
@@ -93,19 +93,19 @@ render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& cam
   return next;
 }
 
-anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name) {
+Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name) {
   const Trajectories* const all = stage.tuning().scene == Scene::tracks ? stage.trajectories().get() : nullptr;
   if (const auto person = all != nullptr && !all->is_live ? person_of(*all, name) : std::nullopt) {
     return FollowCamera(*person);
   }
   if (const auto number = number_of(name, stage.crowd().size())) return FollowCamera(*number);
   if (all == nullptr) {
-    return anim::Error{"the crowd has agents #0 to #" + std::to_string(stage.crowd().size() - 1)};
+    return Error{"the crowd has agents #0 to #" + std::to_string(stage.crowd().size() - 1)};
   }
   if (all->is_live) return FollowCamera(name);
   std::vector<std::string> ids;
   for (const PersonTrack& person : all->persons) ids.push_back(person.id);
-  return anim::Error{all->file + " has no person of that id; nearest are " + nearest_names(name, ids)};
+  return Error{all->file + " has no person of that id; nearest are " + nearest_names(name, ids)};
 }
 
 }  // namespace throng::app

@@ -6,7 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "engine/anim/base/units.h"
+#include "throng/ticks.h"
+
 #include "engine/base/result.h"
 #include "engine/render/camera.h"
 
@@ -42,11 +43,11 @@ class FollowCamera {
   std::optional<std::uint32_t> agent_;
   std::string id_;  // empty: agent_ stays the same
   std::optional<Pose> pose_;
-  anim::Ticks clock_{};
+  Ticks clock_{};
 };
 
 /// Returns a camera that follows the agent of this name: the id that a recorded crowd has, or #N, the agent N of any
 /// crowd. Errors: no agent has the name.
-anim::Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name);
+Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name);
 
 }  // namespace throng::app

@@ -11,16 +11,16 @@
 
 namespace throng::app {
 
-anim::Result<std::filesystem::path> save_roles(const CharacterSource& character) {
+Result<std::filesystem::path> save_roles(const CharacterSource& character) {
   return RoleFile(character.file).write(all_choices(character.roles.clips, character.clip_names));
 }
 
 // It counts for every character of the file, as it is read with the file.
-anim::Result<std::filesystem::path> save_rig(const CharacterSource& character) {
+Result<std::filesystem::path> save_rig(const CharacterSource& character) {
   return RoleFile(character_file(character.file).path).write_rig(character.rig);
 }
 
-anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& character) {
+Result<std::filesystem::path> save_bone_lod(const CharacterSource& character) {
   return BoneLodFile(character.file).write(character.character->skeleton);
 }
 
@@ -39,7 +39,7 @@ float exported_tolerance(const Stage& stage) {
 
 }  // namespace
 
-anim::Result<std::filesystem::path> export_lod(const Show& show, std::size_t index) {
+Result<std::filesystem::path> export_lod(const Show& show, std::size_t index) {
   const CharacterSource& character = show.stage().characters()[index];
   const LodInForce in_force{
       .tuning = show.stage().tuning(),

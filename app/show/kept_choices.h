@@ -13,12 +13,12 @@ namespace throng::app {
 class Show;
 
 /// Keeps the clips of a character's roles for the next run.
-anim::Result<std::filesystem::path> save_roles(const CharacterSource& character);
+Result<std::filesystem::path> save_roles(const CharacterSource& character);
 /// Keeps the parts of the body that a person says for a character, for the next run.
-anim::Result<std::filesystem::path> save_rig(const CharacterSource& character);
+Result<std::filesystem::path> save_rig(const CharacterSource& character);
 /// Keeps the order of a character's bones for the next run.
-anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& character);
+Result<std::filesystem::path> save_bone_lod(const CharacterSource& character);
 /// Writes a character's level of detail for another engine.
-anim::Result<std::filesystem::path> export_lod(const Show& show, std::size_t character);
+Result<std::filesystem::path> export_lod(const Show& show, std::size_t character);
 
 }  // namespace throng::app

@@ -10,13 +10,13 @@ namespace throng::app {
 
 /// Loads the characters of a crowd file and gives them all that the person chose. `data` is the folder that --data
 /// names, where the built-in character is. Errors: a file cannot be shown, or lacks a thing that the person chose.
-anim::Result<LoadedCast> load_crowd(std::span<const ChosenCharacter> characters, const std::string& data,
-                                    const LoadOptions& options = {});
+Result<LoadedCast> load_crowd(std::span<const ChosenCharacter> characters, const std::string& data,
+                              const LoadOptions& options = {});
 
 /// Loads a character anew with another size and place. Roles, share, order of bones and parts of the body stay. `data`
 /// is what --data says, for the built-in character. Errors: its file cannot be used any more, or holds another
 /// character now; or the character would have no height, or one beyond all measure.
-anim::Result<CharacterSource> placed_anew(const CharacterSource& character, const anim::PlacementChoice& choice,
-                                          const LoadOptions& options, const std::string& data);
+Result<CharacterSource> placed_anew(const CharacterSource& character, const anim::PlacementChoice& choice,
+                                    const LoadOptions& options, const std::string& data);
 
 }  // namespace throng::app

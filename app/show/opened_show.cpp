@@ -92,7 +92,7 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
     if (trajectories == nullptr) return false;
   }
   if (trajectories != nullptr) tuning.agents = static_cast<int>(trajectories->persons.size());
-  if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
+  if (const Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
   line.show(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
@@ -104,7 +104,7 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
   if (!begin_tracks(*show.stage, options, error)) return false;
   if (options.events) show.stage->animated().sum_up_events();
   if (!options.output.labels.empty()) {
-    if (const anim::Status kept = show.stage->posed().keep_joints(show.stage->animated().system()); !kept)
+    if (const Status kept = show.stage->posed().keep_joints(show.stage->animated().system()); !kept)
       return fail(error, exit_job_failed, kept.error().message);
   }
   const int agents = tuning.agents;
@@ -164,7 +164,7 @@ bool begin_viewing(Show& show, const std::string& clip, StartError& error) {
     }
     request.clip = static_cast<int>(found - names.begin());
   }
-  const anim::Status viewed = show.open_viewer(request);
+  const Status viewed = show.open_viewer(request);
   return viewed ? true : fail(error, exit_job_failed, viewed.error().message);
 }
 
@@ -198,7 +198,7 @@ std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, s
   if (!open_stage(*parts, std::move(cast->characters), options, line, error)) return nullptr;
   watch = {};
   line.show(share_of_crowd, "making meshes");
-  if (const anim::Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {
+  if (const Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
   times.meshes_ms = watch.lap();

@@ -77,25 +77,25 @@ std::optional<render::Lens> lens_of(const DemoOptions& options) {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
+Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
   std::unique_ptr<Painter> painter(new Painter());
-  if (const anim::Status opened = painter->open_context(options); !opened) return opened.error();
-  if (const anim::Status opened = painter->open_renderer(options); !opened) return opened.error();
+  if (const Status opened = painter->open_context(options); !opened) return opened.error();
+  if (const Status opened = painter->open_renderer(options); !opened) return opened.error();
   return painter;
 }
 
-anim::Status Painter::open_context(const DemoOptions& options) {
-  if (options.context == ContextKind::none) return anim::Done{};
+Status Painter::open_context(const DemoOptions& options) {
+  if (options.context == ContextKind::none) return Done{};
   auto context = app::open_context(options, context_makers(options));
   if (!context) return context.error();
   context_ = std::move(*context);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status Painter::open_renderer(const DemoOptions& options) {
+Status Painter::open_renderer(const DemoOptions& options) {
   if (context_ == nullptr) {
     heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
-    return anim::Done{};
+    return Done{};
   }
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return data.error();
@@ -114,12 +114,12 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
                   .longest_tile = options.longest_tile,
                   .lights_at_vertices = modest,
                   .lens = lens_of(options)});
-  if (!renderer) return anim::Error{renderer.error().message};
+  if (!renderer) return Error{renderer.error().message};
   renderer_ = std::move(*renderer);
   return load_scenery(options.data);
 }
 
-anim::Status Painter::load_scenery(const std::string& data_option) {
+Status Painter::load_scenery(const std::string& data_option) {
   auto props = load_props(data_option);
   if (!props) return props.error();
   return scenery_.load(std::move(*props), *renderer_);
@@ -147,10 +147,10 @@ void Painter::reset_palette_pages() {
   heap_pages_->drop_pages();
 }
 
-anim::Status Painter::load_meshes(Stage& stage) {
-  if (renderer_ == nullptr) return anim::Done{};
+Status Painter::load_meshes(Stage& stage) {
+  if (renderer_ == nullptr) return Done{};
   const std::vector<render::CharacterToLoad> meshes = meshes_to_load(stage, loaded_);
-  if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
+  if (Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
   loaded_.clear();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const bool has_mesh = std::holds_alternative<std::size_t>(meshes[i]) || may_show(stage, i);
@@ -160,7 +160,7 @@ anim::Status Painter::load_meshes(Stage& stage) {
   distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   looks_number_ = 0;
   follow_outfits(stage);
-  return anim::Done{};
+  return Done{};
 }
 
 void Painter::follow_outfits(Stage& stage) {
@@ -227,17 +227,17 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   add_threshold_rings(lines_, thresholds_.thresholds(), view.lod_camera(), middle);
 }
 
-anim::Status Painter::upload(Stage& stage, const PaintedView& view) {
+Status Painter::upload(Stage& stage, const PaintedView& view) {
   picture_.compose(stage);
-  if (anim::Status placed = scenery_.follow(stage, *renderer_); !placed) return placed;
+  if (Status placed = scenery_.follow(stage, *renderer_); !placed) return placed;
   gather_lines(stage, view);
   if (!splits(stage.tuning())) {
     renderer_->upload(crowd_frame(stage, view, picture_));
-    return anim::Done{};
+    return Done{};
   }
   stage.posed().pose_exactly(stage.animated());
   exact_picture_.compose(stage, Poses::exact);
-  return anim::Done{};
+  return Done{};
 }
 
 render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView& view) {
@@ -252,11 +252,11 @@ void Painter::time_device() {
   if (draws() && !is_on_software()) device_timer_.emplace();
 }
 
-anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
+Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
   FrameTimes times;
-  anim::Status drawn = anim::Done{};
+  Status drawn = Done{};
   if (!taken_away.upload) times.upload_ms = time_of([&] { drawn = upload(stage, view); });
   if (!drawn) return drawn;
   if (!taken_away.drawing) {
@@ -273,19 +273,19 @@ anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& fi
   return drawn;
 }
 
-anim::Status Painter::draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels) {
+Status Painter::draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels) {
   if (!is_drawn) {
-    if (anim::Status uploaded = upload(stage, view); !uploaded) return uploaded;
+    if (Status uploaded = upload(stage, view); !uploaded) return uploaded;
   }
   return renderer_->draw_labels(crowd_frame(stage, view, picture_), labels);
 }
 
-anim::Status Painter::measure_bodies(const Stage& stage, const PaintedView& view,
-                                     std::span<const render::PixelBox> boxes, std::span<render::BodyAlone> bodies) {
+Status Painter::measure_bodies(const Stage& stage, const PaintedView& view, std::span<const render::PixelBox> boxes,
+                               std::span<render::BodyAlone> bodies) {
   return renderer_->measure_bodies(crowd_frame(stage, view, picture_), boxes, bodies);
 }
 
-anim::Status Painter::draw(render::CrowdFrame frame, const Tuning& tuning) {
+Status Painter::draw(render::CrowdFrame frame, const Tuning& tuning) {
   light_as_tuned(tuning, frame);
   draw_counts_ = renderer_->draw(frame);
   return renderer_->finish();

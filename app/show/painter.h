@@ -29,7 +29,7 @@ namespace throng::app {
 class Painter {
  public:
   /// Makes a painter. Errors: there is no such context, or it cannot draw.
-  static anim::Result<std::unique_ptr<Painter>> create(const DemoOptions& options);
+  static Result<std::unique_ptr<Painter>> create(const DemoOptions& options);
 
   bool draws() const { return renderer_ != nullptr; }
   bool is_on_software() const { return context_ != nullptr && context_->is_software(); }
@@ -48,7 +48,7 @@ class Painter {
   void reset_palette_pages();
   /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs. Characters that were
   /// loaded before, and have not changed since, keep theirs. Things that the scene does not show have none.
-  anim::Status load_meshes(Stage& stage);
+  Status load_meshes(Stage& stage);
   /// Tells a stage whose crowd was dressed anew the errors of its mesh LODs.
   void follow_outfits(Stage& stage);
   /// Returns nothing where nothing is drawn.
@@ -58,16 +58,16 @@ class Painter {
 
   /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's. Errors: the
   /// device failed at it; the picture is not whole.
-  anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
+  Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
   /// Has the device time itself in each draw() from now on, where its clock is true; see FrameTimes::device_ms.
   void time_device();
   /// Draws a frame that is no stage's in the same way, in the light of a tuning; the run's figures do not count it.
-  anim::Status draw(render::CrowdFrame frame, const Tuning& tuning);
+  Status draw(render::CrowdFrame frame, const Tuning& tuning);
   /// Draws which agent is where in a stage, beside the picture that draw() made of it, or without one.
-  anim::Status draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels);
+  Status draw_labels(Stage& stage, const PaintedView& view, bool is_drawn, render::LabelPicture& labels);
   /// Measures what each agent of picture() covers alone. Call it after draw_labels(); see Renderer::measure_bodies.
-  anim::Status measure_bodies(const Stage& stage, const PaintedView& view, std::span<const render::PixelBox> boxes,
-                              std::span<render::BodyAlone> bodies);
+  Status measure_bodies(const Stage& stage, const PaintedView& view, std::span<const render::PixelBox> boxes,
+                        std::span<render::BodyAlone> bodies);
   /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }
@@ -75,11 +75,11 @@ class Painter {
 
  private:
   Painter() = default;
-  anim::Status open_context(const DemoOptions& options);
-  anim::Status open_renderer(const DemoOptions& options);
-  anim::Status load_scenery(const std::string& data_option);
+  Status open_context(const DemoOptions& options);
+  Status open_renderer(const DemoOptions& options);
+  Status load_scenery(const std::string& data_option);
   render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture);
-  anim::Status upload(Stage& stage, const PaintedView& view);
+  Status upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
   void gather_lines(const Stage& stage, const PaintedView& view);
 

@@ -62,7 +62,7 @@ std::string name_of(std::uint32_t agent, const Stage& stage) {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& file) {
+Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& file) {
   auto reader = RecordingReader::open(file);
   if (!reader) return reader.error();
   return std::unique_ptr<Replay>(new Replay(file, std::move(*reader)));
@@ -95,45 +95,45 @@ Tuning Replay::with_own_scheduling(Tuning tuning) const {
   return tuning;
 }
 
-anim::Status Replay::begin(Show& show) const {
+Status Replay::begin(Show& show) const {
   show.keep_moments();
   return become_recorded_characters(show, show.stage().people());
 }
 
-anim::Status Replay::become_recorded_characters(Show& show, std::span<const CharacterSource> people) const {
+Status Replay::become_recorded_characters(Show& show, std::span<const CharacterSource> people) const {
   const std::vector<ChosenCharacter>& recorded_people = reader_->header().characters;
   if (people.size() != recorded_people.size()) {
-    return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
-                       " characters, and there are " + std::to_string(people.size())};
+    return Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) + " characters, and there are " +
+                 std::to_string(people.size())};
   }
   const bool are_on_stage = people.data() == show.stage().people().data();
-  if (are_on_stage && are_equal(people, recorded_people)) return anim::Done{};
+  if (are_on_stage && are_equal(people, recorded_people)) return Done{};
   std::vector<CharacterSource> characters(people.begin(), people.end());
   for (std::size_t i = 0; i < characters.size(); ++i) {
-    const anim::Status became = become(recorded_people[i], characters[i]);
-    if (!became) return anim::Error{file_.string() + ": " + became.error().message};
+    const Status became = become(recorded_people[i], characters[i]);
+    if (!became) return Error{file_.string() + ": " + became.error().message};
   }
-  const anim::Status replaced = show.replace_characters(std::move(characters));
-  return replaced ? replaced : anim::Status(anim::Error{file_.string() + ": " + replaced.error().message});
+  const Status replaced = show.replace_characters(std::move(characters));
+  return replaced ? replaced : Status(Error{file_.string() + ": " + replaced.error().message});
 }
 
-anim::Status Replay::begin_anew(Show& show) {
+Status Replay::begin_anew(Show& show) {
   const auto people = first_people_.empty() ? show.stage().people() : std::span<const CharacterSource>(first_people_);
-  if (anim::Status became = become_recorded_characters(show, people); !became) return became;
-  if (anim::Status begun = show.begin_anew(with_own_scheduling(reader_->header().tuning)); !begun) return begun;
+  if (Status became = become_recorded_characters(show, people); !became) return became;
+  if (Status begun = show.begin_anew(with_own_scheduling(reader_->header().tuning)); !begun) return begun;
   reader_->begin_anew();
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<bool> Replay::step(Show& show) {
+Result<bool> Replay::step(Show& show) {
   for (;;) {
-    const anim::Result<RecordedItem> item = reader_->next();
+    const Result<RecordedItem> item = reader_->next();
     if (!item) return item.error();
     if (std::holds_alternative<RecordedEnd>(*item)) return false;
     if (const auto* const frame = std::get_if<RecordedFrame>(&*item)) {
       show.animate_as(*frame);
       delta_ = frame->delta;
-      if (const anim::Status equal = compare(*frame, show.stage()); !equal) return equal.error();
+      if (const Status equal = compare(*frame, show.stage()); !equal) return equal.error();
       if (reader_->frames_read() > frames_equal_) {
         frames_equal_ = reader_->frames_read();
         agents_ = show.stage().crowd().size();
@@ -144,7 +144,7 @@ anim::Result<bool> Replay::step(Show& show) {
     if (may_go_back_ && first_people_.empty() && std::holds_alternative<SetCast>(request)) {
       first_people_.assign(show.stage().people().begin(), show.stage().people().end());
     }
-    if (const anim::Status repeated = show.take(request); !repeated) {
+    if (const Status repeated = show.take(request); !repeated) {
       return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
     }
   }
@@ -155,7 +155,7 @@ CrowdRequest Replay::with_own_scheduling(CrowdRequest request) const {
   return request;
 }
 
-anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
+Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
   const auto hashes = stage.animated().agent_hashes();
   const auto recorded_hashes = reader_->agent_hashes();
   const std::uint64_t number = reader_->frames_read();
@@ -169,7 +169,7 @@ anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) con
                                          std::to_string(found.agents) + " of " + std::to_string(hashes.size()) +
                                          " agents are posed otherwise than recorded");
   }
-  if (stage.system().figures().pose_hash() == frame.pose_hash) return anim::Done{};
+  if (stage.system().figures().pose_hash() == frame.pose_hash) return Done{};
   return reader_->error_at(number, "is the first that differs, with pose hash " +
                                        hex_string(stage.system().figures().pose_hash()) + " instead of " +
                                        hex_string(frame.pose_hash) +

@@ -22,7 +22,7 @@ struct CharacterSource;
 class Replay {
  public:
   /// Opens a recording. Errors: those of RecordingReader::open.
-  static anim::Result<std::unique_ptr<Replay>> open(const std::filesystem::path& file);
+  static Result<std::unique_ptr<Replay>> open(const std::filesystem::path& file);
 
   /// Returns the options of the command line, completed by the recorded ones. Values that only schedule
   /// come from the command line throughout.
@@ -30,21 +30,21 @@ class Replay {
 
   /// Prepares the show for the first frame. It gets characters with the recorded roles and orders of bones where its
   /// own differ. Errors: the characters are not the recorded ones.
-  anim::Status begin(Show& show) const;
+  Status begin(Show& show) const;
 
   /// Repeats the recorded requests, then a frame. Returns false if no frame is left. Errors: the first frame and agent
   /// that differ; the recording is cut short or damaged.
-  anim::Result<bool> step(Show& show);
+  Result<bool> step(Show& show);
 
   /// Goes back to before the first frame, if allow_to_go_back() was called before the first. Errors: those of begin().
-  anim::Status begin_anew(Show& show);
+  Status begin_anew(Show& show);
 
   /// Keeps what begin_anew() needs.
   void allow_to_go_back() { may_go_back_ = true; }
 
   std::uint64_t frame() const { return reader_->frames_read(); }    ///< the frame that was repeated last; 0: none
   std::uint64_t count_frames() { return reader_->count_frames(); }  ///< frames of the file, which it reads over
-  anim::Ticks delta() const { return delta_; }                      ///< the time of the frame that was repeated last
+  Ticks delta() const { return delta_; }                            ///< the time of the frame that was repeated last
 
   /// Returns "run.rec: all 120 frames are equal, the last of 300 agents".
   std::string summary() const;
@@ -55,15 +55,15 @@ class Replay {
 
   Tuning with_own_scheduling(Tuning tuning) const;
   CrowdRequest with_own_scheduling(CrowdRequest request) const;
-  anim::Status become_recorded_characters(Show& show, std::span<const CharacterSource> people) const;
-  anim::Status compare(const RecordedFrame& frame, const Stage& stage) const;
+  Status become_recorded_characters(Show& show, std::span<const CharacterSource> people) const;
+  Status compare(const RecordedFrame& frame, const Stage& stage) const;
 
   std::filesystem::path file_;
   std::unique_ptr<RecordingReader> reader_;
   DemoOptions given_;
   std::uint64_t frames_equal_ = 0;  // without the frames that were repeated again
   std::size_t agents_ = 0;          // of the last equal frame
-  anim::Ticks delta_{};
+  Ticks delta_{};
   bool may_go_back_ = false;
   std::vector<CharacterSource> first_people_;  // before other characters came; empty: none have
 };

@@ -37,19 +37,19 @@ void add_lamps(const PlacedProp& prop, std::vector<render::SceneryLamp>& lamps) 
 
 }  // namespace
 
-anim::Status Scenery::load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer) {
+Status Scenery::load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer) {
   loaded_ = std::move(props);
   for (std::size_t prop = 0; prop < prop_count; ++prop) {
     const auto mesh = std::ranges::find(loaded_, prop_names[prop], &render::SceneryMeshData::name);
     if (mesh != loaded_.end()) meshes_[prop] = static_cast<std::uint32_t>(mesh - loaded_.begin());
   }
   placed_.reset(), planned_.reset(), plan_mesh_.reset();
-  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return anim::Error{loaded.error().message};
-  return anim::Done{};
+  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return Error{loaded.error().message};
+  return Done{};
 }
 
-anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& renderer) {
-  if (planned_ == stage.trajectories()) return anim::Done{};
+Status Scenery::load_plan_of(const Stage& stage, render::Renderer& renderer) {
+  if (planned_ == stage.trajectories()) return Done{};
   planned_ = stage.trajectories();
   placed_.reset();
   if (plan_mesh_) loaded_.resize(*plan_mesh_);
@@ -65,19 +65,19 @@ anim::Status Scenery::load_plan_of(const Stage& stage, render::Renderer& rendere
       plan_mesh_ = static_cast<std::uint32_t>(loaded_.size()), loaded_.push_back(std::move(mesh));
     }
   }
-  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return anim::Error{loaded.error().message};
-  return anim::Done{};
+  if (auto loaded = renderer.load_scenery(loaded_); !loaded) return Error{loaded.error().message};
+  return Done{};
 }
 
-anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
-  if (anim::Status loaded = load_plan_of(stage, renderer); !loaded) return loaded;
+Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
+  if (Status loaded = load_plan_of(stage, renderer); !loaded) return loaded;
   const Tuning& tuning = stage.tuning();
   const Crowd& crowd = stage.crowd();
   const CharacterRoles& roles = crowd.laid_out_for();
   const Trajectories* const recorded = tuning.scene == Scene::tracks ? planned_.get() : nullptr;
   const Cause cause{tuning.scene,       crowd.size(),     tuning.seed,    roles.spacing(), roles.walk_speed,
                     roles.walk_seconds, roles.can_walk(), tuning.clothes, recorded};
-  if (placed_ == cause) return anim::Done{};
+  if (placed_ == cause) return Done{};
   placed_ = cause;
   const Surroundings place = surroundings_of(tuning.scene, crowd.size(), tuning.seed, roles, tuning.clothes);
   ground_ = place.ground;
@@ -92,7 +92,7 @@ anim::Status Scenery::follow(const Stage& stage, render::Renderer& renderer) {
   if (recorded != nullptr && plan_mesh_) instances.push_back({*plan_mesh_});
   renderer.place_scenery(instances);
   renderer.place_lamps(lamps);
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

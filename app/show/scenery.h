@@ -20,11 +20,11 @@ class Stage;
 class Scenery {
  public:
   /// Gives the renderer the props of all places. Errors: those of Renderer::load_scenery.
-  anim::Status load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer);
+  Status load(std::vector<render::SceneryMeshData> props, render::Renderer& renderer);
 
   /// Places props around the crowd of a stage, or the walls and floors of a recorded one, if another place stood there
   /// before. Errors: those of Renderer::load_scenery, which the first frame of a recorded crowd calls again.
-  anim::Status follow(const Stage& stage, render::Renderer& renderer);
+  Status follow(const Stage& stage, render::Renderer& renderer);
 
   /// Returns how many lines the plan of a recorded crowd has, if they are too many to be drawn; else 0.
   std::size_t lines_left_out() const { return lines_left_out_; }
@@ -33,7 +33,7 @@ class Scenery {
 
  private:
   /// Gives the renderer the walls and floors of a recorded crowd, if it has the ones of another crowd.
-  anim::Status load_plan_of(const Stage& stage, render::Renderer& renderer);
+  Status load_plan_of(const Stage& stage, render::Renderer& renderer);
 
   /// All that a place follows from.
   struct Cause {

@@ -14,27 +14,27 @@ Show::Show(std::unique_ptr<ShowParts> parts) : parts_(std::move(parts)), notice_
 
 Show::~Show() = default;
 
-anim::Status Show::take(const CrowdRequest& request) {
-  anim::Status taken = std::visit([this](const auto& asked) { return carry_out(asked, *parts_); }, request);
+Status Show::take(const CrowdRequest& request) {
+  Status taken = std::visit([this](const auto& asked) { return carry_out(asked, *parts_); }, request);
   if (!taken) return taken;
   if (parts_->recorder.is_recording()) parts_->recorder.add(as_made(request, *parts_->stage));
   notice_ = notice_of(*parts_);
   return taken;
 }
 
-anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
-  anim::Status replaced = app::replace_characters(std::move(characters), *parts_);
+Status Show::replace_characters(std::vector<CharacterSource> characters) {
+  Status replaced = app::replace_characters(std::move(characters), *parts_);
   notice_ = notice_of(*parts_);
   return replaced;
 }
 
-anim::Status Show::replace_trajectories(std::shared_ptr<const Trajectories> trajectories) {
-  anim::Status replaced = app::replace_trajectories(std::move(trajectories), *parts_);
+Status Show::replace_trajectories(std::shared_ptr<const Trajectories> trajectories) {
+  Status replaced = app::replace_trajectories(std::move(trajectories), *parts_);
   notice_ = notice_of(*parts_);
   return replaced;
 }
 
-anim::Status Show::open_viewer(const ViewRequest& request) { return app::open_viewer(request, *parts_); }
+Status Show::open_viewer(const ViewRequest& request) { return app::open_viewer(request, *parts_); }
 
 void Show::animate_as(const RecordedFrame& frame) {
   parts_->view.camera = frame.view.camera;
@@ -42,11 +42,11 @@ void Show::animate_as(const RecordedFrame& frame) {
   update(frame.delta, &frame.view);
 }
 
-void Show::update(anim::Ticks delta, const LodView* as_recorded) {
+void Show::update(Ticks delta, const LodView* as_recorded) {
   if (parts_->viewer != nullptr) return parts_->viewer->advance(delta);
   Stage& stage = *parts_->stage;
   const Tuning& tuning = stage.tuning();
-  const anim::Ticks step = tuning.taken_away.animation ? anim::Ticks{} : delta;
+  const Ticks step = tuning.taken_away.animation ? Ticks{} : delta;
   parts_->painter->follow_outfits(stage);
   const std::uint64_t completed = parts_->painter->completed_frame(stage);
   const bool had_memory = !stage.posed().shown().out_of_memory();
@@ -68,21 +68,21 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   parts_->figures.add_update(stage, start, milliseconds);
 }
 
-void Show::take_live_rows(anim::Ticks step) {
-  parts_->stage->take_live_step(parts_->live->advance(anim::to_seconds(step)));
+void Show::take_live_rows(Ticks step) {
+  parts_->stage->take_live_step(parts_->live->advance(to_seconds(step)));
   if (std::exchange(live_news_, parts_->live->news()) != live_news_) notice_ = notice_of(*parts_);
 }
 
-bool Show::has_rows_for(anim::Ticks step, std::chrono::milliseconds most) {
-  return parts_->live == nullptr || parts_->live->can_go_on(anim::to_seconds(step), most);
+bool Show::has_rows_for(Ticks step, std::chrono::milliseconds most) {
+  return parts_->live == nullptr || parts_->live->can_go_on(to_seconds(step), most);
 }
 
-anim::Status Show::draw() {
+Status Show::draw() {
   Painter& painter = *parts_->painter;
   const ShowView& seen = parts_->view;
   if (parts_->viewer == nullptr) {
     const std::size_t left_out_before = painter.lines_left_out();
-    anim::Status drawn = painter.draw(*parts_->stage, seen, parts_->figures);
+    Status drawn = painter.draw(*parts_->stage, seen, parts_->figures);
     if (painter.lines_left_out() != left_out_before) notice_ = notice_of(*parts_);
     return drawn;
   }
@@ -90,31 +90,31 @@ anim::Status Show::draw() {
   return painter.draw(parts_->viewer->frame(render::view_of(round, seen.aspect())), parts_->stage->tuning());
 }
 
-anim::Status Show::draw_labels(bool is_drawn, render::LabelPicture& labels) {
+Status Show::draw_labels(bool is_drawn, render::LabelPicture& labels) {
   PaintedView seen = parts_->view;
   seen.frozen.reset();
   return parts_->painter->draw_labels(*parts_->stage, seen, is_drawn, labels);
 }
 
-anim::Status Show::start_recording(const std::filesystem::path& file) {
+Status Show::start_recording(const std::filesystem::path& file) {
   Stage& stage = *parts_->stage;
-  if (stage.tuning().scene == Scene::tracks) return anim::Error{no_recording_of_tracks};
+  if (stage.tuning().scene == Scene::tracks) return Error{no_recording_of_tracks};
   const RecordingHeader header{exactly(stage.people()), stage.tuning(), parts_->view.width, parts_->view.height};
-  if (anim::Status started = parts_->recorder.start(file, header); !started) return started;
+  if (Status started = parts_->recorder.start(file, header); !started) return started;
   if (stage.posed().frame() > 0) stage.restart();
   parts_->rewind.forget();
   keep_moments();
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status Show::begin_anew(const Tuning& tuning) {
-  if (anim::Status applied = take(Apply{tuning}); !applied) return applied;
+Status Show::begin_anew(const Tuning& tuning) {
+  if (Status applied = take(Apply{tuning}); !applied) return applied;
   Stage& stage = *parts_->stage;
   stage.restart();
   parts_->rewind.forget();
   parts_->view.frozen.reset();
   if (stage.animated().event_sums()) stage.animated().sum_up_events();
-  return anim::Done{};
+  return Done{};
 }
 
 std::optional<std::uint32_t> Show::agent_at(float x, float y) const {
@@ -127,7 +127,7 @@ void Show::keep_moments() { parts_->keeps_moments = true; }
 const Rewind& Show::moments() const { return parts_->rewind; }
 void Show::leave_viewer() { parts_->viewer.reset(); }
 Viewer* Show::viewer() const { return parts_->viewer.get(); }
-anim::Status Show::stop_recording() { return parts_->recorder.stop(); }
+Status Show::stop_recording() { return parts_->recorder.stop(); }
 const Recorder& Show::recorder() const { return parts_->recorder; }
 const LiveCrowd* Show::live() const { return parts_->live.get(); }
 const Stage& Show::stage() const { return *parts_->stage; }

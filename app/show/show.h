@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "throng/ticks.h"
+
 #include "app/show/request/request.h"
-#include "engine/anim/base/units.h"
 #include "engine/base/result.h"
 
 namespace throng {
@@ -47,13 +48,13 @@ class Show {
 
   /// Takes a request at a frame boundary, and records it; nothing else changes the crowd. Another scene brings its own
   /// camera, and other characters begin the crowd anew. Errors: it cannot be done; then nothing has changed.
-  anim::Status take(const CrowdRequest& request);
+  Status take(const CrowdRequest& request);
   /// Gives all agents other characters, 1 to most_models, as SetCast does with characters that are loaded already.
-  anim::Status replace_characters(std::vector<CharacterSource> characters);
+  Status replace_characters(std::vector<CharacterSource> characters);
   /// Shows a recorded crowd in place of all agents, with the characters that are there, at a frame boundary. It begins
   /// at its first row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory
   /// lacks; then nothing has changed.
-  anim::Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories);
+  Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories);
 
   /// Keeps moments of the crowd from now on, but for frames in which it pauses; that takes memory. A recording and its
   /// replay keep the same ones.
@@ -61,21 +62,21 @@ class Show {
   const Rewind& moments() const;
 
   /// Moves and poses one frame of `delta`; 0 while paused.
-  void animate(anim::Ticks delta) { update(delta, nullptr); }
+  void animate(Ticks delta) { update(delta, nullptr); }
   /// Repeats a frame as it was recorded: seen by that camera, in a picture of that size.
   void animate_as(const RecordedFrame& frame);
   /// Draws the frame that was animated last. Errors: those of Painter::draw.
-  anim::Status draw();
+  Status draw();
   /// Draws which agent is where in the frame that was animated last, whether it was drawn or not. Errors: those of
   /// render::Renderer::draw_labels.
-  anim::Status draw_labels(bool is_drawn, render::LabelPicture& labels);
+  Status draw_labels(bool is_drawn, render::LabelPicture& labels);
   /// Returns the agent that is seen at a pixel from the top left of the picture drawn last; nothing where there is
   /// none.
   std::optional<std::uint32_t> agent_at(float x, float y) const;
 
   /// Shows one character alone from now on: animate() and draw() are about it, and the crowd waits as it is. Errors:
   /// those of Viewer::create; then nothing has changed.
-  anim::Status open_viewer(const ViewRequest& request);
+  Status open_viewer(const ViewRequest& request);
   void leave_viewer();
   /// Returns the viewer of a character alone; null while the crowd is shown. It ends when a character's bones or parts
   /// of the body change, and shows the first of other characters when they come.
@@ -83,14 +84,14 @@ class Show {
 
   /// Begins the crowd and every clock anew with these values, as on a show just made. Errors: those of take(); then
   /// nothing has changed.
-  anim::Status begin_anew(const Tuning& tuning);
+  Status begin_anew(const Tuning& tuning);
 
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written; the scene is
   /// `tracks`, which a recording neither begins with nor comes to.
-  anim::Status start_recording(const std::filesystem::path& file);
+  Status start_recording(const std::filesystem::path& file);
   /// Ends the recording, if there is one. Errors: the file could not be written.
-  anim::Status stop_recording();
+  Status stop_recording();
   /// Returns the recorder, which says whether a recording goes on and why the last one had to end.
   const Recorder& recorder() const;
 
@@ -98,7 +99,7 @@ class Show {
   const LiveCrowd* live() const;
   /// Waits, at most `most`, for the rows that a frame of a live crowd shows. Returns whether they are there; the rows
   /// of other crowds always are.
-  bool has_rows_for(anim::Ticks step, std::chrono::milliseconds most);
+  bool has_rows_for(Ticks step, std::chrono::milliseconds most);
 
   const Stage& stage() const;
   Painter& painter();
@@ -112,8 +113,8 @@ class Show {
   const ShowView& view() const;
 
  private:
-  void take_live_rows(anim::Ticks step);
-  void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
+  void take_live_rows(Ticks step);
+  void update(Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
 
   std::unique_ptr<ShowParts> parts_;
   std::string notice_;

@@ -16,22 +16,22 @@ namespace throng::app {
 namespace {
 
 /// Returns whether a stage has a character, or an agent. The error says which there are.
-anim::Status has_character(const Stage& stage, CharacterNumber character) {
+Status has_character(const Stage& stage, CharacterNumber character) {
   const std::size_t count = stage.people().size();
-  if (character < count) return anim::Done{};
-  return anim::Error{"there is no character " + std::to_string(character) + ", only 0 to " + std::to_string(count - 1)};
+  if (character < count) return Done{};
+  return Error{"there is no character " + std::to_string(character) + ", only 0 to " + std::to_string(count - 1)};
 }
 
-anim::Status has_agent(const Stage& stage, std::uint32_t agent) {
+Status has_agent(const Stage& stage, std::uint32_t agent) {
   const std::size_t count = stage.crowd().size();
-  if (agent < count) return anim::Done{};
-  return anim::Error{"there is no agent " + std::to_string(agent) + ", only 0 to " + std::to_string(count - 1)};
+  if (agent < count) return Done{};
+  return Error{"there is no agent " + std::to_string(agent) + ", only 0 to " + std::to_string(count - 1)};
 }
 
 /// Makes another stage of other characters or tracks. A recorded crowd goes on at the same moment with other
 /// characters.
-anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
-                      std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
+Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
+                std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
   const Stage& before = *show.stage;
   const bool same_tracks = tuning.scene == Scene::tracks && trajectories == before.trajectories();
   auto made = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), before.posed().frame(),
@@ -39,52 +39,52 @@ anim::Status exchange(std::vector<CharacterSource> characters, const Tuning& tun
   if (!made) return made.error();
   Stage& stage = **made;
   if (same_tracks) stage.set_track_clock(before.crowd().tracks()->clock());
-  if (const anim::Status loaded = show.painter->load_meshes(stage); !loaded) return loaded.error();
+  if (const Status loaded = show.painter->load_meshes(stage); !loaded) return loaded.error();
   if (before.animated().event_sums()) stage.animated().sum_up_events();
   show.viewer.reset();
   show.painter->reset_palette_pages();  // the new stage has asked for none yet
   show.stage = std::move(*made);
   show.rewind.forget();
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status take_cast(anim::Result<LoadedCast> loaded, ShowParts& show) {
+Status take_cast(Result<LoadedCast> loaded, ShowParts& show) {
   if (!loaded) return loaded.error();
-  if (anim::Status replaced = replace_characters(std::move(loaded->characters), show); !replaced) return replaced;
+  if (Status replaced = replace_characters(std::move(loaded->characters), show); !replaced) return replaced;
   show.models.left_out = std::move(loaded->left_out);
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace
 
-anim::Status carry_out(const Apply& values, ShowParts& show) {
+Status carry_out(const Apply& values, ShowParts& show) {
   const Tuning& tuning = values.tuning;
-  if (tuning.scene == Scene::tracks && show.recorder.is_recording()) return anim::Error{no_recording_of_tracks};
+  if (tuning.scene == Scene::tracks && show.recorder.is_recording()) return Error{no_recording_of_tracks};
   const bool another_scene = tuning.scene != show.stage->tuning().scene;
-  anim::Status applied = show.stage->apply(tuning);
+  Status applied = show.stage->apply(tuning);
   if (applied && another_scene) applied = show.painter->load_meshes(*show.stage);
   if (applied && another_scene) show.view.begin_scene(*show.stage);
   return applied;
 }
 
-anim::Status carry_out(const SetBody& body, ShowParts& show) {
-  if (anim::Status there = has_character(*show.stage, body.character); !there) return there;
+Status carry_out(const SetBody& body, ShowParts& show) {
+  if (Status there = has_character(*show.stage, body.character); !there) return there;
   show.viewer.reset();
-  anim::Status set = show.stage->set_rig(body.character, body.parts);
+  Status set = show.stage->set_rig(body.character, body.parts);
   if (set) show.rewind.forget();
   return set;
 }
 
-anim::Status carry_out(const SetBones& bones, ShowParts& show) {
-  if (anim::Status there = has_character(*show.stage, bones.character); !there) return there;
+Status carry_out(const SetBones& bones, ShowParts& show) {
+  if (Status there = has_character(*show.stage, bones.character); !there) return there;
   show.viewer.reset();
-  anim::Status set = show.stage->set_bone_lod(bones.character, bones.choice);
+  Status set = show.stage->set_bone_lod(bones.character, bones.choice);
   return set ? show.painter->load_meshes(*show.stage) : set;
 }
 
-anim::Status carry_out(const SetPlacement& placement, ShowParts& show) {
+Status carry_out(const SetPlacement& placement, ShowParts& show) {
   const Stage& stage = *show.stage;
-  if (anim::Status there = has_character(stage, placement.character); !there) return there;
+  if (Status there = has_character(stage, placement.character); !there) return there;
   auto placed =
       placed_anew(stage.people()[placement.character], placement.choice, show.models.options, show.models.data);
   if (!placed) return placed.error();
@@ -93,76 +93,76 @@ anim::Status carry_out(const SetPlacement& placement, ShowParts& show) {
   return exchange(std::move(characters), stage.tuning(), stage.trajectories(), show);
 }
 
-anim::Status carry_out(const LoadModels& models, ShowParts& show) {
+Status carry_out(const LoadModels& models, ShowParts& show) {
   auto loaded = load_dropped(models.files, show.models.options);
   if (!loaded) return loaded.error();
   for (CharacterSource& character : loaded->characters) {
-    if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
+    if (const Status kept = take_kept_roles(character); !kept) return kept.error();
   }
   return take_cast(std::move(loaded), show);
 }
 
-anim::Status carry_out(const SetCast& cast, ShowParts& show) {
+Status carry_out(const SetCast& cast, ShowParts& show) {
   const std::size_t count = cast.characters.size();
   if (count >= 1 && count <= most_models) {
     return take_cast(load_crowd(cast.characters, show.models.data, show.models.options), show);
   }
-  return anim::Error{"a crowd has 1 to " + std::to_string(most_models) + " characters, not " + std::to_string(count)};
+  return Error{"a crowd has 1 to " + std::to_string(most_models) + " characters, not " + std::to_string(count)};
 }
 
-anim::Status carry_out(const GoBack& back, ShowParts& show) { return show.rewind.go_back(*show.stage, back.moment); }
+Status carry_out(const GoBack& back, ShowParts& show) { return show.rewind.go_back(*show.stage, back.moment); }
 
-anim::Status carry_out(const SetShare& share, Stage& stage) {
-  if (anim::Status there = has_character(stage, share.character); !there) return there;
-  if (!is_share(share.share)) return anim::Error{"a share must be above 0 and at most " + shortest_text(most_share)};
+Status carry_out(const SetShare& share, Stage& stage) {
+  if (Status there = has_character(stage, share.character); !there) return there;
+  if (!is_share(share.share)) return Error{"a share must be above 0 and at most " + shortest_text(most_share)};
   stage.set_roles(share.character, stage.people()[share.character].roles.clips, share.share);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status carry_out(const SetRoles& roles, Stage& stage) {
-  if (anim::Status there = has_character(stage, roles.character); !there) return there;
+Status carry_out(const SetRoles& roles, Stage& stage) {
+  if (Status there = has_character(stage, roles.character); !there) return there;
   const CharacterSource& person = stage.people()[roles.character];
-  if (!has_clips(person, roles.clips)) return anim::Error{person.name + " has no such clip"};
+  if (!has_clips(person, roles.clips)) return Error{person.name + " has no such clip"};
   stage.set_roles(roles.character, roles.clips);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status carry_out(const SetRules& rules, Stage& stage) {
-  if (anim::Status there = has_character(stage, rules.character); !there) return there;
+Status carry_out(const SetRules& rules, Stage& stage) {
+  if (Status there = has_character(stage, rules.character); !there) return there;
   auto read = rules_of_text(rules.rules);
-  anim::Status set = read ? stage.set_cast_rules(rules.character, std::move(*read), rules.file) : read.error();
+  Status set = read ? stage.set_cast_rules(rules.character, std::move(*read), rules.file) : read.error();
   if (set || rules.file.empty()) return set;
-  return anim::Error{plain_text(rules.file) + ": " + set.error().message};
+  return Error{plain_text(rules.file) + ": " + set.error().message};
 }
 
-anim::Status carry_out(const Select& select, Stage& stage) {
+Status carry_out(const Select& select, Stage& stage) {
   if (select.agent) {
-    if (anim::Status there = has_agent(stage, *select.agent); !there) return there;
+    if (Status there = has_agent(stage, *select.agent); !there) return there;
   }
   stage.select(select.agent);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status carry_out(const Push& push, Stage& stage) {
-  if (anim::Status there = has_agent(stage, push.agent); !there) return there;
+Status carry_out(const Push& push, Stage& stage) {
+  if (Status there = has_agent(stage, push.agent); !there) return there;
   return stage.animated().push_over(push.agent, push.direction);
 }
 
-anim::Status carry_out(const Hold& hold, Stage& stage) {
-  if (!hold.agent) return stage.animated().let_go_of_clip(), anim::Done{};
-  if (anim::Status there = has_agent(stage, *hold.agent); !there) return there;
+Status carry_out(const Hold& hold, Stage& stage) {
+  if (!hold.agent) return stage.animated().let_go_of_clip(), Done{};
+  if (Status there = has_agent(stage, *hold.agent); !there) return there;
   stage.animated().hold_clip(*hold.agent, hold.seconds);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status carry_out(const Seek& seek, Stage& stage) {
+Status carry_out(const Seek& seek, Stage& stage) {
   const bool has_clock = stage.crowd().tracks() != nullptr && !stage.trajectories()->is_live;
-  if (!has_clock) return anim::Error{"the crowd follows no file, so it goes to no other time of one"};
+  if (!has_clock) return Error{"the crowd follows no file, so it goes to no other time of one"};
   if (seek.clock != stage.crowd().tracks()->clock()) stage.set_track_clock(seek.clock);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status open_viewer(const ViewRequest& request, ShowParts& show) {
+Status open_viewer(const ViewRequest& request, ShowParts& show) {
   std::vector<ViewedMesh> meshes;
   if (request.character < show.stage->people().size()) {
     for (const MeshLevel& level : show.painter->mesh_levels(request.character)) {
@@ -172,36 +172,36 @@ anim::Status open_viewer(const ViewRequest& request, ShowParts& show) {
   auto viewer = Viewer::create(*show.stage, request, std::move(meshes));
   if (!viewer) return viewer.error();
   show.viewer = std::move(*viewer);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status replace_characters(std::vector<CharacterSource> characters, ShowParts& show) {
+Status replace_characters(std::vector<CharacterSource> characters, ShowParts& show) {
   const bool viewed = show.viewer != nullptr;
   const Stage& stage = *show.stage;
-  anim::Status exchanged = exchange(std::move(characters), stage.tuning(), stage.trajectories(), show);
+  Status exchanged = exchange(std::move(characters), stage.tuning(), stage.trajectories(), show);
   if (!exchanged) return exchanged;
   show.models.left_out.clear();
   return viewed ? open_viewer({}, show) : exchanged;  // a person who looks at models goes on
 }
 
-anim::Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
+Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
   if (show.recorder.is_recording()) {
-    return anim::Error{trajectories->file +
-                       ": a recording goes on, and cannot hold the crowd of a file; end it with R, then drop the file"};
+    return Error{trajectories->file +
+                 ": a recording goes on, and cannot hold the crowd of a file; end it with R, then drop the file"};
   }
   Tuning tuning = show.stage->tuning();
   tuning.scene = Scene::tracks;
   tuning.agents = static_cast<int>(trajectories->persons.size());
   std::vector<CharacterSource> characters(show.stage->people().begin(), show.stage->people().end());
-  if (anim::Status fits = check_memory(tuning, characters, nullptr); !fits) return fits;
-  anim::Status exchanged = exchange(std::move(characters), tuning, std::move(trajectories), show);
+  if (Status fits = check_memory(tuning, characters, nullptr); !fits) return fits;
+  Status exchanged = exchange(std::move(characters), tuning, std::move(trajectories), show);
   if (!exchanged) return exchanged;
   show.live.reset();
   TrackClock clock = show.stage->crowd().tracks()->clock();
   clock.repeats = true;
   show.stage->set_track_clock(clock);
   show.view.begin_scene(*show.stage);
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

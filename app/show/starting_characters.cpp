@@ -20,15 +20,15 @@ std::vector<CastEntry> entries_of(const DemoOptions& options) {
   return entries;
 }
 
-anim::Result<LoadedCast> load_crowd_file(const DemoOptions& options, const LoadOptions& how) {
+Result<LoadedCast> load_crowd_file(const DemoOptions& options, const LoadOptions& how) {
   const auto setup = read_crowd_file(options.crowd_file);
   if (!setup) return setup.error();
   auto cast = load_crowd(setup->characters, options.data, how);
-  if (!cast) return anim::Error{options.crowd_file + ": " + cast.error().message};
+  if (!cast) return Error{options.crowd_file + ": " + cast.error().message};
   return cast;
 }
 
-anim::Result<LoadedCast> load(const DemoOptions& options, const LoadOptions& how) {
+Result<LoadedCast> load(const DemoOptions& options, const LoadOptions& how) {
   if (!options.crowd_file.empty()) return load_crowd_file(options, how);
   const std::vector<CastEntry> entries = entries_of(options);
   if (!entries.empty()) return load_cast(entries, how);
@@ -55,7 +55,7 @@ bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> chara
 
 bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, StartError& error) {
   const auto kept = [&](CharacterSource& character) {
-    const anim::Status taken = take_kept_roles(character);
+    const Status taken = take_kept_roles(character);
     return taken || fail(error, exit_job_failed, taken.error().message);
   };
   const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
@@ -90,7 +90,7 @@ std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, S
   how.progress = progress;
   auto cast = load(options, how);
   if (!cast) return fail(error, exit_job_failed, cast.error().message), std::nullopt;
-  if (const anim::Status known = check_placed_models(options.placements, cast->characters); !known) {
+  if (const Status known = check_placed_models(options.placements, cast->characters); !known) {
     return fail(error, exit_usage, known.error().message), std::nullopt;
   }
   if (!choose_roles(options, cast->characters, error)) return {};

@@ -10,7 +10,7 @@
 namespace throng::app {
 
 /// Ends a run before it begins, with this exit status.
-struct StartError : anim::Error {
+struct StartError : Error {
   int status = 1;
 };
 /// Sets the error and returns false.

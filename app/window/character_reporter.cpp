@@ -42,7 +42,7 @@ void report_wardrobe(const Stage& stage, std::size_t character, WardrobeReport& 
 void read_standard_rules(const Stage& stage, std::size_t character, WardrobeReport& report) {
   const std::filesystem::path file = rules_file_of(stage.characters()[character]);
   report.file = file.string();
-  const auto said = file.empty() ? anim::Result<CastRules>(anim::Error{}) : read_cast_rules(file);
+  const auto said = file.empty() ? Result<CastRules>(Error{}) : read_cast_rules(file);
   report.standard = cast_tuning(said ? *said : stage.clothing()[character].rules, word_of(stage.tuning().scene));
 }
 

@@ -57,7 +57,7 @@ bool CrowdEditor::take(const CrowdRequest& request, const std::string& file) {
 
 bool CrowdEditor::make(const CrowdRequest& request, const std::string& file) {
   const Clock::time_point start = Clock::now();
-  const anim::Status made = show_.take(request);
+  const Status made = show_.take(request);
   if (!made) return say_why_not(request, (file.empty() ? "" : file + ": ") + made.error().message), false;
   if (std::holds_alternative<Apply>(request)) follow();
   if (brings_characters(request)) reporter_.describe_characters(show_);

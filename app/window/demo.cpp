@@ -28,15 +28,15 @@
 namespace throng::app {
 namespace {
 
-anim::Status write_screenshot(Show& show, const std::string& file) {
+Status write_screenshot(Show& show, const std::string& file) {
   render::Renderer& renderer = show.painter().renderer();
   const render::Image& image = renderer.read_image();
-  if (anim::Status read = renderer.finish(); !read) return read;
+  if (Status read = renderer.finish(); !read) return read;
   return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
 }
 
 /// Tells why something failed, if it did. Returns whether it did not.
-bool report(const anim::Status& outcome) {
+bool report(const Status& outcome) {
   if (!outcome) end_with(exit_job_failed, outcome.error().message);
   return static_cast<bool>(outcome);
 }
@@ -56,30 +56,30 @@ bool write_results(Show& show, const DemoOptions& options) {
 }
 
 // A full disk is said when it happens, not hours later.
-void report_once(const anim::Status& outcome, bool& reported) {
+void report_once(const Status& outcome, bool& reported) {
   if (!reported) report(outcome);
   reported = !outcome;
 }
 
 /// Draws one of several frames that are all drawn, or lets the output do it.
-anim::Status draw_one_of_all(Show& show, Output* output, int frame) {
+Status draw_one_of_all(Show& show, Output* output, int frame) {
   return output != nullptr ? output->take(show, frame) : show.draw();
 }
 
-anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
+Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
   for (int frame = 1; asked_to_stop() == 0 && (!options.frames_given || frame <= options.frames); ++frame) {
-    const anim::Result<bool> repeated = replay.step(show);
+    const Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;
     if (which != DrawWhich::all) continue;
-    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
+    if (Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
-  return which == DrawWhich::last ? show.draw() : anim::Done{};
+  return which == DrawWhich::last ? show.draw() : Done{};
 }
 
-anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) {
-  const anim::Ticks step = anim::to_ticks(options.dt.value_or(usual_frame_seconds));
+Status run_frames(Show& show, const DemoOptions& options, Output* output) {
+  const Ticks step = to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
   bool last = false, reported = false;
@@ -91,19 +91,19 @@ anim::Status run_frames(Show& show, const DemoOptions& options, Output* output) 
     last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
     report_once(show.recorder().outcome(), reported);
     if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
-    if (anim::Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
+    if (Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
-  return anim::Done{};
+  return Done{};
 }
 
 /// Ends an output after its run. A screenshot shows the last frame, also where its picture was there before.
-anim::Status finish_output(Show& show, const DemoOptions& options, Output* output) {
-  if (output == nullptr) return anim::Done{};
-  if (anim::Status finished = output->finish(); !finished) return finished;
-  return options.screenshot.empty() || output->drew_last() ? anim::Done{} : show.draw();
+Status finish_output(Show& show, const DemoOptions& options, Output* output) {
+  if (output == nullptr) return Done{};
+  if (Status finished = output->finish(); !finished) return finished;
+  return options.screenshot.empty() || output->drew_last() ? Done{} : show.draw();
 }
 
-anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   if (options.ui) show.view().covered = column_share(options.width, options.ui_scale);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
@@ -114,27 +114,27 @@ anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay
     output = std::move(*begun);
     if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
-  anim::Status run =
+  Status run =
       replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
   if (!run) return run;
-  if (anim::Status finished = finish_output(show, options, output.get()); !finished) return finished;
+  if (Status finished = finish_output(show, options, output.get()); !finished) return finished;
   const LiveCrowd* const live = show.live();
-  if (live != nullptr && !live->status()) return anim::Error{live->status().error().message};
-  if (!has_overlay || drawn_frames(options) == DrawWhich::none) return anim::Done{};
+  if (live != nullptr && !live->status()) return Error{live->status().error().message};
+  if (!has_overlay || drawn_frames(options) == DrawWhich::none) return Done{};
   const bool is_over_last = output != nullptr && output->drew_last();
-  if (anim::Status drawn = is_over_last ? anim::Done{} : overlay.draw(show); !drawn) return drawn;
+  if (Status drawn = is_over_last ? Done{} : overlay.draw(show); !drawn) return drawn;
   return overlay.write_map();
 }
 
-anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
   if (!options.record.empty()) {
-    if (anim::Status started = show.start_recording(options.record); !started) return started;
+    if (Status started = show.start_recording(options.record); !started) return started;
   }
   if (replay != nullptr) {
-    if (anim::Status begun = replay->begin(show); !begun) return begun;
+    if (Status begun = replay->begin(show); !begun) return begun;
   }
   if (options.selected) {
-    const anim::Status selected = show.take(Select{static_cast<std::uint32_t>(*options.selected)});
+    const Status selected = show.take(Select{static_cast<std::uint32_t>(*options.selected)});
     if (!selected) return selected;
   }
   const bool window = options.context == ContextKind::window;
@@ -142,19 +142,19 @@ anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* repl
 }
 
 /// Runs the demo, and makes an error of an exception, so that all that the run has written is kept.
-anim::Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
   try {
     return run_and_record(show, options, replay);
   } catch (...) {
-    return anim::Error{std::string(sentence_of_failure())};
+    return Error{std::string(sentence_of_failure())};
   }
 }
 
 // Beside JSON on standard output, on standard error.
-anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
+Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
   if (options.stats != "-") return print(replay.summary() + "\n");
   std::fprintf(stderr, "%s\n", replay.summary().c_str());
-  return anim::Done{};
+  return Done{};
 }
 
 // Says on stderr the notice that a window shows over the crowd.
@@ -165,16 +165,16 @@ void say_on_stderr(const std::string& notice) {
 
 /// Begins to read the rows of a live crowd from standard input, and waits for the first, or until a signal asks the run
 /// to end. Returns null where the options name no standard input. Errors: it ends without a row, or is wrong.
-anim::Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) {
+Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) {
   if (options.trajectories.file != "-") return std::unique_ptr<LiveTracks>();
   auto tracks = std::make_unique<LiveTracks>(standard_input, options.trajectories.reading);
   show_progress("waiting for the first row on standard input");
   while (!tracks->head() && !tracks->has_ended() && asked_to_stop() == 0) tracks->wait(std::chrono::milliseconds(100));
   show_progress("");
   if (tracks->head()) return tracks;
-  if (const Status read = tracks->status(); !read) return anim::Error{read.error().message};
-  return anim::Error{asked_to_stop() != 0 ? "-: the run ends before the first row came"
-                                          : "-: it ended without a row; send rows as a table with a header"};
+  if (const Status read = tracks->status(); !read) return Error{read.error().message};
+  return Error{asked_to_stop() != 0 ? "-: the run ends before the first row came"
+                                    : "-: it ended without a row; send rows as a table with a header"};
 }
 
 int run_show(const DemoOptions& options, Replay* replay) {
@@ -195,7 +195,7 @@ int run_show(const DemoOptions& options, Replay* replay) {
 }  // namespace
 
 int run_demo(const DemoOptions& options) {
-  if (const anim::Status ready = check_output(options.output); !ready) {
+  if (const Status ready = check_output(options.output); !ready) {
     return end_with(exit_job_failed, ready.error().message);
   }
   if (options.replay.empty()) return run_show(options, nullptr);

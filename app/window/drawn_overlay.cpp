@@ -34,7 +34,7 @@ SweepCurve sweep_in(std::span<const Json> stops, std::optional<std::string>& com
 
 /// Replaces the figures that this machine measured by a committed report's, so that pictures can be compared.
 /// Errors: the file cannot be read, or is no JSON object.
-anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport& report) {
+Status fix_measured(const std::filesystem::path& report_file, FrameReport& report) {
   const JsonFile file(report_file, {.wrong = "it holds the measured figures that --ui=fixed shows"});
   const auto json = file.read();
   if (!json) return json.error();
@@ -65,31 +65,31 @@ anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport&
   fixed.kept = {};
   fixed.error.skipping_sentence.clear();  // it has measured times
   report = std::move(fixed);
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace
 
-anim::Status DrawnOverlay::begin(Show& show) {
+Status DrawnOverlay::begin(Show& show) {
   const auto fonts = find_data(data_folders(options_.data), "assets/fonts");
   tuning_ = show.stage().tuning();
   reporter_.emplace(show);
-  if (anim::Status reported = report(show); !reported) return reported;
+  if (Status reported = report(show); !reported) return reported;
   overlay_ = std::make_unique<Overlay>(fonts ? *fonts : std::filesystem::path(), options_.ui_scale, tuning_);
   overlay_->show_tab(options_.ui_tab);
   if (options_.legend) overlay_->show_legend_only();
-  if (anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
+  if (Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
   constexpr int frames_until_laid_out = 29;  // three would do; the more, the truer the time of one
   for (int frame = 0; frame < frames_until_laid_out; ++frame) build(show);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status DrawnOverlay::report(Show& show) {
+Status DrawnOverlay::report(Show& show) {
   const FrameTimes& times = show.figures().times();
   reporter_->update(show, place_of(show.view().camera), times.animation_ms + times.drawing_ms());
-  if (!options_.ui_fixed) return anim::Done{};
+  if (!options_.ui_fixed) return Done{};
   const auto figures = find_data(data_folders(options_.data), "assets/fixed_report.json");
-  return figures ? fix_measured(*figures, reporter_->report()) : anim::Status(figures.error());
+  return figures ? fix_measured(*figures, reporter_->report()) : Status(figures.error());
 }
 
 void DrawnOverlay::build(Show& show) {
@@ -100,15 +100,15 @@ void DrawnOverlay::build(Show& show) {
   show.figures().add_overlay(watch.lap());
 }
 
-anim::Status DrawnOverlay::draw(Show& show) {
-  if (anim::Status reported = overlay_ == nullptr ? begin(show) : report(show); !reported) return reported;
+Status DrawnOverlay::draw(Show& show) {
+  if (Status reported = overlay_ == nullptr ? begin(show) : report(show); !reported) return reported;
   build(show);
   show.painter().renderer().draw_overlay(*overlay_->draw_data());
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status DrawnOverlay::write_map() const {
-  if (options_.ui_map.empty() || overlay_ == nullptr) return anim::Done{};
+Status DrawnOverlay::write_map() const {
+  if (options_.ui_map.empty() || overlay_ == nullptr) return Done{};
   return write_whole_file(options_.ui_map, to_json(overlay_->ui_map(), tuning_, reporter_->report()));
 }
 

@@ -17,13 +17,13 @@ class DrawnOverlay {
 
   /// Draws it over the show's picture, which shows the frame that was animated last. Errors: the figures of --ui=fixed
   /// cannot be read; the device failed.
-  anim::Status draw(Show& show);
+  Status draw(Show& show);
   /// Writes where its widgets are, if that is asked for. Errors: the file cannot be written.
-  anim::Status write_map() const;
+  Status write_map() const;
 
  private:
-  anim::Status begin(Show& show);
-  anim::Status report(Show& show);
+  Status begin(Show& show);
+  Status report(Show& show);
   void build(Show& show);
 
   const DemoOptions& options_;

@@ -33,22 +33,22 @@ struct Sorted {
 
 }  // namespace
 
-anim::Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> files, const std::string& shown) {
+Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> files, const std::string& shown) {
   const Sorted all(files);
   if (all.tracks.empty() && all.walls.empty()) return std::optional<TracksToRead>();
   if (!all.others.empty()) {
     const std::string& tracks = all.tracks.empty() ? all.walls.front() : all.tracks.front();
-    return anim::Error{all.others.front() + ": is no file of trajectories; drop it before or after " + tracks};
+    return Error{all.others.front() + ": is no file of trajectories; drop it before or after " + tracks};
   }
   if (all.tracks.size() > 1) {
-    return anim::Error{all.tracks[1] + ": one recorded crowd is shown at a time; drop one of the files"};
+    return Error{all.tracks[1] + ": one recorded crowd is shown at a time; drop one of the files"};
   }
   if (all.walls.size() > 1) {
-    return anim::Error{all.walls[1] + ": one file of walls goes with a recorded crowd; drop one of them"};
+    return Error{all.walls[1] + ": one file of walls goes with a recorded crowd; drop one of them"};
   }
   const std::string& file = all.tracks.empty() ? shown : all.tracks.front();
   if (file.empty()) {
-    return anim::Error{all.walls.front() + ": walls go with a recorded crowd; drop its file together with them"};
+    return Error{all.walls.front() + ": walls go with a recorded crowd; drop its file together with them"};
   }
   return std::optional<TracksToRead>({file, all.walls.empty() ? std::string() : all.walls.front()});
 }
@@ -76,7 +76,7 @@ void DroppedTracks::read(WindowSession& session) const {
   if (!tracks) return session.messages().say(tracks.error().message, Message::Kind::refused);
   const std::size_t people = tracks->persons.size();
   Show& show = session.show;
-  const anim::Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
+  const Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
   if (!session.messages().report(shown)) return;
   session.editor.follow();
   session.camera.put(place_of(show.view().camera), show);

@@ -17,7 +17,7 @@ struct TracksToRead {
 /// Returns the files to read of files that were dropped together: trajectories, walls, or both. `shown` is the
 /// file of the crowd in the window, to which walls alone belong; empty: it is no recorded crowd. Returns nothing if no
 /// file has trajectories or walls. Errors: they do not go together.
-anim::Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> files, const std::string& shown);
+Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> files, const std::string& shown);
 
 /// Opens recorded crowds that are dropped on a window. It names the files before it reads them, since that may take a
 /// second.

@@ -28,7 +28,7 @@ void FileRequests::carry_out(const SavePreset& asked) {
 }
 
 void FileRequests::carry_out(const LoadPreset& asked) {
-  const anim::Result<Preset> preset = read_preset(preset_file(asked.preset));
+  const Result<Preset> preset = read_preset(preset_file(asked.preset));
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
   take(*preset);
 }
@@ -37,13 +37,13 @@ void FileRequests::carry_out(const DeletePreset& asked) {
   const std::filesystem::path file = preset_file(asked.preset);
   std::error_code failed;
   std::filesystem::remove(file, failed);
-  messages().report(failed ? anim::Status(anim::Error{file.string() + ": " + failed.message()}) : anim::Done{},
+  messages().report(failed ? Status(Error{file.string() + ": " + failed.message()}) : Done{},
                     "Deleted " + file.string());
   session_.reporter.report().preset_names = preset_names();
 }
 
 void FileRequests::carry_out(const LoadIntoOther& asked) {
-  const anim::Result<Preset> preset = read_preset(preset_file(asked.preset));
+  const Result<Preset> preset = read_preset(preset_file(asked.preset));
   if (!preset) return messages().say(preset.error().message, Message::Kind::refused);
   overlay_.tuning_pair().take_other(preset->tuning, asked.preset);
   session_.unsaved.keep_other(preset->tuning);
@@ -98,7 +98,7 @@ void FileRequests::carry_out(const LoadRules& asked) {
   if (dress(rules)) messages().say("Read " + plain_text(rules->file));
 }
 
-bool FileRequests::dress(const anim::Result<SetRules>& rules) {
+bool FileRequests::dress(const Result<SetRules>& rules) {
   if (!rules) return messages().say(rules.error().message, Message::Kind::refused), false;
   if (!session_.editor.take(*rules)) return false;
   session_.reporter.describe_character(session_.show, shown());
@@ -110,7 +110,7 @@ void FileRequests::carry_out(const SaveBody&) { say_where(save_rig(character()))
 void FileRequests::carry_out(const SaveBones&) { say_where(save_bone_lod(character())); }
 void FileRequests::carry_out(const ExportLod&) { say_where(export_lod(session_.show, shown())); }
 
-void FileRequests::say_where(const anim::Result<std::filesystem::path>& written) {
+void FileRequests::say_where(const Result<std::filesystem::path>& written) {
   if (written) return messages().say("Wrote " + written->string());
   messages().say(written.error().message, Message::Kind::refused);
 }

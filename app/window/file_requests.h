@@ -34,8 +34,8 @@ class FileRequests {
   void carry_out(const SaveBones& asked);
   void carry_out(const ExportLod& asked);
   void take(const Preset& preset);
-  void say_where(const anim::Result<std::filesystem::path>& written);
-  bool dress(const anim::Result<SetRules>& rules);
+  void say_where(const Result<std::filesystem::path>& written);
+  bool dress(const Result<SetRules>& rules);
   CharacterNumber shown() const { return session_.reporter.report().character; }
   const CharacterSource& character() const;
   Messages& messages() { return session_.messages(); }

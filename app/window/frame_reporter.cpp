@@ -215,13 +215,13 @@ void FrameReporter::update(const Show& show, const CameraPose& camera, double fr
   }
   report_.snapshots.clear();
   for (std::size_t i = 0; i < show.moments().count(); ++i) {
-    report_.snapshots.push_back(static_cast<float>(anim::to_seconds(show.moments().age(show.stage(), i))));
+    report_.snapshots.push_back(static_cast<float>(to_seconds(show.moments().age(show.stage(), i))));
   }
 }
 
 void FrameReporter::add_moment(const Stage& stage) {
   const bool is_recorded = stage.crowd().tracks() != nullptr;
-  report_.seconds = is_recorded ? stage.crowd().tracks()->clock().seconds : anim::to_seconds(stage.system().clock());
+  report_.seconds = is_recorded ? stage.crowd().tracks()->clock().seconds : to_seconds(stage.system().clock());
   report_.people = report_.agents - static_cast<int>(std::ranges::count(absent_of(stage.crowd()), 1));
 }
 

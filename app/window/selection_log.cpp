@@ -22,8 +22,7 @@ void SelectionLog::note(double seconds, const std::string& what) {
 void SelectionLog::note_data_keys(const Stage& stage) {
   const anim::Character& character = *stage.character_of(agent_).character;
   const auto tell = [&](const anim::DataKeyEvent& event) {
-    note(anim::to_seconds(event.time),
-         character.data_key_names[event.name] + " of " + character.clips[event.clip].name);
+    note(to_seconds(event.time), character.data_key_names[event.name] + " of " + character.clips[event.clip].name);
   };
   stage.system().agent(agent_).motion().for_each_data_key(seen_until_, stage.system().clock(), tell);
 }
@@ -34,11 +33,11 @@ void SelectionLog::note_clip(const Stage& stage) {
   clip_ = clip;
   if (clip == no_clip) return;
   const std::string& name = stage.character_of(agent_).character->clips[static_cast<std::size_t>(clip)].name;
-  note(anim::to_seconds(stage.system().clock()), "begins " + name);
+  note(to_seconds(stage.system().clock()), "begins " + name);
 }
 
 void SelectionLog::update(const Stage& stage, SelectionReport& selected) {
-  const anim::Ticks now = stage.system().clock();
+  const Ticks now = stage.system().clock();
   if (selected.agent != agent_ || stage.animated().number() != crowd_ || now < seen_until_) begin(stage, selected);
   if (now > seen_until_) {
     note_data_keys(stage);

@@ -27,7 +27,7 @@ class SelectionLog {
 
   std::uint32_t agent_ = 0;
   std::uint64_t crowd_ = 0;
-  anim::Ticks seen_until_{};
+  Ticks seen_until_{};
   int clip_ = no_clip;
   std::deque<LodOfFrame> history_;
   std::deque<std::string> events_;  // the newest first

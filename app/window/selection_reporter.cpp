@@ -37,7 +37,7 @@ std::string vector_of(const Element* values, int count) {
 }
 
 void add_player(const anim::Player& player, std::vector<BlockField>& fields) {
-  const double seconds = anim::to_seconds(player.position / anim::fine_ticks_per_tick);
+  const double seconds = to_seconds(player.position / anim::fine_ticks_per_tick);
   fields.push_back({"Position", fixed(seconds, 3) + " s"});
   fields.push_back({"Clip", std::to_string(player.clip)});
   fields.push_back({"Speed", fixed(player.speed / 65536.0, 3)});
@@ -55,7 +55,7 @@ std::vector<BlockField> block_fields(const anim::AnimationStateHeader& state) {
       {"Priority", state.priority == anim::highest_priority ? "highest" : std::to_string(state.priority)},
       {"Owner", std::to_string(state.owner)},
       {"Floats a bone", std::to_string(state.components)},
-      {"Delta time", fixed(anim::to_seconds(state.delta_time), 3) + " s"},
+      {"Delta time", fixed(to_seconds(state.delta_time), 3) + " s"},
       {"Velocity", vector_of(state.linear_velocity, 3) + " m/s"},
       {"Turning", vector_of(state.angular_velocity, 3) + " rad/s"}};
   if ((state.flags & anim::AnimationStateHeader::has_absolute_root) != 0) {
@@ -84,8 +84,8 @@ EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim
   const anim::BakedClip& clip = character.clips[player.clip];
   row.clip = clip.name;
   row.position_seconds =
-      static_cast<float>(anim::to_seconds(anim::position_in_clip(player, clip.duration) / anim::fine_ticks_per_tick));
-  row.duration_seconds = static_cast<float>(anim::to_seconds(clip.duration));
+      static_cast<float>(to_seconds(anim::position_in_clip(player, clip.duration) / anim::fine_ticks_per_tick));
+  row.duration_seconds = static_cast<float>(to_seconds(clip.duration));
   return row;
 }
 

@@ -7,25 +7,25 @@
 namespace throng::app {
 namespace {
 
-anim::Status carry_out(const View& view, Show& show) { return show.open_viewer(view.what); }
-anim::Status carry_out(const ViewSelected&, Show& show) {
+Status carry_out(const View& view, Show& show) { return show.open_viewer(view.what); }
+Status carry_out(const ViewSelected&, Show& show) {
   const auto selected = show.stage().selected();
-  if (!selected) return anim::Done{};
+  if (!selected) return Done{};
   const std::size_t character = show.stage().crowd().characters()[*selected];
-  if (character >= show.stage().people().size()) return anim::Error{"a thing is not shown alone, only a character is"};
+  if (character >= show.stage().people().size()) return Error{"a thing is not shown alone, only a character is"};
   return show.open_viewer({.character = character, .agent = selected});
 }
-anim::Status carry_out(const LeaveViewer&, Show& show) { return show.leave_viewer(), anim::Done{}; }
+Status carry_out(const LeaveViewer&, Show& show) { return show.leave_viewer(), Done{}; }
 // The caller makes a request of it.
-anim::Status carry_out(const ApplyPreview&, Show& show) { return show.leave_viewer(), anim::Done{}; }
+Status carry_out(const ApplyPreview&, Show& show) { return show.leave_viewer(), Done{}; }
 
 void change(const SetViewer& asked, Viewer& viewer) { viewer.choose(asked.settings); }
 void change(const ScrubViewer& asked, Viewer& viewer) { viewer.scrub(asked.seconds); }
 void change(const FaceFront&, Viewer& viewer) { viewer.turntable().face_front(); }
 template <typename OfViewer>
-anim::Status carry_out(const OfViewer& asked, Show& show) {
+Status carry_out(const OfViewer& asked, Show& show) {
   if (show.viewer() != nullptr) change(asked, *show.viewer());
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::optional<SetRoles> previewed_roles(const Show& show) {
   return SetRoles{static_cast<CharacterNumber>(character), clips};
 }
 
-anim::Status take(const ViewerRequest& request, Show& show) {
+Status take(const ViewerRequest& request, Show& show) {
   return std::visit([&](const auto& asked) { return carry_out(asked, show); }, request);
 }
 

@@ -21,14 +21,14 @@ SetRules tuned(const TuneRules& asked, const Stage& stage) {
   return {.character = asked.character, .rules = rules_text(rules)};
 }
 
-anim::Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character) {
+Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character) {
   const std::filesystem::path file = rules_file(asked.rules);
   const CastRules& rules = stage.clothing()[character].rules;
-  if (const anim::Status written = write_cast_rules(file, rules); !written) return written.error();
+  if (const Status written = write_cast_rules(file, rules); !written) return written.error();
   return SetRules{.character = character, .rules = rules_text(rules), .file = file.string()};
 }
 
-anim::Result<SetRules> loaded(const LoadRules& asked, const Stage& stage, CharacterNumber character) {
+Result<SetRules> loaded(const LoadRules& asked, const Stage& stage, CharacterNumber character) {
   const std::filesystem::path file =
       asked.rules.empty() ? rules_file_of(stage.people()[character]) : rules_file(asked.rules);
   const auto rules = read_cast_rules(file);

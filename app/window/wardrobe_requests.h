@@ -14,8 +14,8 @@ SetRules tuned(const TuneRules& asked, const Stage& stage);
 
 /// Writes the rules in force as NAME.cast.json in the working folder; they come from that file then. Errors: those of
 /// write_cast_rules().
-anim::Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character);
+Result<SetRules> saved(const SaveRules& asked, const Stage& stage, CharacterNumber character);
 /// Reads the rules of NAME.cast.json; without a name the file in force. Errors: those of read_cast_rules().
-anim::Result<SetRules> loaded(const LoadRules& asked, const Stage& stage, CharacterNumber character);
+Result<SetRules> loaded(const LoadRules& asked, const Stage& stage, CharacterNumber character);
 
 }  // namespace throng::app

@@ -41,9 +41,9 @@ class WindowLoop {
     overlay_.show_tab(options.ui_tab);
   }
 
-  anim::Status run() {
+  Status run() {
     const DemoOptions& options = session_.options;
-    if (anim::Status prepared = picture_.prepare(overlay_); !prepared) return prepared;
+    if (Status prepared = picture_.prepare(overlay_); !prepared) return prepared;
     for (int frame = 1; !done_ && (!options.frames_given || frame <= options.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();
@@ -133,11 +133,11 @@ class WindowLoop {
     session_.camera.steer(session_.show, input, free, seconds);
   }
 
-  anim::Ticks step(double seconds, bool single) const {
+  Ticks step(double seconds, bool single) const {
     const Tuning& tuning = session_.editor.tuning();
-    if (session_.show.viewer() != nullptr) return anim::to_ticks(session_.options.dt.value_or(seconds));
-    if (tuning.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
-    return anim::to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
+    if (session_.show.viewer() != nullptr) return to_ticks(session_.options.dt.value_or(seconds));
+    if (tuning.paused) return single ? to_ticks(single_step) : Ticks{};
+    return to_ticks(session_.options.dt.value_or(seconds) * static_cast<double>(tuning.time_scale));
   }
 
   void write_ui_map() {
@@ -154,13 +154,13 @@ class WindowLoop {
   WindowRequests requests_{session_, overlay_};
   WindowPicture picture_{session_.show, session_.messages()};
   Clock::time_point last_frame_ = Clock::now();
-  anim::Status failed_ = anim::Done{};
+  Status failed_ = Done{};
   bool done_ = false;
 };
 
 }  // namespace
 
-anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
   return WindowLoop(show, options, replay).run();
 }
 

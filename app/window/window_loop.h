@@ -9,6 +9,6 @@ class Show;
 
 /// Runs `show` in its window until a person closes it or presses Esc, or the frames that were asked for are over.
 /// A `replay` that is not null repeats its recording, to its end.
-anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay);
+Status run_window(Show& show, const DemoOptions& options, Replay* replay);
 
 }  // namespace throng::app

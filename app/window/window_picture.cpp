@@ -11,7 +11,7 @@
 
 namespace throng::app {
 
-anim::Status WindowPicture::prepare(Overlay& overlay) {
+Status WindowPicture::prepare(Overlay& overlay) {
   if (show_.painter().is_on_software()) overlay.leave_ground_out();
   return show_.painter().renderer().prepare_overlay();
 }
@@ -27,8 +27,8 @@ void WindowPicture::fit_to_window() {
   view.height = size.y;
 }
 
-anim::Status WindowPicture::present(Overlay& overlay) {
-  if (minimised_) return anim::Done{};
+Status WindowPicture::present(Overlay& overlay) {
+  if (minimised_) return Done{};
   ShowView& view = show_.view();
   render::Renderer& renderer = show_.painter().renderer();
   const UiRectangle crowd = overlay.crowd_area();
@@ -39,9 +39,9 @@ anim::Status WindowPicture::present(Overlay& overlay) {
     renderer.draw_only({{0, view.height - height}, {static_cast<int>(std::ceil(crowd.width)), height}},
                        Overlay::panel_color());
   }
-  anim::Status drawn = show_.draw();
+  Status drawn = show_.draw();
   const bool is_first = show_.stage().posed().frame() <= 1;
-  if (messages_.report(drawn) || !is_first) drawn = anim::Done{};
+  if (messages_.report(drawn) || !is_first) drawn = Done{};
   renderer.draw_overlay(*overlay.draw_data());
   renderer.present();
   return drawn;

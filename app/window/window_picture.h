@@ -19,12 +19,12 @@ class WindowPicture {
   WindowPicture(Show& show, Messages& messages) : show_(show), messages_(messages) {}
 
   /// Makes the device ready to draw the panel. Errors: those of render::Renderer::prepare_overlay.
-  anim::Status prepare(Overlay& overlay);
+  Status prepare(Overlay& overlay);
   /// Takes the size of the window. A minimised window has no pixels: the crowd goes on, unseen.
   void fit_to_window();
   /// Draws the show with the panel over it. Errors: the first picture cannot be drawn. Later a person can take the
   /// value back that is too much to draw.
-  anim::Status present(Overlay& overlay);
+  Status present(Overlay& overlay);
   /// Builds the shaders that were saved since the last look, twice a second.
   void build_saved_shaders(Clock::time_point now);
 

@@ -56,7 +56,7 @@ void WindowReplay::play(Show& show, double seconds) {
   due_ += seconds * static_cast<double>(report_.speed);
   for (const Clock::time_point end = Clock::now() + longest_wait; due_ > 0 && !report_.ended;) {
     step(show);
-    due_ -= replay_.delta() == anim::Ticks{} ? paused_frame : anim::to_seconds(replay_.delta());
+    due_ -= replay_.delta() == Ticks{} ? paused_frame : to_seconds(replay_.delta());
     if (Clock::now() > end) due_ = std::min(due_, 0.0);  // frames that this machine cannot show in time, it shows later
   }
 }
@@ -74,24 +74,24 @@ void WindowReplay::seek(Show& show) {
 }
 
 void WindowReplay::step(Show& show) {
-  const anim::Result<bool> repeated = replay_.step(show);
+  const Result<bool> repeated = replay_.step(show);
   report_.frame = replay_.frame();
   if (!repeated) return end_with(repeated.error());
-  if (!*repeated) return end_with(anim::Done{});
+  if (!*repeated) return end_with(Done{});
   // The end is looked at with the last frame, so that it is said at once.
   if (report_.frame < report_.frames) return;
-  const anim::Result<bool> ended = replay_.step(show);
-  end_with(ended ? anim::Status(anim::Done{}) : anim::Status(ended.error()));
+  const Result<bool> ended = replay_.step(show);
+  end_with(ended ? Status(Done{}) : Status(ended.error()));
 }
 
 void WindowReplay::begin_anew(Show& show) {
   report_.ended = report_.differs = false;
   report_.outcome.clear();
-  if (const anim::Status begun = replay_.begin_anew(show); !begun) end_with(begun);
+  if (const Status begun = replay_.begin_anew(show); !begun) end_with(begun);
   report_.frame = replay_.frame();
 }
 
-void WindowReplay::end_with(const anim::Status& outcome) {
+void WindowReplay::end_with(const Status& outcome) {
   report_.ended = true;
   report_.differs = !outcome;
   report_.outcome = outcome ? replay_.summary() : outcome.error().message;

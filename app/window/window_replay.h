@@ -26,7 +26,7 @@ class WindowReplay {
 
   const ReplayReport& report() const { return report_; }
   /// Returns the first difference, or why the replay could not go on.
-  const anim::Status& outcome() const { return outcome_; }
+  const Status& outcome() const { return outcome_; }
 
  private:
   void carry_out(const ToggleReplayPause& asked);
@@ -39,12 +39,12 @@ class WindowReplay {
   void seek(Show& show);
   void step(Show& show);
   void begin_anew(Show& show);
-  void end_with(const anim::Status& outcome);
+  void end_with(const Status& outcome);
 
   Replay& replay_;
   ReplayReport report_;
   double due_ = 0;  // seconds of the recording that are to be repeated
-  anim::Status outcome_ = anim::Done{};
+  Status outcome_ = Done{};
 };
 
 }  // namespace throng::app

@@ -7,8 +7,8 @@
 namespace throng::app {
 namespace {
 
-anim::Status give(const Tuning& tuning, Show& show) {
-  return tuning == show.stage().tuning() ? anim::Done{} : show.take(Apply{tuning});
+Status give(const Tuning& tuning, Show& show) {
+  return tuning == show.stage().tuning() ? Done{} : show.take(Apply{tuning});
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void WindowSession::show_wanted_values(bool exact_crowd) {
   const Tuning& tuning = editor.tuning();
   if (!sweep.began_with(tuning)) sweep.stop();
   while (sweep.runs() && !exact_crowd) {
-    const anim::Status given = give(sweep.tuning(), show);
+    const Status given = give(sweep.tuning(), show);
     if (given) return;
     sweep.refuse(given.error().message);
   }

@@ -41,7 +41,7 @@ double cycle_seconds(const app::CharacterSource& source, const Plane& plane, con
   const anim::BlendPlane::Shares shares = plane->plane().shares(velocity);
   for (const anim::BlendPlane::Share& share : shares.all()) {
     const anim::BlendPoint2d& point = plane->point(share.point);
-    const double seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(point.clip)].duration);
+    const double seconds = to_seconds(source.character->clips[static_cast<std::size_t>(point.clip)].duration);
     stride += glm::dvec2(point.place) * (static_cast<double>(share.weight) * seconds);
   }
   return glm::length(stride) / static_cast<double>(glm::length(velocity));
@@ -53,7 +53,7 @@ render::Image phases_of(Studio& studio, const Plane& plane, const glm::vec2& vel
   const auto system = std::move(*anim::AnimationSystem::create(source.character, {}));
   system->set_agent_count(1);
   if (!system->agent(0).add_channel(std::make_unique<anim::BlendSpace2dChannel>(plane, velocity))) return {};
-  const anim::Ticks step = anim::to_ticks(cycle_seconds(source, plane, velocity) / columns);
+  const Ticks step = to_ticks(cycle_seconds(source, plane, velocity) / columns);
   app::Random random(12, 0);
   const app::Tints clothes = app::random_tints(random);
   std::vector<Figure> figures;

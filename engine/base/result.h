@@ -51,22 +51,9 @@ class [[nodiscard]] Result {
 
 }  // namespace throng
 
-namespace throng::anim {
-using throng::Done, throng::Error, throng::Result;
-}
-namespace throng::render {
-using throng::Done, throng::Error, throng::Result;
-}
-
 // X11 has a macro of this name: a source that includes X11 before writes Result<Done>.
 #if !defined(Status)
 namespace throng {
 using Status = Result<Done>;
-}
-namespace throng::anim {
-using throng::Status;
-}
-namespace throng::render {
-using throng::Status;
 }
 #endif

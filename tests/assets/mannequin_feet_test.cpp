@@ -38,10 +38,10 @@ class MannequinFeet : public testing::Test {
     return some_of(static_cast<int>(random_() % clip_list.size()), least_fade, most_fade);
   }
   anim::PlayRequest some_of(int clip, double least_fade, double most_fade) {
-    const double seconds = anim::to_seconds(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].duration);
+    const double seconds = to_seconds(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].duration);
     return {.clip = clip,
-            .fade = anim::to_ticks(between(least_fade, most_fade)),
-            .start = anim::to_ticks(between(0.0, 0.99) * seconds),
+            .fade = to_ticks(between(least_fade, most_fade)),
+            .start = to_ticks(between(0.0, 0.99) * seconds),
             .loop = !plays_once(clip_list[static_cast<std::size_t>(clip)])};
   }
   int some_gait() { return std::array{idle, walk, jog, run}[random_() % 4U]; }

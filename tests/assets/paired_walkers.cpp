@@ -59,8 +59,8 @@ void PairedWalkers::ask(std::size_t pair, const std::function<void(anim::Agent)>
 }
 
 const std::vector<PairedWalkers::Pair>& PairedWalkers::step() {
-  const anim::Ticks before = system_->clock();
-  system_->advance(anim::ticks_per_second / 60);
+  const Ticks before = system_->clock();
+  system_->advance(ticks_per_second / 60);
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
     anim::Agent agent = system_->agent(placed(pair));
     anim::JointMotion& placement = placements_[pair];
@@ -68,7 +68,7 @@ const std::vector<PairedWalkers::Pair>& PairedWalkers::step() {
     placement.position += placement.rotation * glm::vec3(moved.translation);
     placement.rotation =
         glm::normalize(placement.rotation * glm::angleAxis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F)));
-    const anim::Status changed =
+    const Status changed =
         agent.change_process<FootPlacementProcess>({0}, [&](auto& feet) { feet.set_placement(placement); });
     if (!changed) std::abort();
   }

@@ -22,7 +22,7 @@
 namespace throng::fuzz {
 namespace {
 
-anim::Status write_pack_of(const std::filesystem::path& file, int bones, int clips) {
+Status write_pack_of(const std::filesystem::path& file, int bones, int clips) {
   pack::FileToPack packed;
   packed.name = "crowd";
   packed.file.file = "crowd.glb";
@@ -44,10 +44,10 @@ app::ChosenCharacter person() {
 }
 
 /// Writes a recording with one of everything.
-anim::Status write_recording(const std::filesystem::path& file) {
+Status write_recording(const std::filesystem::path& file) {
   const app::RecordingHeader header{.characters = {person()}, .tuning = {}, .width = 640, .height = 360};
   const app::RecordedFrame frame{
-      .delta = anim::Ticks{10}, .view = {.camera = {}, .width = 640, .height = 360}, .pose_hash = 77};
+      .delta = Ticks{10}, .view = {.camera = {}, .width = 640, .height = 360}, .pose_hash = 77};
   auto created = app::RecordingWriter::create(file, header);
   if (!created) return created.error();
   app::RecordingWriter& writer = **created;
@@ -74,8 +74,8 @@ anim::Status write_recording(const std::filesystem::path& file) {
 }
 
 /// Writes what a person keeps: tuned values, roles and parts of the body, an order of bones.
-anim::Status write_kept(const std::filesystem::path& folder) {
-  if (anim::Status written = app::write_preset(folder / "preset" / "every-key.json", app::Preset{}); !written) {
+Status write_kept(const std::filesystem::path& folder) {
+  if (Status written = app::write_preset(folder / "preset" / "every-key.json", app::Preset{}); !written) {
     return written;
   }
   const std::vector<app::RoleChoice> clips{{app::Role::walk, "clip_1"}, {app::Role::cheer, app::no_clip_name}};
@@ -85,11 +85,11 @@ anim::Status write_kept(const std::filesystem::path& folder) {
   const std::vector<app::RigChoice> rig{{anim::BodyRole::hips, skeleton.bones[0].name}};
   if (auto written = roles.write_rig(rig); !written) return written.error();
   const auto order = app::BoneLodFile(folder / "bone_order" / "model").write(skeleton);
-  return order ? anim::Status(anim::Done{}) : order.error();
+  return order ? Status(Done{}) : order.error();
 }
 
 /// Writes a crowd file with one of everything, and one of the built-in character alone.
-anim::Status write_crowd_files(const std::filesystem::path& folder) {
+Status write_crowd_files(const std::filesystem::path& folder) {
   const anim::Skeleton skeleton = anim::synthetic_model(5, 3).skeleton;
   app::ChosenCharacter plain;
   plain.file = (folder / "horse.glb").string();
@@ -111,12 +111,12 @@ anim::Status write_crowd_files(const std::filesystem::path& folder) {
   setup.pair.names.front() = "baseline";
   setup.bookmarks.front() = app::CameraPose{.x = 1, .y = 2, .z = 3};
   setup.bookmarks.back() = app::CameraPose{.pitch = -20};
-  if (anim::Status written = app::write_crowd_file(folder / "everything.throng", setup); !written) return written;
+  if (Status written = app::write_crowd_file(folder / "everything.throng", setup); !written) return written;
   return app::write_crowd_file(folder / "built-in.throng", {.characters = {{}}, .preset = {}});
 }
 
 /// Writes texts that are nested deeper than anything is read, for each target that reads such a text.
-anim::Status write_nested(const std::filesystem::path& folder) {
+Status write_nested(const std::filesystem::path& folder) {
   const auto repeated = [](std::string_view text) {
     constexpr std::size_t most_bytes = 60'000;
     std::string nested;
@@ -127,23 +127,23 @@ anim::Status write_nested(const std::filesystem::path& folder) {
                                    "tracks", "ground_plan", "check_cases"}) {
     const std::filesystem::path place = folder / target;
     std::filesystem::create_directories(place);
-    if (anim::Status written = write_whole_file(place / "nested-arrays.json", repeated("[")); !written) return written;
-    anim::Status written = write_whole_file(place / "nested-objects.json", repeated("{\"a\":"));
+    if (Status written = write_whole_file(place / "nested-arrays.json", repeated("[")); !written) return written;
+    Status written = write_whole_file(place / "nested-objects.json", repeated("{\"a\":"));
     if (!written) return written;
   }
-  const anim::Status written = write_whole_file(folder / "tracks" / "nested.xml", "<fcd-export>" + repeated("<a>"));
+  const Status written = write_whole_file(folder / "tracks" / "nested.xml", "<fcd-export>" + repeated("<a>"));
   return written ? write_whole_file(folder / "ground_plan" / "nested.wkt", repeated("GEOMETRYCOLLECTION(")) : written;
 }
 
-anim::Status write_all(const std::filesystem::path& folder) {
+Status write_all(const std::filesystem::path& folder) {
   for (const char* const target : {"pack", "recording", "preset", "roles", "bone_order", "crowd_file"}) {
     std::filesystem::create_directories(folder / target);
   }
-  if (anim::Status written = write_pack_of(folder / "pack" / "small.pack", 3, 1); !written) return written;
-  if (anim::Status written = write_pack_of(folder / "pack" / "two-clips.pack", 7, 2); !written) return written;
-  if (anim::Status written = write_recording(folder / "recording" / "everything.rec"); !written) return written;
-  if (anim::Status written = write_crowd_files(folder / "crowd_file"); !written) return written;
-  if (anim::Status written = write_kept(folder); !written) return written;
+  if (Status written = write_pack_of(folder / "pack" / "small.pack", 3, 1); !written) return written;
+  if (Status written = write_pack_of(folder / "pack" / "two-clips.pack", 7, 2); !written) return written;
+  if (Status written = write_recording(folder / "recording" / "everything.rec"); !written) return written;
+  if (Status written = write_crowd_files(folder / "crowd_file"); !written) return written;
+  if (Status written = write_kept(folder); !written) return written;
   return write_nested(folder);
 }
 
@@ -151,7 +151,7 @@ anim::Status write_all(const std::filesystem::path& folder) {
 }  // namespace throng::fuzz
 
 int main(int count, char** arguments) {
-  const throng::anim::Status written = throng::fuzz::write_all(count == 2 ? arguments[1] : ".");
+  const throng::Status written = throng::fuzz::write_all(count == 2 ? arguments[1] : ".");
   if (!written) std::cerr << written.error().message << '\n';
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -121,7 +121,7 @@ std::uint32_t draw_calls_of(int agents) {
   StartError error;
   const std::unique_ptr<Show> show = open_show(options, error);
   if (show == nullptr) return ADD_FAILURE() << error.message, 0;
-  show->animate(anim::ticks_per_second / 60);
+  show->animate(ticks_per_second / 60);
   EXPECT_TRUE(show->draw());
   EXPECT_GT(show->stage().posed().selection().visible.size(), static_cast<std::size_t>(agents) / 2);
   return show->painter().draw_counts().draw_calls;

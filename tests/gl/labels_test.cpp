@@ -41,9 +41,9 @@ class LabelledCrowd {
     StartError error;
     show_ = open_show(options, error);
     EXPECT_NE(show_, nullptr) << error.message;
-    for (int frame = 0; frame < 20; ++frame) show_->animate(anim::ticks_per_second / 60);
+    for (int frame = 0; frame < 20; ++frame) show_->animate(ticks_per_second / 60);
     maker_ = std::make_unique<LabelMaker>(show_->stage());
-    const anim::Status made = maker_->make(*show_, 1, false);
+    const Status made = maker_->make(*show_, 1, false);
     EXPECT_TRUE(made) << made.error().message;
   }
 

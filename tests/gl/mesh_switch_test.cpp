@@ -91,7 +91,7 @@ class MeshSwitch : public testing::Test {
     StartError error;
     show_ = open_show(one_figure(model, dressed), error);
     ASSERT_NE(show_, nullptr) << error.message;
-    for (int frame = 0; frame < 40; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
+    for (int frame = 0; frame < 40; ++frame) show_->animate(to_ticks(1.0 / 60.0));
   }
 
   std::span<const render::MeshError> shares() const { return show_->stage().posed().mesh_lods().shares(0); }
@@ -108,7 +108,7 @@ class MeshSwitch : public testing::Test {
     Tuning tuning = show_->stage().tuning();
     tuning.mesh_lod = lod;
     EXPECT_TRUE(show_->take(Apply{tuning}));
-    show_->animate(anim::Ticks{});
+    show_->animate(Ticks{});
     EXPECT_TRUE(show_->draw());
     return show_->painter().renderer().read_image();
   }

@@ -43,7 +43,7 @@ TEST(PlacedMeshes, OfTheOthersStay) {
   EXPECT_EQ(after[0], before[0]);
   EXPECT_NE(after[1], before[1]);
   EXPECT_EQ(after[2], before[2]);
-  show->animate(anim::ticks_per_second / 60);
+  show->animate(ticks_per_second / 60);
   EXPECT_TRUE(show->draw());
 }
 

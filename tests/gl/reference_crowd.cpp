@@ -33,7 +33,7 @@ ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, std::vector<ani
       plays_(crowd_.size()) {
   for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
     const auto clip = static_cast<std::size_t>(crowd_.minds().clips()[agent]);
-    const double seconds = anim::to_seconds(character.character->clips[clip].duration);
+    const double seconds = to_seconds(character.character->clips[clip].duration);
     const double start = static_cast<double>(crowd_.looks().start_phases[agent]) * seconds;
     plays_[agent].push_back(
         {.clip = clip, .stretches = {{.position = start, .speed = speed_of(static_cast<std::uint32_t>(agent))}}});
@@ -42,12 +42,12 @@ ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, std::vector<ani
 
 double ReferenceCrowd::speed_of(std::uint32_t agent) const { return counted_speed(crowd_.playback_speeds()[agent]); }
 
-void ReferenceCrowd::advance(anim::Ticks delta) {
+void ReferenceCrowd::advance(Ticks delta) {
   clock_ += delta;
   for (const ClipRequest& request : crowd_.advance(delta)) {
     plays_[request.agent].push_back({.asked = clock_,
                                      .clip = static_cast<std::size_t>(request.clip),
-                                     .fade = anim::to_ticks(static_cast<double>(request.fade_seconds)),
+                                     .fade = to_ticks(static_cast<double>(request.fade_seconds)),
                                      .stretches = {{.since = clock_, .speed = speed_of(request.agent)}}});
   }
   for (std::uint32_t mover = 0; mover < crowd_.walkers().count() + crowd_.marchers().count(); ++mover) keep_pace(mover);
@@ -59,7 +59,7 @@ void ReferenceCrowd::keep_pace(std::uint32_t agent) {
   const Stretch& last = stretches.back();
   if (last.speed == speed_of(agent)) return;
   stretches.push_back({.since = clock_,
-                       .position = last.position + anim::to_seconds(clock_ - last.since) * last.speed,
+                       .position = last.position + to_seconds(clock_ - last.since) * last.speed,
                        .speed = speed_of(agent)});
 }
 
@@ -71,15 +71,15 @@ bool ReferenceCrowd::fades(std::uint32_t agent) const {
 std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, const PoseMoment& moment) const {
   const anim::BakedClip& clip = character_.character->clips[play.clip];
   const anim::Skeleton& skeleton = character_.model.skeleton;
-  const double duration = anim::to_seconds(clip.duration);
+  const double duration = to_seconds(clip.duration);
   // A pose of a later moment was made with the speed of the moment at which it was made.
   const auto known = std::ranges::find_if(std::views::reverse(play.stretches),
                                           [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
-  const double played = known->position + anim::to_seconds(moment.time - known->since) * known->speed;
+  const double played = known->position + to_seconds(moment.time - known->since) * known->speed;
   const double seconds = std::fmod(played, duration);
   auto locals = anim::reference_pose(skeleton, &clips_[play.clip], seconds).locals;
   // The crowd moves its agents itself, so the root motion of a clip is no part of the pose.
-  const anim::FineTicks position = anim::to_ticks(seconds) * anim::fine_ticks_per_tick;
+  const anim::FineTicks position = to_ticks(seconds) * anim::fine_ticks_per_tick;
   const anim::RootMotion back = inverse(displacement(clip.root_motion, 0, position, false));
   const glm::dquat turn = glm::angleAxis(back.yaw, glm::dvec3(0.0, 1.0, 0.0));
   for (std::size_t bone = 0; bone < locals.size(); ++bone) {
@@ -99,8 +99,7 @@ std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseM
   for (const Play& play : plays_[agent]) {
     if (play.asked > moment.evaluated) break;
     std::vector<anim::StateTransform> next = locals_of(play, moment);
-    const double faded =
-        play.fade == anim::Ticks{} ? 1.0 : anim::to_seconds(moment.time - play.asked) / anim::to_seconds(play.fade);
+    const double faded = play.fade == Ticks{} ? 1.0 : to_seconds(moment.time - play.asked) / to_seconds(play.fade);
     if (faded < 1.0) {
       for (std::size_t bone = 0; bone < next.size(); ++bone) {
         next[bone] = blended(locals[bone], next[bone], eased(faded));

@@ -16,8 +16,8 @@ namespace throng::app::test {
 /// The moment at which a palette was evaluated, and the moment whose pose it is. Requests that an agent gets in between
 /// do not show in it.
 struct PoseMoment {
-  anim::Ticks evaluated{};
-  anim::Ticks time{};  ///< `evaluated` or later
+  Ticks evaluated{};
+  Ticks time{};  ///< `evaluated` or later
   /// The coarser level on the way. The bones that it lacks have come `faded`, 0 to 1, towards their rest.
   std::size_t fade_level = 0;
   double faded = 0.0;
@@ -31,9 +31,9 @@ class ReferenceCrowd {
   /// `character` must outlive it; `clips` are those of its file.
   ReferenceCrowd(const CharacterSource& character, std::vector<anim::Clip> clips, const Tuning& tuning);
 
-  void advance(anim::Ticks delta);
+  void advance(Ticks delta);
 
-  anim::Ticks clock() const { return clock_; }
+  Ticks clock() const { return clock_; }
   bool fades(std::uint32_t agent) const;
 
   /// Gives every vertex of the surface at a bone level, in model space and in the order of Model::meshes.
@@ -47,14 +47,14 @@ class ReferenceCrowd {
  private:
   /// A time during which a clip plays at one speed.
   struct Stretch {
-    anim::Ticks since{};
+    Ticks since{};
     double position = 0.0;  ///< seconds into the clip at its start, loops included
     double speed = 1.0;
   };
   struct Play {
-    anim::Ticks asked{};
+    Ticks asked{};
     std::size_t clip = 0;
-    anim::Ticks fade{};
+    Ticks fade{};
     std::vector<Stretch> stretches;  // oldest first; never empty
   };
 
@@ -65,7 +65,7 @@ class ReferenceCrowd {
   const CharacterSource& character_;
   std::vector<anim::Clip> clips_;
   Crowd crowd_;
-  anim::Ticks clock_{};
+  Ticks clock_{};
   std::vector<std::vector<Play>> plays_;  // [agent], oldest first
 };
 

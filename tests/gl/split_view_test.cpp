@@ -51,7 +51,7 @@ class SplitView : public testing::Test {
     StartError error;
     show_ = open_show(options, error);
     ASSERT_NE(show_, nullptr) << error.message;
-    for (int frame = 0; frame < 27; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
+    for (int frame = 0; frame < 27; ++frame) show_->animate(to_ticks(1.0 / 60.0));
   }
   Image picture(Split split) {
     Tuning tuning = show_->stage().tuning();

@@ -22,7 +22,7 @@ constexpr int width = 64, height = 36;
 constexpr const char* model_file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 
 template <typename Value>
-Value value_of(anim::Result<Value> result) {
+Value value_of(Result<Value> result) {
   if (!result) throw std::runtime_error(result.error().message);
   return std::move(*result);
 }
@@ -31,7 +31,7 @@ std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, 
   auto renderer = render::Renderer::create(context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0});
   if (!renderer) throw std::runtime_error(renderer.error().message);
   const render::CrowdMeshData mesh = mesh_data(character);
-  const anim::Status loaded = (*renderer)->load_characters({&mesh, 1});
+  const Status loaded = (*renderer)->load_characters({&mesh, 1});
   if (!loaded) throw std::runtime_error(loaded.error().message);
   return std::move(*renderer);
 }
@@ -80,7 +80,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
 }
 
 void StagedCrowd::retune(const Tuning& tuning) {
-  const anim::Status applied = stage_->apply(tuning);
+  const Status applied = stage_->apply(tuning);
   if (!applied) throw std::runtime_error(applied.error().message);
 }
 
@@ -96,7 +96,7 @@ void StagedCrowd::pass_frame() {
 
 // With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
 void StagedCrowd::note_moments() {
-  const anim::Ticks now = reference_->clock();
+  const Ticks now = reference_->clock();
   for (const anim::AgentUpdate& update : stage_->posed().level_of_detail().updates()) {
     const std::uint32_t agent = update.agent.number;
     const ShownPose& pose = stage_->posed().shown().pose(agent);
@@ -131,7 +131,7 @@ std::uint32_t StagedCrowd::instance_of(std::uint32_t agent) const {
 double StagedCrowd::blend_of(std::uint32_t agent) const {
   const auto& [from, to] = moments_[agent];
   if (from.time == to.time) return 1.0;
-  return anim::to_seconds(reference_->clock() - from.time) / anim::to_seconds(to.time - from.time);
+  return to_seconds(reference_->clock() - from.time) / to_seconds(to.time - from.time);
 }
 
 bool StagedCrowd::blends(std::uint32_t agent) const { return blend_of(agent) > 0.0 && blend_of(agent) < 1.0; }
@@ -170,7 +170,7 @@ double StagedCrowd::largest_error_on_screen(std::uint32_t agent) {
     return glm::dvec2(clip) / clip.w * glm::dvec2(width, height) * 0.5;
   };
   const std::vector<render::test::ReadBackVertex> drawn = surface_on_device(agent);
-  const anim::Ticks now = reference_->clock();
+  const Ticks now = reference_->clock();
   const std::vector<glm::dvec3> exact = reference_->surface(agent, {.evaluated = now, .time = now}, 0);
   double largest = 0.0;
   for (std::size_t vertex = 0; vertex < drawn.size(); ++vertex) {

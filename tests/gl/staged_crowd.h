@@ -30,7 +30,7 @@ class RememberedPages final : public render::PalettePageSource {
 /// result. The input of the device is public, so that tests can put faults into it.
 class StagedCrowd {
  public:
-  static constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
+  static constexpr Ticks frame_step = ticks_per_second / 60;
 
   StagedCrowd(render::gl::Context& context, const Tuning& tuning);
 

@@ -44,7 +44,7 @@ TEST_P(SkinJoints, AreThePaletteInTheOrderOfTheFile) {
     if (list.empty()) continue;
     ASSERT_TRUE(system->characters().write_joints(list, anim::JointFormat::matrices_4x4));
     system->set_agent_count(1);
-    system->agent(0).play({.clip = 0, .start = anim::to_ticks(0.1)});
+    system->agent(0).play({.clip = 0, .start = to_ticks(0.1)});
     const auto entries = static_cast<std::size_t>(model.skeleton.palette_count());
     std::vector<PaletteMatrix> palette(entries + 4);
     std::vector<anim::Matrix4x4> joints(list.size());

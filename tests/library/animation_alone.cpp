@@ -31,7 +31,7 @@ int main() {
   if (selection.due.size() != 1) return 1;
 
   const anim::AgentUpdate update{.agent = {selection.due[0]}};
-  system.advance(anim::ticks_per_second / 60);
+  system.advance(ticks_per_second / 60);
   system.update({&update, 1});
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));
 }

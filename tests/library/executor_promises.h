@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include "engine/anim/base/executor.h"
+#include "throng/host.h"
 
 namespace throng::anim {
 
-/// Checks the promises of engine/anim/base/executor.h, frame after frame. Counts are plain integers: the caller sees
+/// Checks the promises of throng/host.h, frame after frame. Counts are plain integers: the caller sees
 /// them only if the executor made the stores of its jobs visible.
 inline void expect_each_job_once(Executor& executor, int jobs) {
   for (int frame = 0; frame < 100; ++frame) {

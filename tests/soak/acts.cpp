@@ -19,7 +19,7 @@ using app::Show;
 struct Act {
   const char* name;
   std::uint32_t weight;
-  anim::Status (*run)(Show&, Random&);
+  Status (*run)(Show&, Random&);
 };
 
 using Wished = app::CrowdRequest;
@@ -119,33 +119,33 @@ Wished models(const Show&, const Models& all, Random& random) {
   return app::LoadModels{files};
 }
 
-anim::Status fly(Show& show, Random& random) {
+Status fly(Show& show, Random& random) {
   show.view().camera.position = {random.between(-30, 30), random.between(0.2F, 20), random.between(-30, 30)};
   show.view().camera.yaw = random.between(-3, 3);
   show.view().camera.pitch = random.between(-1.5F, 0.5F);
   show.view().films = random.chance(0.3F);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status resize(Show& show, Random& random) {
+Status resize(Show& show, Random& random) {
   const int width = any_whole_number(random, 1, 900), height = any_whole_number(random, 1, 700);
   if (show.painter().draws()) {
-    if (anim::Status set = show.painter().renderer().set_size({width, height}); !set) return set;
+    if (Status set = show.painter().renderer().set_size({width, height}); !set) return set;
   }
   show.view().width = width;
   show.view().height = height;
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status draw(Show& show, Random& random) {
-  if (!show.painter().draws()) return anim::Done{};
-  anim::Status drawn = show.draw();
+Status draw(Show& show, Random& random) {
+  if (!show.painter().draws()) return Done{};
+  Status drawn = show.draw();
   if (drawn && random.chance(0.3F)) show.painter().renderer().read_image();
   return drawn;
 }
 
-anim::Status reload_shaders(Show& show, Random&) {
-  if (!show.painter().draws()) return anim::Done{};
+Status reload_shaders(Show& show, Random&) {
+  if (!show.painter().draws()) return Done{};
   return show.painter().renderer().reload_shaders();
 }
 
@@ -174,7 +174,7 @@ const Kind& any_kind(const Kind (&kinds)[count], Random& random) {
 
 void act_at_random(Show& show, const Models& models, Random& random, Counts& counts) {
   std::string words, name;
-  anim::Status done = anim::Done{};
+  Status done = Done{};
   if (random.below(weight_of(acts) + weight_of(wishes)) < weight_of(acts)) {
     const Act& act = any_kind(acts, random);
     words = name = act.name;

@@ -34,17 +34,17 @@ app::DemoOptions rest_options(app::ContextKind context) {
 }
 
 /// The length of a frame, as a window has it: of a clock that jitters, or 0 while the crowd stands still.
-anim::Ticks any_frame(const app::Show& show, Random& random) {
+Ticks any_frame(const app::Show& show, Random& random) {
   if (show.stage().tuning().paused && random.chance(0.8F)) return {};
-  if (random.chance(0.5F)) return anim::ticks_per_second / 60;
-  return anim::to_ticks(any_number(random, app::least_frame_seconds, 1.0));
+  if (random.chance(0.5F)) return ticks_per_second / 60;
+  return to_ticks(any_number(random, app::least_frame_seconds, 1.0));
 }
 
 /// Animates a frame. The clock moves by the frame and nothing else, and nothing becomes a number that is none.
-Fault animate(app::Show& show, anim::Ticks delta) {
-  const anim::Ticks before = show.stage().system().clock();
+Fault animate(app::Show& show, Ticks delta) {
+  const Ticks before = show.stage().system().clock();
   show.animate(delta);
-  const anim::Ticks moved = show.stage().system().clock() - before;
+  const Ticks moved = show.stage().system().clock() - before;
   if (moved != delta) {
     return "the clock moved by " + std::to_string(moved.count()) + " ticks in a frame of " +
            std::to_string(delta.count());
@@ -79,14 +79,14 @@ Fault ShowRounds::renew() {
 }
 
 Fault ShowRounds::play(const RoundPlace& place, Random& random) {
-  const anim::Status started = show_->start_recording(place.folder / "run.rec");
+  const Status started = show_->start_recording(place.folder / "run.rec");
   if (!started) return started.error().message;
   for (std::uint32_t frames = 20 + random.below(60); frames > 0; --frames) {
     if (random.chance(0.5F)) act_at_random(*show_, *models_, random, counts_);
     if (Fault fault = animate(*show_, any_frame(*show_, random))) return fault;
     ++counts_["frames"];
   }
-  const anim::Status stopped = show_->stop_recording();
+  const Status stopped = show_->stop_recording();
   return stopped ? Fault{} : stopped.error().message;
 }
 
@@ -100,9 +100,9 @@ Fault ShowRounds::replay(const RoundPlace& place, Random& random) {
   app::StartError error;
   const auto show = app::open_show(options, error);
   if (show == nullptr) return "the recording has no show: " + error.message;
-  if (const anim::Status begun = (*replay)->begin(*show); !begun) return begun.error().message;
+  if (const Status begun = (*replay)->begin(*show); !begun) return begun.error().message;
   while (true) {
-    const anim::Result<bool> repeated = (*replay)->step(*show);
+    const Result<bool> repeated = (*replay)->step(*show);
     if (!repeated) return repeated.error().message;
     if (!*repeated) break;
     if (Fault fault = number_that_is_none(*show)) return "repeated: " + *fault;
@@ -113,8 +113,8 @@ Fault ShowRounds::replay(const RoundPlace& place, Random& random) {
 
 Fault ShowRounds::rest() {
   // The values first: others may not fit the model.
-  if (const anim::Status applied = show_->take(app::Apply{rest_tuning()}); !applied) return applied.error().message;
-  const anim::Status replaced = show_->take(app::LoadModels{{models_->built_in}});
+  if (const Status applied = show_->take(app::Apply{rest_tuning()}); !applied) return applied.error().message;
+  const Status replaced = show_->take(app::LoadModels{{models_->built_in}});
   if (!replaced) return replaced.error().message;
   show_->view().width = rest_width;
   show_->view().height = rest_height;
@@ -122,14 +122,14 @@ Fault ShowRounds::rest() {
   show_->view().films = false;
   const bool draws = show_->painter().draws();
   if (draws) {
-    const anim::Status set = show_->painter().renderer().set_size({rest_width, rest_height});
+    const Status set = show_->painter().renderer().set_size({rest_width, rest_height});
     if (!set) return set.error().message;
   }
   constexpr int frames = 5;
   for (int frame = 0; frame < frames; ++frame) {
-    show_->animate(anim::ticks_per_second / 60);
+    show_->animate(ticks_per_second / 60);
     if (!draws) continue;
-    if (const anim::Status drawn = show_->draw(); !drawn) return drawn.error().message;
+    if (const Status drawn = show_->draw(); !drawn) return drawn.error().message;
   }
   return {};
 }

@@ -16,7 +16,7 @@ bool tells = false;
 std::mutex misuse_mutex;
 std::string misuse;  // the first that the library told of
 
-void hear(const anim::Misuse& heard) {
+void hear(const Misuse& heard) {
   const std::lock_guard lock(misuse_mutex);
   if (misuse.empty()) misuse = std::string("a misuse in this process: ") + heard.call + ": " + heard.reason;
 }
@@ -75,7 +75,7 @@ std::optional<SoakOptions> read_options(const std::vector<std::string>& words) {
 Soak::Soak(const SoakOptions& options) : options_(options), models_(find_models()) {
   tells = options.tell || options.again;
   set_environment(folder_.path());
-  anim::set_misuse_hook(hear);
+  set_misuse_hook(hear);
 }
 
 std::uint64_t Soak::seed_of(int round) const {

@@ -59,7 +59,7 @@ Fault WindowRounds::gone(const std::string& when) {
 Fault WindowRounds::open() {
   if (window_ != nullptr) return {};
   const fs::path preset = folder_ / "config/throng/presets/rest.json";
-  if (const anim::Status written = app::write_preset(preset, rest_preset()); !written) return written.error().message;
+  if (const Status written = app::write_preset(preset, rest_preset()); !written) return written.error().message;
   const std::vector<std::string> words = {"--agents", std::to_string(rest_agents), "--size", "1000x700"};
   window_ = std::make_unique<DrivenWindow>(words, folder_);
   if (!window_->is_there()) return gone("at its start: are xvfb and xdotool installed?");

@@ -26,9 +26,9 @@ namespace throng::app {
 namespace {
 
 /// Clips of other files belong to the file that is packed, so that it can be baked anew with them.
-anim::Status add_clips(const std::string& path, const BakeOptions& options, std::size_t characters,
-                       anim::ImportedFile& file) {
-  if (options.clips_from.empty()) return anim::Done{};
+Status add_clips(const std::string& path, const BakeOptions& options, std::size_t characters,
+                 anim::ImportedFile& file) {
+  if (options.clips_from.empty()) return Done{};
   const auto clips = read_clip_files(options.clips_from, options.reading);
   if (!clips) return clips.error();
   anim::face_forward(file);
@@ -36,11 +36,11 @@ anim::Status add_clips(const std::string& path, const BakeOptions& options, std:
     if (const auto taken = take_kept_rig(path, file.models[model].skeleton); !taken) return taken.error();
     if (const auto added = add_clips_from(pointers_to(*clips), file, model); !added) return added.error();
   }
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<pack::CharacterToPack> bake_model(const std::string& path, const BakeOptions& options,
-                                               const anim::ImportedFile& file, std::size_t model) {
+Result<pack::CharacterToPack> bake_model(const std::string& path, const BakeOptions& options,
+                                         const anim::ImportedFile& file, std::size_t model) {
   const BoneLodFile kept(path);
   auto order = kept.read(file.models[model].skeleton);
   if (!order) return order.error();
@@ -74,12 +74,12 @@ std::string name_for(const std::string& path, const std::vector<pack::FileToPack
   return name;
 }
 
-anim::Result<pack::FileToPack> bake_file(const std::string& path, const BakeOptions& options) {
+Result<pack::FileToPack> bake_file(const std::string& path, const BakeOptions& options) {
   auto file = read_model_file(path, options.reading);
   if (!file) return file.error();
   pack::FileToPack packed{.name = {}, .file = std::move(*file), .characters = {}};
   const std::vector<std::string> names = names_of(packed.file);
-  if (anim::Status added = add_clips(path, options, names.size(), packed.file); !added) return added.error();
+  if (Status added = add_clips(path, options, names.size(), packed.file); !added) return added.error();
   for (std::size_t model = 0; model < names.size(); ++model) {
     auto character = bake_model(path, options, packed.file, model);
     if (!character) return character.error();
@@ -121,7 +121,7 @@ std::string told_of(const std::string& path, const pack::FileToPack& file) {
 
 using FilesToPack = std::vector<pack::FileToPack>;
 
-anim::Result<FilesToPack> bake_built_in(const BakeOptions& options) {
+Result<FilesToPack> bake_built_in(const BakeOptions& options) {
   const auto files = find_built_in(options.data, true);
   if (!files) return files.error();
   auto file = built_in_to_pack(*files);
@@ -131,26 +131,26 @@ anim::Result<FilesToPack> bake_built_in(const BakeOptions& options) {
   return packed;
 }
 
-anim::Result<FilesToPack> bake_models(const BakeOptions& options) {
+Result<FilesToPack> bake_models(const BakeOptions& options) {
   FilesToPack files;
   for (const std::string& path : options.models) {
     auto file = bake_file(path, options);
     if (!file) return file.error();
     file->name = name_for(path, files);
-    if (anim::Status told = print(told_of(path, *file)); !told) return told.error();
+    if (Status told = print(told_of(path, *file)); !told) return told.error();
     files.push_back(std::move(*file));
   }
   return files;
 }
 
-anim::Status bake(const BakeOptions& options) {
+Status bake(const BakeOptions& options) {
   const auto baked = options.built_in ? bake_built_in(options) : bake_models(options);
   if (!baked) return baked.error();
   const FilesToPack& files = *baked;
   PackSizes sizes;
   for (const pack::FileToPack& file : files) sizes.add(file);
   const std::vector<std::byte> pack = pack::write_pack(files);
-  anim::Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
+  Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
   if (!written) return written;
   return print(plain_text(options.pack) + ": " + size_text(pack.size()) + ", of which streams " +
                size_text(sizes.streams) + ", surfaces " + size_text(sizes.surfaces) + ", texels " +

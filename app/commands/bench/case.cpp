@@ -27,8 +27,7 @@ bool all_sampled(const anim::Character& character) {
 class CaseBench {
  public:
   /// All refusals come from here, before the first round.
-  anim::Status prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
-                       int agents);
+  Status prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options, int agents);
   const BenchTimes& run(int rounds, const std::string& label) {
     rounds_.run(rounds, label);
     return rounds_.times();
@@ -39,7 +38,7 @@ class CaseBench {
   const anim::AnimationSystem& system() const { return update_->system(); }
 
  private:
-  anim::Result<std::unique_ptr<SystemSubject>> subject(const anim::SystemOptions& options) const;
+  Result<std::unique_ptr<SystemSubject>> subject(const anim::SystemOptions& options) const;
   void add_write_floors();
   void add_kernels();
   void add_updates();
@@ -61,7 +60,7 @@ constexpr std::array<std::pair<const char*, anim::StorePolicy>, 3> store_policie
      {"write prefetched", anim::StorePolicy::prefetched},
      {"write streaming", anim::StorePolicy::streaming}}};
 
-anim::Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
+Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
   const bool packed = options.palettes == anim::PaletteFormat::packed && packed_palettes_ != nullptr;
   auto made = SystemSubject::create(character_, options, agents_, packed ? *packed_palettes_ : *palettes_);
   if (!made) return made.error();
@@ -104,8 +103,8 @@ void CaseBench::add_updates() {
   rounds_.add({"traced", run, [this] { update_->record_trace(anim::Tracing::on); }});
 }
 
-anim::Status CaseBench::prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
-                                int agents) {
+Status CaseBench::prepare(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
+                          int agents) {
   character_ = std::move(character);
   options_ = options;
   agents_ = bench_agents(*character_, agents);
@@ -133,7 +132,7 @@ anim::Status CaseBench::prepare(std::shared_ptr<const anim::Character> character
   rounds_.add({"keyframe", [this] { keyframe_->run(); }});
   add_kernels();
   add_updates();
-  return anim::Done{};
+  return Done{};
 }
 
 void CaseBench::trace(TimelineLog& log) {
@@ -189,7 +188,7 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
 
 }  // namespace
 
-anim::Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips) {
+Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips) {
   const std::string& model = options.model;
   BenchCharacter result;
   if (model.empty()) {
@@ -213,10 +212,10 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
   return on_this_machine(result);
 }
 
-anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
-                                  const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace) {
+Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
+                            const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace) {
   CaseBench work;
-  const anim::Status prepared = work.prepare(character.character, bench_system_options(options, bench), bench.agents);
+  const Status prepared = work.prepare(character.character, bench_system_options(options, bench), bench.agents);
   if (!prepared) return prepared.error();
   times.append(work.run(pass.rounds, pass.label));
   if (!pass.is_last) return Json(nullptr);

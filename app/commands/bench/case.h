@@ -19,7 +19,7 @@ struct BenchCharacter {
   anim::Model model;
   std::shared_ptr<const anim::Character> character;
 };
-anim::Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips);
+Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips);
 
 /// Returns the options of the system for a case, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
@@ -35,7 +35,7 @@ struct BenchPass {
 /// rounds, and puts the times behind the times of earlier passes in `times`. The last pass gives `trace` some frames
 /// and returns one flat object of the figures of all passes, as the README lists them; earlier passes return null. The
 /// error is a usage error, found before the first round.
-anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
-                                  const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace);
+Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
+                            const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace);
 
 }  // namespace throng::app

@@ -91,7 +91,7 @@ int run_table(const BenchOptions& options) {
   if (!options.trace.empty()) trace.emplace();
   if (const auto ended = run_cases(options, rows, trace)) return *ended;
   if (trace) {
-    const anim::Status written = write_whole_file(options.trace, trace->to_json());
+    const Status written = write_whole_file(options.trace, trace->to_json());
     if (!written) return end_with(written);
   }
   const bool one = rows.size() == 1;

@@ -10,9 +10,9 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
+constexpr Ticks frame_step = ticks_per_second / 60;
 
-anim::PlayRequest request(int clip, anim::Ticks start) { return {.clip = clip, .start = start}; }
+anim::PlayRequest request(int clip, Ticks start) { return {.clip = clip, .start = start}; }
 
 std::size_t packet_floats(const anim::Character& character) {
   return anim::packet_bytes(character.skeleton.components()) / sizeof(float);
@@ -25,8 +25,8 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
   const auto random = [&generator] { return static_cast<std::uint32_t>(generator()); };
   const auto clip_count = static_cast<std::uint32_t>(character.clips.size());
   const auto start_in = [&](std::uint32_t clip) {
-    const anim::Ticks duration = std::max(character.clips[clip].duration, anim::Ticks{1});
-    return anim::Ticks{static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(duration.count()))};
+    const Ticks duration = std::max(character.clips[clip].duration, Ticks{1});
+    return Ticks{static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(duration.count()))};
   };
   std::vector<BenchAgent> result;
   for (int i = 0; i < agents; ++i) {
@@ -47,9 +47,9 @@ BenchPalettes::BenchPalettes(int agents, int entries, anim::PaletteFormat format
       size_(slot_bytes_ * static_cast<std::size_t>(agents)),
       memory_(anim::allocate_aligned(size_)) {}
 
-anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Character> character,
-                                                  const anim::SystemOptions& options,
-                                                  std::span<const BenchAgent> agents, const BenchPalettes& palettes) {
+Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Character> character,
+                                            const anim::SystemOptions& options, std::span<const BenchAgent> agents,
+                                            const BenchPalettes& palettes) {
   auto system = anim::AnimationSystem::create(std::move(character), options);
   if (!system) return system.error();
   SystemSubject subject;
@@ -72,7 +72,7 @@ void SystemSubject::run() {
 }
 
 void SystemSubject::configure(const anim::SystemOptions& options) {
-  const anim::Status configured = system_->configure(options);
+  const Status configured = system_->configure(options);
   assert(configured);
   static_cast<void>(configured);
 }
@@ -96,7 +96,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
 
 void KernelSubject::run() {
   for (std::size_t clip = 0; clip < clocks_.size(); ++clip) {
-    clocks_[clip] = (clocks_[clip] + frame_step) % std::max(character_->clips[clip].duration, anim::Ticks{1});
+    clocks_[clip] = (clocks_[clip] + frame_step) % std::max(character_->clips[clip].duration, Ticks{1});
   }
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_strip) {
     run_strip(agents_.subspan(first, std::min<std::size_t>(anim::widest_strip, agents_.size() - first)), first);
@@ -104,10 +104,10 @@ void KernelSubject::run() {
   kernels_->fence_stores();
 }
 
-anim::ClipMoment KernelSubject::moment(int clip_index, anim::Ticks start) const {
+anim::ClipMoment KernelSubject::moment(int clip_index, Ticks start) const {
   const auto index = static_cast<std::size_t>(clip_index);
   const anim::BakedClip& clip = character_->clips[index];
-  anim::Ticks time = start + clocks_[index];
+  Ticks time = start + clocks_[index];
   if (time >= clip.duration) time -= clip.duration;
   return {.stream = clip.sampled(), .point = locate(*clip.sampled(), time)};
 }

@@ -16,7 +16,7 @@ struct BenchAgent {
   static constexpr int none = -1;  ///< instead of a second clip
 
   int from_clip, to_clip;
-  anim::Ticks from_start, to_start;
+  Ticks from_start, to_start;
   float fraction;
 };
 
@@ -43,12 +43,12 @@ class BenchPalettes {
 /// The whole update: system, scheduler, local stores, kernels.
 class SystemSubject {
  public:
-  static anim::Result<SystemSubject> create(std::shared_ptr<const anim::Character> character,
-                                            const anim::SystemOptions& options, std::span<const BenchAgent> agents,
-                                            const BenchPalettes& palettes);
+  static Result<SystemSubject> create(std::shared_ptr<const anim::Character> character,
+                                      const anim::SystemOptions& options, std::span<const BenchAgent> agents,
+                                      const BenchPalettes& palettes);
   void run();
   /// Sets the time that passes from one run to the next; 1/60 s unless set.
-  void set_step(anim::Ticks step) { step_ = step; }
+  void set_step(Ticks step) { step_ = step; }
   /// Returns [agent] what a run asks for, to ask for more.
   std::span<anim::AgentUpdate> updates() { return updates_; }
   /// Changes to other options, which must fit.
@@ -59,7 +59,7 @@ class SystemSubject {
 
  private:
   std::unique_ptr<anim::AnimationSystem> system_;
-  anim::Ticks step_ = anim::ticks_per_second / 60;
+  Ticks step_ = ticks_per_second / 60;
   std::vector<anim::AgentUpdate> updates_;
 };
 
@@ -72,14 +72,14 @@ class KernelSubject {
 
  private:
   void run_strip(std::span<const BenchAgent> agents, std::size_t first);
-  anim::ClipMoment moment(int clip_index, anim::Ticks start) const;
+  anim::ClipMoment moment(int clip_index, Ticks start) const;
   void find_moments(std::span<const BenchAgent> agents);
 
   const anim::Character* character_;
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  std::vector<anim::Ticks> clocks_;                             ///< [clip] the time within it
+  std::vector<Ticks> clocks_;                                   ///< [clip] the time within it
   std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< the moments of the strip that is posed
   std::array<anim::ShownClips, anim::widest_strip> shown_;
   anim::ClipStrip clips_;  ///< the clips of these moments

@@ -48,16 +48,16 @@ class DrawnFrames {
  public:
   DrawnFrames(Show& show, const BenchOptions& options) : show_(&show), options_(&options) {}
 
-  anim::Status run() {
+  Status run() {
     for (int frame = 0; frame < warm_up_frames && seconds() < share_of_warming_up * most_seconds(); ++frame) {
-      if (anim::Status drawn = draw(); !drawn) return drawn;
+      if (Status drawn = draw(); !drawn) return drawn;
     }
     while (static_cast<int>(frames_.size()) < options_->frames) {
-      if (anim::Status drawn = draw(); !drawn) return drawn;
+      if (Status drawn = draw(); !drawn) return drawn;
       frames_.push_back(show_->figures().times());
       if (seconds() > most_seconds()) break;
     }
-    return anim::Done{};
+    return Done{};
   }
 
   Json figures() const {
@@ -77,8 +77,8 @@ class DrawnFrames {
   }
 
  private:
-  anim::Status draw() {
-    show_->animate(anim::ticks_per_second / 60);
+  Status draw() {
+    show_->animate(ticks_per_second / 60);
     return show_->draw();
   }
   double most_seconds() const { return static_cast<double>(options_->seconds); }
@@ -188,7 +188,7 @@ constexpr std::array drawn_columns = {
 
 std::vector<int> usual_drawn_agents() { return {1000, 3000, 10'000, 30'000, 100'000}; }
 
-anim::Result<BenchReport> measure_drawing(const BenchOptions& options) {
+Result<BenchReport> measure_drawing(const BenchOptions& options) {
   Json described;
   std::vector<Json> rows;
   for (const int agents : options.agents) {
@@ -196,10 +196,10 @@ anim::Result<BenchReport> measure_drawing(const BenchOptions& options) {
     const DemoOptions shown = shown_options(options, agents);
     StartError error;
     const std::unique_ptr<Show> show = open_show(shown, error);
-    if (show == nullptr) return anim::Error{error.message};
+    if (show == nullptr) return Error{error.message};
     show->painter().time_device();
     DrawnFrames frames(*show, options);
-    if (const anim::Status drawn = frames.run(); !drawn) return drawn.error();
+    if (const Status drawn = frames.run(); !drawn) return drawn.error();
     described = description(*show, shown);
     rows.push_back(frames.figures());
   }

@@ -10,6 +10,6 @@ std::vector<int> usual_drawn_agents();
 
 /// Measures whole frames of each number of agents, one after the other, each for the frames or the seconds in the
 /// options, whichever ends first, and for one frame at least. Errors: there is no such device, camera or model.
-anim::Result<BenchReport> measure_drawing(const BenchOptions& options);
+Result<BenchReport> measure_drawing(const BenchOptions& options);
 
 }  // namespace throng::app

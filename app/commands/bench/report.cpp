@@ -37,10 +37,10 @@ std::string lines_of(const Json& row) {
   return text;
 }
 
-anim::Status write(const BenchOptions& options, const anim::Result<BenchReport>& report) {
+Status write(const BenchOptions& options, const Result<BenchReport>& report) {
   if (!report) return report.error();
   if (!options.plot.empty()) {
-    anim::Status written = write_whole_file(options.plot, report->plot);
+    Status written = write_whole_file(options.plot, report->plot);
     if (!written) return written;
   }
   if (!options.json.empty()) return write_output(options.json, report->json.dump(2) + "\n");
@@ -74,7 +74,7 @@ Json figures_as_json(std::span<const Json> rows) {
   return {{"rows", rows}};
 }
 
-int end_with_report(const BenchOptions& options, const anim::Result<BenchReport>& report) {
+int end_with_report(const BenchOptions& options, const Result<BenchReport>& report) {
   return end_with(write(options, report));
 }
 

@@ -17,7 +17,7 @@ struct BenchReport {
 };
 
 /// Writes a report to where the options say, or the sentence of its error. Returns the exit status.
-int end_with_report(const BenchOptions& options, const anim::Result<BenchReport>& report);
+int end_with_report(const BenchOptions& options, const Result<BenchReport>& report);
 
 /// Writes flat objects of equal keys as text for a person: one object as lines of key and value, several as a table of
 /// the keys in `columns` with numbers of four digits.

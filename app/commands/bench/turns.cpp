@@ -19,7 +19,7 @@ constexpr int rounds_of_a_pass = 4;
 /// Makes each character once, by bones and clips; a model brings its own.
 class BenchCharacters {
  public:
-  anim::Result<const BenchCharacter*> of(const BenchOptions& options, const BenchCase& bench) {
+  Result<const BenchCharacter*> of(const BenchOptions& options, const BenchCase& bench) {
     const auto key = options.model.empty() ? std::pair(bench.bones, bench.clips) : std::pair(0, 0);
     auto found = made_.find(key);
     if (found == made_.end()) {
@@ -63,7 +63,7 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
 }
 
 // Measured with 100,000 agents of 62 bones, and 50,000 of 1024.
-anim::Status check_memory(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character) {
+Status check_memory(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character) {
   constexpr std::uint64_t bytes_an_agent = 8000, bytes_a_bone = 360;
   const auto bones = static_cast<std::uint64_t>(character.character->skeleton.bone_count());
   const std::uint64_t crowd = static_cast<std::uint64_t>(bench.agents) * (bytes_an_agent + bones * bytes_a_bone);
@@ -91,7 +91,7 @@ std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& row
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const auto character = characters.of(options, cases[i]);
       if (!character) return end_with(character);
-      const anim::Status fits = check_memory(options, cases[i], **character);
+      const Status fits = check_memory(options, cases[i], **character);
       if (!fits) return end_with(fits);
       auto row = run_bench_case(options, cases[i], **character,
                                 {rounds[pass], is_last, label_of(pass, rounds.size(), i, cases)}, times[i], trace);

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the cases that the options name. Errors: there is no case of a name.
-anim::Result<std::vector<RegressionCase>> chosen(const RegressionCases& all, const CheckOptions& options) {
+Result<std::vector<RegressionCase>> chosen(const RegressionCases& all, const CheckOptions& options) {
   if (options.names.empty()) return all.cases;
   std::vector<std::string> known;
   for (const RegressionCase& each : all.cases) known.push_back(each.name);
@@ -35,8 +35,8 @@ anim::Result<std::vector<RegressionCase>> chosen(const RegressionCases& all, con
   for (const std::string& name : options.names) {
     const auto found = std::ranges::find(all.cases, name, &RegressionCase::name);
     if (found == all.cases.end()) {
-      return anim::Error{"--case " + name + ": " + options.cases + " has no such case; near to it are " +
-                         nearest_names(name, known)};
+      return Error{"--case " + name + ": " + options.cases + " has no such case; near to it are " +
+                   nearest_names(name, known)};
     }
     cases.push_back(*found);
   }
@@ -78,13 +78,13 @@ std::string danger_of_update(const std::vector<RegressionCase>& cases, const Che
   return missing ? "--update: " + *missing + "; --force replaces them all the same" : std::string();
 }
 
-anim::Status write_reports(const RegressionRun& run, const CheckOptions& options, const fs::path& report) {
-  if (anim::Status written = write_page(run, report); !written) return written;
-  return options.junit.empty() ? anim::Done{} : write_whole_file(options.junit, junit_xml(run));
+Status write_reports(const RegressionRun& run, const CheckOptions& options, const fs::path& report) {
+  if (Status written = write_page(run, report); !written) return written;
+  return options.junit.empty() ? Done{} : write_whole_file(options.junit, junit_xml(run));
 }
 
 /// Draws all cases, with a line each, and reports.
-anim::Status check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
+Status check_all(const std::vector<RegressionCase>& cases, const CheckOptions& options, CheckPlan plan) {
   const fs::path report = options.report.empty() ? plan.out / "report.html" : fs::path(options.report);
   RegressionRun run{.title = fs::path(options.cases).stem().string(), .outcomes = {}};
   CaseDrawer drawer(std::move(plan));
@@ -92,13 +92,13 @@ anim::Status check_all(const std::vector<RegressionCase>& cases, const CheckOpti
     for (const ContextKind context : options.contexts.empty() ? each.contexts : options.contexts) {
       const bool can = context != ContextKind::osmesa || render::gl::osmesa_is_installed();
       run.outcomes.push_back(can ? drawer.run(each, context) : left_out(each));
-      if (anim::Status told = print(line_of(run.outcomes.back())); !told) return told;
+      if (Status told = print(line_of(run.outcomes.back())); !told) return told;
     }
   }
-  if (anim::Status written = write_reports(run, options, report); !written) return written;
+  if (Status written = write_reports(run, options, report); !written) return written;
   const std::string summary = summary_of(run) + "; see " + report.string();
   const auto is_bad_case = [](const CaseOutcome& outcome) { return is_bad(outcome.verdict); };
-  if (std::ranges::any_of(run.outcomes, is_bad_case)) return anim::Error{summary};
+  if (std::ranges::any_of(run.outcomes, is_bad_case)) return Error{summary};
   return print(summary + "\n");
 }
 

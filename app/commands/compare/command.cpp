@@ -10,7 +10,7 @@
 namespace throng::app {
 namespace {
 
-anim::Status compare(const CompareOptions& options) {
+Status compare(const CompareOptions& options) {
   const auto expected = read_compared(options.expected);
   if (!expected) return expected.error();
   const auto actual = read_compared(options.actual);
@@ -18,16 +18,16 @@ anim::Status compare(const CompareOptions& options) {
   const std::string other = other_origin(read_origin(options.expected), read_origin(options.actual));
   const std::string first = other.empty() ? "" : other + "; ";
   const auto difference = measure_difference(*expected, *actual);
-  if (!difference) return anim::Error{first + difference.error().message};
-  if (std::string unfit = unfit_limits(*difference, options.tolerance); !unfit.empty()) return anim::Error{unfit};
+  if (!difference) return Error{first + difference.error().message};
+  if (std::string unfit = unfit_limits(*difference, options.tolerance); !unfit.empty()) return Error{unfit};
   if (!options.difference.empty()) {
     const auto written = render::write_png(paint_difference(*expected, *actual), options.difference);
     if (!written) return written.error();
   }
-  if (anim::Status told = print(figures_text(*difference) + "\n"); !told) return told;
+  if (Status told = print(figures_text(*difference) + "\n"); !told) return told;
   const std::vector<JudgedFigure> figures = judge(*difference, options.tolerance);
-  if (!all_within(figures)) return anim::Error{first + excess_text(figures)};
-  return anim::Done{};
+  if (!all_within(figures)) return Error{first + excess_text(figures)};
+  return Done{};
 }
 
 }  // namespace

@@ -192,22 +192,21 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
   return models;
 }
 
-anim::Status inspect_tracks(const InspectOptions& options) {
+Status inspect_tracks(const InspectOptions& options) {
   const auto tracks = read_trajectories(options.model, options.tracks);
   if (!tracks) return tracks.error();
   return print(options.json ? tracks_json(*tracks) : tracks_text(*tracks));
 }
 
-anim::Status inspect(const InspectOptions& options) {
+Status inspect(const InspectOptions& options) {
   if (looks_like_trajectories(options.model)) return inspect_tracks(options);
   if (options.tracks != TrackReading{.up = options.tracks.up}) {
-    return anim::Error{options.model +
-                       ": it is no file of trajectories; leave out --fps and what else is for their rows"};
+    return Error{options.model + ": it is no file of trajectories; leave out --fps and what else is for their rows"};
   }
   auto file = read_model_file(options.model, options.reading);
   if (!file) return file.error();
   anim::face_forward(*file);
-  anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
+  Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
   if (!added) return added;
   const std::vector<InspectedModel> models = placed_models(*file, options.placement);
   return print(options.json ? inspection_json(*file, models) : inspection_text(*file, models));

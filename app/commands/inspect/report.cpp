@@ -54,7 +54,7 @@ std::string root_text(const anim::BakedClip& clip) {
   if (metres < least && turn < least && std::abs(climb) < least) return "returns";
   std::string text;
   if (metres >= least) {
-    text = fixed(metres, 2) + " m, " + fixed(metres / anim::to_seconds(clip.duration), 2) + " m/s";
+    text = fixed(metres, 2) + " m, " + fixed(metres / to_seconds(clip.duration), 2) + " m/s";
   }
   if (std::abs(climb) >= least) text += (text.empty() ? "" : ", ") + fixed(climb, 2) + " m up";
   if (turn >= least) text += (text.empty() ? "" : ", ") + fixed(glm::degrees(turn), 0) + " deg";

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float exported_height = 720.0F;  // pixels of the picture that distances are for
 
-anim::Result<CharacterSource> character_of(const LodOptions& options) {
+Result<CharacterSource> character_of(const LodOptions& options) {
   if (options.model.empty()) return load_built_in(options.data);
   const BoneLodFile kept(options.model);
   return load_character(options.model, options.model, &kept, {.import = options.reading});
@@ -34,18 +34,18 @@ std::string exported(const CharacterSource& source, const LodCurve& curve) {
                       .pixels_per_unit = render::pixels_tall({}, exported_height, 1.0F, 1.0F)});
 }
 
-anim::Status write_files(const LodOptions& options, const CharacterSource& source, const LodCurve& curve) {
+Status write_files(const LodOptions& options, const CharacterSource& source, const LodCurve& curve) {
   std::vector<std::pair<std::string, std::string>> files;
   if (!options.json.empty()) files.emplace_back(options.json, curve_as_json(source, curve, options.pixels));
   if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, curve, options.pixels));
   if (!options.export_file.empty()) files.emplace_back(options.export_file, exported(source, curve));
   for (const auto& [file, text] : files) {
-    if (anim::Status written = write_output(file, text); !written) return written;
+    if (Status written = write_output(file, text); !written) return written;
   }
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status measure_levels(const LodOptions& options) {
+Status measure_levels(const LodOptions& options) {
   const auto source = character_of(options);
   if (!source) return source.error();
   LodCurve curve{.bones = lod_levels(*source), .meshes = {}};
@@ -54,8 +54,8 @@ anim::Status measure_levels(const LodOptions& options) {
     if (!surface) return surface.error();
     curve.meshes = mesh_levels(surface->pieces[0].triangles_by_level, surface->pieces[0].error_by_level);
   }
-  if (anim::Status timed = time_levels(*source, curve.bones); !timed) return timed;
-  anim::Status written = options.json == "-" ? anim::Done{} : print(curve_as_text(*source, curve, options.pixels));
+  if (Status timed = time_levels(*source, curve.bones); !timed) return timed;
+  Status written = options.json == "-" ? Done{} : print(curve_as_text(*source, curve, options.pixels));
   return written ? write_files(options, *source, curve) : written;
 }
 

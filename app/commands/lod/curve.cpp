@@ -92,7 +92,7 @@ std::vector<std::string> remarks_on(const CharacterSource& source, std::span<con
 
 }  // namespace
 
-anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels) {
+Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels) {
   const std::vector<BenchAgent> agents = bench_agents(*source.character, timed_agents);
   const BenchPalettes palettes(timed_agents, source.character->skeleton.palette_count());
   auto subject = SystemSubject::create(source.character, {.pus = 1, .hash = false}, agents, palettes);
@@ -102,7 +102,7 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
   std::vector<anim::AgentUpdate> updates(agents.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const auto update = [&system, &updates] {
-      system.advance(anim::ticks_per_second / 60);
+      system.advance(ticks_per_second / 60);
       system.update(updates);
     };
     const auto choose = [&updates, &palettes, level] {
@@ -116,7 +116,7 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
   for (std::size_t level = 0; level < levels.size(); ++level) {
     levels[level].nanoseconds = rounds.times().median(key_of(level)) / timed_agents;
   }
-  return anim::Done{};
+  return Done{};
 }
 
 double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres) {

@@ -18,7 +18,7 @@ struct LodCurve {
 
 /// Sets LodLevel::nanoseconds to the time of an agent's update at each level on this machine: one PU, a crowd whose
 /// agents blend two clips each, the levels in turns. The error is the animation system's.
-anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
+Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
 
 /// Returns the height on screen, in pixels, below which the error of a level is at most one pixel; infinite without
 /// error.

@@ -50,11 +50,10 @@ Json describe_clip(const anim::ImportedFile& file, std::optional<int> animation)
   return {{"index", *animation}, {"name", name}};
 }
 
-anim::Result<Json> sample_json(const anim::ImportedFile& file, std::optional<int> animation, double seconds,
-                               PosePipe& pipe) {
+Result<Json> sample_json(const anim::ImportedFile& file, std::optional<int> animation, double seconds, PosePipe& pipe) {
   std::vector<BonePose> poses;
   for (const anim::Model& model : file.models) {
-    anim::Result<BonePose> pose = pipe.pose(model, find_clip(model, animation), seconds);
+    Result<BonePose> pose = pipe.pose(model, find_clip(model, animation), seconds);
     if (!pose) return pose.error();
     poses.push_back(std::move(*pose));
   }
@@ -68,7 +67,7 @@ anim::Result<Json> sample_json(const anim::ImportedFile& file, std::optional<int
 
 /// Returns the index of an animation of the file by its name or, where none has this name, its index; nothing for
 /// "none". The error lists the names.
-anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, const std::string& clip) {
+Result<std::optional<int>> find_animation(const anim::ImportedFile& file, const std::string& clip) {
   const auto named = std::ranges::find(file.animations, clip);
   if (named != file.animations.end()) return std::optional(static_cast<int>(named - file.animations.begin()));
   if (clip == "none") return std::optional<int>();
@@ -80,16 +79,16 @@ anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, 
   for (std::size_t i = 0; i < file.animations.size(); ++i) {
     message.append(", ").append(std::to_string(i)).append(" \"").append(file.animations[i]).append("\"");
   }
-  return anim::Error{message};
+  return Error{message};
 }
 
-anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optional<int> animation,
-                                    const std::vector<double>& times, PosePipe& pipe) {
+Result<std::string> pose_json(const anim::ImportedFile& file, std::optional<int> animation,
+                              const std::vector<double>& times, PosePipe& pipe) {
   Json skins = Json::array();
   for (const PosedSkin& posed : skins_of(file)) skins.push_back(describe_skin(*posed.model, *posed.skin));
   Json samples = Json::array();
   for (const double seconds : times) {
-    anim::Result<Json> sample = sample_json(file, animation, seconds, pipe);
+    Result<Json> sample = sample_json(file, animation, seconds, pipe);
     if (!sample) return sample.error();
     samples.push_back(std::move(*sample));
   }
@@ -101,11 +100,11 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
   return dump.dump() + "\n";
 }
 
-anim::Result<std::string> import_and_pose(const PoseOptions& options) {
+Result<std::string> import_and_pose(const PoseOptions& options) {
   auto file = read_model_file(options.model, options.reading, ModelFileUse::skins);
   if (!file) return file.error();
   if (!options.clips_from.empty()) {
-    const anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
+    const Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
     if (!added) return added.error();
   }
   const auto animation = find_animation(*file, options.clip);

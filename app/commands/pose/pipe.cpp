@@ -30,8 +30,8 @@ anim::StateTransform state_of_bone(std::span<const float> pose, int components, 
 
 }  // namespace
 
-anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip) {
-  if (system_ != nullptr && model_ == &model && clip_ == clip) return anim::Done{};
+Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip) {
+  if (system_ != nullptr && model_ == &model && clip_ == clip) return Done{};
   anim::Model played = model;
   played.clips.clear();
   if (clip != nullptr) played.clips.push_back(*clip);
@@ -44,14 +44,14 @@ anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip)
   palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), anim::PaletteFormat::matrices));
   model_ = &model;
   clip_ = clip;
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
-  if (const anim::Status prepared = prepare(model, clip); !prepared) return prepared.error();
+Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
+  if (const Status prepared = prepare(model, clip); !prepared) return prepared.error();
   system_->set_agent_count(0);
   system_->set_agent_count(1);
-  system_->agent(0).play({.clip = 0, .start = anim::to_ticks(seconds), .loop = false});
+  system_->agent(0).play({.clip = 0, .start = to_ticks(seconds), .loop = false});
   auto* palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get());
   const anim::AgentUpdate update{.agent = {0}, .palette = palette};
   system_->update({&update, 1});

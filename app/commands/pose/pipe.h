@@ -14,10 +14,10 @@ class PosePipe {
   explicit PosePipe(anim::StreamKind stream) : stream_(stream) {}
 
   /// Returns the pose at `seconds`. `clip` is a clip of the model, or null for the rest pose.
-  anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
+  Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
 
  private:
-  anim::Status prepare(const anim::Model& model, const anim::Clip* clip);
+  Status prepare(const anim::Model& model, const anim::Clip* clip);
 
   anim::StreamKind stream_;
   const anim::Model* model_ = nullptr;  // the model that `system_` was made for

@@ -262,22 +262,22 @@ Complaint read_all(const Json& json, RegressionCases& all) {
 
 }  // namespace
 
-anim::Result<RegressionCases> parse_cases(std::string_view text, const fs::path& folder) {
+Result<RegressionCases> parse_cases(std::string_view text, const fs::path& folder) {
   const auto json = parse_json(text);
-  if (!json) return anim::Error{json.error().message + "; mend it there"};
+  if (!json) return Error{json.error().message + "; mend it there"};
   RegressionCases all;
   all.folder = folder;
-  if (const Complaint complaint = read_all(*json, all)) return anim::Error{*complaint};
+  if (const Complaint complaint = read_all(*json, all)) return Error{*complaint};
   return all;
 }
 
-anim::Result<RegressionCases> read_cases(const fs::path& file) {
+Result<RegressionCases> read_cases(const fs::path& file) {
   const auto text = read_text(file, "a file of cases (.json)", most_json_bytes);
-  if (!text) return anim::Error{file.string() + ": " + text.error().message};
+  if (!text) return Error{file.string() + ": " + text.error().message};
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);
   auto cases = parse_cases(*text, (error ? file : whole).parent_path());
-  return cases ? std::move(cases) : anim::Error{file.string() + ": " + cases.error().message};
+  return cases ? std::move(cases) : Error{file.string() + ": " + cases.error().message};
 }
 
 }  // namespace throng::app

@@ -30,9 +30,9 @@ struct RegressionCases {
 };
 
 /// Reads cases. Errors are ends of sentences that begin with the file's name, and say the place and what is allowed.
-anim::Result<RegressionCases> parse_cases(std::string_view text, const std::filesystem::path& folder);
+Result<RegressionCases> parse_cases(std::string_view text, const std::filesystem::path& folder);
 
 /// Reads cases from a file. Errors are whole sentences.
-anim::Result<RegressionCases> read_cases(const std::filesystem::path& file);
+Result<RegressionCases> read_cases(const std::filesystem::path& file);
 
 }  // namespace throng::app

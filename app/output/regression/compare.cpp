@@ -148,7 +148,7 @@ std::string pixel_kind_name(PixelKind kind) {
   return names.at(static_cast<std::size_t>(kind));
 }
 
-render::Result<ComparedPicture> read_compared(const std::filesystem::path& file) {
+Result<ComparedPicture> read_compared(const std::filesystem::path& file) {
   auto image = render::read_any_png(file);
   if (!image) return image.error();
   const PixelKind value_if_omitted = image->channels == 1 ? PixelKind::numbers : PixelKind::colours;
@@ -171,15 +171,15 @@ std::vector<render::PngText> depth_texts(double metres_a_step) {
   return {{kind_keyword, pixel_kind_name(PixelKind::depths)}, {step_keyword, shortest_text(metres_a_step)}};
 }
 
-render::Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual) {
+Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual) {
   const NumberImage& picture = expected.image;
   if (picture.width != actual.image.width || picture.height != actual.image.height) {
-    return render::Error{"the sizes differ: " + sides_of(picture) + " expected, " + sides_of(actual.image) + " drawn"};
+    return Error{"the sizes differ: " + sides_of(picture) + " expected, " + sides_of(actual.image) + " drawn"};
   }
   const auto kind = kind_of_both(expected.kind, actual.kind);
   if (!kind) {
-    return render::Error{"what the pictures hold differs: " + pixel_kind_name(expected.kind) + " expected, " +
-                         pixel_kind_name(actual.kind) + " drawn; compare two of one kind"};
+    return Error{"what the pictures hold differs: " + pixel_kind_name(expected.kind) + " expected, " +
+                 pixel_kind_name(actual.kind) + " drawn; compare two of one kind"};
   }
   const PixelMeter meter(expected, actual, *kind);
   PictureDifference result{.kind = *kind};

@@ -27,7 +27,7 @@ struct ComparedPicture {
 };
 
 /// Reads a picture and the texts in it. Errors are whole sentences.
-render::Result<ComparedPicture> read_compared(const std::filesystem::path& file);
+Result<ComparedPicture> read_compared(const std::filesystem::path& file);
 
 /// Returns the texts that name the contents of a PNG.
 std::vector<render::PngText> label_texts();
@@ -51,7 +51,7 @@ struct PictureDifference {
 inline constexpr int seen_steps = 16;
 
 /// Measures the difference. Errors: the sizes or the contents differ; the error names both.
-render::Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual);
+Result<PictureDifference> measure_difference(const ComparedPicture& expected, const ComparedPicture& actual);
 
 /// Returns the absolute difference of two pictures of one size, eight times as bright; numbers that differ are white.
 render::Image paint_difference(const ComparedPicture& expected, const ComparedPicture& actual);

@@ -98,7 +98,7 @@ Crowd::Crowd(const CrowdLayout& layout, Scene scene, std::uint32_t seed, std::sp
   if (layout.wave_seconds > 0.0) state_.wave = Wave(layout, state_.minds);
   if (scene != Scene::tracks) return;
   state_.tracks.emplace(tracks, cast_, looks_.scales, seed);
-  anim::InOrder here;
+  InOrder here;
   follow_tracks(here, 1);
 }
 
@@ -108,7 +108,7 @@ void Crowd::place(const CrowdLayout& layout) {
     state_.places.positions[agent] = {place.position.x, place.height, place.position.y};
     state_.places.headings[agent++] = place.heading;
   }
-  anim::InOrder here;
+  InOrder here;
   follow_walkers(here, 1);
   for (std::size_t agent = walkers().count(); agent < size(); ++agent) match_playback(agent);
 }
@@ -120,7 +120,7 @@ void Crowd::match_playback(std::size_t agent) {
                        : looks_.paces[agent];
 }
 
-void Crowd::follow_walkers(anim::Executor& executor, int jobs) {
+void Crowd::follow_walkers(Executor& executor, int jobs) {
   visit_in_tiles(walkers().count(), executor, jobs, [this](std::size_t walker) {
     const Body& body = state_.walkers.bodies()[walker];
     state_.places.positions[walker] = {body.position.x, 0.0F, body.position.y};
@@ -130,29 +130,29 @@ void Crowd::follow_walkers(anim::Executor& executor, int jobs) {
   });
 }
 
-void Crowd::march(anim::Ticks dt) {
+void Crowd::march(Ticks dt) {
   state_.marchers.advance(dt, state_.now, state_.minds, state_.places);
   for (std::size_t agent = walkers().count(); agent < first_stander(); ++agent) match_playback(agent);
 }
 
-void Crowd::follow_tracks(anim::Executor& executor, int jobs) {
+void Crowd::follow_tracks(Executor& executor, int jobs) {
   state_.tracks->place(cast_, looks_.scales, state_.places, state_.minds, executor, jobs);
 }
 
 // The turn of a clip is not in its pose. An agent that walks or marches turns by its way instead.
-void Crowd::turn_stander(std::size_t agent, anim::Ticks dt) {
+void Crowd::turn_stander(std::size_t agent, Ticks dt) {
   if (state_.minds.holds(agent) || minds().habits()[agent] == Habit::act) return;
   const double quarters_a_second = cast_.of(agent).turn(minds().clips()[agent]);
   if (quarters_a_second == 0.0) return;
   const auto pace = static_cast<double>(state_.places.playback_speeds[agent]);
-  const glm::dvec2 turn = cosine_sine(quarters_a_second * pace * anim::to_seconds(dt));
+  const glm::dvec2 turn = cosine_sine(quarters_a_second * pace * to_seconds(dt));
   const glm::dvec2 before(state_.places.headings[agent].cosine, state_.places.headings[agent].sine);
   const glm::dvec2 after(before.x * turn.x - before.y * turn.y, before.y * turn.x + before.x * turn.y);
   const glm::dvec2 unit = after / glm::length(after);
   state_.places.headings[agent] = {static_cast<float>(unit.x), static_cast<float>(unit.y)};
 }
 
-void Crowd::decide(anim::Executor& executor, int jobs) {
+void Crowd::decide(Executor& executor, int jobs) {
   const auto due = due_.gather(size(), executor, jobs, [this](std::size_t agent, std::uint32_t& listed) {
     listed = static_cast<std::uint32_t>(agent);
     return state_.minds.is_due(agent, state_.now);
@@ -160,12 +160,12 @@ void Crowd::decide(anim::Executor& executor, int jobs) {
   state_.minds.decide(state_.now, due);
 }
 
-std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
-  assert(dt >= anim::Ticks{});
+std::span<const ClipRequest> Crowd::advance(Ticks dt, Executor& executor, int jobs) {
+  assert(dt >= Ticks{});
   state_.now += dt;
   decide(executor, jobs);
   state_.wave.advance(state_.now, cast_, state_.minds);
-  if (dt > anim::Ticks{}) {
+  if (dt > Ticks{}) {
     state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
     follow_walkers(executor, jobs);
     march(dt);
@@ -180,8 +180,8 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
   return state_.minds.requests();
 }
 
-std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
-  anim::InOrder here;
+std::span<const ClipRequest> Crowd::advance(Ticks dt) {
+  InOrder here;
   return advance(dt, here, 1);
 }
 
@@ -214,11 +214,11 @@ std::optional<ClipRequest> Crowd::release(std::uint32_t agent) {
 
 void Crowd::go_to(const TrackClock& clock) {
   state_.tracks->set_clock(clock);
-  anim::InOrder here;
+  InOrder here;
   follow_tracks(here, 1);
 }
 
-void Crowd::take(const LiveStep& step, anim::Executor& executor, int jobs) {
+void Crowd::take(const LiveStep& step, Executor& executor, int jobs) {
   state_.tracks->take(step, cast_, looks_.scales, executor, jobs);
 }
 

@@ -7,6 +7,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/host.h"
+#include "throng/ticks.h"
+
 #include "app/character/roles.h"
 #include "app/people/crowd/cast.h"
 #include "app/people/crowd/character_look.h"
@@ -19,8 +22,6 @@
 #include "app/people/crowd/steering/gathered.h"
 #include "app/people/crowd/walkers.h"
 #include "app/settings/settings.h"
-#include "engine/anim/base/executor.h"
-#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -31,7 +32,7 @@ inline Variety variety_of(const Tuning& tuning) {
 
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {
-  anim::Ticks now{};
+  Ticks now{};
   CrowdPlaces places;
   CrowdMinds minds;
   CrowdWalkers walkers;  ///< the first agents: they walk where they like
@@ -57,9 +58,9 @@ class Crowd {
 
   /// Moves all agents by `dt` and returns the changes of clips, which are valid until the next call. Allocates nothing.
   /// `jobs`, 1 or more, run at once on `executor`; the result does not depend on either.
-  std::span<const ClipRequest> advance(anim::Ticks dt, anim::Executor& executor, int jobs);
+  std::span<const ClipRequest> advance(Ticks dt, Executor& executor, int jobs);
   /// Does the same in the calling thread.
-  std::span<const ClipRequest> advance(anim::Ticks dt);
+  std::span<const ClipRequest> advance(Ticks dt);
 
   /// Takes other roles of the same characters, as large as before, each of which can walk as before. All agents keep
   /// place and heading. Returns the changes of clips, which are valid until the next call; moments of before are of
@@ -78,7 +79,7 @@ class Crowd {
   /// Takes people who follow tracks to another time, at a frame boundary.
   void go_to(const TrackClock& clock);
   /// Takes the rows that came of a live crowd. Call it before advance(), which moves all agents. `jobs` run at once.
-  void take(const LiveStep& step, anim::Executor& executor, int jobs);
+  void take(const LiveStep& step, Executor& executor, int jobs);
 
   /// Returns all that changes, to be kept and put back.
   const CrowdState& state() const { return state_; }
@@ -114,11 +115,11 @@ class Crowd {
         const Variety& variety, const TrackSource& tracks, CharacterRoles common);
   void place(const CrowdLayout& layout);
   std::size_t first_stander() const { return walkers().count() + marchers().count(); }
-  void follow_walkers(anim::Executor& executor, int jobs);
-  void follow_tracks(anim::Executor& executor, int jobs);
-  void march(anim::Ticks dt);
-  void decide(anim::Executor& executor, int jobs);
-  void turn_stander(std::size_t agent, anim::Ticks dt);
+  void follow_walkers(Executor& executor, int jobs);
+  void follow_tracks(Executor& executor, int jobs);
+  void march(Ticks dt);
+  void decide(Executor& executor, int jobs);
+  void turn_stander(std::size_t agent, Ticks dt);
   void match_playback(std::size_t agent);
 
   CharacterRoles laid_out_for_;

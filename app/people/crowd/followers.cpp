@@ -87,7 +87,7 @@ FollowedTracks::FollowedTracks(const TrackSource& source, const CrowdCast& cast,
 }
 
 void FollowedTracks::place(const CrowdCast& cast, std::span<const float> scales, CrowdPlaces& places, CrowdMinds& minds,
-                           anim::Executor& executor, int jobs) {
+                           Executor& executor, int jobs) {
   visit_in_tiles(people_->count(), executor, jobs, [&](std::size_t agent) {
     absent_[agent] = people_->is_there(agent, clock_.seconds) ? 0 : 1;
     if (absent_[agent] != 0) return;
@@ -99,8 +99,8 @@ void FollowedTracks::place(const CrowdCast& cast, std::span<const float> scales,
   });
 }
 
-void FollowedTracks::take(const LiveStep& step, const CrowdCast& cast, std::span<float> scales,
-                          anim::Executor& executor, int jobs) {
+void FollowedTracks::take(const LiveStep& step, const CrowdCast& cast, std::span<float> scales, Executor& executor,
+                          int jobs) {
   clock_ = step.clock;
   people_->begin_renewing(step.changed);
   visit_in_tiles(step.changed.size(), executor, jobs, [&](std::size_t i) {

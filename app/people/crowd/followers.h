@@ -8,13 +8,14 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/host.h"
+
 #include "app/people/crowd/cast.h"
 #include "app/people/crowd/layout.h"
 #include "app/people/crowd/minds.h"
 #include "app/people/crowd/stride_plane.h"
 #include "app/people/crowd/talks.h"
 #include "app/people/crowd/track_steps.h"
-#include "engine/anim/base/executor.h"
 #include "engine/tracks/ground_bounds.h"
 #include "engine/tracks/live/live_crowd.h"
 #include "engine/tracks/presence.h"
@@ -82,12 +83,12 @@ class FollowedTracks {
   std::span<const std::uint8_t> absent() const { return absent_; }
 
   void set_clock(const TrackClock& clock) { clock_ = clock; }
-  void advance(anim::Ticks dt) { throng::advance(clock_, anim::to_seconds(dt)); }
+  void advance(Ticks dt) { throng::advance(clock_, to_seconds(dt)); }
   /// Takes the rows that came of a live crowd, and the scales of the people that they change. `jobs` run at once.
-  void take(const LiveStep& step, const CrowdCast& cast, std::span<float> scales, anim::Executor& executor, int jobs);
+  void take(const LiveStep& step, const CrowdCast& cast, std::span<float> scales, Executor& executor, int jobs);
   /// Puts agents where their people are now; an agent that is not there keeps its place. `jobs` run at once.
   void place(const CrowdCast& cast, std::span<const float> scales, CrowdPlaces& places, CrowdMinds& minds,
-             anim::Executor& executor, int jobs);
+             Executor& executor, int jobs);
 
  private:
   std::shared_ptr<Followers> people_;

@@ -11,11 +11,9 @@ constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
 constexpr float passage_fade = 0.25F;    // seconds, into a clip that leads from one role to another and out of it
 constexpr double fastest_passage = 1.1;  // agents in place play no faster, so the clip is left before it is over
 constexpr std::uint64_t first_whim_stream = 16;
-constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
+constexpr Ticks never = std::numeric_limits<Ticks>::max();
 
-anim::Ticks some_time(Random& whim, Stay stay) {
-  return anim::to_ticks(static_cast<double>(whim.between(stay.least, stay.most)));
-}
+Ticks some_time(Random& whim, Stay stay) { return to_ticks(static_cast<double>(whim.between(stay.least, stay.most))); }
 
 }  // namespace
 
@@ -58,7 +56,7 @@ void CrowdMinds::begin(std::size_t agent) {
   next_changes_[agent] = changes ? now_ + some_time(whim, {0.5F, stay_in(intentions_[agent]).most}) : never;
 }
 
-void CrowdMinds::take_new_clips(anim::Ticks now) {
+void CrowdMinds::take_new_clips(Ticks now) {
   now_ = now;
   requests_.clear();
   for (std::size_t agent = 0; agent < habits_.size(); ++agent) take_new_clip(agent);
@@ -88,7 +86,7 @@ void CrowdMinds::take_new_clip(std::size_t agent) {
   if (clips_[agent] != before) fade_to(agent, roles_[agent], clips_[agent], shortest_fade);
 }
 
-void CrowdMinds::decide(anim::Ticks now, std::span<const std::uint32_t> agents) {
+void CrowdMinds::decide(Ticks now, std::span<const std::uint32_t> agents) {
   now_ = now;
   requests_.clear();
   changed_.clear();
@@ -102,7 +100,7 @@ void CrowdMinds::decide(anim::Ticks now, std::span<const std::uint32_t> agents) 
   }
 }
 
-void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
+void CrowdMinds::change_role(std::size_t agent, Ticks now) {
   Random& whim = whims_[agent];
   if (intentions_[agent] == Role::other) {
     play_next_other(agent);
@@ -115,7 +113,7 @@ void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
   next_changes_[agent] = now + some_time(whim, stay_in(intentions_[agent]));
 }
 
-void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
+void CrowdMinds::interrupt(std::size_t agent, Role role, Ticks until) {
   if (!cast_->of(agent).playable(role) || holds(agent)) return;
   intentions_[agent] = role;
   next_changes_[agent] = until;
@@ -189,7 +187,7 @@ bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
   const Passage& passage = sits ? cast_->of(agent).sit_down : cast_->of(agent).stand_up;
   if (sits == (roles_[agent] == Role::sit) || passage.clip == no_clip) return false;
   const double seconds = passage.seconds / fastest_passage - static_cast<double>(passage_fade);
-  arrival = {now_ + anim::to_ticks(seconds), role, clip, sits};
+  arrival = {now_ + to_ticks(seconds), role, clip, sits};
   fade_to(agent, role, passage.clip, passage_fade);
   return true;
 }

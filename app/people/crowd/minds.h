@@ -7,11 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "throng/ticks.h"
+
 #include "app/character/roles.h"
 #include "app/people/crowd/cast.h"
 #include "app/people/crowd/habits.h"
 #include "app/people/crowd/numbers/random.h"
-#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -32,14 +33,14 @@ class CrowdMinds {
   CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed);
 
   /// Returns whether the time has come for an agent to go over to another role.
-  bool is_due(std::size_t agent, anim::Ticks now) const {
+  bool is_due(std::size_t agent, Ticks now) const {
     return !holds(agent) && (now >= arrivals_[agent].at || now >= next_changes_[agent]);
   }
   /// Begins a frame: clears requests and changes, then lets each of `agents`, which ascend, go over to another role if
   /// it is due.
-  void decide(anim::Ticks now, std::span<const std::uint32_t> agents);
+  void decide(Ticks now, std::span<const std::uint32_t> agents);
   /// Lets the agent do `role` at once, if its character can, until the clock says `until`. Then next_role() decides.
-  void interrupt(std::size_t agent, Role role, anim::Ticks until);
+  void interrupt(std::size_t agent, Role role, Ticks until);
   /// Shows `role` if the character can play it; the role that the agent has in mind stays.
   void show(std::size_t agent, Role role);
 
@@ -51,7 +52,7 @@ class CrowdMinds {
 
   /// Lets each agent keep its role, by the clip that its character has for the role now. The requests then have only
   /// the agents that play another clip from now on.
-  void take_new_clips(anim::Ticks now);
+  void take_new_clips(Ticks now);
 
   /// Keeps the agent in its role, except that it stops walking. Returns that change, if there is one; it is not among
   /// the requests.
@@ -80,7 +81,7 @@ class CrowdMinds {
   HeldThing thing_of(std::size_t agent) const { return things_.empty() ? HeldThing::nothing : things_[agent]; }
   bool is_on_its_way(std::size_t agent) const;
   void take_new_clip(std::size_t agent);
-  void change_role(std::size_t agent, anim::Ticks now);
+  void change_role(std::size_t agent, Ticks now);
   void play_next_other(std::size_t agent);
   void request(std::size_t agent, Role role, int clip);
   void fade_to(std::size_t agent, Role role, int clip, float seconds);
@@ -90,18 +91,18 @@ class CrowdMinds {
 
   /// The role that follows when a clip that leads to it is over.
   struct Arrival {
-    anim::Ticks at;
+    Ticks at;
     Role role;
     int clip;
     bool seated;  ///< true if that clip sits down
   };
 
   const CrowdCast* cast_;
-  anim::Ticks now_{};
+  Ticks now_{};
   std::vector<Habit> habits_;
   std::vector<Role> intentions_, roles_;
   std::vector<int> clips_;
-  std::vector<anim::Ticks> next_changes_;
+  std::vector<Ticks> next_changes_;
   std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> held_;
   std::vector<HeldThing> things_;

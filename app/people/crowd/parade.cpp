@@ -148,33 +148,33 @@ void Marchers::begin(CrowdPlaces& places) const {
   }
 }
 
-double Marchers::marching_time(std::size_t marcher, anim::Ticks dt, anim::Ticks now, bool is_held) {
-  anim::Ticks& behind = behind_[marcher];
+double Marchers::marching_time(std::size_t marcher, Ticks dt, Ticks now, bool is_held) {
+  Ticks& behind = behind_[marcher];
   if (is_held) {
     behind += dt;
   } else {
-    behind = std::max(anim::Ticks{}, behind - dt / slowness_to_catch_up);
+    behind = std::max(Ticks{}, behind - dt / slowness_to_catch_up);
   }
-  return anim::to_seconds(now - behind);
+  return to_seconds(now - behind);
 }
 
-void Marchers::advance(anim::Ticks dt, anim::Ticks now, const CrowdMinds& minds, CrowdPlaces& places) {
+void Marchers::advance(Ticks dt, Ticks now, const CrowdMinds& minds, CrowdPlaces& places) {
   for (std::size_t marcher = 0; marcher < count(); ++marcher) {
     const std::size_t agent = first_ + marcher;
     const double time = marching_time(marcher, dt, now, minds.holds(agent));
     const LanePoint place = marcher_place(route_, starts_[marcher], time);
     const glm::vec3 position(place.position.x, 0.0, place.position.y);
-    places.speeds[agent] = static_cast<float>(static_cast<double>(glm::distance(position, places.positions[agent])) /
-                                              anim::to_seconds(dt));
+    places.speeds[agent] =
+        static_cast<float>(static_cast<double>(glm::distance(position, places.positions[agent])) / to_seconds(dt));
     places.positions[agent] = position;
     places.headings[agent] = place.heading;
   }
 }
 
 // Each marcher stays where it is. Its start moves instead, since a place follows from start, speed and time.
-void Marchers::take_speed(double speed, anim::Ticks now) {
+void Marchers::take_speed(double speed, Ticks now) {
   for (std::size_t marcher = 0; marcher < count(); ++marcher) {
-    starts_[marcher].distance += (route_.speed - speed) * anim::to_seconds(now - behind_[marcher]);
+    starts_[marcher].distance += (route_.speed - speed) * to_seconds(now - behind_[marcher]);
   }
   route_.speed = speed;
 }

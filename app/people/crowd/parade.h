@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "throng/ticks.h"
+
 #include "app/people/crowd/layout.h"
 #include "app/people/crowd/minds.h"
-#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -35,17 +36,17 @@ class Marchers {
   /// Puts the marchers where they begin.
   void begin(CrowdPlaces& places) const;
   /// Moves the marchers by `dt`, which is above 0, to `now`. An agent that is held stays, and makes up for it later.
-  void advance(anim::Ticks dt, anim::Ticks now, const CrowdMinds& minds, CrowdPlaces& places);
+  void advance(Ticks dt, Ticks now, const CrowdMinds& minds, CrowdPlaces& places);
   /// Lets the marchers go on at another speed, in metres a second, from where they are `now`.
-  void take_speed(double speed, anim::Ticks now);
+  void take_speed(double speed, Ticks now);
 
  private:
-  double marching_time(std::size_t marcher, anim::Ticks dt, anim::Ticks now, bool is_held);
+  double marching_time(std::size_t marcher, Ticks dt, Ticks now, bool is_held);
 
   std::size_t first_;  // agent
   Lane route_;
   std::vector<MarcherStart> starts_;
-  std::vector<anim::Ticks> behind_;  // [marcher] how late it is at its places
+  std::vector<Ticks> behind_;  // [marcher] how late it is at its places
 };
 
 /// The size of a parade, in metres.

@@ -21,7 +21,7 @@ constexpr std::size_t agents_an_athlete = 14;
 constexpr std::size_t most_athletes = 60;
 constexpr double wave_speed = 11.0;  // metres a second
 constexpr double least_wave_seconds = 9.0;
-constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
+constexpr Ticks up_in_wave = ticks_per_second * 9 / 5;
 constexpr double wave_unevenness = 0.25;  // seconds
 
 std::size_t tier_count(std::size_t agents) {
@@ -120,20 +120,20 @@ StadiumSize stadium_size(std::size_t agents, const CharacterRoles& roles) {
 }
 
 Wave::Wave(const CrowdLayout& layout, CrowdMinds& minds)
-    : first_stander_(layout.walkers.size() + layout.marchers.size()), period_(anim::to_ticks(layout.wave_seconds)) {
-  const anim::Ticks first_wave = anim::to_ticks(layout.wave_begins);
+    : first_stander_(layout.walkers.size() + layout.marchers.size()), period_(to_ticks(layout.wave_seconds)) {
+  const Ticks first_wave = to_ticks(layout.wave_begins);
   for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
     const auto unevenness = static_cast<double>(minds.whim(first_stander_ + stander).between(-1.0F, 1.0F));
     const double after = layout.standers[stander].round * layout.wave_seconds + wave_unevenness * unevenness;
-    next_.push_back(first_wave + anim::to_ticks(after));
+    next_.push_back(first_wave + to_ticks(after));
   }
 }
 
 // Seen from afar, the wave runs round.
-void Wave::advance(anim::Ticks now, const CrowdCast& cast, CrowdMinds& minds) {
+void Wave::advance(Ticks now, const CrowdCast& cast, CrowdMinds& minds) {
   for (std::size_t stander = 0; stander < next_.size(); ++stander) {
     if (now < next_[stander]) continue;
-    const anim::Ticks late = (now - next_[stander]) % period_;
+    const Ticks late = (now - next_[stander]) % period_;
     next_[stander] = now - late + period_;
     const std::size_t agent = first_stander_ + stander;
     if (minds.habits()[agent] == Habit::act) continue;

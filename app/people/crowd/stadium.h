@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "throng/ticks.h"
+
 #include "app/people/crowd/cast.h"
 #include "app/people/crowd/layout.h"
 #include "app/people/crowd/minds.h"
-#include "engine/anim/base/units.h"
 
 namespace throng::app {
 
@@ -33,12 +34,12 @@ class Wave {
   Wave(const CrowdLayout& layout, CrowdMinds& minds);
 
   /// Lets the agents that the front has reached rise and cheer.
-  void advance(anim::Ticks now, const CrowdCast& cast, CrowdMinds& minds);
+  void advance(Ticks now, const CrowdCast& cast, CrowdMinds& minds);
 
  private:
   std::size_t first_stander_ = 0;  // agent
-  anim::Ticks period_{};
-  std::vector<anim::Ticks> next_;  // [stander] when the wave is there
+  Ticks period_{};
+  std::vector<Ticks> next_;  // [stander] when the wave is there
 };
 
 /// The size of a stadium, in metres.

@@ -15,10 +15,10 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks longest_step = anim::ticks_per_second / 30;
+constexpr Ticks longest_step = ticks_per_second / 30;
 constexpr int most_steps = 64;
-constexpr anim::Ticks least_time_in_gait = anim::ticks_per_second * 3 / 5;
-constexpr anim::Ticks patience = anim::ticks_per_second * 3;  // until a walker that is stuck goes another way
+constexpr Ticks least_time_in_gait = ticks_per_second * 3 / 5;
+constexpr Ticks patience = ticks_per_second * 3;  // until a walker that is stuck goes another way
 
 constexpr float lead_in_spacings = 1.2F, lead_seconds = 0.6F;
 constexpr float aside_in_spacings = 3.0F;
@@ -232,12 +232,12 @@ Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
 }
 
 /// Returns the gait that a walker goes over to, or Role::other. A walker that is stuck for long goes another way.
-Role CrowdWalkers::next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds) {
+Role CrowdWalkers::next_gait(std::size_t walker, Ticks now, CrowdMinds& minds) {
   const Role shown = minds.roles()[walker];
   const bool steps = glm::length(bodies_[walker].velocity) > share_of_walk_to_step * speed_of(walker, Role::walk);
   if (steps) moved_at_[walker] = now;
   if (now - new_gait_at_[walker] < least_time_in_gait) return Role::other;
-  const anim::Ticks held_up = now - moved_at_[walker];
+  const Ticks held_up = now - moved_at_[walker];
   if (!company_.follows(walker) && held_up >= patience && now - new_gait_at_[walker] >= patience) {
     new_gait_at_[walker] = now;
     turn_aside(walker, minds.whim(walker));
@@ -251,7 +251,7 @@ Role CrowdWalkers::next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
 }
 
 // Few walkers change, and their requests come in the order of the agents.
-void CrowdWalkers::show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
+void CrowdWalkers::show_gaits(Ticks now, CrowdMinds& minds, Executor& executor, int jobs) {
   visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
     const bool goes = is_gait(minds.intentions()[walker]) && !minds.holds(walker);
     next_gaits_[walker] = goes ? next_gait(walker, now, minds) : Role::other;
@@ -272,16 +272,16 @@ void CrowdWalkers::wish_together(std::size_t leader, const CrowdMinds& minds) {
   }
 }
 
-void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
-  if (starts_.empty() || dt <= anim::Ticks{}) return;
+void CrowdWalkers::advance(Ticks dt, Ticks now, CrowdMinds& minds, Executor& executor, int jobs) {
+  if (starts_.empty() || dt <= Ticks{}) return;
   for (const std::uint32_t agent : minds.changed()) {
     if (agent >= count() || !is_gait(minds.intentions()[agent])) continue;
     moved_at_[agent] = now;
     if (minds.whim(agent).chance(chance_of_another_way)) set_out(agent, minds.whim(agent));
   }
   const auto steps =
-      static_cast<int>(std::min<std::int64_t>((dt + longest_step - anim::Ticks{1}) / longest_step, most_steps));
-  const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
+      static_cast<int>(std::min<std::int64_t>((dt + longest_step - Ticks{1}) / longest_step, most_steps));
+  const auto seconds = static_cast<float>(to_seconds(dt) / steps);
   const glm::vec2 most_turn(cosine_sine(4.0 * turns_a_second * static_cast<double>(seconds)));
   for (int step = 0; step < steps; ++step) {
     visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {

@@ -27,7 +27,7 @@ class CrowdWalkers {
 
   /// Moves all walkers by `dt`, in steps short enough to steer by, then asks `minds` for the gait that fits the speed.
   /// Allocates nothing. The result does not depend on `jobs`.
-  void advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs);
+  void advance(Ticks dt, Ticks now, CrowdMinds& minds, Executor& executor, int jobs);
 
   std::size_t count() const { return starts_.size(); }
   std::span<const Lane> lanes() const { return lanes_; }
@@ -50,8 +50,8 @@ class CrowdWalkers {
   void stop(std::size_t walker);
   void turn(std::size_t walker, glm::vec2 most);
   Role gait(std::size_t walker, Role shown) const;
-  Role next_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds);
-  void show_gaits(anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs);
+  Role next_gait(std::size_t walker, Ticks now, CrowdMinds& minds);
+  void show_gaits(Ticks now, CrowdMinds& minds, Executor& executor, int jobs);
 
   const CrowdCast* cast_;
   float spacing_;
@@ -61,8 +61,8 @@ class CrowdWalkers {
   std::vector<float> paces_;
   Company company_;
   std::vector<Heading> headings_;
-  std::vector<anim::Ticks> moved_at_;     // the time at which it last got on
-  std::vector<anim::Ticks> new_gait_at_;  // the time at which it last changed gait
+  std::vector<Ticks> moved_at_;     // the time at which it last got on
+  std::vector<Ticks> new_gait_at_;  // the time at which it last changed gait
   std::vector<Body> bodies_;
   std::vector<Wish> wishes_;
   std::vector<Role> next_gaits_;  // [walker] the gait that it goes over to in this frame; Role::other: it does not

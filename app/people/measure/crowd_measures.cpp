@@ -18,7 +18,7 @@ float speed_of(const Followers& followers, std::size_t agent, double seconds, do
   return glm::length(followers.way(agent).velocity(seconds, std::max(window, TrackSteps::stride_window)));
 }
 
-void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs) {
+void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, Executor& executor, int jobs) {
   const FollowedTracks* const tracks = crowd.tracks();
   const double seconds = tracks != nullptr ? tracks->clock().seconds : 0.0;
   const std::span<const std::uint8_t> absent = absent_of(crowd);
@@ -51,7 +51,7 @@ void CrowdMeasures::take(const Crowd& crowd, const Tuning& tuning, anim::Executo
   }
 }
 
-void CrowdMeasures::take_densities(const Crowd& crowd, float cut_off, anim::Executor& executor, int jobs) {
+void CrowdMeasures::take_densities(const Crowd& crowd, float cut_off, Executor& executor, int jobs) {
   const FollowedTracks* const tracks = crowd.tracks();
   const std::shared_ptr<const Trajectories> file = tracks != nullptr ? tracks->people().file() : nullptr;
   if (file != area_of_) {

@@ -4,11 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "throng/host.h"
+
 #include "app/people/crowd/crowd.h"
 #include "app/people/measure/voronoi_density.h"
 #include "app/people/measure/walkable_area.h"
 #include "app/settings/settings.h"
-#include "engine/anim/base/executor.h"
 
 namespace throng::app {
 
@@ -16,13 +17,13 @@ namespace throng::app {
 class CrowdMeasures {
  public:
   /// Measures the crowd as it is now; nothing where the view shows no measure. Allocates when another view begins.
-  void take(const Crowd& crowd, const Tuning& tuning, anim::Executor& executor, int jobs);
+  void take(const Crowd& crowd, const Tuning& tuning, Executor& executor, int jobs);
 
   /// Returns metres a second, people a square metre or seconds; below 0: unknown, or nothing was measured.
   float of(std::size_t agent) const { return agent < values_.size() ? values_[agent] : -1.0F; }
 
  private:
-  void take_densities(const Crowd& crowd, float cut_off, anim::Executor& executor, int jobs);
+  void take_densities(const Crowd& crowd, float cut_off, Executor& executor, int jobs);
 
   std::vector<float> values_;  // [agent]
   VoronoiDensity density_;

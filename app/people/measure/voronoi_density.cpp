@@ -95,8 +95,8 @@ float density_at(const Body& person, const CrowdCells& all, float cut_off, const
 
 }  // namespace
 
-void VoronoiDensity::measure(const MeasuredPeople& people, float cut_off, const WalkableArea& area,
-                             anim::Executor& executor, int jobs, std::span<float> densities) {
+void VoronoiDensity::measure(const MeasuredPeople& people, float cut_off, const WalkableArea& area, Executor& executor,
+                             int jobs, std::span<float> densities) {
   assert(densities.size() == people.positions.size() && cut_off > 0.0F);
   std::ranges::fill(densities, no_density);
   bodies_.reserve(people.positions.size());

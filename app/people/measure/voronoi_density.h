@@ -7,9 +7,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "throng/host.h"
+
 #include "app/people/crowd/steering/cells.h"
 #include "app/people/measure/walkable_area.h"
-#include "engine/anim/base/executor.h"
 
 namespace throng::app {
 
@@ -28,8 +29,8 @@ class VoronoiDensity {
   /// Writes people a square metre for each person; below 0 for a person who is absent or has no ground to stand on.
   /// Allocates only for more people than ever before. `jobs` run at once on `executor`; the result does not depend on
   /// either.
-  void measure(const MeasuredPeople& people, float cut_off, const WalkableArea& area, anim::Executor& executor,
-               int jobs, std::span<float> densities);
+  void measure(const MeasuredPeople& people, float cut_off, const WalkableArea& area, Executor& executor, int jobs,
+               std::span<float> densities);
 
  private:
   CrowdCells neighbours_;

@@ -158,18 +158,18 @@ std::vector<SceneryMeshData> read_meshes(const PropFile& file) {
 
 }  // namespace
 
-anim::Result<std::vector<SceneryMeshData>> read_props(const std::filesystem::path& file) {
+Result<std::vector<SceneryMeshData>> read_props(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = std::size_t{64} << 20U;
   const auto bytes = read_text(file, "the file of props", most_bytes);
-  if (!bytes) return anim::Error{file.string() + ": " + bytes.error().message};
+  if (!bytes) return Error{file.string() + ": " + bytes.error().message};
   try {
     return read_meshes(parse(*bytes));
   } catch (const Damage& damage) {
-    return anim::Error{file.string() + ": the file of props is damaged: " + damage.what() + "; install it anew"};
+    return Error{file.string() + ": the file of props is damaged: " + damage.what() + "; install it anew"};
   }
 }
 
-anim::Result<std::vector<SceneryMeshData>> load_props(const std::string& data_option) {
+Result<std::vector<SceneryMeshData>> load_props(const std::string& data_option) {
   const auto file = find_data(data_folders(data_option), "assets/places.glb");
   if (!file) return file.error();
   return read_props(*file);

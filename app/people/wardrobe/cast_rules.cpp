@@ -45,7 +45,7 @@ class RulesReader {
  public:
   explicit RulesReader(const Json& json) : json_(json) {}
 
-  anim::Result<CastRules> read() {
+  Result<CastRules> read() {
     const JsonObject all(
         "", json_,
         {"version", "bodies", "skin", "colours", "clothes", "styles", "scenes", "weather", "teams", "things", "seed"},
@@ -69,7 +69,7 @@ class RulesReader {
     rules_.things = static_cast<float>(things);
     all.whole("seed", rules_.seed, 0U, std::numeric_limits<std::uint32_t>::max());
     if (!complaint_) check_names();
-    if (complaint_) return anim::Error{*complaint_};
+    if (complaint_) return Error{*complaint_};
     return std::move(rules_);
   }
 
@@ -232,9 +232,9 @@ const SceneRule* CastRules::scene(std::string_view name) const {
   return own == nullptr && !scenes.empty() ? &scenes.front() : own;
 }
 
-anim::Result<CastRules> cast_rules(const Json& json) { return RulesReader(json).read(); }
+Result<CastRules> cast_rules(const Json& json) { return RulesReader(json).read(); }
 
-anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
+Result<CastRules> read_cast_rules(const std::filesystem::path& file) {
   const JsonFile rules_file(file, {.unread = "give a file of rules like assets/cast.json",
                                    .malformed = "mend it, or begin with a copy of assets/cast.json",
                                    .wrong = "app/people/wardrobe/README.md says what rules hold"});

@@ -127,10 +127,10 @@ inline constexpr std::string_view marching_scene = "marchers";
 inline constexpr std::string_view team_colors = "team";
 
 /// Reads rules. The error names the file, the object and what to do.
-anim::Result<CastRules> read_cast_rules(const std::filesystem::path& file);
+Result<CastRules> read_cast_rules(const std::filesystem::path& file);
 
 /// Returns rules out of JSON. The error is the end of a sentence that begins with the file's name.
-anim::Result<CastRules> cast_rules(const Json& json);
+Result<CastRules> cast_rules(const Json& json);
 
 /// Returns a complaint about a part or body in the rules that a wardrobe lacks; an empty text if it lacks none.
 std::string unknown_in(const CastRules& rules, const Wardrobe& wardrobe);

@@ -88,14 +88,14 @@ Json to_json(const CastRules& rules) {
 
 std::string rules_text(const CastRules& rules) { return rules.styles.empty() ? std::string() : to_json(rules).dump(); }
 
-anim::Result<CastRules> rules_of_text(const std::string& text) {
+Result<CastRules> rules_of_text(const std::string& text) {
   if (text.empty()) return CastRules();
   const auto json = parse_json(text);
   if (!json) return json.error();
   return cast_rules(*json);
 }
 
-anim::Status write_cast_rules(const std::filesystem::path& file, const CastRules& rules) {
+Status write_cast_rules(const std::filesystem::path& file, const CastRules& rules) {
   return write_whole_file(file, to_json(rules).dump(2) + "\n");
 }
 

@@ -15,9 +15,9 @@ Json to_json(const CastRules& rules);
 /// Returns rules as one line, and reads them; an empty text is rules without styles. The error is the end of a
 /// sentence.
 std::string rules_text(const CastRules& rules);
-anim::Result<CastRules> rules_of_text(const std::string& text);
+Result<CastRules> rules_of_text(const std::string& text);
 
 /// Writes rules for people to edit, whole or not at all. The error names the file.
-anim::Status write_cast_rules(const std::filesystem::path& file, const CastRules& rules);
+Status write_cast_rules(const std::filesystem::path& file, const CastRules& rules);
 
 }  // namespace throng::app

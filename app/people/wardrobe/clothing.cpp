@@ -25,7 +25,7 @@ std::filesystem::path rules_beside(const CharacterSource& source) {
   return std::filesystem::exists(rules, ignored) ? rules : std::filesystem::path();
 }
 
-anim::Result<CastRules> rules_for(const CharacterSource& source, const Wardrobe& wardrobe) {
+Result<CastRules> rules_for(const CharacterSource& source, const Wardrobe& wardrobe) {
   if (source.rules) return rules_of_text(*source.rules);
   const std::filesystem::path file = rules_file_of(source);
   if (!file.empty()) return read_cast_rules(file);
@@ -43,18 +43,18 @@ std::filesystem::path rules_file_of(const CharacterSource& source) {
   return source.cast_rules.empty() ? rules_beside(source) : std::filesystem::path(source.cast_rules);
 }
 
-anim::Result<Clothing> clothing_of(const CharacterSource& source) {
+Result<Clothing> clothing_of(const CharacterSource& source) {
   if (source.model.parts.size() > most_parts) {
-    return anim::Error{plain_text(source.file) + ": it has " + std::to_string(source.model.parts.size()) +
-                       " parts to wear, and " + std::to_string(most_parts) + " are the most; split the model"};
+    return Error{plain_text(source.file) + ": it has " + std::to_string(source.model.parts.size()) +
+                 " parts to wear, and " + std::to_string(most_parts) + " are the most; split the model"};
   }
   Clothing clothing{.wardrobe = Wardrobe(source.model.parts), .rules = {}, .origin = owner_of_rules(source)};
   auto rules = rules_for(source, clothing.wardrobe);
-  if (!rules && source.rules) return anim::Error{clothing.origin + ": " + rules.error().message};
+  if (!rules && source.rules) return Error{clothing.origin + ": " + rules.error().message};
   if (!rules) return rules.error();
   clothing.rules = std::move(*rules);
   const std::string wrong = wrong_for(clothing.rules, clothing.wardrobe);
-  if (!wrong.empty()) return anim::Error{clothing.origin + ": " + wrong};
+  if (!wrong.empty()) return Error{clothing.origin + ": " + wrong};
   clothing.doubts = doubts_of(clothing.rules, clothing.wardrobe);
   return clothing;
 }

@@ -22,7 +22,7 @@ struct Clothing {
 /// Returns the clothing of a character: its parts, and CharacterSource::rules, or else the rules in the file
 /// CharacterSource::cast_rules, or in MODEL.cast.json beside its file, or even rules for a file with parts and without
 /// rules. Errors: as read_cast_rules(), a name that no part has, and more than 1000 parts.
-anim::Result<Clothing> clothing_of(const CharacterSource& source);
+Result<Clothing> clothing_of(const CharacterSource& source);
 
 /// Returns the file that the rules of a character come from; empty where there is none.
 std::filesystem::path rules_file_of(const CharacterSource& source);

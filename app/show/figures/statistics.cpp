@@ -148,7 +148,7 @@ void Statistics::add_report(const Stage& stage) {
   lod_.add(stage.posed().level_of_detail().figures());
 }
 
-anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
+Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
   Json json;
   json["agents"] = stage.crowd().size();
   json["characters"] = characters_of(stage);

@@ -41,7 +41,7 @@ class Statistics {
   /// Takes the figures of an update; call it after each.
   void add_report(const Stage& stage);
 
-  anim::Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
+  Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
 
  private:
   SampleCounts update_ms_, frame_ms_, overlay_ms_;

@@ -89,7 +89,7 @@ struct MeshChoice::Frame {
 };
 
 void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> character_of,
-                        const MeshLods& lods, const Tuning& tuning, anim::Executor& executor, int jobs) {
+                        const MeshLods& lods, const Tuning& tuning, Executor& executor, int jobs) {
   visible_ = visible.size();
   const std::size_t count =
       std::clamp<std::size_t>(std::min(visible_ / choices_worth_a_job, std::size_t(jobs)), 1, most_tiles);

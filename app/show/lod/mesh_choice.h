@@ -6,8 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "throng/host.h"
+
 #include "app/show/lod/mesh_lods.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/lod/lod.h"
 
 namespace throng::app {
@@ -30,7 +31,7 @@ class MeshChoice {
   void reset(std::size_t agents) { lods_.resize(agents); }
 
   void choose(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> character_of,
-              const MeshLods& lods, const Tuning& tuning, anim::Executor& executor, int jobs);
+              const MeshLods& lods, const Tuning& tuning, Executor& executor, int jobs);
 
   /// Returns the mesh LODs of the last choice, [place in `visible`].
   std::span<const std::uint8_t> lods() const { return std::span(lods_).first(visible_); }

@@ -21,8 +21,7 @@ void ShownPoses::reset(std::size_t agents, std::uint64_t last_frame) {
   out_of_memory_ = false;
 }
 
-void ShownPoses::hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, anim::Executor& executor,
-                             int jobs) {
+void ShownPoses::hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, Executor& executor, int jobs) {
   const auto is_gone = [&](std::size_t i, std::uint32_t& listed) { return !lod.is_visible(listed = shown_[i]); };
   for (const std::uint32_t agent : gone_.gather(shown_.size(), executor, jobs, is_gone)) {
     hide(poses_[agent], last_frame);

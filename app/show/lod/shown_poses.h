@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "throng/host.h"
+
 #include "app/people/crowd/steering/gathered.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/base/compiler.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/palette/palette_slots.h"
@@ -57,7 +58,7 @@ class ShownPoses {
   void reset(std::size_t agents, std::uint64_t last_frame);
 
   /// Gives back the slots of agents that are not in view any more. `jobs` run at once.
-  void hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, anim::Executor& executor, int jobs);
+  void hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, Executor& executor, int jobs);
   /// Asks the caches for the pose of an agent, for which show() is called soon.
   THRONG_ALWAYS_INLINE void prefetch_pose(std::uint32_t agent) const { anim::prefetch(&poses_[agent]); }
 

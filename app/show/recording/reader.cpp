@@ -19,7 +19,7 @@ constexpr std::uint32_t most_hashes = 100'100;  // the agents, and agents that a
 constexpr std::uint64_t item_head_bytes = 5, checksum_bytes = 8;
 
 /// Returns the longest frame that options and the clock of a window allow.
-anim::Ticks longest_frame() { return anim::to_ticks(most_frame_seconds * static_cast<double>(most_time_scale)); }
+Ticks longest_frame() { return to_ticks(most_frame_seconds * static_cast<double>(most_time_scale)); }
 
 glm::vec3 next_vector(NumberReader& numbers) {
   glm::vec3 vector{0.0F};
@@ -41,7 +41,7 @@ bool is_view(const LodView& view) {
 /// Reads the part of a frame that has a fixed size; returns nothing where the bytes are no such frame.
 std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   RecordedFrame frame;
-  frame.delta = anim::Ticks{numbers.next<std::int64_t>()};
+  frame.delta = Ticks{numbers.next<std::int64_t>()};
   frame.view.camera.position = next_vector(numbers);
   frame.view.camera.yaw = numbers.next<float>();
   frame.view.camera.pitch = numbers.next<float>();
@@ -49,7 +49,7 @@ std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   frame.view.width = static_cast<int>(numbers.next<std::uint32_t>());
   frame.view.height = static_cast<int>(numbers.next<std::uint32_t>());
   frame.pose_hash = numbers.next<std::uint64_t>();
-  const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame() && is_view(frame.view);
+  const bool can_be = frame.delta >= Ticks{} && frame.delta <= longest_frame() && is_view(frame.view);
   return numbers.good() && can_be ? std::optional(frame) : std::nullopt;
 }
 
@@ -71,11 +71,11 @@ std::optional<std::string> read_header(std::string_view text, RecordingHeader& h
 
 }  // namespace
 
-anim::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
   auto input = InputFile::open(file, "a recording of throng");
-  if (!input) return anim::Error{file.string() + ": " + input.error().message};
+  if (!input) return Error{file.string() + ": " + input.error().message};
   std::unique_ptr<RecordingReader> reader(new RecordingReader(file, std::move(*input)));
-  if (const auto complaint = reader->read_begin()) return anim::Error{file.string() + ": " + *complaint};
+  if (const auto complaint = reader->read_begin()) return Error{file.string() + ": " + *complaint};
   return reader;
 }
 
@@ -157,13 +157,13 @@ void RecordingReader::begin_anew() {
   hashes_.clear();
 }
 
-anim::Error RecordingReader::error_at(std::uint64_t frame, const std::string& what) const {
+Error RecordingReader::error_at(std::uint64_t frame, const std::string& what) const {
   return {file_.string() + ": frame " + std::to_string(frame) + ": " + what};
 }
 
-anim::Result<RecordedItem> RecordingReader::next() {
-  const anim::Error cut_short{file_.string() + ": is cut short after frame " + std::to_string(frames_) +
-                              "; record it again, and let that run end by itself"};
+Result<RecordedItem> RecordingReader::next() {
+  const Error cut_short{file_.string() + ": is cut short after frame " + std::to_string(frames_) +
+                        "; record it again, and let that run end by itself"};
   if (!read_bytes(item_head_bytes, payload_)) return cut_short;
   NumberReader head(payload_);
   const auto kind = static_cast<RecordKind>(head.next<std::uint8_t>());

@@ -20,12 +20,12 @@ class RecordingReader {
  public:
   /// Opens a recording, and reads all of it once for its checksum. Errors: the file cannot be read, is no recording, is
   /// of another version, is damaged, or has a malformed header.
-  static anim::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+  static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
 
   const RecordingHeader& header() const { return header_; }
   /// Returns the next item, in the order in which it happened. RecordedEnd is the last; after it there is none. Errors:
   /// the file is cut short, or the next item is malformed; then there is none either.
-  anim::Result<RecordedItem> next();
+  Result<RecordedItem> next();
   std::uint64_t frames_read() const { return frames_; }
   /// Returns how many frames the file has, as far as it is whole. Reads over all of it, and goes on where it was.
   std::uint64_t count_frames();
@@ -34,7 +34,7 @@ class RecordingReader {
   /// Returns [agent] the hashes of the last frame that was read.
   std::span<const std::uint16_t> agent_hashes() const { return hashes_; }
   /// Returns "run.rec: frame 12: " and the end of a sentence.
-  anim::Error error_at(std::uint64_t frame, const std::string& what) const;
+  Error error_at(std::uint64_t frame, const std::string& what) const;
 
  private:
   RecordingReader(std::filesystem::path file, InputFile input)

@@ -15,21 +15,21 @@ namespace throng::app {
 class Recorder {
  public:
   /// Opens a file. Errors: it cannot be written; then nothing has changed.
-  anim::Status start(const std::filesystem::path& file, const RecordingHeader& header) {
+  Status start(const std::filesystem::path& file, const RecordingHeader& header) {
     auto writer = RecordingWriter::create(file, header);
     if (!writer) return writer.error();
     writer_ = std::move(*writer);
-    outcome_ = anim::Done{};
-    return anim::Done{};
+    outcome_ = Done{};
+    return Done{};
   }
   /// Finishes the file. Errors: it could not be written, now or before. Without a file there is no error.
-  anim::Status stop() {
+  Status stop() {
     if (writer_ != nullptr) finish();
-    return std::exchange(outcome_, anim::Done{});
+    return std::exchange(outcome_, Done{});
   }
   bool is_recording() const { return writer_ != nullptr; }
   /// Returns why the file was closed before stop(), if that is so.
-  const anim::Status& outcome() const { return outcome_; }
+  const Status& outcome() const { return outcome_; }
 
   /// Adds an item, as RecordingWriter::add does.
   template <typename... Item>
@@ -58,7 +58,7 @@ class Recorder {
   }
 
   std::unique_ptr<RecordingWriter> writer_;
-  anim::Status outcome_ = anim::Done{};
+  Status outcome_ = Done{};
 };
 
 }  // namespace throng::app

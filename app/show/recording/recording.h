@@ -5,9 +5,10 @@
 #include <variant>
 #include <vector>
 
+#include "throng/ticks.h"
+
 #include "app/settings/settings.h"
 #include "app/show/request/request.h"
-#include "engine/anim/base/units.h"
 #include "engine/render/camera.h"
 
 namespace throng::app {
@@ -41,7 +42,7 @@ struct LodView {
 };
 
 struct RecordedFrame {
-  anim::Ticks delta{};  ///< 0 while paused
+  Ticks delta{};  ///< 0 while paused
   LodView view;
   std::uint64_t pose_hash = 0;
 };

@@ -24,8 +24,8 @@ std::string item_head(RecordKind kind, std::size_t payload_bytes) {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
-                                                                       const RecordingHeader& header) {
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
+                                                                 const RecordingHeader& header) {
   auto beside = OutputFile::create(file, OutputFile::Unfinished::kept);
   if (!beside) return beside.error();
   std::unique_ptr<RecordingWriter> writer(new RecordingWriter(std::move(*beside), header.tuning));
@@ -83,7 +83,7 @@ void RecordingWriter::add_changed_hashes(std::span<const std::uint64_t> agent_ha
   }
 }
 
-anim::Status RecordingWriter::finish() {
+Status RecordingWriter::finish() {
   append_number(payload_, frames_);
   write(item_head(RecordKind::end, end_payload_bytes));
   write(payload_);
@@ -94,7 +94,7 @@ anim::Status RecordingWriter::finish() {
   std::error_code error;
   const bool has_part = !file_.part().empty() && std::filesystem::file_size(file_.part(), error) > 0 && !error;
   if (state_ || !has_part) return state_;
-  return anim::Error{state_.error().message + "; the frames before are in " + file_.part().string()};
+  return Error{state_.error().message + "; the frames before are in " + file_.part().string()};
 }
 
 }  // namespace throng::app

@@ -20,8 +20,8 @@ namespace throng::app {
 class RecordingWriter {
  public:
   /// Opens the file. Errors: it cannot be written.
-  static anim::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
-                                                               const RecordingHeader& header);
+  static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
+                                                         const RecordingHeader& header);
 
   /// Adds a request that was taken.
   void add(const CrowdRequest& request);
@@ -29,14 +29,12 @@ class RecordingWriter {
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 
   /// Writes nothing more, and lets finish() say why.
-  void give_up(std::string_view why) {
-    state_ = anim::Error{file().string() + ": cannot be written: " + std::string(why)};
-  }
+  void give_up(std::string_view why) { state_ = Error{file().string() + ": cannot be written: " + std::string(why)}; }
   /// Returns whether a part of the file could not be written; then nothing more is.
   bool fails() const { return !state_; }
   /// Gives the file, which is whole, its name. Errors: a part of it could not be written. The error says where the
   /// frames before that are.
-  anim::Status finish();
+  Status finish();
   const std::filesystem::path& file() const { return file_.file(); }
 
  private:
@@ -49,7 +47,7 @@ class RecordingWriter {
   ByteHash written_;
   Tuning tuning_;  // as it was written last
   std::uint64_t frames_ = 0;
-  anim::Status state_ = anim::Done{};
+  Status state_ = Done{};
   std::vector<std::uint16_t> hashes_;  // [agent] as they were written last
   std::string payload_;                // used again and again
 };

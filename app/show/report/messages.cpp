@@ -22,7 +22,7 @@ void Messages::say(std::string words, Message::Kind kind) {
   if (messages_.size() > most_messages) messages_.pop_front();
 }
 
-bool Messages::report(const anim::Status& outcome, const std::string& done) {
+bool Messages::report(const Status& outcome, const std::string& done) {
   if (outcome) {
     say(done);
   } else {

@@ -28,7 +28,7 @@ class Messages {
   /// Says something. A message that is still seen and has the same words appears again in its place.
   void say(std::string words, Message::Kind kind = Message::Kind::done);
   /// Says `done`, if it has words, where the outcome is a success; else says why it failed. Returns whether it is one.
-  bool report(const anim::Status& outcome, const std::string& done = {});
+  bool report(const Status& outcome, const std::string& done = {});
   /// Lets the window's clock go on.
   void pass(double seconds) { clock_ += seconds; }
   [[nodiscard]] double now() const { return clock_; }

@@ -95,16 +95,16 @@ ChosenCharacter read_character(const std::string& name, const Json& json, std::o
   return character;
 }
 
-anim::Status take_bone_lod(const ChosenCharacter& wanted, CharacterSource& source) {
+Status take_bone_lod(const ChosenCharacter& wanted, CharacterSource& source) {
   auto bones = bones_named(wanted.bones, source.model.skeleton);
   if (!bones) return bones.error();
   const BoneLodChoice choice{.bones = std::move(*bones), .level_counts = wanted.level_counts};
-  if (anim::Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
+  if (Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
   take_order(source, choice);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Error about(const std::string& what, const CharacterSource& character, const anim::Status& wrong) {
+Error about(const std::string& what, const CharacterSource& character, const Status& wrong) {
   return {"the " + what + " kept for " + character.name + ": " + wrong.error().message};
 }
 
@@ -153,29 +153,29 @@ std::vector<CastEntry> entries_of(std::span<const ChosenCharacter> characters) {
   return entries;
 }
 
-anim::Status become(const ChosenCharacter& wanted, CharacterSource& character) {
+Status become(const ChosenCharacter& wanted, CharacterSource& character) {
   if (!wanted.fingerprint.empty() && wanted.fingerprint != fingerprint(character)) {
-    return anim::Error{character.name + " is not the character that was recorded: its bones or clips differ"};
+    return Error{character.name + " is not the character that was recorded: its bones or clips differ"};
   }
   const anim::Skeleton& skeleton = character.character->skeleton;
   const bool keeps_order = wanted.bones.empty() ||
                            (bone_keys(skeleton) == wanted.bones && skeleton.level_bone_counts == wanted.level_counts);
   if (!keeps_order) {
-    const anim::Status taken = take_bone_lod(wanted, character);
+    const Status taken = take_bone_lod(wanted, character);
     if (!taken) return about("order of bones", character, taken);
   }
   if (wanted.rig != character.rig) {
-    const anim::Status taken = take_rig(character, wanted.rig);
+    const Status taken = take_rig(character, wanted.rig);
     if (!taken) return about("parts of the body", character, taken);
   }
   RoleClips roles = character.roles.clips;
-  const anim::Status clips = choose_clips(wanted.clips, character.clip_names, roles);
-  if (!clips) return anim::Error{character.name + ": " + clips.error().message};
+  const Status clips = choose_clips(wanted.clips, character.clip_names, roles);
+  if (!clips) return Error{character.name + ": " + clips.error().message};
   character.rules_are_chosen = wanted.rules.has_value();
   if (wanted.rules) character.rules = wanted.rules;
   assign_roles(character, roles);
   character.roles.share = wanted.share;
-  return anim::Done{};
+  return Done{};
 }
 
 Json to_json(const ChosenCharacter& character) {

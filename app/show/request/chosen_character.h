@@ -42,7 +42,7 @@ std::vector<CastEntry> entries_of(std::span<const ChosenCharacter> characters);
 
 /// Gives a character that was loaded for it all that the person chose. Errors name the character: it has another
 /// fingerprint, or it lacks a chosen thing.
-anim::Status become(const ChosenCharacter& wanted, CharacterSource& character);
+Status become(const ChosenCharacter& wanted, CharacterSource& character);
 
 /// Returns an object with "model", "share", "clips", "clips_from", "placement", "rig", "level_counts", "bones", and
 /// where they are there "fingerprint" and "rules".

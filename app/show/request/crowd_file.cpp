@@ -79,7 +79,7 @@ CrowdSetup crowd_setup(std::span<const CharacterSource> people, const Preset& pr
   return setup;
 }
 
-anim::Status write_crowd_file(const fs::path& file, const CrowdSetup& setup) {
+Status write_crowd_file(const fs::path& file, const CrowdSetup& setup) {
   const auto relative = [&](const std::string& name) { return relative_to(file.parent_path(), name); };
   Json characters = Json::array();
   for (const ChosenCharacter& character : setup.characters) {
@@ -92,7 +92,7 @@ anim::Status write_crowd_file(const fs::path& file, const CrowdSetup& setup) {
   return write_whole_file(file, json.dump(2) + "\n");
 }
 
-anim::Result<CrowdSetup> read_crowd_file(const fs::path& path) {
+Result<CrowdSetup> read_crowd_file(const fs::path& path) {
   const JsonFile file(path);
   const auto json = file.read();
   if (!json) return json.error();

@@ -31,9 +31,9 @@ CrowdSetup crowd_setup(std::span<const CharacterSource> people, const Preset& pr
 /// Writes the file NAME.throng whole or not at all: one JSON object with "version", "characters", "values", which are
 /// a preset's, and where they are not empty "compare" and "bookmarks". Names of files are relative to the folder
 /// of NAME.throng, so that both can move together.
-anim::Status write_crowd_file(const std::filesystem::path& file, const CrowdSetup& setup);
+Status write_crowd_file(const std::filesystem::path& file, const CrowdSetup& setup);
 /// Reads such a file. Values that it does not have keep their defaults. The error is one line that names the file, what
 /// is wrong in it and what is allowed.
-anim::Result<CrowdSetup> read_crowd_file(const std::filesystem::path& file);
+Result<CrowdSetup> read_crowd_file(const std::filesystem::path& file);
 
 }  // namespace throng::app

@@ -112,15 +112,15 @@ class FieldsFromJson {
 
 /// Reads the request of the set that has this name; nothing where none has.
 template <typename... All>
-anim::Result<CrowdRequest> read_named(const Json::Member& named, const Tuning& before, std::variant<All...>* /*set*/) {
-  anim::Result<CrowdRequest> found = anim::Error{"there is no request \"" + named.key + "\""};
+Result<CrowdRequest> read_named(const Json::Member& named, const Tuning& before, std::variant<All...>* /*set*/) {
+  Result<CrowdRequest> found = Error{"there is no request \"" + named.key + "\""};
   const auto read_if_it_is = [&](auto request) {
     using Asked = decltype(request);
     if (named.key != Asked::name) return;
     FieldsFromJson fields(named.value, before);
     Asked::describe(request, fields);
-    found = fields.wrong ? anim::Result<CrowdRequest>(anim::Error{named.key + ": " + *fields.wrong})
-                         : anim::Result<CrowdRequest>(std::move(request));
+    found = fields.wrong ? Result<CrowdRequest>(Error{named.key + ": " + *fields.wrong})
+                         : Result<CrowdRequest>(std::move(request));
   };
   (read_if_it_is(All{}), ...);
   return found;
@@ -140,8 +140,8 @@ Json to_json(const CrowdRequest& request, const Tuning& before) {
   return json;
 }
 
-anim::Result<CrowdRequest> read_request(const Json& json, const Tuning& before) {
-  if (json.members().size() != 1) return anim::Error{"a request must be an object with its name"};
+Result<CrowdRequest> read_request(const Json& json, const Tuning& before) {
+  if (json.members().size() != 1) return Error{"a request must be an object with its name"};
   return read_named(json.members().front(), before, static_cast<CrowdRequest*>(nullptr));
 }
 

@@ -12,6 +12,6 @@ namespace throng::app {
 /// the values that differ from `before`.
 Json to_json(const CrowdRequest& request, const Tuning& before = {});
 /// Reads it. Values that it does not name are taken from `before`. The error is the end of a sentence.
-anim::Result<CrowdRequest> read_request(const Json& json, const Tuning& before = {});
+Result<CrowdRequest> read_request(const Json& json, const Tuning& before = {});
 
 }  // namespace throng::app

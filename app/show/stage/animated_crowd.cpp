@@ -18,21 +18,21 @@ std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters
   return roles;
 }
 
-anim::Result<std::unique_ptr<AnimatedCrowd>> AnimatedCrowd::create(std::span<const CharacterSource> characters,
-                                                                   const anim::SystemOptions& options,
-                                                                   anim::LevelOfDetail& lod) {
+Result<std::unique_ptr<AnimatedCrowd>> AnimatedCrowd::create(std::span<const CharacterSource> characters,
+                                                             const anim::SystemOptions& options,
+                                                             anim::LevelOfDetail& lod) {
   std::unique_ptr<AnimatedCrowd> crowd(new AnimatedCrowd(characters, lod));
-  if (const anim::Status opened = crowd->open(options); !opened) return opened.error();
+  if (const Status opened = crowd->open(options); !opened) return opened.error();
   return crowd;
 }
 
-anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
+Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   auto system = anim::AnimationSystem::create(characters_.front().character, on_this_machine(options));
   if (!system) return system.error();
   system_ = std::move(*system);
   for (const CharacterSource& more : characters_.subspan(1)) {
     if (const auto added = system_->characters().add(more.character); !added) {
-      return anim::Error{more.name + ": " + added.error().message};
+      return Error{more.name + ": " + added.error().message};
     }
   }
   const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
@@ -47,19 +47,19 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   }
   fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
   details_ = std::make_unique<BodyDetails>(characters_, rigs_, kinds, *system_);
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
+Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
   const anim::SystemOptions here = on_this_machine(options);
-  return here == system_->options() ? anim::Status(anim::Done{}) : system_->configure(here);
+  return here == system_->options() ? Status(Done{}) : system_->configure(here);
 }
 
-anim::Status AnimatedCrowd::reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
-                                          std::span<const int> places) {
+Status AnimatedCrowd::reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
+                                    std::span<const int> places) {
   const auto number = static_cast<std::uint32_t>(character);
   rigs_[character]->reorder_bones(places);
-  anim::Status replaced = system_->characters().replace(number, std::move(reordered), places);
+  Status replaced = system_->characters().replace(number, std::move(reordered), places);
   if (!replaced) {
     rigs_[character]->reorder_bones(
         anim::bone_places({.bones = {places.begin(), places.end()}, .level_counts = {}}));  // back
@@ -88,8 +88,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, std::span<cons
     details_->follow_tracks();
   } else {
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      play(agent, crowd_->minds().clips()[agent], anim::Ticks{},
-           static_cast<double>(crowd_->looks().start_phases[agent]));
+      play(agent, crowd_->minds().clips()[agent], Ticks{}, static_cast<double>(crowd_->looks().start_phases[agent]));
     }
   }
   if (tuning.scene == Scene::film) {
@@ -108,21 +107,21 @@ void AnimatedCrowd::give(std::vector<HeldThing> things) {
 void AnimatedCrowd::take_roles() {
   let_go_of_clip();
   for (const ClipRequest& request : crowd_->take_roles(roles_of(characters_))) {
-    change_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)),
+    change_clip(request.agent, request.clip, to_ticks(static_cast<double>(request.fade_seconds)),
                 static_cast<double>(crowd_->looks().start_phases[request.agent]));
   }
   ++number_;
 }
 
-void AnimatedCrowd::move(anim::Ticks delta) {
-  const anim::Ticks before = system_->clock();
+void AnimatedCrowd::move(Ticks delta) {
+  const Ticks before = system_->clock();
   system_->advance(delta);
   if (event_sums_) event_sums_->add_events(*system_, before);
   const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
   if (event_sums_) event_sums_->add_places(*crowd_);
   for (const ClipRequest& request : requests) change_clip(request);
   match_playback();
-  if (cut_scene_ && delta > anim::Ticks{}) cut_scene_->advance();
+  if (cut_scene_ && delta > Ticks{}) cut_scene_->advance();
 }
 
 // Agents that walk go at their own pace from frame to frame, and their feet with them.
@@ -140,27 +139,27 @@ void AnimatedCrowd::match_playback() {
   set_speeds(*system_, new_speeds_.gather(movers, system_->executor(), system_->options().pus, pick));
 }
 
-void AnimatedCrowd::play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+void AnimatedCrowd::play(std::uint32_t agent, int clip, Ticks fade, double start_phase) {
   const bool plays = clip != no_clip;
   const int index = plays ? clip : 0;
-  const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
+  const Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
   system_->agent(agent).play(
       {.clip = index,
        .fade = fade,
        .speed = plays ? static_cast<double>(played_speeds_[agent]) : 0.0,
-       .start = plays ? anim::Ticks{static_cast<std::int64_t>(start_phase * static_cast<double>(duration.count()))}
-                      : anim::Ticks{}});
+       .start =
+           plays ? Ticks{static_cast<std::int64_t>(start_phase * static_cast<double>(duration.count()))} : Ticks{}});
 }
 
-void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, Ticks fade, double start_phase) {
   if (system_->agent(agent).can_wind_back()) lod_->make_due(agent);
   lod_->change_clip(agent, system_->clock() + fade);
   play(agent, clip, fade, start_phase);
 }
 
 void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
-  if (request) change_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)));
+  if (request) change_clip(request->agent, request->clip, to_ticks(static_cast<double>(request->fade_seconds)));
 }
 
 void AnimatedCrowd::dress(std::span<const Clothing> clothing, const Tuning& tuning) {

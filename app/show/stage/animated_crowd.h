@@ -31,16 +31,15 @@ class AnimatedCrowd {
  public:
   /// Makes a crowd without agents; populate() adds them. `characters` and `lod` outlive the crowd. Errors: those of
   /// AnimationSystem::create and Characters::add.
-  static anim::Result<std::unique_ptr<AnimatedCrowd>> create(std::span<const CharacterSource> characters,
-                                                             const anim::SystemOptions& options,
-                                                             anim::LevelOfDetail& lod);
+  static Result<std::unique_ptr<AnimatedCrowd>> create(std::span<const CharacterSource> characters,
+                                                       const anim::SystemOptions& options, anim::LevelOfDetail& lod);
 
   /// Changes the options of the system, at a frame boundary. Errors: those of AnimationSystem::configure; then the old
   /// options go on.
-  anim::Status configure(const anim::SystemOptions& options);
+  Status configure(const anim::SystemOptions& options);
   /// Does what Characters::replace does. Errors: its own.
-  anim::Status reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
-                             std::span<const int> places);
+  Status reorder_bones(std::size_t character, std::shared_ptr<const anim::Character> reordered,
+                       std::span<const int> places);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
   /// Makes the crowd of the tuning's scene anew. The scene `tracks` needs its people. `clothing` has one element a
@@ -55,7 +54,7 @@ class AnimatedCrowd {
   void take_roles();
 
   /// Advances every clock; the crowd walks on and asks for clips.
-  void move(anim::Ticks delta);
+  void move(Ticks delta);
   /// Returns the parts that pose agents beyond these clips.
   BodyDetails& details() { return *details_; }
   const BodyDetails& details() const { return *details_; }
@@ -64,7 +63,7 @@ class AnimatedCrowd {
 
   /// Pushes an agent over, in the world's `direction` (its height is ignored). Errors: the agent acts in the cut scene,
   /// its character has nothing that could fall, or the local store has no room for it.
-  anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
+  Status push_over(std::uint32_t agent, const glm::vec3& direction);
   bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
 
@@ -85,7 +84,7 @@ class AnimatedCrowd {
   void remember(StageMoment& into) const;
   /// Puts back what remember() stored; the crowd then goes on to the same poses. Errors: the moment is of another crowd
   /// or schedule; then nothing has changed.
-  anim::Status go_back_to(const StageMoment& moment);
+  Status go_back_to(const StageMoment& moment);
   /// Returns a number that differs for each crowd that was made, and after bones changed their order.
   std::uint64_t number() const { return number_; }
 
@@ -113,14 +112,14 @@ class AnimatedCrowd {
  private:
   AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
       : characters_(characters), lod_(&lod) {}
-  anim::Status open(const anim::SystemOptions& options);
+  Status open(const anim::SystemOptions& options);
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
   bool follows_a_script(std::uint32_t agent) const {
     return crowd_->minds().habits()[agent] == Habit::act || crowd_->minds().habits()[agent] == Habit::follow;
   }
   bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
-  void play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
-  void change_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase = 0.0);
+  void play(std::uint32_t agent, int clip, Ticks fade, double start_phase);
+  void change_clip(std::uint32_t agent, int clip, Ticks fade, double start_phase = 0.0);
   void change_clip(const std::optional<ClipRequest>& request);
   void match_playback();
   void dress(std::span<const Clothing> clothing, const Tuning& tuning);

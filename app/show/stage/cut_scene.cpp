@@ -15,7 +15,7 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint32_t actor = 0, balloon_agent = 1;
-constexpr anim::Ticks soon = anim::ticks_per_second / 3;
+constexpr Ticks soon = ticks_per_second / 3;
 constexpr anim::AbsoluteRoot origin;
 
 }  // namespace
@@ -31,11 +31,11 @@ CutScene::CutScene(anim::AnimationSystem& system, Crowd& crowd, std::span<const 
   advance();
 }
 
-void CutScene::play(std::uint32_t agent, int clip, anim::Ticks fade, bool loop, const anim::AbsoluteRoot& root) {
+void CutScene::play(std::uint32_t agent, int clip, Ticks fade, bool loop, const anim::AbsoluteRoot& root) {
   system_->agent(agent).play({.clip = clip, .fade = fade, .loop = loop, .absolute_root = root});
 }
 
-void CutScene::play_role(Role role, anim::Ticks fade) {
+void CutScene::play_role(Role role, Ticks fade) {
   const auto playable = actor_->playable(role);
   if (playable) play(actor, actor_->clip(*playable), fade, true, root_of(actor));
 }
@@ -68,15 +68,15 @@ void CutScene::begin(Act act) {
 }
 
 void CutScene::advance() {
-  const anim::Ticks length = anim::to_ticks(cut_scene_seconds);
+  const Ticks length = to_ticks(cut_scene_seconds);
   if (system_->clock() - begun_ >= length) {
     begun_ += (system_->clock() - begun_) / length * length;
     act_ = Act::before;
   }
-  const anim::Ticks now = system_->clock() - begun_;
+  const Ticks now = system_->clock() - begun_;
   if (act_ == Act::before) begin(Act::walk_on);
-  if (act_ == Act::walk_on && now >= anim::to_ticks(walk_on_seconds)) begin(Act::let_go);
-  if (act_ == Act::let_go && now >= anim::to_ticks(release_seconds)) begin(Act::wave);
+  if (act_ == Act::walk_on && now >= to_ticks(walk_on_seconds)) begin(Act::let_go);
+  if (act_ == Act::let_go && now >= to_ticks(release_seconds)) begin(Act::wave);
   put(actor, root_of(actor));
   if (has_balloon()) put(balloon_agent, root_of(act_ == Act::wave ? balloon_agent : actor));
   const anim::AgentUpdate camera{.agent = camera_,

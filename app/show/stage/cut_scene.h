@@ -28,7 +28,7 @@ class CutScene {
 
   /// A place in the script.
   struct Moment {
-    anim::Ticks begun{};
+    Ticks begun{};
     std::uint8_t act = 0;
   };
   Moment moment() const { return {begun_, static_cast<std::uint8_t>(act_)}; }
@@ -42,17 +42,17 @@ class CutScene {
 
   bool has_balloon() const { return crowd_->size() > 1; }
   void begin(Act act);
-  void play(std::uint32_t agent, int clip, anim::Ticks fade, bool loop, const anim::AbsoluteRoot& root);
-  void play_role(Role role, anim::Ticks fade);
+  void play(std::uint32_t agent, int clip, Ticks fade, bool loop, const anim::AbsoluteRoot& root);
+  void play_role(Role role, Ticks fade);
   anim::AbsoluteRoot root_of(std::uint32_t agent) const;
   void put(std::uint32_t agent, const anim::AbsoluteRoot& root);
 
   anim::AnimationSystem* system_;
   Crowd* crowd_;
   const CharacterRoles* actor_;
-  anim::AgentId camera_;
+  AgentId camera_;
   anim::AlignedBytes camera_palette_;
-  anim::Ticks begun_;
+  Ticks begun_;
   Act act_ = Act::before;
 };
 

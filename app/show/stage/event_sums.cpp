@@ -21,7 +21,7 @@ void EventSums::reset(std::size_t agents) {
   hashes_.assign(agents, 0);
 }
 
-void EventSums::add_events(const anim::AnimationSystem& system, anim::Ticks before) {
+void EventSums::add_events(const anim::AnimationSystem& system, Ticks before) {
   for (std::uint32_t agent = 0; agent < hashes_.size(); ++agent) {
     system.agent(agent).motion().for_each_data_key(before, system.clock(), [&](const anim::DataKeyEvent& event) {
       if (event.weight <= least_weight) return;

@@ -18,7 +18,7 @@ class EventSums {
 
   /// Adds the data keys that the agents met since `before`. Call it when the clock has gone on from there, and before
   /// anything else is asked of the agents.
-  void add_events(const anim::AnimationSystem& system, anim::Ticks before);
+  void add_events(const anim::AnimationSystem& system, Ticks before);
   /// Adds the places of all agents. Call it once a frame.
   void add_places(const Crowd& crowd);
 

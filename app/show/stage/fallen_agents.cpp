@@ -8,34 +8,34 @@ namespace {
 
 using anim::RagdollProcess;
 
-constexpr anim::Ticks lies_for = 2 * anim::ticks_per_second;
-constexpr anim::Ticks gets_up_in = anim::ticks_per_second;
-constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // a restless agent gets up after this time too
+constexpr Ticks lies_for = 2 * ticks_per_second;
+constexpr Ticks gets_up_in = ticks_per_second;
+constexpr Ticks most_unrest = 12 * ticks_per_second;  // a restless agent gets up after this time too
 
 }  // namespace
 
 // The process stays once it is there: without a rag-doll it is nothing.
-anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
+Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
   if (!process_of(agent)) {
-    const anim::Result<anim::ProcessId> added = system_->agent(agent).add_post_process(
+    const Result<ProcessId> added = system_->agent(agent).add_post_process(
         std::make_unique<RagdollProcess>(*kinds_[system_->agent(agent).character_number()]));
     if (!added) return added.error();
     processes_.push_back({agent, *added});
   }
-  anim::Status pushed = system_->agent(agent).change_process<RagdollProcess>(
+  Status pushed = system_->agent(agent).change_process<RagdollProcess>(
       *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
   if (!pushed) return pushed;
   const auto found = std::ranges::find(fallen_, agent, &Fallen::agent);
   Fallen& fallen = found == fallen_.end() ? fallen_.emplace_back() : *found;
   fallen = {.agent = agent, .pushed_at = system_->clock()};
   left_out_[agent] = 1;
-  return anim::Done{};
+  return Done{};
 }
 
 bool FallenAgents::wants_up(Fallen& fallen) const {
   const RagdollProcess& ragdoll = process(fallen.agent);
   if (ragdoll.phase() != Phase::down) return false;
-  const anim::Ticks now = system_->clock();
+  const Ticks now = system_->clock();
   fallen.rests_since =
       ragdoll.is_asleep(system_->agent(fallen.agent).pools()) ? std::min(fallen.rests_since, now) : anim::never;
   return now - fallen.pushed_at >= most_unrest || (fallen.rests_since <= now && now - fallen.rests_since >= lies_for);
@@ -58,7 +58,7 @@ std::span<const std::uint32_t> FallenAgents::advance() {
   return risen_;
 }
 
-std::optional<anim::ProcessId> FallenAgents::process_of(std::uint32_t agent) const {
+std::optional<ProcessId> FallenAgents::process_of(std::uint32_t agent) const {
   const auto found = std::ranges::find(processes_, agent, &Process::agent);
   return found == processes_.end() ? std::nullopt : std::optional(found->id);
 }

@@ -22,8 +22,8 @@ class FallenAgents {
   using Phase = anim::RagdollProcess::Phase;
   struct Fallen {
     std::uint32_t agent = 0;
-    anim::Ticks pushed_at{};
-    anim::Ticks rests_since = anim::never;
+    Ticks pushed_at{};
+    Ticks rests_since = anim::never;
   };
 
   /// Takes RigKinds::ragdoll of each character; it is empty for a character that cannot fall. `system` outlives this.
@@ -35,7 +35,7 @@ class FallenAgents {
 
   /// Pushes an agent with `impulse` (kg m/s), which meets it at `place`; both are in the agent's model space. An agent
   /// that lies already is pushed again. Errors: the local store has no room for a rag-doll.
-  anim::Status push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place);
+  Status push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place);
 
   /// Lets agents that lay long enough get up. Returns the agents that stand again; the span is valid until the next
   /// call. Call it after each update of the system.
@@ -61,10 +61,10 @@ class FallenAgents {
   /// The post process that an agent was given when it was first pushed.
   struct Process {
     std::uint32_t agent;
-    anim::ProcessId id;
+    ProcessId id;
   };
 
-  std::optional<anim::ProcessId> process_of(std::uint32_t agent) const;
+  std::optional<ProcessId> process_of(std::uint32_t agent) const;
   const anim::RagdollProcess& process(std::uint32_t agent) const;
   bool wants_up(Fallen& fallen) const;
 

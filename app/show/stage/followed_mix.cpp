@@ -16,7 +16,7 @@ constexpr double rest_seconds = 7.0, rest_fade = 1.2;  // of one way to stand, a
 constexpr float least_walk = 0.12F;                    // share of gaits below which no foot is lifted
 constexpr float least_seen_weight = 0.002F;            // a lighter clip is not seen
 
-anim::FineTicks fine(double seconds) { return anim::to_ticks(seconds) * anim::fine_ticks_per_tick; }
+anim::FineTicks fine(double seconds) { return to_ticks(seconds) * anim::fine_ticks_per_tick; }
 
 /// Writes clips into a mix so that the moment is reached when its time has come.
 class MixWriter {
@@ -30,7 +30,7 @@ class MixWriter {
     const anim::FineTicks length = ticks_of(reference.clip) * anim::fine_ticks_per_tick;
     const auto at = std::min(static_cast<anim::FineTicks>(cycle * static_cast<double>(length)), length - 1);
     const anim::MarkerMap::Place place = in_step.at(at);
-    const double speed = place.rate * cycles_per_second * anim::to_seconds(ticks_of(reference.clip)) * moment_.rate;
+    const double speed = place.rate * cycles_per_second * to_seconds(ticks_of(reference.clip)) * moment_.rate;
     add(gait.clip, weight, place.position, speed, anim::StepVoice::follows);
     return static_cast<double>(place.position) / static_cast<double>(ticks_of(gait.clip) * anim::fine_ticks_per_tick);
   }
@@ -38,7 +38,7 @@ class MixWriter {
   void add_rest(int rest, float weight) {
     constexpr double spread = 0.37;  // seconds from one person's rest to the next one's
     const double at = moment_.seconds + spread * static_cast<double>(moment_.person % 97);
-    const double length = anim::to_seconds(ticks_of(rest));
+    const double length = to_seconds(ticks_of(rest));
     const double into = at - length * std::floor(at / length);
     add(rest, weight, fine(into), moment_.rate, anim::StepVoice::own);
   }
@@ -55,8 +55,8 @@ class MixWriter {
   }
 
  private:
-  anim::Ticks ticks_of(int index) const {
-    return std::max(character_.clips[static_cast<std::size_t>(index)].duration, anim::Ticks{1});
+  Ticks ticks_of(int index) const {
+    return std::max(character_.clips[static_cast<std::size_t>(index)].duration, Ticks{1});
   }
 
   void add(int index, float weight, anim::FineTicks position, double speed, anim::StepVoice voice) {

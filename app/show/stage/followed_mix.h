@@ -18,7 +18,7 @@ struct FollowedMoment {
   TrackStep step;
   double seconds = 0.0;      ///< of the file's clock
   double rate = 1.0;         ///< seconds of the file that pass in a second; below 0: backwards
-  anim::Ticks ahead{};       ///< time from the animation's clock to the moment
+  Ticks ahead{};             ///< time from the animation's clock to the moment
   std::uint32_t person = 0;  ///< people who stand look about at different times
   float speaks = 0.0F;       ///< of standing, the share of talking
 };

@@ -3,7 +3,7 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks fade_away = anim::ticks_per_second / 5;
+constexpr Ticks fade_away = ticks_per_second / 5;
 
 // The target moves as slowly as a head turns, so nothing smooths it, and the head depends on no frame before.
 anim::LookAtProcess new_gaze(anim::EntityPools::Kind kind) {

@@ -21,7 +21,7 @@ float AnimatedCrowd::clip_seconds(std::uint32_t agent) const {
   const int clip = holds_clip(agent) ? held_clip_->clip : crowd_->minds().clips()[agent];
   if (clip == no_clip) return 0;
   const anim::Character& character = *character_of(agent).character;
-  return static_cast<float>(anim::to_seconds(character.clips[static_cast<std::size_t>(clip)].duration));
+  return static_cast<float>(to_seconds(character.clips[static_cast<std::size_t>(clip)].duration));
 }
 
 void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
@@ -36,7 +36,7 @@ void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
   system_->agent(agent).play({.clip = held_clip_->clip,
                               .fade = {},
                               .speed = 0.0,
-                              .start = anim::to_ticks(static_cast<double>(held_clip_->seconds))});
+                              .start = to_ticks(static_cast<double>(held_clip_->seconds))});
   lod_->make_due(agent);
 }
 
@@ -45,19 +45,19 @@ void AnimatedCrowd::let_go_of_clip() {
   const std::uint32_t agent = held_clip_->agent;
   held_clip_.reset();
   crowd_->release(agent);
-  change_clip(agent, crowd_->minds().clips()[agent], anim::to_ticks(fade_after_holding));
+  change_clip(agent, crowd_->minds().clips()[agent], to_ticks(fade_after_holding));
 }
 
 bool AnimatedCrowd::can_fall(std::uint32_t agent) const { return fallen_->possible(agent) && !follows_a_script(agent); }
 
-anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& direction) {
+Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& direction) {
   const CharacterSource& character = character_of(agent);
   if (follows_a_script(agent)) {
-    return anim::Error{"an agent that acts in the cut scene or follows a file cannot be pushed over"};
+    return Error{"an agent that acts in the cut scene or follows a file cannot be pushed over"};
   }
   if (!can_fall(agent)) {
     const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing(), "; ", "; ");
-    return anim::Error{character.name + " cannot be pushed over: " + missing};
+    return Error{character.name + " cannot be pushed over: " + missing};
   }
   if (holds_clip(agent)) let_go_of_clip();
   const Heading heading = crowd_->headings()[agent];
@@ -67,7 +67,7 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const bool stood = !crowd_->minds().holds(agent);
   if (stood) change_clip(crowd_->hold(agent));
   const auto chest = static_cast<float>(push_height * character.character->bounds.height);
-  anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
+  Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) change_clip(crowd_->release(agent));
   return pushed;
 }
@@ -87,16 +87,16 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.played_speeds = played_speeds_;
 }
 
-anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
-  if (moment.crowd_number != number_) return anim::Error{"that moment is of another crowd"};
-  if (anim::Status restored = system_->restore(moment.system); !restored) return restored;
+Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
+  if (moment.crowd_number != number_) return Error{"that moment is of another crowd"};
+  if (Status restored = system_->restore(moment.system); !restored) return restored;
   crowd_->go_back_to(*moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
   details_->go_back_to(moment.details);
   played_speeds_ = moment.played_speeds;
   held_clip_.reset();
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace throng::app

@@ -10,7 +10,7 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks arm_fade = anim::ticks_per_second * 3 / 10;
+constexpr Ticks arm_fade = ticks_per_second * 3 / 10;
 constexpr int not_made = -2;
 
 using anim::BodyRole;
@@ -101,12 +101,12 @@ void HeldArms::give(const Crowd& crowd, std::uint32_t agent, HeldThing thing) {
 void HeldArms::turn_on(std::uint32_t agent, Arm& arm, bool at_once) {
   if (arm.turn == Turn::on) return;
   if (arm.turn == Turn::off) {
-    [[maybe_unused]] const anim::Status turned =
+    [[maybe_unused]] const Status turned =
         system_->agent(agent).change<ArmChannel>(arm.channel, [](ArmChannel& channel) { channel.turn(true); });
     shown_.push_back(agent);
   }
   arm.turn = Turn::on;
-  system_->agent(agent).set_channel_weight(arm.channel, 1.0F, at_once ? anim::Ticks{} : arm_fade);
+  system_->agent(agent).set_channel_weight(arm.channel, 1.0F, at_once ? Ticks{} : arm_fade);
 }
 
 void HeldArms::turn_off(std::uint32_t agent, Arm& arm) {
@@ -123,14 +123,13 @@ bool HeldArms::goes_on(std::uint32_t agent) {
   if (!is_near || (arm.turn == Turn::leaving && system_->clock() >= arm.gone_at)) {
     anim::Agent own = system_->agent(agent);
     own.set_channel_weight(arm.channel, 0.0F);
-    [[maybe_unused]] const anim::Status turned =
+    [[maybe_unused]] const Status turned =
         own.change<ArmChannel>(arm.channel, [](ArmChannel& channel) { channel.turn(false); });
     arm.turn = Turn::off;
     return false;
   }
   if (arm.keeps_step) {
-    [[maybe_unused]] const anim::Status stepped =
-        system_->agent(agent).change<ArmChannel>(arm.channel, [](ArmChannel&) {});
+    [[maybe_unused]] const Status stepped = system_->agent(agent).change<ArmChannel>(arm.channel, [](ArmChannel&) {});
   }
   return true;
 }

@@ -55,11 +55,11 @@ class HeldArms {
  private:
   enum class Turn : std::uint8_t { off, on, leaving };
   struct Arm {
-    anim::ChannelId channel;
+    ChannelId channel;
     bool keeps_step = false;
     Turn turn = Turn::off;
     std::uint32_t near_in = 0;  ///< the frame in which it was drawn with its thing
-    anim::Ticks gone_at{};      ///< when it has left, while it leaves
+    Ticks gone_at{};            ///< when it has left, while it leaves
   };
   static constexpr std::uint32_t none = ~0U;
 

@@ -15,7 +15,7 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks hand_fade = anim::ticks_per_second * 3 / 10;
+constexpr Ticks hand_fade = ticks_per_second * 3 / 10;
 constexpr float stretched_to_begin = 0.93F, stretched_to_go_on = 0.985F;  // of an arm's length
 constexpr float comfortable = 1.0F;                                       // of an arm's length, from shoulder to palm
 constexpr float least_aside = 0.10F, most_behind = 0.28F;  // metres of a wrist, beside and behind its owner's middle
@@ -215,7 +215,7 @@ bool JoinedHands::reach(std::uint32_t agent, const Arm& arm, const glm::vec3& ta
   if (lent == Lent::no) return false;
   change(agent, [&](anim::ReachProcess& hand) {
     hand.set_target(target);
-    if (lent != Lent::still) hand.set_weight(1.0F, is_new_ ? anim::Ticks{} : hand_fade);
+    if (lent != Lent::still) hand.set_weight(1.0F, is_new_ ? Ticks{} : hand_fade);
   });
   return true;
 }

@@ -8,16 +8,16 @@
 
 namespace throng::app {
 
-anim::Status KeptJoints::begin(anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
+Status KeptJoints::begin(anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
   std::size_t most = 0;
   for (std::uint32_t i = 0; i < characters.size(); ++i) {
     const anim::JointList list = anim::all_joints(characters[i].character->skeleton);
-    const anim::CharacterId id{i};
-    if (anim::Status set = system.characters().write_joints(list, anim::JointFormat::matrices, id); !set) return set;
+    const CharacterId id{i};
+    if (Status set = system.characters().write_joints(list, anim::JointFormat::matrices, id); !set) return set;
     most = std::max(most, system.characters().joint_bytes(id));
   }
   stride_ = (most + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment;
-  return anim::Done{};
+  return Done{};
 }
 
 void KeptJoints::make_room(std::size_t agents) {

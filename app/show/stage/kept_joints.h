@@ -17,7 +17,7 @@ class KeptJoints {
  public:
   /// Has updates write the joints of these characters, which are the first of the system. Errors: those of
   /// anim::Characters::write_joints.
-  anim::Status begin(anim::AnimationSystem& system, std::span<const CharacterSource> characters);
+  Status begin(anim::AnimationSystem& system, std::span<const CharacterSource> characters);
   /// Makes room for that many agents. Call it before an update.
   void make_room(std::size_t agents);
 

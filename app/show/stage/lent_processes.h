@@ -23,7 +23,7 @@ class LentProcesses {
  public:
   /// All state that changes as time passes.
   struct Moment {
-    std::vector<anim::ProcessId> of;   ///< [agent] invalid: none
+    std::vector<ProcessId> of;         ///< [agent] invalid: none
     std::vector<std::uint8_t> wanted;  ///< [agent] 1: it has a process that was not let go
     std::vector<std::uint32_t> have;   ///< agents that have a process
   };
@@ -78,7 +78,7 @@ class LentProcesses {
     if (!kinds_[character]) return Lent::no;
     std::unique_ptr<Process> process = take_ready(character);
     *process = make(*kinds_[character]);
-    const anim::Result<anim::ProcessId> added = system_->agent(agent).add_post_process(std::move(process));
+    const Result<ProcessId> added = system_->agent(agent).add_post_process(std::move(process));
     if (!added) {
       kinds_[character].reset();
       return Lent::no;
@@ -92,12 +92,12 @@ class LentProcesses {
   /// Changes the process of an agent that has one.
   template <typename Change>
   void change(std::uint32_t agent, Change change) {
-    [[maybe_unused]] const anim::Status changed =
+    [[maybe_unused]] const Status changed =
         system_->agent(agent).template change_process<Process>(now_.of[agent], change);
     assert(changed && "the graph is as large as it was");
   }
   /// Lets the process of an agent fade to no effect, if it has a process that was not let go.
-  void let_go(std::uint32_t agent, anim::Ticks fade) {
+  void let_go(std::uint32_t agent, Ticks fade) {
     if (std::exchange(now_.wanted[agent], std::uint8_t{0}) == 0) return;
     change(agent, [fade](Process& process) { process.set_weight(0.0F, fade); });
   }

@@ -34,11 +34,11 @@ std::uint64_t bytes_of_pus(const anim::SystemOptions& options) {
   return static_cast<std::uint64_t>(on_this_machine(options).pus) * options.local_store_bytes * shares;
 }
 
-anim::Status check_memory(const Tuning& tuning, std::span<const CharacterSource> characters, const Tuning* before) {
+Status check_memory(const Tuning& tuning, std::span<const CharacterSource> characters, const Tuning* before) {
   const std::uint64_t pus = before == nullptr ? 0 : bytes_of_pus(before->system);
   const std::string units = counted(static_cast<std::size_t>(on_this_machine(tuning.system).pus), "PU") +
                             " with local stores of " + size_text(tuning.system.local_store_bytes);
-  anim::Status fits =
+  Status fits =
       check_memory(units, above(bytes_of_pus(tuning.system), pus), "ask for fewer --pus or a smaller --local-store");
   if (!fits) return fits;
   const std::uint64_t crowd = before == nullptr ? 0 : bytes_of_crowd(before->agents, characters);

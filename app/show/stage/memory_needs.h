@@ -11,7 +11,7 @@ namespace throng::app {
 
 /// Checks that the PUs and the crowd of `tuning` fit into the memory that is left. `before` is the tuning in force,
 /// whose memory is taken already; it is null at the start. The error names what is too large.
-anim::Status check_memory(const Tuning& tuning, std::span<const CharacterSource> characters, const Tuning* before);
+Status check_memory(const Tuning& tuning, std::span<const CharacterSource> characters, const Tuning* before);
 
 /// Returns about how many bytes the local stores and the lists of all PUs take.
 std::uint64_t bytes_of_pus(const anim::SystemOptions& options);

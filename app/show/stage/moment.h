@@ -15,7 +15,7 @@ namespace throng::app {
 /// All of a stage that changes as time passes; its memory is used again when it is filled again.
 struct StageMoment {
   std::uint64_t crowd_number = 0;  ///< AnimatedCrowd::number; the moment cannot be put back into another crowd
-  anim::Ticks clock{};
+  Ticks clock{};
   anim::SystemSnapshot system;
   std::optional<CrowdState> crowd;
   std::optional<CutScene::Moment> cut_scene;

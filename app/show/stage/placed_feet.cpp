@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks fade = anim::ticks_per_second / 5;
+constexpr Ticks fade = ticks_per_second / 5;
 
 // The model is as large as its agent is tall, so the world is measured in the agent's own size.
 anim::JointMotion placement_of(const Crowd& crowd, std::uint32_t agent) {
@@ -22,7 +22,7 @@ anim::JointMotion placement_of(const Crowd& crowd, std::uint32_t agent) {
 }  // namespace
 
 void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown, std::span<const float> planted) {
-  const anim::Ticks begin = is_shown ? fade : anim::Ticks{};
+  const Ticks begin = is_shown ? fade : Ticks{};
   const Lent lent = lend(agent, [begin](anim::EntityPools::Kind kind) {
     anim::FootPlacementProcess feet(kind);
     feet.set_weight(1.0F, begin);

@@ -73,9 +73,7 @@ struct PosedCrowd::Frame {
   int pus = system.options().pus;
 };
 
-std::uint32_t shader_time(anim::Ticks clock) {
-  return static_cast<std::uint32_t>(clock * 10 / (anim::ticks_per_second / 100'000));
-}
+std::uint32_t shader_time(Ticks clock) { return static_cast<std::uint32_t>(clock * 10 / (ticks_per_second / 100'000)); }
 
 anim::LodCharacter lod_character(const CharacterSource& source) {
   anim::LodCharacter character = anim::lod_character(*source.character);
@@ -169,7 +167,7 @@ anim::LodRequest PosedCrowd::lod_request(const Frame& frame) const {
           .force = lod_force(frame.tuning.inspection, frame.seen.selected),
           .selected = frame.seen.selected,
           .now = frame.system.clock(),
-          .frame_step = frame.seen.moves ? frame.seen.step : anim::Ticks{}};
+          .frame_step = frame.seen.moves ? frame.seen.step : Ticks{}};
 }
 
 /// Finds the agents in view and their meshes, and lists the agents to be posed in lod_.updates().
@@ -194,7 +192,7 @@ void PosedCrowd::prepare(const Frame& frame, std::span<anim::AgentUpdate> update
     anim::AgentUpdate& update = updates[i];
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);
-    const bool ahead = update.look_ahead > anim::Ticks{};
+    const bool ahead = update.look_ahead > Ticks{};
     details.follow_track(updates.subspan(i));
     place_feet(frame, update, visible && !ahead);
     if (!visible) continue;

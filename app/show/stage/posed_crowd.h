@@ -42,7 +42,7 @@ class StopWatch {
 struct SeenFrame {
   render::Camera camera;
   glm::vec2 size{0.0F};                   ///< of the picture, pixels
-  anim::Ticks step{};                     ///< time of one frame, for looking ahead
+  Ticks step{};                           ///< time of one frame, for looking ahead
   bool moves = true;                      ///< time passes
   std::optional<std::uint32_t> selected;  ///< the agent that is looked at
   std::uint64_t completed = 0;            ///< the newest frame that the device has finished reading
@@ -71,7 +71,7 @@ class PosedCrowd {
   void pose_exactly(AnimatedCrowd& animated);
 
   /// Keeps the joints of all poses from now on, for joints(). Errors: those of KeptJoints::begin.
-  anim::Status keep_joints(anim::AnimationSystem& system) { return joints_.begin(system, characters_); }
+  Status keep_joints(anim::AnimationSystem& system) { return joints_.begin(system, characters_); }
   const KeptJoints& joints() const { return joints_; }
 
   anim::LevelOfDetail& level_of_detail() { return lod_; }
@@ -118,7 +118,7 @@ class PosedCrowd {
 };
 
 /// Returns the time of a clock as InstanceRecord::blend_start has it: microseconds modulo 2^32.
-std::uint32_t shader_time(anim::Ticks clock);
+std::uint32_t shader_time(Ticks clock);
 
 /// Returns the character for level of detail, which `source` outlives: feet that are placed cost on top.
 anim::LodCharacter lod_character(const CharacterSource& source);

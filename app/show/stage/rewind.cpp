@@ -18,18 +18,18 @@ void Rewind::watch(const Stage& stage) {
   moments_.push_back(std::move(moment));
 }
 
-anim::Status Rewind::go_back(Stage& stage, std::size_t moment) {
+Status Rewind::go_back(Stage& stage, std::size_t moment) {
   if (moment >= moments_.size() || moments_.back()->crowd_number != stage.animated().number()) {
-    return anim::Error{"there is no earlier moment of this crowd to go back to"};
+    return Error{"there is no earlier moment of this crowd to go back to"};
   }
   const auto wanted = moments_.end() - 1 - static_cast<std::ptrdiff_t>(moment);
-  if (anim::Status gone = stage.go_back_to(**wanted); !gone) return gone;
+  if (Status gone = stage.go_back_to(**wanted); !gone) return gone;
   moments_.erase(wanted, moments_.end());
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Ticks Rewind::age(const Stage& stage, std::size_t moment) const {
-  if (moment >= moments_.size()) return anim::Ticks{};
+Ticks Rewind::age(const Stage& stage, std::size_t moment) const {
+  if (moment >= moments_.size()) return Ticks{};
   return stage.system().clock() - moments_[moments_.size() - 1 - moment]->clock;
 }
 

@@ -14,7 +14,7 @@ class Stage;
 class Rewind {
  public:
   static constexpr std::size_t most_moments = 10;
-  static constexpr anim::Ticks time_between = anim::ticks_per_second / 2;
+  static constexpr Ticks time_between = ticks_per_second / 2;
   static constexpr int most_agents = 20'000;  ///< snapshots of more agents would fill memory
 
   /// Remembers the frame if the last moment is long enough ago and no clip is held. Forgets the moments of another
@@ -23,14 +23,14 @@ class Rewind {
 
   /// Takes the stage back to a moment, 0 the newest, and forgets it and all newer ones. Errors: there is no such moment
   /// of this crowd, or the schedule has changed since; then nothing has changed.
-  anim::Status go_back(Stage& stage, std::size_t moment = 0);
+  Status go_back(Stage& stage, std::size_t moment = 0);
 
   /// Forgets all moments; call it when the crowd has started anew.
   void forget() { moments_.clear(); }
 
   std::size_t count() const { return moments_.size(); }
   /// Returns the time from a moment, 0 the newest, to the stage's clock; 0 if there is no such moment.
-  anim::Ticks age(const Stage& stage, std::size_t moment = 0) const;
+  Ticks age(const Stage& stage, std::size_t moment = 0) const;
 
  private:
   std::deque<std::unique_ptr<StageMoment>> moments_;  // oldest first

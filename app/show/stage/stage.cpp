@@ -18,7 +18,7 @@ namespace {
 constexpr float least_clicked_radius = 0.2F;  // metres: a smaller body could hardly be hit
 
 /// Reads what agents may wear, and tells the crowd of the bodies that there are.
-anim::Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>& characters) {
+Result<std::vector<Clothing>> clothing_of_all(std::vector<CharacterSource>& characters) {
   std::vector<Clothing> all;
   for (CharacterSource& source : characters) {
     auto clothing = clothing_of(source);
@@ -46,9 +46,9 @@ float contact_scale(const CharacterSource& source) {
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages, std::uint64_t first_frame)
     : characters_(std::move(characters)), posed_(characters_, pages, first_frame) {}
 
-anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                   render::PalettePageSource& pages, std::uint64_t first_frame,
-                                                   std::shared_ptr<const Trajectories> trajectories) {
+Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
+                                             render::PalettePageSource& pages, std::uint64_t first_frame,
+                                             std::shared_ptr<const Trajectories> trajectories) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   auto clothing = clothing_of_all(characters);
   if (!clothing) return clothing.error();
@@ -56,7 +56,7 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> 
   stage->clothing_ = std::move(*clothing);
   stage->tuning_ = tuning;
   stage->trajectories_ = std::move(trajectories);
-  if (anim::Status shown = stage->can_show(stage->tuning_); !shown) return shown.error();
+  if (Status shown = stage->can_show(stage->tuning_); !shown) return shown.error();
   auto animated = AnimatedCrowd::create(stage->characters_, tuning.system, stage->posed_.level_of_detail());
   if (!animated) return animated.error();
   stage->animated_ = std::move(*animated);
@@ -70,26 +70,26 @@ std::span<const CharacterSource> Stage::people() const {
 }
 
 // A recorded crowd has as many people as it has.
-anim::Status Stage::can_show(Tuning& tuning) const {
-  if (tuning.scene != Scene::tracks) return anim::Done{};
+Status Stage::can_show(Tuning& tuning) const {
+  if (tuning.scene != Scene::tracks) return Done{};
   if (trajectories_ == nullptr) {
-    return anim::Error{"scene tracks: no file of trajectories is open; start with --trajectories FILE"};
+    return Error{"scene tracks: no file of trajectories is open; start with --trajectories FILE"};
   }
   tuning.agents = static_cast<int>(trajectories_->persons.size());
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status Stage::apply(const Tuning& asked) {
+Status Stage::apply(const Tuning& asked) {
   Tuning tuning = asked;
-  if (anim::Status shown = can_show(tuning); !shown) return shown;
-  if (anim::Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
-  if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
+  if (Status shown = can_show(tuning); !shown) return shown;
+  if (Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
+  if (Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
   if (!moving_)
     posed_.level_of_detail().make_all_due();  // no agent's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
-  return anim::Done{};
+  return Done{};
 }
 
 void Stage::set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share) {
@@ -104,29 +104,29 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips, std::option
   if (!moving_) posed_.level_of_detail().make_all_due();
 }
 
-anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
   CharacterSource& source = characters_[character];
-  if (anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  if (Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
   const std::vector<int> places = anim::bone_places(choice);
   const std::shared_ptr<const anim::Character> played = source.character;
   const PackedSurface drawn = source.surface;
   take_order(source, choice);
-  if (anim::Status replaced = animated_->reorder_bones(character, source.character, places); !replaced) {
+  if (Status replaced = animated_->reorder_bones(character, source.character, places); !replaced) {
     anim::reorder_bones(source.model, {.bones = places, .level_counts = played->skeleton.level_bone_counts});  // back
     source.character = played;
     source.surface = drawn;
     return replaced;
   }
   posed_.take_character(character, crowd().size());
-  return anim::Done{};
+  return Done{};
 }
 
 // Blocks of agents lie as the rigs of their character ask, so a system has the rigs that it was made with.
-anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
+Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
   CharacterSource& source = characters_[character];
   std::vector<RigChoice> rig_before = source.rig;
   std::vector<anim::Bone> bones_before = source.model.skeleton.bones;
-  if (anim::Status taken = take_rig(source, choices); !taken) return taken;
+  if (Status taken = take_rig(source, choices); !taken) return taken;
   auto animated = AnimatedCrowd::create(characters_, tuning_.system, posed_.level_of_detail());
   if (!animated) {
     source.rig = std::move(rig_before);
@@ -137,13 +137,13 @@ anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>&
   animated_ = std::move(*animated);
   restart();
   if (sums_up_events) animated_->sum_up_events();
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status Stage::set_cast_rules(std::size_t character, CastRules rules, const std::string& file) {
+Status Stage::set_cast_rules(std::size_t character, CastRules rules, const std::string& file) {
   CharacterSource& source = characters_[character];
   Clothing& clothing = clothing_[character];
-  if (std::string wrong = wrong_for(rules, clothing.wardrobe); !wrong.empty()) return anim::Error{std::move(wrong)};
+  if (std::string wrong = wrong_for(rules, clothing.wardrobe); !wrong.empty()) return Error{std::move(wrong)};
   source.rules = rules_text(rules);
   if (!file.empty()) source.cast_rules = file, clothing.origin = plain_text(file);
   source.roles.bodies = body_kinds(rules);
@@ -152,7 +152,7 @@ anim::Status Stage::set_cast_rules(std::size_t character, CastRules rules, const
   clothing.rules = std::move(rules);
   clothing.doubts = doubts_of(clothing.rules, clothing.wardrobe);
   if (is_other && tuning_.wardrobe) populate();
-  return anim::Done{};
+  return Done{};
 }
 
 void Stage::restart() {
@@ -188,9 +188,9 @@ void Stage::take_live_step(const LiveStep& step) {
   animated_->crowd().take(step, animated_->system().executor(), system().options().pus);
 }
 
-void Stage::move(anim::Ticks delta) {
+void Stage::move(Ticks delta) {
   StopWatch watch;
-  moving_ = delta > anim::Ticks{};
+  moving_ = delta > Ticks{};
   const FollowedTracks* const tracks = crowd().tracks();
   const double seconds = tracks != nullptr ? tracks->clock().seconds : 0.0;
   animated_->move(delta);
@@ -203,8 +203,7 @@ void Stage::move(anim::Ticks delta) {
 
 std::uint32_t Stage::now() const { return shader_time(system().clock()); }
 
-void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
-                 std::uint64_t completed_frame) {
+void Stage::pose(const render::Camera& camera, int width, int height, Ticks frame_step, std::uint64_t completed_frame) {
   posed_.pose(*animated_,
               {.camera = camera,
                .size = {static_cast<float>(width), static_cast<float>(height)},
@@ -247,8 +246,8 @@ void Stage::select(std::optional<std::uint32_t> agent) {
   selected_ = agent;
 }
 
-anim::Status Stage::go_back_to(const StageMoment& moment) {
-  anim::Status gone = animated_->go_back_to(moment);
+Status Stage::go_back_to(const StageMoment& moment) {
+  Status gone = animated_->go_back_to(moment);
   if (gone) posed_.forget_shown(crowd().size(), tuning_);  // those are poses of the future
   return gone;
 }

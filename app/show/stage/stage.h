@@ -25,13 +25,13 @@ class Stage {
   /// Makes a stage for 1 to most_models people in `characters`, and adds the balloon to them. Every agent is one of
   /// these characters. Asks `pages` for no page before the first pose. Counts frames on from `first_frame`.
   /// `trajectories` may be null; then there is no scene `tracks`.
-  static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                     render::PalettePageSource& pages, std::uint64_t first_frame = 0,
-                                                     std::shared_ptr<const Trajectories> trajectories = {});
+  static Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
+                                               render::PalettePageSource& pages, std::uint64_t first_frame = 0,
+                                               std::shared_ptr<const Trajectories> trajectories = {});
 
   /// Takes new tuning, at a frame boundary. A different crowd starts anew. Errors: those of AnimatedCrowd::configure;
   /// then the old tuning goes on.
-  anim::Status apply(const Tuning& tuning);
+  Status apply(const Tuning& tuning);
 
   /// Takes other clips for the roles of a character, and another share of the crowd where one is given, at a frame
   /// boundary. Agents keep their places, and also their phase if the clip stays. The crowd starts anew with another
@@ -41,14 +41,14 @@ class Stage {
   /// Takes another order of a character's bones, and other levels, at a frame boundary. The character is baked anew,
   /// and the crowd goes on. Pictures need its meshes loaded again. Errors: those of check_bone_lod and
   /// anim::Characters::replace; then nothing has changed.
-  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
   /// Takes other parts of a character's body, at a frame boundary. Stances, gazes and rag-dolls are made anew of them,
   /// and the crowd starts anew. Errors: those of take_rig and AnimatedCrowd::create; then nothing has changed.
-  anim::Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
+  Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
   /// Takes other rules of which agent wears what, at a frame boundary. `file` is where they come from now; empty: where
   /// they did. The crowd starts anew if it dresses, since bodies and things in hands decide what people do. Errors: the
   /// rules name a part that the character lacks; then nothing has changed.
-  anim::Status set_cast_rules(std::size_t character, CastRules rules, const std::string& file = {});
+  Status set_cast_rules(std::size_t character, CastRules rules, const std::string& file = {});
   /// Starts the crowd and every clock anew. From here on, all happens as on a stage just made.
   void restart();
 
@@ -57,11 +57,11 @@ class Stage {
   /// Takes the rows that came of a live crowd; they belong to its trajectories. Call it before move().
   void take_live_step(const LiveStep& step);
 
-  void move(anim::Ticks delta);
+  void move(Ticks delta);
 
   /// Chooses which agents are updated, takes slots for them and poses them. `completed_frame` is the newest frame that
   /// the device has finished reading. `frame_step` is the time of one frame, for looking ahead.
-  void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
+  void pose(const render::Camera& camera, int width, int height, Ticks frame_step, std::uint64_t completed_frame);
 
   /// Selects the agent that is looked at and marked in the picture. Lets go of the held clip of another agent. The
   /// choice is forgotten when the crowd starts anew.
@@ -69,7 +69,7 @@ class Stage {
   std::optional<std::uint32_t> selected() const { return selected_; }
 
   /// Does what AnimatedCrowd::go_back_to does, and forgets which poses are shown.
-  anim::Status go_back_to(const StageMoment& moment);
+  Status go_back_to(const StageMoment& moment);
 
   /// Fills the instance record of a visible agent. Returns false if the agent has no slot; then it is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
@@ -96,7 +96,7 @@ class Stage {
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages, std::uint64_t first_frame);
   void populate(AnimatedCrowd::Clocks clocks = AnimatedCrowd::Clocks::go_on);
   void jump();
-  anim::Status can_show(Tuning& tuning) const;
+  Status can_show(Tuning& tuning) const;
 
   std::vector<CharacterSource> characters_;
   std::vector<Clothing> clothing_;                    // [character]

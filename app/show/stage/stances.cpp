@@ -32,7 +32,7 @@ Standing standing_of(const anim::Stride& stride, std::size_t ball, const glm::dv
 }
 
 anim::MarkedClip marked(const anim::BakedClip& clip) {
-  return {.keys = clip.data_keys, .duration = std::max(clip.duration, anim::Ticks{1})};
+  return {.keys = clip.data_keys, .duration = std::max(clip.duration, Ticks{1})};
 }
 
 std::size_t run_from(const Standing& standing, std::size_t first) {

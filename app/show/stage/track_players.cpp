@@ -12,7 +12,7 @@ StridePlane stride_plane_of(const CharacterSource& source) {
   std::vector<StridePoint> points;
   for (const GaitPoint& gait : gait_points(source.roles, Middle::steps)) {
     const anim::BakedClip& clip = source.character->clips[static_cast<std::size_t>(gait.clip)];
-    points.push_back({.gait = gait, .seconds = anim::to_seconds(clip.duration)});
+    points.push_back({.gait = gait, .seconds = to_seconds(clip.duration)});
   }
   return StridePlane(std::move(points));
 }
@@ -40,7 +40,7 @@ TrackPlayers::TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd,
   }
 }
 
-FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const {
+FollowedMix TrackPlayers::mix_of(std::uint32_t agent, double seconds, Ticks ahead) const {
   const Followers& followers = crowd_->tracks()->people();
   const TrackClock& clock = crowd_->tracks()->clock();
   const std::size_t character = crowd_->characters()[agent];
@@ -75,13 +75,13 @@ std::optional<TrackPlayers::Gaze> TrackPlayers::gaze(std::uint32_t agent) const 
   return Gaze{.target = target / crowd_->scales()[agent], .share = talk.looks};
 }
 
-void TrackPlayers::set(std::uint32_t agent, anim::Ticks ahead) {
+void TrackPlayers::set(std::uint32_t agent, Ticks ahead) {
   TrackClock clock = crowd_->tracks()->clock();
-  advance(clock, anim::to_seconds(ahead));
+  advance(clock, to_seconds(ahead));
   const FollowedMix mix = mix_of(agent, clock.seconds, ahead);
   planted_[agent] = mix.planted;
   const anim::AgentView posed = std::as_const(*system_).agent(agent);
-  [[maybe_unused]] const anim::Status changed = system_->agent(agent).change<anim::ClipMixChannel>(
+  [[maybe_unused]] const Status changed = system_->agent(agent).change<anim::ClipMixChannel>(
       posed.channel_id(0), [&](anim::ClipMixChannel& channel) { channel.set(mix.clips()); });
   assert(changed && "a mix of five clips has room in every local store that plays them");
 }

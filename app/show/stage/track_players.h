@@ -30,7 +30,7 @@ class TrackPlayers {
   TrackPlayers(anim::AnimationSystem& system, const Crowd& crowd, std::span<const CharacterSource> characters);
 
   /// Sets what an agent plays when it is posed `ahead` of the clock. Call it before its update. Allocates nothing.
-  void set(std::uint32_t agent, anim::Ticks ahead);
+  void set(std::uint32_t agent, Ticks ahead);
   /// Returns how firmly the feet of an agent stand in the moment that was set last, 0 to 1 each.
   std::span<const float> planted(std::uint32_t agent) const { return planted_[agent]; }
   /// Returns how firmly the feet of an agent stand at any time of the file's clock.
@@ -45,7 +45,7 @@ class TrackPlayers {
   std::optional<Gaze> gaze(std::uint32_t agent) const;
 
  private:
-  FollowedMix mix_of(std::uint32_t agent, double seconds, anim::Ticks ahead) const;
+  FollowedMix mix_of(std::uint32_t agent, double seconds, Ticks ahead) const;
 
   anim::AnimationSystem* system_;
   const Crowd* crowd_;

@@ -47,8 +47,8 @@ std::vector<anim::PaletteMatrix> bind_palette(const anim::Skeleton& skeleton) {
 }
 
 anim::PlayRequest held(const anim::Character& character, int clip, double seconds) {
-  const anim::Ticks duration = character.clips[static_cast<std::size_t>(clip)].duration;
-  return {.clip = clip, .fade = {}, .speed = 0.0, .start = std::min(anim::to_ticks(seconds), duration)};
+  const Ticks duration = character.clips[static_cast<std::size_t>(clip)].duration;
+  return {.clip = clip, .fade = {}, .speed = 0.0, .start = std::min(to_ticks(seconds), duration)};
 }
 
 glm::vec3 times(const anim::PaletteMatrix& matrix, const glm::vec4& point) {
@@ -70,8 +70,8 @@ ViewedCharacter::ViewedCharacter(const CharacterSource& source)
   }
 }
 
-anim::Result<std::unique_ptr<ViewedCharacter>> ViewedCharacter::create(const CharacterSource& source,
-                                                                       anim::StreamKind stream) {
+Result<std::unique_ptr<ViewedCharacter>> ViewedCharacter::create(const CharacterSource& source,
+                                                                 anim::StreamKind stream) {
   std::unique_ptr<ViewedCharacter> viewed(new ViewedCharacter(source));
   auto system =
       anim::AnimationSystem::create(source.character, {.stream = stream, .hash = false, .trace = anim::Tracing::off});
@@ -111,7 +111,7 @@ std::vector<glm::vec3> ViewedCharacter::surface_at_many_times() {
   std::vector<glm::vec3> points;
   for (std::size_t clip = 0; clip < character().clips.size(); ++clip) {
     if (character().clips[clip].is_empty()) continue;
-    const double duration = anim::to_seconds(character().clips[clip].duration);
+    const double duration = to_seconds(character().clips[clip].duration);
     for (int time = 0; time < times_of_a_clip; ++time) {
       pose({.clip = static_cast<int>(clip), .seconds = duration * time / times_of_a_clip});
       add_surface(points);

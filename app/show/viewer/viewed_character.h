@@ -37,7 +37,7 @@ struct ViewedRoom {
 class ViewedCharacter {
  public:
   /// `source` outlives it. Errors: as AnimationSystem::create().
-  static anim::Result<std::unique_ptr<ViewedCharacter>> create(const CharacterSource& source, anim::StreamKind stream);
+  static Result<std::unique_ptr<ViewedCharacter>> create(const CharacterSource& source, anim::StreamKind stream);
 
   void pose(const ViewedPose& wanted);
   /// Returns the room of the points that stand for its surface, at several times of each clip.
@@ -65,7 +65,7 @@ class ViewedCharacter {
 
   const CharacterSource* source_;
   std::unique_ptr<anim::AnimationSystem> system_;
-  anim::AgentId agent_;
+  AgentId agent_;
   anim::AlignedBytes palette_;
   std::vector<anim::PaletteMatrix> bind_;  // the palette of the bind pose
   std::vector<anim::JointPlace> joints_;   // [bone]

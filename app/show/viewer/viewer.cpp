@@ -41,13 +41,13 @@ int first_clip(const Stage& stage, const ViewRequest& request) {
   return static_cast<int>(any - source.character->clips.begin());
 }
 
-anim::Status check(const Stage& stage, const ViewRequest& request) {
-  if (request.character >= stage.people().size()) return anim::Error{"there is no such character to view"};
-  if (request.agent && *request.agent >= stage.crowd().size()) return anim::Error{"there is no such agent to view"};
+Status check(const Stage& stage, const ViewRequest& request) {
+  if (request.character >= stage.people().size()) return Error{"there is no such character to view"};
+  if (request.agent && *request.agent >= stage.crowd().size()) return Error{"there is no such agent to view"};
   if (request.clip && !has_clip(*stage.characters()[request.character].character, *request.clip)) {
-    return anim::Error{"the character has no such clip to view"};
+    return Error{"the character has no such clip to view"};
   }
-  return anim::Done{};
+  return Done{};
 }
 
 /// Returns the palette entries that a bone moves; an entry without vertices for a bone that no skin uses.
@@ -70,9 +70,9 @@ void add_ring(std::vector<render::SceneLine>& lines, const glm::vec3& centre, fl
 
 }  // namespace
 
-anim::Result<std::unique_ptr<Viewer>> Viewer::create(const Stage& stage, const ViewRequest& request,
-                                                     std::vector<ViewedMesh> meshes) {
-  if (const anim::Status checked = check(stage, request); !checked) return checked.error();
+Result<std::unique_ptr<Viewer>> Viewer::create(const Stage& stage, const ViewRequest& request,
+                                               std::vector<ViewedMesh> meshes) {
+  if (const Status checked = check(stage, request); !checked) return checked.error();
   auto viewed = ViewedCharacter::create(stage.characters()[request.character], stage.tuning().system.stream);
   if (!viewed) return viewed.error();
   std::unique_ptr<Viewer> viewer(new Viewer(stage, request, std::move(*viewed)));
@@ -138,8 +138,8 @@ void Viewer::scrub(float seconds) {
 }
 
 double Viewer::seconds_of(int clip) const {
-  const anim::Ticks duration = viewed_->character().clips[static_cast<std::size_t>(clip)].duration;
-  return std::max(anim::to_seconds(duration), shortest_clip);
+  const Ticks duration = viewed_->character().clips[static_cast<std::size_t>(clip)].duration;
+  return std::max(to_seconds(duration), shortest_clip);
 }
 
 // Blended clips go in step, so both take a time between their lengths.
@@ -153,8 +153,8 @@ bool Viewer::has_ended() const {
   return (settings_.speed > 0.0F && seconds_ >= length()) || (settings_.speed < 0.0F && seconds_ <= 0.0);
 }
 
-void Viewer::advance(anim::Ticks delta) {
-  const double passed = anim::to_seconds(delta);
+void Viewer::advance(Ticks delta) {
+  const double passed = to_seconds(delta);
   if (settings_.turns) turntable_.turn(static_cast<float>(passed));
   if (settings_.plays && !settings_.bind_pose) {
     const double all = length(), next = seconds_ + passed * static_cast<double>(settings_.speed);
@@ -249,7 +249,7 @@ ViewerReport Viewer::report() const {
                       .meshes = meshes_,
                       .preview = preview_};
   for (const anim::BakedClip& clip : character.clips) {
-    report.clips.push_back({clip.name, static_cast<float>(anim::to_seconds(clip.duration)), clip.loops});
+    report.clips.push_back({clip.name, static_cast<float>(to_seconds(clip.duration)), clip.loops});
   }
   for (const anim::Bone& bone : character.skeleton.bones) report.bones.push_back(bone.name);
   return report;

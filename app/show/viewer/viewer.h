@@ -25,8 +25,8 @@ class Viewer {
   /// The stage outlives the viewer, and its characters stay as they are. Errors: there is no such character, agent or
   /// clip; as ViewedCharacter::create().
   /// `meshes` are the character's, as loaded for drawing; none where nothing is drawn.
-  static anim::Result<std::unique_ptr<Viewer>> create(const Stage& stage, const ViewRequest& request,
-                                                      std::vector<ViewedMesh> meshes);
+  static Result<std::unique_ptr<Viewer>> create(const Stage& stage, const ViewRequest& request,
+                                                std::vector<ViewedMesh> meshes);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
@@ -37,7 +37,7 @@ class Viewer {
   /// Stops at these seconds of the clip.
   void scrub(float seconds);
   /// Goes on by `delta`, and poses the character.
-  void advance(anim::Ticks delta);
+  void advance(Ticks delta);
 
   Turntable& turntable() { return turntable_; }
   /// Returns the frame to draw from `camera`. It is valid until the viewer changes.

@@ -6,10 +6,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "throng/ids.h"
+
 #include "engine/anim/agent/agent_motion.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/system_parts.h"
-#include "engine/anim/base/ids.h"
 #include "engine/anim/base/misuse.h"
 
 namespace throng::anim {

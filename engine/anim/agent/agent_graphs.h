@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "throng/ids.h"
+
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/post_process.h"
 #include "engine/anim/base/compiler.h"
-#include "engine/anim/base/ids.h"
 #include "engine/anim/base/type_tag.h"
 #include "engine/anim/run/program/program_table.h"
 #include "engine/base/result.h"

@@ -11,8 +11,6 @@
 
 namespace throng::anim {
 
-using throng::Pace, throng::PlaneMeaning;
-
 /// A clip, and the value of the parameter at which it is played alone.
 struct BlendPoint {
   int clip = 0;

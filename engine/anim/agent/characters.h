@@ -5,9 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "throng/ids.h"
+
 #include "engine/anim/agent/system_parts.h"
 #include "engine/anim/asset/bone_mask.h"
-#include "engine/anim/base/ids.h"
 #include "engine/anim/base/type_tag.h"
 #include "engine/base/result.h"
 

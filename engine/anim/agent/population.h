@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "throng/ids.h"
+
 #include "engine/anim/agent/character_agents.h"
-#include "engine/anim/base/ids.h"
 
 namespace throng::anim {
 

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "throng/host.h"
+
 #include "engine/anim/bake/stream_kind.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/anim/kernel/palette/write_lines.h"
 #include "engine/anim/run/program/cost_model.h"

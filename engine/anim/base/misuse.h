@@ -8,8 +8,6 @@
 
 namespace throng::anim {
 
-using throng::Misuse, throng::MisuseHook, throng::set_misuse_hook;
-
 /// Hears of the misuses of its thread while it lives, beside the hook. Listeners of a thread die in reverse order.
 class MisuseListener {
  public:

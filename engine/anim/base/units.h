@@ -7,8 +7,7 @@
 
 namespace throng::anim {
 
-using throng::longest_time, throng::most_ticks, throng::tick_rate, throng::Ticks, throng::ticks_per_second;
-using throng::to_seconds, throng::to_ticks, throng::WholeTicks;
+using throng::to_ticks;  // beside the one below
 
 /// Counts a player's position in 1/65536 ticks, so that speed times time is exact: the position does not depend on how
 /// the time was cut into steps. 64 bits hold 55 hours at a clip's own speed, which are counted from the loop in which a

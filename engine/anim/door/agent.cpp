@@ -127,7 +127,7 @@ bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
                               .fade_out = shot.fade_out,
                               .speed = shot.speed,
                               .queued = shot.queued};
-  const anim::Status played = agent.change<anim::SlotChannel>(slot, [&](auto& channel) { channel.play(request); });
+  const Status played = agent.change<anim::SlotChannel>(slot, [&](auto& channel) { channel.play(request); });
   if (played) return own->took_all();
   static_cast<void>(agent.change<anim::SlotChannel>(slot, [](auto& channel) { channel.stop(); }));
   return false;

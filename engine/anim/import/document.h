@@ -48,13 +48,13 @@ struct Document {
   std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them; else none
   BufferViews buffer_views;
   std::vector<ImageSource> images;
-  std::map<std::string, anim::Result<anim::Image>> decoded_images;  ///< by the place of their bytes
-  std::vector<std::vector<anim::NamedDataKey>> data_keys;           ///< by animation, as the file has them
-  std::vector<std::vector<anim::NamedCurve>> curves;                ///< by animation, as the file has them
-  std::vector<std::vector<MeshLodNode>> mesh_lods;                  ///< by node, as the file has them
-  std::map<int, PartNode> parts;                                    ///< by node, of nodes that are parts
-  std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
-  std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
+  std::map<std::string, Result<anim::Image>> decoded_images;  ///< by the place of their bytes
+  std::vector<std::vector<anim::NamedDataKey>> data_keys;     ///< by animation, as the file has them
+  std::vector<std::vector<anim::NamedCurve>> curves;          ///< by animation, as the file has them
+  std::vector<std::vector<MeshLodNode>> mesh_lods;            ///< by node, as the file has them
+  std::map<int, PartNode> parts;                              ///< by node, of nodes that are parts
+  std::vector<std::vector<std::string>> target_names;         ///< by mesh, of its morph targets; may be fewer or none
+  std::vector<bool> is_hidden;                                ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;
   std::map<std::string, int> channels;  ///< ImportOptions::channels
   std::vector<std::string> repairs;

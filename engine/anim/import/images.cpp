@@ -31,13 +31,13 @@ void scale_into(std::uint64_t share, anim::Image& image, const std::string& name
 }
 
 /// Decodes within the account's limit, and charges the account with the pixels.
-anim::Result<anim::Image> decode_within_account(Document& document, Bytes bytes, const std::string& name) {
+Result<anim::Image> decode_within_account(Document& document, Bytes bytes, const std::string& name) {
   MemoryAccount& memory = *document.memory;
   const std::uint64_t budget = memory.decoder_memory();
   const std::size_t known = document.decoded_images.size(), all = document.images.size();
   const std::uint64_t share = memory.image_share(bytes.size(), all > known ? all - known : 1);
   try {
-    anim::Result<anim::Image> image = decode_image(bytes, budget);
+    Result<anim::Image> image = decode_image(bytes, budget);
     if (!image) return image;
     memory.count_decoded(image->rgba.size(), name);
     scale_into(share, *image, name, document.repairs);
@@ -48,7 +48,7 @@ anim::Result<anim::Image> decode_within_account(Document& document, Bytes bytes,
   }
 }
 
-anim::Image image_of(const anim::Result<anim::Image>& decoded) {
+anim::Image image_of(const Result<anim::Image>& decoded) {
   if (!decoded) throw Refusal(decoded.error().message);
   return *decoded;
 }

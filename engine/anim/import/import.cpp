@@ -94,10 +94,9 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
 }
 
 /// Makes an error of one line of any names of the file.
-anim::Error error_of(const std::string& path, const std::string& reason) { return {plain_text(path + ": " + reason)}; }
+Error error_of(const std::string& path, const std::string& reason) { return {plain_text(path + ": " + reason)}; }
 
-anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const ImportOptions& options,
-                                                  bool skin_of_nodes) {
+Result<anim::ImportedFile> import_or_refuse(const std::string& path, const ImportOptions& options, bool skin_of_nodes) {
   try {
     return import_checked(path, options, skin_of_nodes);
   } catch (const Refusal& refusal) {
@@ -113,17 +112,17 @@ anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const
 
 }  // namespace
 
-anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options) {
-  anim::Result<anim::ImportedFile> file = import_skins(path, options);
+Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options) {
+  Result<anim::ImportedFile> file = import_skins(path, options);
   if (!file || !file->models.empty()) return file;
   return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
 }
 
-anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options) {
+Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options) {
   return import_or_refuse(path, options, false);
 }
 
-anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options) {
+Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options) {
   return import_or_refuse(path, options, true);
 }
 

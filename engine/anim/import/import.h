@@ -22,13 +22,13 @@ struct ImportOptions {
 /// Never throws, crashes or hangs on any input. More memory than 64 MB and four times the files is refused before
 /// it is taken. Images may hold 1 GB besides, into which they are scaled down, and JSON 256 MB
 /// (memory/README.md).
-anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
+Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 
 /// Imports as import_file() does, but accepts a file without skins, which has animations and no models.
-anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options = {});
+Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options = {});
 
 /// Imports as import_file() does, but makes a skeleton of the animated nodes, and of all nodes above and below them,
 /// where the file has no skin. Its bind pose is the rest pose. So a file that holds clips alone has a model.
-anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options = {});
+Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace throng::import

@@ -6,8 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "throng/host.h"
+
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/lod/bone_step.h"
 #include "engine/anim/lod/lod.h"

@@ -10,9 +10,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "throng/host.h"
+
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/bake/skip_error.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/lod/lod_cost.h"
 
 /// Decides which agents are updated this frame, how far ahead, and with how many bones: the paper's level of detail by

@@ -41,7 +41,7 @@ concept Same = std::is_same_v<std::remove_const_t<T>, Value>;
 template <typename T>
 inline constexpr bool is_plain = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v<T, bool>;
 template <>
-inline constexpr bool is_plain<anim::Ticks> = true;
+inline constexpr bool is_plain<Ticks> = true;
 template <glm::length_t size, typename T, glm::qualifier q>
 inline constexpr bool is_plain<glm::vec<size, T, q>> = true;
 template <typename T, glm::qualifier q>

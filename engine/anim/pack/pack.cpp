@@ -92,7 +92,7 @@ void add_file(const FileToPack& packed, std::size_t file, Tables& tables) {
 }
 
 /// Reads all of a file into memory that is aligned as a mapping is.
-anim::Result<MappedFile> copy_file(const std::filesystem::path& path, std::string_view wanted) {
+Result<MappedFile> copy_file(const std::filesystem::path& path, std::string_view wanted) {
   auto file = InputFile::open(path, wanted);
   if (!file) return file.error();
   const auto size = static_cast<std::size_t>(file->size());
@@ -110,11 +110,11 @@ std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
   return tables.join();
 }
 
-anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files) {
+Result<std::uint64_t> fingerprint_of(std::span<const std::string> files) {
   std::uint64_t fingerprint = 0;
   for (const std::string& file : files) {
     const auto copy = copy_file(file, "a file to bake");
-    if (!copy) return anim::Error{plain_text(file) + ": " + copy.error().message};
+    if (!copy) return Error{plain_text(file) + ": " + copy.error().message};
     fingerprint = checksum_of(copy->bytes, fingerprint);
   }
   return fingerprint;
@@ -127,9 +127,9 @@ bool is_pack(const std::string& path) {
   return path.ends_with(".pack") || begins_a_pack({start.data(), start.size()});
 }
 
-anim::Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
+Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
   Pack pack(plain_text(path));
-  const auto refused = [&](const anim::Error& why) { return anim::Error{pack.path_ + ": " + why.message}; };
+  const auto refused = [&](const Error& why) { return Error{pack.path_ + ": " + why.message}; };
   auto taken = (bytes == PackBytes::mapped ? map_file : copy_file)(path, "a .pack");
   if (!taken) return refused(taken.error());
   const auto sections = check_sections(taken->bytes, layout_of_tables());
@@ -137,22 +137,22 @@ anim::Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
   pack.bytes_ = taken->bytes;
   pack.lender_ = std::move(taken->owner);
   pack.sections_ = *sections;
-  if (const anim::Status read = pack.read_files(); !read) return read.error();
+  if (const Status read = pack.read_files(); !read) return read.error();
   return pack;
 }
 
-anim::Status Pack::read_files() {
+Status Pack::read_files() {
   const auto files = std::ranges::count(sections_, SectionKind::file, &Section::kind);
   if (files == 0) return damaged();
   for (std::size_t file = 0; file < static_cast<std::size_t>(files); ++file) {
     PackedFile& packed = files_.emplace_back();
-    anim::Status taken =
+    Status taken =
         read(SectionKind::file, file, 0, packed.name, packed.models, packed.names, packed.made_of, packed.header);
     if (!taken) return taken;
     packed.header.file = path_;
     if (packed.names.empty() || packed.names.size() > packed.models) return damaged();
   }
-  return anim::Done{};
+  return Done{};
 }
 
 std::span<const std::byte> Pack::section(SectionKind kind, std::size_t file, std::size_t model) const {
@@ -164,32 +164,32 @@ std::span<const std::byte> Pack::section(SectionKind kind, std::size_t file, std
 }
 
 template <typename... Values>
-anim::Status Pack::read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const {
+Status Pack::read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const {
   PackReader reader(section(kind, file, model), lender_);
   reader(values...);
-  return reader.read_all() ? anim::Status(anim::Done{}) : damaged();
+  return reader.read_all() ? Status(Done{}) : damaged();
 }
 
-anim::Error Pack::damaged() const { return {path_ + ": it is damaged: its tables do not fit together; bake it again"}; }
+Error Pack::damaged() const { return {path_ + ": it is damaged: its tables do not fit together; bake it again"}; }
 
-anim::Result<BakedModel> Pack::baked(std::size_t file, std::size_t model) const {
+Result<BakedModel> Pack::baked(std::size_t file, std::size_t model) const {
   BakedModel baked;
-  const anim::Status taken = read(SectionKind::character, file, model, baked.prepared, baked.character);
+  const Status taken = read(SectionKind::character, file, model, baked.prepared, baked.character);
   if (!taken) return taken.error();
   baked.character.lender = lender_;
   return baked;
 }
 
-anim::Result<anim::Character> Pack::character(std::size_t file, std::size_t model) const {
-  anim::Result<BakedModel> taken = baked(file, model);
+Result<anim::Character> Pack::character(std::size_t file, std::size_t model) const {
+  Result<BakedModel> taken = baked(file, model);
   if (!taken) return taken.error();
   return std::move(taken->character);
 }
 
-anim::Result<anim::Model> Pack::model(std::size_t file, std::size_t model, const BakedModel& baked) const {
+Result<anim::Model> Pack::model(std::size_t file, std::size_t model, const BakedModel& baked) const {
   anim::Model packed;
-  if (const anim::Status taken = read(SectionKind::model, file, model, packed); !taken) return taken.error();
-  anim::Status taken = read(SectionKind::surveyed_keys, file, model, packed.clips);
+  if (const Status taken = read(SectionKind::model, file, model, packed); !taken) return taken.error();
+  Status taken = read(SectionKind::surveyed_keys, file, model, packed.clips);
   if (!taken) return taken.error();
   anim::face_forward(packed);
   anim::place_model(packed, baked.prepared.placement.placement);
@@ -202,12 +202,12 @@ std::span<const std::byte> Pack::surface(std::size_t file, std::size_t model) co
   return section(SectionKind::surface, file, model);
 }
 
-anim::Result<anim::ImportedFile> Pack::imported(std::size_t file) const {
+Result<anim::ImportedFile> Pack::imported(std::size_t file) const {
   anim::ImportedFile imported = files_[file].header;
   for (std::size_t i = 0; i < files_[file].models; ++i) {
     anim::Model& model = imported.models.emplace_back();
-    if (const anim::Status taken = read(SectionKind::model, file, i, model); !taken) return taken.error();
-    if (const anim::Status taken = read(SectionKind::clips, file, i, model.clips); !taken) return taken.error();
+    if (const Status taken = read(SectionKind::model, file, i, model); !taken) return taken.error();
+    if (const Status taken = read(SectionKind::clips, file, i, model.clips); !taken) return taken.error();
   }
   return imported;
 }

@@ -51,7 +51,7 @@ struct FileToPack {
 std::vector<std::byte> write_pack(std::span<const FileToPack> files);
 
 /// Returns a number that is another one, as good as surely, when a byte of one of the files is another.
-anim::Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
+Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
 
 /// Says whether a file is a pack, by its first bytes, or by its name that ends in ".pack". An unreadable file is none.
 bool is_pack(const std::string& path);
@@ -69,7 +69,7 @@ class Pack {
   /// Opens a pack and checks every byte of it. The error is one sentence with the file and what to do: it is cut short
   /// or damaged, or another version or another machine made it. A pack is trusted as a program is: a pack that was made
   /// to deceive, with a checksum that fits, is not found out.
-  static anim::Result<Pack> open(const std::string& path, PackBytes bytes = PackBytes::mapped);
+  static Result<Pack> open(const std::string& path, PackBytes bytes = PackBytes::mapped);
 
   std::size_t file_count() const { return files_.size(); }
   const std::string& file_name(std::size_t file) const { return files_[file].name; }
@@ -79,18 +79,18 @@ class Pack {
   std::span<const std::string> names(std::size_t file) const { return files_[file].names; }
 
   /// Returns a baked character, ready to play. Its streams lie in the pack.
-  anim::Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
+  Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
   /// Returns a baked character, with the changes of its model.
-  anim::Result<BakedModel> baked(std::size_t file, std::size_t model) const;
+  Result<BakedModel> baked(std::size_t file, std::size_t model) const;
   /// Returns the model that a character was baked from: with its size, its place and its order of bones, and those keys
   /// alone that anim::keep_surveyed_keys keeps. Its texels lie in the pack.
-  anim::Result<anim::Model> model(std::size_t file, std::size_t model, const BakedModel& baked) const;
+  Result<anim::Model> model(std::size_t file, std::size_t model, const BakedModel& baked) const;
   /// Returns the surface that was packed with a character, which `lender()` keeps; empty if there is none.
   std::span<const std::byte> surface(std::size_t file, std::size_t model) const;
   const std::shared_ptr<const void>& lender() const { return lender_; }
 
   /// Returns a file as import made it, with all models and all keys.
-  anim::Result<anim::ImportedFile> imported(std::size_t file) const;
+  Result<anim::ImportedFile> imported(std::size_t file) const;
   /// Returns the same without its models.
   const anim::ImportedFile& header(std::size_t file) const { return files_[file].header; }
 
@@ -106,9 +106,9 @@ class Pack {
   explicit Pack(std::string path) : path_(std::move(path)) {}
   std::span<const std::byte> section(SectionKind kind, std::size_t file, std::size_t model) const;
   template <typename... Values>
-  anim::Status read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const;
-  anim::Status read_files();
-  anim::Error damaged() const;
+  Status read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const;
+  Status read_files();
+  Error damaged() const;
 
   std::string path_;
   std::span<const std::byte> bytes_;

@@ -22,25 +22,25 @@ std::uint64_t checksum(const PackHeader& header, std::span<const std::byte> pack
   return checksum_of(pack.subspan(sizeof header), start);
 }
 
-anim::Error refusal(const std::string& what) { return {what + "; bake it again"}; }
+Error refusal(const std::string& what) { return {what + "; bake it again"}; }
 
 /// Other machines and versions put these members in the same places, so that they can be told apart from damage.
-anim::Status check_whole(const PackHeader& header, std::span<const std::byte> pack) {
+Status check_whole(const PackHeader& header, std::span<const std::byte> pack) {
   if (header.byte_order == other_byte_order) return refusal("it was baked for machines of the other byte order");
   if (pack.size() < header.size) {
     return refusal("it is cut short: " + std::to_string(pack.size()) + " bytes of " + std::to_string(header.size));
   }
   if (header.checksum != checksum(header, pack)) return refusal("it is damaged: its checksum does not fit");
-  return anim::Done{};
+  return Done{};
 }
 
-anim::Status check_version(const PackHeader& header, std::uint64_t layout) {
+Status check_version(const PackHeader& header, std::uint64_t layout) {
   if (header.version != pack_version) {
     return refusal("it was baked by another version of throng (its form is number " + std::to_string(header.version) +
                    ", this one reads number " + std::to_string(pack_version) + ")");
   }
   if (header.layout != layout) return refusal("it was baked by another version of throng, whose tables differ");
-  return anim::Done{};
+  return Done{};
 }
 
 bool lies_within(const Section& section, std::size_t first, std::size_t size) {
@@ -83,14 +83,14 @@ bool begins_a_pack(std::string_view bytes) {
   return bytes.starts_with(std::string_view(pack_magic, sizeof pack_magic));
 }
 
-anim::Result<std::span<const Section>> check_sections(std::span<const std::byte> pack, std::uint64_t layout) {
+Result<std::span<const Section>> check_sections(std::span<const std::byte> pack, std::uint64_t layout) {
   const std::string_view text(reinterpret_cast<const char*>(pack.data()), pack.size());
   if (!begins_a_pack(text)) return refusal("it is no pack, or its first bytes are damaged");
   if (pack.size() < sizeof(PackHeader)) return refusal("it is cut short");
   PackHeader header;
   std::memcpy(&header, pack.data(), sizeof header);
-  if (const anim::Status whole = check_whole(header, pack); !whole) return whole.error();
-  if (const anim::Status fits = check_version(header, layout); !fits) return fits.error();
+  if (const Status whole = check_whole(header, pack); !whole) return whole.error();
+  if (const Status fits = check_version(header, layout); !fits) return fits.error();
   const std::size_t sections_end = sizeof(PackHeader) + std::size_t{header.section_count} * sizeof(Section);
   if (sections_end > pack.size()) return refusal("it is damaged: its table of sections does not fit in it");
   const std::span<const Section> sections(reinterpret_cast<const Section*>(pack.data() + sizeof(PackHeader)),

@@ -85,6 +85,6 @@ bool begins_a_pack(std::string_view bytes);
 
 /// Checks every byte of a pack, and returns the table of its sections, which lie within it. `pack` is 64-byte aligned.
 /// The error names its fault and what to do, without its name.
-anim::Result<std::span<const Section>> check_sections(std::span<const std::byte> pack, std::uint64_t layout);
+Result<std::span<const Section>> check_sections(std::span<const std::byte> pack, std::uint64_t layout);
 
 }  // namespace throng::pack

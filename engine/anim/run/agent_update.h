@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "engine/anim/base/ids.h"
+#include "throng/ids.h"
+
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/anim/base/executor.h"
+#include "throng/host.h"
 
 namespace throng::anim {
 

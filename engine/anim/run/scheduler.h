@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/anim/base/executor.h"
+#include "throng/host.h"
+
 #include "engine/anim/run/fused/tasks.h"
 #include "engine/anim/run/levels/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"

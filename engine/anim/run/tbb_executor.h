@@ -2,7 +2,7 @@
 
 #include <oneapi/tbb/task_arena.h>
 
-#include "engine/anim/base/executor.h"
+#include "throng/host.h"
 
 namespace throng::anim {
 

@@ -61,13 +61,13 @@ std::string written(const std::vector<std::byte>& bytes) {
 }
 
 Pack opened() {
-  anim::Result<Pack> pack = Pack::open(written(packed_bytes()));
+  Result<Pack> pack = Pack::open(written(packed_bytes()));
   EXPECT_TRUE(pack) << (pack ? "" : pack.error().message);
   return std::move(*pack);
 }
 
 std::string refusal_of(const std::vector<std::byte>& bytes) {
-  const anim::Result<Pack> pack = Pack::open(written(bytes));
+  const Result<Pack> pack = Pack::open(written(bytes));
   return pack ? "(opened)" : pack.error().message;
 }
 
@@ -83,7 +83,7 @@ std::uint64_t pose_hash(std::shared_ptr<const anim::Character> character, anim::
     updates[agent] = {.agent = {agent}, .palette = anim::PaletteDestination(palettes.get() + agent * stride)};
   }
   for (int frame = 0; frame < 20; ++frame) {
-    system.advance(anim::ticks_per_second / 60);
+    system.advance(ticks_per_second / 60);
     system.update(updates);
   }
   return system.figures().pose_hash();
@@ -137,10 +137,9 @@ TEST(Pack, KeepsMorphsAndWhatClipsMakeOfThem) {
   model.morphs.push_back({.name = "smile", .node = 3, .target = 1, .rest_weight = 0.25});
   model.meshes.emplace_back().morph_deltas.push_back({.vertex = 7, .morph = 0, .position = glm::vec3(0.5F)});
   auto morphing = std::make_shared<anim::Character>(anim::bake_character(file.file.models[1]));
-  morphing->clips[0].morphs.push_back(
-      {.morphs = {0}, .times = {anim::Ticks{0}, anim::Ticks{10}}, .weights = {0.0F, 1.0F}});
+  morphing->clips[0].morphs.push_back({.morphs = {0}, .times = {Ticks{0}, Ticks{10}}, .weights = {0.0F, 1.0F}});
   morphing->morph_bones = {2};
-  morphing->clips[0].curves.push_back({.name = 0, .times = {anim::Ticks{5}}, .values = {2.5F}});
+  morphing->clips[0].curves.push_back({.name = 0, .times = {Ticks{5}}, .values = {2.5F}});
   morphing->curve_names = {"glow"};
   file.characters[0].character = morphing;
   const auto pack = Pack::open(written(write_pack({&file, 1})));

@@ -43,7 +43,7 @@ anim::Skeleton small_skeleton() {
 const std::vector<int> parents{-1, 0, 1, 0, 3};
 
 std::string refusal(std::vector<int> bones, std::vector<int> counts) {
-  const anim::Status checked = check_bone_lod(small_skeleton(), {std::move(bones), std::move(counts)});
+  const Status checked = check_bone_lod(small_skeleton(), {std::move(bones), std::move(counts)});
   return checked ? "(taken)" : checked.error().message;
 }
 
@@ -142,7 +142,7 @@ TEST_F(BoneLodFileTest, IsRefusedInOneLineThatNamesFileObjectAndRemedy) {
 /// A small crowd whose bones change places.
 class ReorderedStage : public testing::Test {
  protected:
-  static constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+  static constexpr Ticks frame = ticks_per_second / 60;
 
   std::unique_ptr<Stage> open(const Tuning& tuning) {
     std::vector<CharacterSource> characters;

@@ -25,7 +25,7 @@ using testing::Not;
 
 const fs::path features = fs::path(THRONG_SOURCE_DIR) / "tests/data/features";
 
-std::string refusal(const anim::Result<LoadedCast>& cast) { return cast ? "(taken)" : cast.error().message; }
+std::string refusal(const Result<LoadedCast>& cast) { return cast ? "(taken)" : cast.error().message; }
 
 class CastFiles : public test::TemporaryFolder {
  protected:

@@ -23,7 +23,7 @@ const std::string other = THRONG_SOURCE_DIR "/tests/data/features/data-uri.gltf"
 
 std::string refusal_of(const std::string& file, const std::vector<std::string>& clips) {
   anim::ImportedFile imported = *import::import_skins(file);
-  const anim::Status added = add_clips_to(file, clips, imported);
+  const Status added = add_clips_to(file, clips, imported);
   return added ? "(added)" : added.error().message;
 }
 

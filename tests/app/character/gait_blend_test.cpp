@@ -98,7 +98,7 @@ class GaitBlend : public testing::Test {
     std::array<Sole, 2> soles = soles_of(source.model.meshes.front());
     int last = -1;
     for (int frame = 0; frame < 6 * frames_a_second; ++frame) {
-      system->advance(anim::ticks_per_second / frames_a_second);
+      system->advance(ticks_per_second / frames_a_second);
       system->update({&update, 1});
       system->pose_exactly({&wanted, 1});
       const float seconds = static_cast<float>(frame) / frames_a_second;

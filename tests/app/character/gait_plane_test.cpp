@@ -19,7 +19,7 @@ Points points_of(const CharacterRoles& roles, int clip_count) {
   const auto plane = gait_plane(roles, clip_count);
   EXPECT_TRUE(plane) << plane.error().message;
   if (!plane) return {};
-  EXPECT_EQ((*plane)->meaning(), anim::PlaneMeaning::velocity);
+  EXPECT_EQ((*plane)->meaning(), PlaneMeaning::velocity);
   return {(*plane)->all().begin(), (*plane)->all().end()};
 }
 
@@ -61,7 +61,7 @@ TEST(GaitPlane, StepsInTheMiddleWhereThatIsAskedForAndThereIsAClip) {
   roles.walk_speed = 1.2;
   EXPECT_EQ((*gait_plane(roles, 3))->point(0).clip, 0);
   EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).clip, 2);
-  EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).pace, anim::Pace::gait) << "it keeps step";
+  EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).pace, Pace::gait) << "it keeps step";
   roles.clips[index_of(Role::step_in_place)] = no_clip;
   EXPECT_EQ((*gait_plane(roles, 3, Middle::steps))->point(0).clip, 0);
 }

@@ -20,7 +20,7 @@ const std::vector<std::string> names{"Idle", "Walking_A", "Walking_B", "Running_
 
 std::string refusal_of(const std::vector<RoleChoice>& choices) {
   RoleClips clips = no_clips();
-  const anim::Status chosen = choose_clips(choices, names, clips);
+  const Status chosen = choose_clips(choices, names, clips);
   EXPECT_EQ(clips, no_clips()) << "nothing has changed";
   return chosen ? "(taken)" : chosen.error().message;
 }
@@ -114,7 +114,7 @@ TEST(ChooseBones, GivesThePartToThatBoneAlone) {
   ASSERT_TRUE(choose_bones(std::vector<RigChoice>{{anim::BodyRole::hips, "Pelvis"}}, skeleton));
   EXPECT_EQ(skeleton.bones[0].role, anim::BodyRole::hips);
   EXPECT_EQ(skeleton.bones[1].role, std::nullopt);
-  const anim::Status refused = choose_bones(std::vector<RigChoice>{{anim::BodyRole::head, "pelvs"}}, skeleton);
+  const Status refused = choose_bones(std::vector<RigChoice>{{anim::BodyRole::head, "pelvs"}}, skeleton);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "head=pelvs: the skeleton has no such bone; nearest are Pelvis, Torso");
 }
@@ -127,7 +127,7 @@ TEST(ChooseBones, RefusesOneBoneForTwoPartsAndAFootAboveTheKnee) {
     skeleton.bones[static_cast<std::size_t>(bone)].parent = bone - 1;
   }
   const auto refusal = [&](const std::vector<RigChoice>& choices) {
-    const anim::Status chosen = choose_bones(choices, skeleton);
+    const Status chosen = choose_bones(choices, skeleton);
     return chosen ? "(taken)" : chosen.error().message;
   };
   EXPECT_THAT(refusal({{anim::BodyRole::hips, "a"}, {anim::BodyRole::spine, "a"}}),

@@ -24,11 +24,11 @@ class Video : public test::TemporaryFolder {
   Video() { end_in_words(); }
 
   /// Adds frames until one is refused, and returns why; the video's end says it where none is.
-  anim::Status make(int frames, int width, int height, double rate = 30) const {
+  Status make(int frames, int width, int height, double rate = 30) const {
     auto video = VideoFile::create(file_, {width, height, rate});
     if (!video) return video.error();
     for (int frame = 0; frame < frames; ++frame) {
-      if (anim::Status added = (*video)->add(render::Image::blank(width, height)); !added) return added;
+      if (Status added = (*video)->add(render::Image::blank(width, height)); !added) return added;
     }
     return (*video)->finish();
   }
@@ -64,7 +64,7 @@ TEST_F(Video, OfTheWebIsVp9) {
 TEST_F(Video, IsRefusedWithThePackageWhereThereIsNoFfmpeg) {
   const FakeFfmpeg ffmpeg(folder_, "");
   fs::remove(fs::path(ffmpeg.path()) / "ffmpeg");
-  const anim::Status checked = check_encoder(file_);
+  const Status checked = check_encoder(file_);
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().message,
             "--video: ffmpeg does not start: there is none in PATH; install the package ffmpeg, or write --pictures");
@@ -73,7 +73,7 @@ TEST_F(Video, IsRefusedWithThePackageWhereThereIsNoFfmpeg) {
 TEST_F(Video, IsRefusedWithTheStatusOfAnFfmpegThatSaysNothing) {
   const FakeFfmpeg ffmpeg(folder_, "");
   std::ofstream(fs::path(ffmpeg.path()) / "ffmpeg") << "#!/bin/sh\nexit 9\n";
-  const anim::Status checked = check_encoder(file_);
+  const Status checked = check_encoder(file_);
   ASSERT_FALSE(checked);
   EXPECT_THAT(checked.error().message, HasSubstr("ffmpeg does not start: it ends with status 9; install"));
 }
@@ -81,7 +81,7 @@ TEST_F(Video, IsRefusedWithTheStatusOfAnFfmpegThatSaysNothing) {
 TEST_F(Video, IsRefusedWithTheNameOfTheEncoderThatIsNotThere) {
   const FakeFfmpeg ffmpeg(folder_, "", " libx264 libx264rgb ");
   EXPECT_TRUE(check_encoder(file_));
-  const anim::Status checked = check_encoder("crowd.webm");
+  const Status checked = check_encoder("crowd.webm");
   ASSERT_FALSE(checked);
   EXPECT_THAT(checked.error().message, HasSubstr("crowd.webm: this ffmpeg has no encoder libvpx-vp9; install"));
 }
@@ -89,7 +89,7 @@ TEST_F(Video, IsRefusedWithTheNameOfTheEncoderThatIsNotThere) {
 TEST_F(Video, ThatFfmpegGivesUpSaysItsLastWordsAndLeavesTheOldFile) {
   const FakeFfmpeg ffmpeg(folder_, "head -c 1000 > /dev/null; echo first >&2; echo 'the disk has no room' >&2; exit 3");
   std::ofstream(file_) << "old";
-  const anim::Status made = make(1000, 200, 100);
+  const Status made = make(1000, 200, 100);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
             file_.string() +
@@ -101,7 +101,7 @@ TEST_F(Video, ThatFfmpegGivesUpSaysItsLastWordsAndLeavesTheOldFile) {
 TEST_F(Video, ThatFailsAtItsEndIsNoVideo) {
   const FakeFfmpeg ffmpeg(folder_,
                           std::string(FakeFfmpeg::takes_all) + "; echo 'cannot write the trailer' >&2; exit 1");
-  const anim::Status made = make(3, 20, 10);
+  const Status made = make(3, 20, 10);
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, HasSubstr("failed at the end of the video (status 1): cannot write the trailer"));
   EXPECT_FALSE(fs::exists(file_));
@@ -110,7 +110,7 @@ TEST_F(Video, ThatFailsAtItsEndIsNoVideo) {
 
 TEST_F(Video, ThatIsCutShortIsNoVideoWhateverTheStatusOfFfmpeg) {
   const FakeFfmpeg ffmpeg(folder_, std::string(FakeFfmpeg::takes_all) + "; truncate -s -1 \"$file\"");
-  const anim::Status made = make(3, 20, 10);
+  const Status made = make(3, 20, 10);
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, HasSubstr("ffmpeg left a video that is not whole (status 0); write --pictures"));
   EXPECT_FALSE(fs::exists(file_));
@@ -120,7 +120,7 @@ TEST_F(Video, ThatIsCutShortIsNoVideoWhateverTheStatusOfFfmpeg) {
 TEST_F(Video, OnAFullDiskSaysSoWhateverTheStatusOfFfmpeg) {
   const FakeFfmpeg ffmpeg(folder_, "cat > \"$file\"; echo 'Error closing file: No space left on device' >&2");
   std::ofstream(file_) << "old";
-  const anim::Status made = make(3, 20, 10);
+  const Status made = make(3, 20, 10);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message, file_.string() +
                                       ": cannot be written: the disk is full; make room, or name a file on another "

@@ -13,7 +13,7 @@ TEST(OutputWorkers, OfOneThreadKeepTheOrder) {
   std::vector<int> done;
   Workers workers(1, 2);
   for (int i = 0; i < 100; ++i) {
-    ASSERT_TRUE(workers.add([&done, i]() -> anim::Status { return done.push_back(i), anim::Done{}; }));
+    ASSERT_TRUE(workers.add([&done, i]() -> Status { return done.push_back(i), Done{}; }));
   }
   ASSERT_TRUE(workers.finish());
   ASSERT_EQ(done.size(), 100U);
@@ -24,7 +24,7 @@ TEST(OutputWorkers, LetNoMoreWaitThanTheyMay) {
   std::atomic<int> added{0}, done{0}, most{0};
   Workers workers(2, 3);
   for (int i = 0; i < 200; ++i) {
-    ASSERT_TRUE(workers.add([&]() -> anim::Status { return ++done, anim::Done{}; }));
+    ASSERT_TRUE(workers.add([&]() -> Status { return ++done, Done{}; }));
     const int left = ++added - done;
     if (left > most) most = left;
   }
@@ -37,23 +37,23 @@ TEST(OutputWorkers, TellTheFirstFailureAndDoNothingAfterIt) {
   std::atomic<int> done{0};
   Workers workers(1, 1000);
   for (int i = 0; i < 10; ++i) {
-    const anim::Status added = workers.add([&, i]() -> anim::Status {
+    const Status added = workers.add([&, i]() -> Status {
       ++done;
-      return i < 4 ? anim::Status(anim::Done{}) : anim::Error{"job " + std::to_string(i)};
+      return i < 4 ? Status(Done{}) : Error{"job " + std::to_string(i)};
     });
     if (!added) break;
   }
-  const anim::Status finished = workers.finish();
+  const Status finished = workers.finish();
   ASSERT_FALSE(finished);
   EXPECT_EQ(finished.error().message, "job 4");
   EXPECT_EQ(done, 5);
-  EXPECT_FALSE(workers.add([]() -> anim::Status { return anim::Done{}; }));
+  EXPECT_FALSE(workers.add([]() -> Status { return Done{}; }));
 }
 
 TEST(OutputWorkers, MakeAnErrorOfAnException) {
   Workers workers(1, 1);
-  ASSERT_TRUE(workers.add([]() -> anim::Status { throw std::runtime_error("no more"); }));
-  const anim::Status finished = workers.finish();
+  ASSERT_TRUE(workers.add([]() -> Status { throw std::runtime_error("no more"); }));
+  const Status finished = workers.finish();
   ASSERT_FALSE(finished);
   EXPECT_EQ(finished.error().message, "no more");
 }
@@ -61,7 +61,7 @@ TEST(OutputWorkers, MakeAnErrorOfAnException) {
 TEST(OutputWorkers, EndWithJobsThatHaveNotBegun) {
   const Workers workers(2, 10);
   Workers busy(1, 100);
-  for (int i = 0; i < 50; ++i) ASSERT_TRUE(busy.add([]() -> anim::Status { return anim::Done{}; }));
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(busy.add([]() -> Status { return Done{}; }));
 }
 
 }  // namespace

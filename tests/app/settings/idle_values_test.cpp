@@ -25,7 +25,7 @@
 namespace throng::app::idle_values_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int frames = 20, agents = 200;
 
 /// Another value than the default one, by which the crowd below shows a difference if it can.
@@ -121,8 +121,7 @@ class Seen {
   // As the window does it.
   void pass_frame(const Tuning& tuning) {
     const bool stands = tuning.paused || tuning.taken_away.animation;
-    const anim::Ticks step =
-        stands ? anim::Ticks{} : anim::to_ticks(anim::to_seconds(frame) * static_cast<double>(tuning.time_scale));
+    const Ticks step = stands ? Ticks{} : to_ticks(to_seconds(frame) * static_cast<double>(tuning.time_scale));
     stage_->move(step);
     stage_->pose(camera_, 640, 360, step, stage_->posed().frame());
     add_choices();

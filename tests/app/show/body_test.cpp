@@ -76,7 +76,7 @@ TEST_F(Bodies, ChangeNothingWhereAPersonContradictsTheSkeleton) {
   const auto show = this->show();
   ASSERT_TRUE(show->take(SetBody{0, long_foot}));
   const auto refusal = [&](const std::vector<RigChoice>& choices) {
-    const anim::Status set = show->take(SetBody{0, choices});
+    const Status set = show->take(SetBody{0, choices});
     return set ? "(taken)" : set.error().message;
   };
   EXPECT_EQ(refusal({{Part::left_foot, "toe.L"}, {Part::right_foot, "toe.L"}}),

@@ -33,7 +33,7 @@ struct Machine {
     const auto make = [](bool opens, const char* kind) {
       return [opens, kind]() -> MadeContext {
         if (opens) return std::unique_ptr<render::gl::Context>(std::make_unique<Opened>(kind));
-        return render::Error{std::string("no ") + kind};
+        return Error{std::string("no ") + kind};
       };
     };
     return {make(window, "window"), make(egl, "egl"), make(osmesa, "osmesa")};

@@ -28,7 +28,7 @@ using testing::HasSubstr;
 void copy_mannequin(const fs::path& file) { fs::copy_file(THRONG_SOURCE_DIR "/assets/mannequin.glb", file); }
 
 std::uint64_t hash_after(Show& show, int frames) {
-  for (int frame = 0; frame < frames; ++frame) show.animate(anim::to_ticks(1.0 / 60.0));
+  for (int frame = 0; frame < frames; ++frame) show.animate(to_ticks(1.0 / 60.0));
   return show.stage().system().figures().pose_hash();
 }
 

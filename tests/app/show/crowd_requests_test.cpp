@@ -23,7 +23,7 @@ class CrowdRequests : public testing::Test {
  protected:
   void SetUp() override { show_->animate(sixtieth); }
   std::string refusal_of(const CrowdRequest& request) const {
-    const anim::Status taken = show_->take(request);
+    const Status taken = show_->take(request);
     return taken ? "(taken)" : taken.error().message;
   }
 

@@ -14,7 +14,7 @@
 namespace throng::app::morph_weights_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 CharacterSource plain_pillar() {
   const std::string file = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";

@@ -17,7 +17,7 @@
 namespace throng::app::picture_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int agents = 9000;  // more than eight tiles
 constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
 

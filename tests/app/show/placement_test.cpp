@@ -34,7 +34,7 @@ class Placements : public test::RecordedRun {
 };
 
 void place(Show& show, CharacterNumber character, const PlacementChoice& choice) {
-  const anim::Status placed = show.take(SetPlacement{character, choice});
+  const Status placed = show.take(SetPlacement{character, choice});
   ASSERT_TRUE(placed) << placed.error().message;
 }
 

@@ -62,7 +62,7 @@ using ReplacedWhileRecording = test::TemporaryFolder;
 TEST_F(ReplacedWhileRecording, AreRefusedAndARecordedCrowdIsNotRecorded) {
   const auto show = show_of(demo("--agents 12"));
   ASSERT_TRUE(show->start_recording(folder_ / "run.rec"));
-  const anim::Status replaced = show->replace_trajectories(people(7));
+  const Status replaced = show->replace_trajectories(people(7));
   ASSERT_FALSE(replaced);
   EXPECT_THAT(replaced.error().message, HasSubstr("a recording goes on, and cannot hold the crowd of a file"));
   EXPECT_EQ(show->stage().crowd().size(), 12U);

@@ -74,7 +74,7 @@ TEST_F(CastShow, IsRepeatedWhereItWasDropped) {
   record(*show_of(demo("--agents 12 --scene grid")), 20, [this](Show& show, int frame) {
     if (frame != 5) return;
     const std::vector<std::string> dropped{people(), plain()};
-    const anim::Status replaced = show.take(LoadModels{dropped});
+    const Status replaced = show.take(LoadModels{dropped});
     EXPECT_TRUE(replaced) << replaced.error().message;
     EXPECT_THAT(members(show), ElementsAre(4, 4, 4));
     EXPECT_THAT(show.notice(), HasSubstr("broken.glb"));

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 
 const std::string other_model = THRONG_SOURCE_DIR "/tests/data/features/linear-trs.glb";
 
-void expect_done(const anim::Status& status) { EXPECT_TRUE(status) << status.error().message; }
+void expect_done(const Status& status) { EXPECT_TRUE(status) << status.error().message; }
 
 void show_level_1(Show& show) {
   change(show, [](Tuning& tuning) { tuning.inspection.forced_bone_level = 1; });
@@ -108,7 +108,7 @@ TEST_F(ReplaysOfHands, GoBackToTheMomentThatWasAskedFor) {
   record(*plaza(), 160, [](Show& show, int frame) {
     if (frame != 150) return;
     ASSERT_EQ(show.moments().count(), 5U);
-    const anim::Ticks kept = show.stage().system().clock() - show.moments().age(show.stage(), 2);
+    const Ticks kept = show.stage().system().clock() - show.moments().age(show.stage(), 2);
     expect_done(show.take(GoBack{2}));
     EXPECT_EQ(show.stage().system().clock(), kept);
     EXPECT_EQ(show.moments().count(), 2U) << "it and all newer ones are behind";

@@ -108,7 +108,7 @@ TEST_F(RulesShow, RefusesRulesThatNameNoPartAndGoesOnWithItsOwn) {
   const CastRules before = show->stage().clothing()[0].rules;
   CastRules wrong = before;
   wrong.styles.front().wears.front().parts.front().name = "toga";
-  const anim::Status set = show->take(SetRules{0, rules_text(wrong)});
+  const Status set = show->take(SetRules{0, rules_text(wrong)});
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("wears \"toga\", which no part is called"));
   EXPECT_EQ(show->stage().clothing()[0].rules, before);

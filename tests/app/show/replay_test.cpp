@@ -28,7 +28,7 @@ using test::sixtieth;
 using testing::HasSubstr;
 
 void push_selected(Show& show) {
-  const anim::Status pushed = show.take(test::push_of_selected(show));
+  const Status pushed = show.take(test::push_of_selected(show));
   EXPECT_TRUE(pushed) << pushed.error().message;
 }
 

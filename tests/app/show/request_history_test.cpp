@@ -16,7 +16,7 @@ class Undone : public test::TemporaryFolder {
  protected:
   void take(const CrowdRequest& request) {
     const auto answer = answer_to(request, show_->stage(), show_->stage().tuning());
-    const anim::Status taken = show_->take(request);
+    const Status taken = show_->take(request);
     ASSERT_TRUE(taken) << taken.error().message;
     if (answer) history_.add(request, *answer, change_);
   }

@@ -56,7 +56,7 @@ TEST_F(ShowOfTracks, RefusesTimesThatTheFileDoesNotHave) {
 
 TEST_F(ShowOfTracks, IsNotRecordedAndSaysWhy) {
   const auto show = test::show_of(options());
-  const anim::Status started = show->start_recording(folder_ / "run.rec");
+  const Status started = show->start_recording(folder_ / "run.rec");
   ASSERT_FALSE(started);
   EXPECT_EQ(
       started.error().message,

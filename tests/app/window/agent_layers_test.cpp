@@ -27,7 +27,7 @@ struct LayeredAgent : testing::Test {
   }
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
-      system->advance(anim::ticks_per_second / 60);
+      system->advance(ticks_per_second / 60);
       system->update(std::vector<anim::AgentUpdate>{{.agent = {0}}});
     }
   }
@@ -52,7 +52,7 @@ TEST_F(LayeredAgent, OfOneClipHasOneChannelOfOnePlayer) {
 
 TEST_F(LayeredAgent, ThatFadesHasBothClipsInTheSameChannel) {
   pass(1);
-  system->agent(0).play({.clip = 1, .fade = anim::ticks_per_second});
+  system->agent(0).play({.clip = 1, .fade = ticks_per_second});
   pass(1);
   ASSERT_EQ(layers().size(), 1U);
   EXPECT_EQ(layers()[0].entities.size(), 3U) << "two players and their blender";

@@ -30,8 +30,8 @@ class WardrobeRequests : public test::TemporaryFolder {
   ~WardrobeRequests() override { fs::current_path(before_); }
 
   /// Returns why the rules cannot be taken; nothing where they are.
-  std::string refusal_of(const anim::Result<SetRules>& rules) {
-    const anim::Status taken = rules ? show_->take(*rules) : rules.error();
+  std::string refusal_of(const Result<SetRules>& rules) {
+    const Status taken = rules ? show_->take(*rules) : rules.error();
     report();
     return taken ? "" : taken.error().message;
   }

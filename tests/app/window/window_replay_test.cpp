@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr double a_frame = 1.0 / 60;
 
-void expect_done(const anim::Status& status) { EXPECT_TRUE(status) << status.error().message; }
+void expect_done(const Status& status) { EXPECT_TRUE(status) << status.error().message; }
 
 void reorder_bones(Show& show) {
   const anim::Skeleton& skeleton = show.stage().people()[0].character->skeleton;

@@ -66,9 +66,9 @@ class AclClip {
   /// Returns whether ACL takes the clip.
   bool compress(const anim::Skeleton& skeleton, const LocalBones& bones, const anim::BakedClip& clip);
   std::size_t bytes() const { return tracks_->get_size(); }
-  anim::Ticks duration() const { return duration_; }
-  void sample(anim::Ticks time, AclPoseWriter& writer) {
-    context_.seek(static_cast<float>(anim::to_seconds(time - first_sample_)), acl::sample_rounding_policy::none);
+  Ticks duration() const { return duration_; }
+  void sample(Ticks time, AclPoseWriter& writer) {
+    context_.seek(static_cast<float>(to_seconds(time - first_sample_)), acl::sample_rounding_policy::none);
     context_.decompress_tracks(writer);
   }
 
@@ -76,7 +76,7 @@ class AclClip {
   acl::ansi_allocator allocator_;
   acl::compressed_tracks* tracks_ = nullptr;
   acl::decompression_context<AclSettings> context_;
-  anim::Ticks duration_{}, first_sample_{};
+  Ticks duration_{}, first_sample_{};
 };
 
 }  // namespace throng::app

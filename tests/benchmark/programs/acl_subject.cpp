@@ -54,7 +54,7 @@ class RigidAclSubject final : public AclSubject {
   }
 
  private:
-  void sample(int clip_index, anim::Ticks start, std::vector<rtm::qvf>& pose) {
+  void sample(int clip_index, Ticks start, std::vector<rtm::qvf>& pose) {
     AclClip& clip = clips_[static_cast<std::size_t>(clip_index)];
     AclPoseWriter writer(bind_pose_, pose);
     clip.sample(time_in_clip(start, clip.duration()), writer);
@@ -85,14 +85,13 @@ class RigidAclSubject final : public AclSubject {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter& whom,
-                                                           std::span<const BenchAgent> agents,
-                                                           const BenchPalettes& palettes) {
-  const anim::Status sampled = has_local_clips(*whom.character);
+Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter& whom, std::span<const BenchAgent> agents,
+                                                     const BenchPalettes& palettes) {
+  const Status sampled = has_local_clips(*whom.character);
   if (!sampled) return sampled.error();
   const LocalBones bones = local_bones(whom.model);
   auto subject = std::make_unique<RigidAclSubject>(bones, agents, palettes);
-  if (!subject->compress(*whom.character, bones)) return anim::Error{"it does not take a clip of this model"};
+  if (!subject->compress(*whom.character, bones)) return Error{"it does not take a clip of this model"};
   return std::unique_ptr<AclSubject>(std::move(subject));
 }
 
@@ -102,9 +101,9 @@ anim::Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter&
 
 namespace throng::app {
 
-anim::Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter&, std::span<const BenchAgent>,
-                                                           const BenchPalettes&) {
-  return anim::Error{"it and RTM were not installed when this program was built"};
+Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter&, std::span<const BenchAgent>,
+                                                     const BenchPalettes&) {
+  return Error{"it and RTM were not installed when this program was built"};
 }
 
 }  // namespace throng::app

@@ -21,8 +21,7 @@ class AclSubject : public LibrarySubject {
 };
 
 /// Makes the subject. Errors: no ACL was installed when this was built, or has_local_clips() says no.
-anim::Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter& whom,
-                                                           std::span<const BenchAgent> agents,
-                                                           const BenchPalettes& palettes);
+Result<std::unique_ptr<AclSubject>> make_acl_subject(const BenchCharacter& whom, std::span<const BenchAgent> agents,
+                                                     const BenchPalettes& palettes);
 
 }  // namespace throng::app

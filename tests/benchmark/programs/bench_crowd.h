@@ -14,8 +14,8 @@ struct BenchCrowd {
   BenchPalettes palettes;
   SystemSubject subject;
 
-  static anim::Result<BenchCrowd> create(std::shared_ptr<const anim::Character> character,
-                                         const anim::SystemOptions& options, std::vector<BenchAgent> agents) {
+  static Result<BenchCrowd> create(std::shared_ptr<const anim::Character> character, const anim::SystemOptions& options,
+                                   std::vector<BenchAgent> agents) {
     BenchPalettes palettes(static_cast<int>(agents.size()), character->skeleton.palette_count());
     auto subject = SystemSubject::create(std::move(character), options, agents, palettes);
     if (!subject) return subject.error();

@@ -68,7 +68,7 @@ struct ShapedCrowd {
     return system->figures().units().front().activity().tasks / double{agents_of_a_crowd};
   }
   void run() {
-    system->advance(anim::ticks_per_second / 60);
+    system->advance(ticks_per_second / 60);
     system->update(updates);
   }
 };
@@ -93,7 +93,7 @@ std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape
   crowd->system->set_agent_count(agents_of_a_crowd);
   for (std::uint32_t agent = 0; agent < agents_of_a_crowd; ++agent) {
     for (int clip = 0; clip < shape.players; ++clip) {
-      anim::PlayRequest request{.clip = clip, .start = anim::Ticks{agent * 100}};
+      anim::PlayRequest request{.clip = clip, .start = Ticks{agent * 100}};
       if (clip > 0) request.held_fraction = 0.3F;
       crowd->system->agent(agent).play(request);
     }
@@ -125,7 +125,7 @@ double wake_up_time(const BenchOptions& options) {
 
 std::string key_of(std::size_t index) { return std::to_string(index); }
 
-anim::Result<BenchReport> sweep_cost(const BenchOptions& options) {
+Result<BenchReport> sweep_cost(const BenchOptions& options) {
   std::vector<std::unique_ptr<ShapedCrowd>> crowds;
   BenchRounds rounds;
   for (const Shape& shape : shapes()) {

@@ -14,7 +14,7 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 CharacterSource person() {
   auto character = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
@@ -56,7 +56,7 @@ bool print_slips(const char* name, CharacterSource source, bool placed_feet, con
   for (std::uint64_t i = 0; i < frames; ++i) {
     (*stage)->move(frame);
     (*stage)->pose(everywhere, 1280, 720, frame, i);
-    slips.add_frame(**stage, pages, anim::to_seconds(frame));
+    slips.add_frame(**stage, pages, to_seconds(frame));
   }
   const std::vector<double> all = slips.slips();
   std::printf("%-28s %6zu steps   median %7.2f   p95 %7.2f   largest %7.2f mm\n", name, all.size(), slip_at(all, 0.5),

@@ -56,7 +56,7 @@ SimulatedRound posing_round(const anim::AnimationSystem& system, int pus) {
 
 }  // namespace
 
-void FrameRecorder::run(int count, anim::Job job) {
+void FrameRecorder::run(int count, Job job) {
   if (!records_ || count <= 0) return threads_.run(count, job);
   Recorded& round = rounds_.emplace_back();
   round.begin = Clock::now();

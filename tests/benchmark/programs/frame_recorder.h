@@ -4,8 +4,9 @@
 #include <functional>
 #include <vector>
 
+#include "throng/host.h"
+
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/base/executor.h"
 #include "engine/anim/run/pu_threads.h"
 #include "tests/benchmark/programs/many_pus.h"
 
@@ -13,11 +14,11 @@ namespace throng::app {
 
 /// Runs the jobs of a frame on threads, or records them: then it runs them one after the other on the calling thread
 /// and times each. Frames have the same poses either way, because no job waits for another.
-class FrameRecorder final : public anim::Executor {
+class FrameRecorder final : public Executor {
  public:
   explicit FrameRecorder(int threads) : threads_(threads) {}
 
-  void run(int count, anim::Job job) override;
+  void run(int count, Job job) override;
 
   /// Runs a frame on threads. Returns its nanoseconds.
   double time(const std::function<void()>& frame);

@@ -26,7 +26,7 @@ void add(BenchRounds& rounds, BenchCrowd& crowd, const std::string& key, const a
 }
 
 /// Tiles from 1 to the widest that fits: the same work in ever smaller tasks.
-anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
+Status sweep_tiles(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
   const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions system = bench_system_options(options, bench);
   system.tile = 0;
@@ -46,11 +46,11 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
                     {"ns_per_bone_median", agent_ns / bones},
                     {"task_us", agent_ns * tile * crowd->system().figures().schedule().pus / 1000.0}});
   }
-  return anim::Done{};
+  return Done{};
 }
 
 /// Crowds of 1, 2, 4, ... agents, on one PU and on all: shows the size from which more PUs pay.
-anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
+Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
   const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions all = bench_system_options(options, bench);
   all.cost.least_task = 0;  // even the least work wakes every PU
@@ -68,7 +68,7 @@ anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& cha
                     {"all_pus_us", rounds.times().median("all") / 1000.0},
                     {"speedup_over_one_pu", rounds.times().median_ratio("one", "all")}});
   }
-  return anim::Done{};
+  return Done{};
 }
 
 int smallest_tile(const std::vector<Json>& tiles) {
@@ -99,13 +99,13 @@ std::string verdict(const Json& found) {
          (agents.is_null() ? "; more PUs never paid." : "; more PUs pay from " + agents.dump() + " agents on.");
 }
 
-anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
+Result<BenchReport> sweep_grain(const BenchOptions& options) {
   const BenchCase bench = bench_cases(options).front();
   const auto character = bench_character(options, bench.bones, bench.clips);
   if (!character) return character.error();
   std::vector<Json> tiles, crowds;
-  if (const anim::Status done = sweep_tiles(options, *character, tiles); !done) return done.error();
-  if (const anim::Status done = sweep_crowds(options, *character, crowds); !done) return done.error();
+  if (const Status done = sweep_tiles(options, *character, tiles); !done) return done.error();
+  if (const Status done = sweep_crowds(options, *character, crowds); !done) return done.error();
 
   const int least_tile = smallest_tile(tiles);
   const auto least = std::ranges::find_if(tiles, [&](const Json& row) { return row["tile"] == least_tile; });

@@ -26,12 +26,10 @@ class LibrarySubject {
       : agents_(agents), palettes_(&palettes) {}
   virtual void pose(std::size_t agent) = 0;
 
-  void advance() { clock_ += anim::ticks_per_second / 60; }
+  void advance() { clock_ += ticks_per_second / 60; }
   std::span<const BenchAgent> agents() const { return agents_; }
   /// Returns the time within a clip that began at `start` and loops.
-  anim::Ticks time_in_clip(anim::Ticks start, anim::Ticks duration) const {
-    return (start + clock_) % std::max(duration, anim::Ticks{1});
-  }
+  Ticks time_in_clip(Ticks start, Ticks duration) const { return (start + clock_) % std::max(duration, Ticks{1}); }
   anim::PaletteMatrix* palette_of(std::size_t agent) const {
     return reinterpret_cast<anim::PaletteMatrix*>(palettes_->of(agent).memory());
   }
@@ -39,7 +37,7 @@ class LibrarySubject {
  private:
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  anim::Ticks clock_{};
+  Ticks clock_{};
 };
 
 }  // namespace throng::app

@@ -67,10 +67,10 @@ std::span<const LocalPlace> LocalClip::pose(int sample) {
   return pose_;
 }
 
-anim::Status has_local_clips(const anim::Character& character) {
+Status has_local_clips(const anim::Character& character) {
   const auto is_sampled = [](const anim::BakedClip& clip) { return clip.sampled() != nullptr; };
-  if (character.skeleton.rigid && std::ranges::all_of(character.clips, is_sampled)) return anim::Done{};
-  return anim::Error{"it is not given this model, which has scale or matrices, or a clip that plays from its keys"};
+  if (character.skeleton.rigid && std::ranges::all_of(character.clips, is_sampled)) return Done{};
+  return Error{"it is not given this model, which has scale or matrices, or a clip that plays from its keys"};
 }
 
 }  // namespace throng::app

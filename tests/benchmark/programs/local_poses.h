@@ -36,8 +36,8 @@ class LocalClip {
  public:
   LocalClip(const anim::Skeleton& skeleton, const anim::BakedClip& clip);
   int samples() const { return stream_.step_count + 1; }
-  anim::Ticks time_of(int sample) const {
-    return std::clamp(stream_.first_row + sample * anim::Ticks{stream_.step_ticks}, anim::Ticks{}, stream_.duration);
+  Ticks time_of(int sample) const {
+    return std::clamp(stream_.first_row + sample * Ticks{stream_.step_ticks}, Ticks{}, stream_.duration);
   }
   /// Returns the pose of a sample, one place a bone, valid until the next call.
   std::span<const LocalPlace> pose(int sample);
@@ -54,6 +54,6 @@ class LocalClip {
 };
 
 /// Says whether all clips of a character can be sampled so.
-anim::Status has_local_clips(const anim::Character& character);
+Status has_local_clips(const anim::Character& character);
 
 }  // namespace throng::app

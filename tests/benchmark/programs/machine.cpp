@@ -96,7 +96,7 @@ std::vector<BenchAgent> paper_agents(const anim::Character& character) {
   return agents;
 }
 
-anim::Status add_paper_case(const BenchOptions& options, const Machine& machine, Json& json) {
+Status add_paper_case(const BenchOptions& options, const Machine& machine, Json& json) {
   const auto character = std::make_shared<const anim::Character>(
       anim::bake_character(anim::synthetic_model(paper_bones, paper_skeletons)));
   auto there = BenchCrowd::create(character, recorded_options(options, machine), paper_agents(*character));
@@ -111,12 +111,12 @@ anim::Status add_paper_case(const BenchOptions& options, const Machine& machine,
   json["paper_case_predicted_percent_of_frame"] = 100.0 * predicted.busy_ns / machine.pus / frame_ns;
   json["paper_case_measured_here_percent_of_frame"] = 100.0 * rounds.times().median("here") / frame_ns;
   json["paper_case_measured_here_us"] = rounds.times().median("here") / 1000.0;
-  return anim::Done{};
+  return Done{};
 }
 
 }  // namespace
 
-anim::Result<BenchReport> run_machine(const BenchOptions& options, const Machine& machine) {
+Result<BenchReport> run_machine(const BenchOptions& options, const Machine& machine) {
   const auto character = bench_character(options, options.bones.front(), options.clips.front());
   if (!character) return character.error();
 
@@ -156,7 +156,7 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options, const Machine
   json["predicted_overlap_percent"] = 100.0 * prediction.overlap();
   json["largest_skeleton_bones"] = largest_skeleton(recorded);
   json["characters_per_60hz_frame"] = static_cast<std::int64_t>(frame_ns / agent_ns * machine.pus);
-  if (const anim::Status added = add_paper_case(options, machine, json); !added) return added.error();
+  if (const Status added = add_paper_case(options, machine, json); !added) return added.error();
   report.text = figures_as_text(std::span(&json, 1), {});
   return report;
 }

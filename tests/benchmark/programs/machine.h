@@ -8,6 +8,6 @@
 namespace throng::app {
 
 /// Predicts how PUs of a machine with other local stores would do the transfers that it records here.
-anim::Result<BenchReport> run_machine(const BenchOptions& options, const Machine& machine);
+Result<BenchReport> run_machine(const BenchOptions& options, const Machine& machine);
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@ anim::CopyCounts copies_of(const anim::TraceSpan& span) { return {span.bytes_in,
 
 }  // namespace
 
-anim::Result<Machine> read_machine(const std::filesystem::path& file) {
+Result<Machine> read_machine(const std::filesystem::path& file) {
   const JsonFile json_file(file, {.unread = "name a machine"});
   const auto json = json_file.read();
   if (!json) return json.error();

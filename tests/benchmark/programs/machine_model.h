@@ -26,7 +26,7 @@ struct Machine {
 };
 
 /// Reads the JSON object of tests/benchmark/README.md. The error names the file, the key and what is allowed there.
-anim::Result<Machine> read_machine(const std::filesystem::path& file);
+Result<Machine> read_machine(const std::filesystem::path& file);
 
 /// One task as it was recorded. With double buffering, the results of the task before it and the data of the task after
 /// it are copied while it is computed.

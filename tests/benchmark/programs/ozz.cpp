@@ -31,7 +31,7 @@ constexpr double tolerance_mm = 2.0;
 /// Returns the subject if it shows the poses that ours shows, else null. Says in `row` how far it is off, and why it
 /// has no figures.
 template <typename Subject>
-std::unique_ptr<Subject> agreeing(const std::string& name, anim::Result<std::unique_ptr<Subject>> made,
+std::unique_ptr<Subject> agreeing(const std::string& name, Result<std::unique_ptr<Subject>> made,
                                   const PoseAgreement& ours, Json& row) {
   row[name + "_off_mm"] = nullptr;
   if (!made) {
@@ -66,7 +66,7 @@ void add_times(Json& row, const BenchTimes& times, double bones) {
   }
 }
 
-anim::Result<Json> row_of(const BenchOptions& options, const BenchCase& bench) {
+Result<Json> row_of(const BenchOptions& options, const BenchCase& bench) {
   const auto whom = bench_character(options, bench.bones, bench.clips);
   if (!whom) return whom.error();
   const anim::Character& character = *whom->character;
@@ -107,8 +107,8 @@ std::string missing_text(std::span<const Json> rows) {
   return text;
 }
 
-anim::Result<BenchReport> compare_with_libraries(const BenchOptions& options) {
-  if (!options.plot.empty()) return anim::Error{"--plot: there is nothing to draw"};
+Result<BenchReport> compare_with_libraries(const BenchOptions& options) {
+  if (!options.plot.empty()) return Error{"--plot: there is nothing to draw"};
   BenchOptions one_pu = options;
   one_pu.pus = {1};
   std::vector<Json> rows;

@@ -54,13 +54,13 @@ ozz::animation::offline::RawSkeleton raw_skeleton(const LocalBones& bones) {
   return raw;
 }
 
-ozz::animation::offline::RawAnimation raw_animation(LocalClip& clip, anim::Ticks duration,
+ozz::animation::offline::RawAnimation raw_animation(LocalClip& clip, Ticks duration,
                                                     const std::vector<std::size_t>& joint_of_bone) {
   ozz::animation::offline::RawAnimation raw;
-  raw.duration = static_cast<float>(anim::to_seconds(std::max(duration, anim::Ticks{1})));
+  raw.duration = static_cast<float>(to_seconds(std::max(duration, Ticks{1})));
   raw.tracks.resize(joint_of_bone.size());
   for (int sample = 0; sample < clip.samples(); ++sample) {
-    const auto time = static_cast<float>(anim::to_seconds(clip.time_of(sample)));
+    const auto time = static_cast<float>(to_seconds(clip.time_of(sample)));
     const std::span<const LocalPlace> pose = clip.pose(sample);
     for (std::size_t bone = 0; bone < pose.size(); ++bone) {
       auto& track = raw.tracks[joint_of_bone[bone]];
@@ -111,7 +111,7 @@ class OzzSubject final : public LibrarySubject {
 
  private:
   /// The optimizer leaves out keys as far as our own bound allows.
-  bool add_clip(LocalClip& clip, anim::Ticks duration, ozz::animation::offline::AnimationOptimizer& optimizer) {
+  bool add_clip(LocalClip& clip, Ticks duration, ozz::animation::offline::AnimationOptimizer& optimizer) {
     optimizer.setting.tolerance = clip.error_bound();
     for (auto& [joint, setting] : optimizer.joints_setting_override) setting.tolerance = clip.error_bound();
     ozz::animation::offline::RawAnimation optimized;
@@ -130,13 +130,13 @@ class OzzSubject final : public LibrarySubject {
     }
   }
 
-  void sample(std::size_t agent, std::size_t source, int clip, anim::Ticks start) {
+  void sample(std::size_t agent, std::size_t source, int clip, Ticks start) {
     const ozz::animation::Animation& animation = *clips_[static_cast<std::size_t>(clip)];
-    const anim::Ticks duration = anim::to_ticks(static_cast<double>(animation.duration()));
+    const Ticks duration = to_ticks(static_cast<double>(animation.duration()));
     ozz::animation::SamplingJob job;
     job.animation = &animation;
     job.context = contexts_[2 * agent + source].get();
-    job.ratio = static_cast<float>(anim::to_seconds(time_in_clip(start, duration)) / anim::to_seconds(duration));
+    job.ratio = static_cast<float>(to_seconds(time_in_clip(start, duration)) / to_seconds(duration));
     job.output = ozz::make_span(locals_[source]);
     job.Run();
   }
@@ -181,13 +181,12 @@ class OzzSubject final : public LibrarySubject {
 
 }  // namespace
 
-anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom,
-                                                               std::span<const BenchAgent> agents,
-                                                               const BenchPalettes& palettes) {
-  const anim::Status sampled = has_local_clips(*whom.character);
+Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom, std::span<const BenchAgent> agents,
+                                                         const BenchPalettes& palettes) {
+  const Status sampled = has_local_clips(*whom.character);
   if (!sampled) return sampled.error();
   auto subject = std::make_unique<OzzSubject>(agents, palettes);
-  if (!subject->build(whom)) return anim::Error{"it does not take this model"};
+  if (!subject->build(whom)) return Error{"it does not take this model"};
   return std::unique_ptr<LibrarySubject>(std::move(subject));
 }
 
@@ -197,9 +196,9 @@ anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharac
 
 namespace throng::app {
 
-anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter&, std::span<const BenchAgent>,
-                                                               const BenchPalettes&) {
-  return anim::Error{"it was not installed when this program was built"};
+Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter&, std::span<const BenchAgent>,
+                                                         const BenchPalettes&) {
+  return Error{"it was not installed when this program was built"};
 }
 
 }  // namespace throng::app

@@ -11,8 +11,7 @@ namespace throng::app {
 
 /// Makes the subject that ozz-animation animates. Errors: no ozz was installed when this was built, or
 /// has_local_clips() says no.
-anim::Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom,
-                                                               std::span<const BenchAgent> agents,
-                                                               const BenchPalettes& palettes);
+Result<std::unique_ptr<LibrarySubject>> make_ozz_subject(const BenchCharacter& whom, std::span<const BenchAgent> agents,
+                                                         const BenchPalettes& palettes);
 
 }  // namespace throng::app

@@ -32,7 +32,7 @@ constexpr std::array<bool, render::cascade_count> all_cascades{true, true, true,
 /// A crowd on the plaza, and all that its picture is made of.
 class Subject {
  public:
-  static anim::Result<std::unique_ptr<Subject>> create(int agents) {
+  static Result<std::unique_ptr<Subject>> create(int agents) {
     auto character = load_character(character_file, "mannequin");
     if (!character) return character.error();
     std::unique_ptr<Subject> subject(new Subject());
@@ -94,8 +94,8 @@ class Subject {
     const auto cameras = scene_cameras(Scene::plaza, stage_->crowd().size(), stage_->characters()[0].roles);
     const render::Camera camera = camera_at(cameras.front().place);
     view_ = render::view_of(camera, static_cast<float>(width) / height);
-    stage_->move(anim::ticks_per_second / 60);
-    stage_->pose(camera, width, height, anim::ticks_per_second / 60, 0);
+    stage_->move(ticks_per_second / 60);
+    stage_->pose(camera, width, height, ticks_per_second / 60, 0);
     compose();
     axes_ = render::sun_axes(render::to_brightest(tuning_.light));
     cascades_ = render::plan_cascades(view_, axes_, render::depths_of(frame()), map_side);
@@ -126,7 +126,7 @@ class Subject {
   std::vector<std::uint32_t> plain_casters_;
 };
 
-anim::Result<Json> measure_crowd(int agents, int pus, int frames) {
+Result<Json> measure_crowd(int agents, int pus, int frames) {
   auto made = Subject::create(agents);
   if (!made) return made.error();
   Subject& subject = **made;
@@ -145,7 +145,7 @@ anim::Result<Json> measure_crowd(int agents, int pus, int frames) {
   rounds.add({"casters_1", [&] { subject.choose_casters(); }, one});
   rounds.add({"casters", [&] { subject.choose_casters(); }, all});
   rounds.run(frames, std::to_string(agents) + " agents: ");
-  if (!subject.casters_are_the_same()) return anim::Error{"two ways to choose casters differ"};
+  if (!subject.casters_are_the_same()) return Error{"two ways to choose casters differ"};
   constexpr double nanoseconds_a_millisecond = 1e6;
   Json row = {{"agents", agents}, {"agents_in_view", subject.in_view()}, {"casters", subject.casters()}};
   for (const char* const key : {"compose_1", "compose", "compose_dressed_1", "compose_dressed", "casters_plainly",
@@ -155,7 +155,7 @@ anim::Result<Json> measure_crowd(int agents, int pus, int frames) {
   return row;
 }
 
-anim::Result<BenchReport> measure_pictures(const BenchOptions& options) {
+Result<BenchReport> measure_pictures(const BenchOptions& options) {
   std::vector<Json> rows;
   for (const int agents : options.agents) {
     const int pus = options.pus.front() > 0 ? options.pus.front() : anim::usable_cores();

@@ -11,7 +11,7 @@
 namespace throng::app {
 
 int run_bench_program(int argument_count, char** arguments,
-                      const std::function<anim::Result<BenchReport>(const BenchOptions& options)>& measure) {
+                      const std::function<Result<BenchReport>(const BenchOptions& options)>& measure) {
   std::vector<std::string> words{"bench"};
   words.insert(words.end(), arguments + 1, arguments + argument_count);
   const ParsedCommand parsed = parse_command_line(words);

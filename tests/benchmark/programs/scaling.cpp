@@ -33,7 +33,7 @@ constexpr const char* character_file = THRONG_SOURCE_DIR "/assets/mannequin.glb"
 constexpr int pus_here = 2;
 constexpr int rounds = 9, frames_of_a_round = 3;
 constexpr int most_recorded = 500'000;  // agents; each plays two clips, and a system has room for a million players
-constexpr anim::Ticks step = anim::ticks_per_second / 60;
+constexpr Ticks step = ticks_per_second / 60;
 
 /// A crowd whose frames are recorded.
 class Subject {

@@ -29,7 +29,7 @@ std::size_t stream_bytes(const anim::Character& character, anim::StreamKind kind
 }
 
 /// One key density: every step, each with prefetch and without.
-anim::Status sweep_steps(const BenchOptions& options, const BenchCase& bench, int keys, std::vector<Json>& rows) {
+Status sweep_steps(const BenchOptions& options, const BenchCase& bench, int keys, std::vector<Json>& rows) {
   const auto character = std::make_shared<const anim::Character>(
       anim::bake_character(anim::synthetic_model(bench.bones, bench.clips, 1, keys)));
   const std::vector<BenchAgent> agents = bench_agents(*character, bench.agents);
@@ -42,7 +42,7 @@ anim::Status sweep_steps(const BenchOptions& options, const BenchCase& bench, in
   if (!subject) return subject.error();
   for (const int steps : steps_a_second) {
     BenchRounds rounds;
-    subject->set_step(anim::ticks_per_second / steps);
+    subject->set_step(ticks_per_second / steps);
     const auto run = [&] { subject->run(); };
     rounds.add({"plain", run, [&] { subject->configure(plain); }});
     rounds.add({"prefetched", run, [&] { subject->configure(prefetched); }});
@@ -56,7 +56,7 @@ anim::Status sweep_steps(const BenchOptions& options, const BenchCase& bench, in
                     {"stream_bytes_per_frame", subject->system().figures().stream_bytes()},
                     {"stream_bytes_in_all", stream_bytes(*character, plain.stream)}});
   }
-  return anim::Done{};
+  return Done{};
 }
 
 std::string plot_of(const std::vector<Json>& rows) {
@@ -78,12 +78,12 @@ std::string plot_of(const std::vector<Json>& rows) {
   return lines_as_svg("What reading streams costs", "keys a second", "ns a bone", lines);
 }
 
-anim::Result<BenchReport> sweep_streams(const BenchOptions& options) {
-  if (!options.model.empty()) return anim::Error{"the clips are built here; leave the model out"};
+Result<BenchReport> sweep_streams(const BenchOptions& options) {
+  if (!options.model.empty()) return Error{"the clips are built here; leave the model out"};
   const BenchCase bench = bench_cases(options).front();
   std::vector<Json> rows;
   for (const int keys : key_densities) {
-    if (const anim::Status done = sweep_steps(options, bench, keys, rows); !done) return done.error();
+    if (const Status done = sweep_steps(options, bench, keys, rows); !done) return done.error();
   }
   constexpr std::array columns = {"keys_per_second",       "step_ms",
                                   "ns_per_bone_median",    "prefetched_ns_per_bone_median",

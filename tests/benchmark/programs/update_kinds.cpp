@@ -22,7 +22,7 @@ namespace {
 
 constexpr int agents_a_thing = 10;
 
-anim::Result<BenchReport> measure_kinds(const BenchOptions& options) {
+Result<BenchReport> measure_kinds(const BenchOptions& options) {
   const BenchCase bench = bench_cases(options).front();
   const auto whom = bench_character(options, bench.bones, bench.clips);
   if (!whom) return whom.error();

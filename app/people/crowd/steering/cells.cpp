@@ -16,7 +16,7 @@ void CrowdCells::set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highe
 }
 
 void CrowdCells::sort(std::span<const Body> bodies) {
-  anim::InOrder here;
+  InOrder here;
   sort(
       bodies, here, 1, [](std::size_t, std::size_t) {}, [](const Body&, std::size_t) {});
 }

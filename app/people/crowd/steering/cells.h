@@ -60,8 +60,7 @@ class CrowdCells {
   /// Sorts in `jobs` jobs. Calls `look_at(first, end)` for tiles of `bodies`, and `visit(const Body&, std::size_t
   /// place)` for each with its place in bodies().
   template <typename LookAt, typename Visit>
-  void sort(std::span<const Body> bodies, anim::Executor& executor, int jobs, const LookAt& look_at,
-            const Visit& visit) {
+  void sort(std::span<const Body> bodies, Executor& executor, int jobs, const LookAt& look_at, const Visit& visit) {
     assert(bodies.size() == sorted_.size());
     visit_tiles(bodies.size(), executor, jobs, [&](std::size_t first, std::size_t end) {
       for (std::size_t body = first; body < end; ++body) {

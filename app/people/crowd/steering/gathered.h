@@ -23,7 +23,7 @@ class Gathered {
   /// Calls pick(i, Element& element) for each i below `count`, as many as were set aside at most. Where it returns
   /// true, the list gets that element. Returns the list in the order of i; it holds until the next call.
   template <typename Pick>
-  std::span<const Element> gather(std::size_t count, anim::Executor& executor, int jobs, const Pick& pick) {
+  std::span<const Element> gather(std::size_t count, Executor& executor, int jobs, const Pick& pick) {
     visit_tiles(count, executor, jobs, [&](std::size_t first, std::size_t end) {
       std::size_t next = first;
       for (std::size_t i = first; i < end; ++i) next += pick(i, room_[next]) ? 1U : 0U;

@@ -151,8 +151,7 @@ Steering::Steering(std::size_t agents, const Ground& ground)
   ground_.obstacles = {};
 }
 
-void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
-                    int jobs) {
+void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, Executor& executor, int jobs) {
   assert(bodies.size() == wishes.size() && seconds > 0.0F && jobs > 0);
   const float fastest = agents_.sort(bodies, wishes, executor, jobs);
   if (fastest == 0.0F) return;

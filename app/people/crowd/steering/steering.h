@@ -8,10 +8,11 @@
 
 #include <glm/vec2.hpp>
 
+#include "throng/host.h"
+
 #include "app/people/crowd/steering/cells.h"
 #include "app/people/crowd/steering/obstacle_map.h"
 #include "app/people/crowd/steering/step_strip.h"
-#include "engine/anim/base/executor.h"
 
 namespace throng::app {
 
@@ -48,7 +49,7 @@ class Steering {
     }
     const BodyColumns& columns() const { return columns_; }
     /// Returns the highest speed that a moving agent wishes for.
-    float sort(std::span<const Body> agents, std::span<const Wish> wishes, anim::Executor& executor, int jobs) {
+    float sort(std::span<const Body> agents, std::span<const Wish> wishes, Executor& executor, int jobs) {
       std::atomic<float> fastest{0.0F};
       const auto look_at = [&](std::size_t first, std::size_t end) {
         float most = 0.0F;
@@ -76,7 +77,7 @@ class Steering {
   /// Moves the bodies that move by one step of `seconds`, above 0: writes their new positions and velocities into
   /// `bodies`. There is one wish an agent, and `bodies[i].agent` is i. `jobs`, 1 or more, run at once on `executor`.
   /// Allocates nothing.
-  void step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor, int jobs);
+  void step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, Executor& executor, int jobs);
 
  private:
   Ground ground_;

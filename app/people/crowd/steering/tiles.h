@@ -44,7 +44,7 @@ class SharedTiles {
 /// Calls visit(first, end) for tiles of the numbers below `count`, and shares them out over `jobs` jobs. Two visits
 /// must not write the same data, and no visit may read what another writes.
 template <typename Visit>
-void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
+void visit_tiles(std::size_t count, Executor& executor, int jobs, Visit&& visit) {
   if (count == 0) return;
   const std::size_t tiles = (count + SharedTiles::tile - 1) / SharedTiles::tile;
   const std::size_t most = std::min(static_cast<std::size_t>(jobs), SharedTiles::most_jobs);
@@ -55,7 +55,7 @@ void visit_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& 
 
 /// Calls visit(i) for each i below `count`, in the tiles of visit_tiles().
 template <typename Visit>
-void visit_in_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
+void visit_in_tiles(std::size_t count, Executor& executor, int jobs, Visit&& visit) {
   visit_tiles(count, executor, jobs, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) visit(i);
   });

@@ -102,7 +102,7 @@ MachineDescription machine_of(const Json& json, Complaint& complaint) {
 
 }  // namespace
 
-anim::Result<MachineDescription> read_machine(std::string_view text) {
+Result<MachineDescription> read_machine(std::string_view text) {
   const Result<Json> json = throng::parse_json(text);
   if (!json) return Error{"it " + json.error().message};
   Complaint complaint;
@@ -111,7 +111,7 @@ anim::Result<MachineDescription> read_machine(std::string_view text) {
   return machine;
 }
 
-anim::Result<MachineDescription> read_machine_file(const std::string& path) {
+Result<MachineDescription> read_machine_file(const std::string& path) {
   const auto text = read_text(path, "a .json", most_json_bytes);
   auto machine = text ? read_machine(*text) : text.error();
   if (!machine) return Error{path + ": " + machine.error().message};

@@ -25,9 +25,9 @@ namespace throng::import {
 /// MachineDescription says what each member means; members with a default may be left out. "by" and "at" are one of
 /// each, or an array of two. The error is a sentence with the object and the key. Only names are left to be checked, by
 /// StateMachine::create.
-anim::Result<anim::MachineDescription> read_machine(std::string_view text);
+Result<anim::MachineDescription> read_machine(std::string_view text);
 
 /// Reads such a file. Errors begin with its name.
-anim::Result<anim::MachineDescription> read_machine_file(const std::string& path);
+Result<anim::MachineDescription> read_machine_file(const std::string& path);
 
 }  // namespace throng::import

@@ -97,15 +97,15 @@ std::uint64_t most_memory(int width, int height, std::size_t encoded) {
 
 }  // namespace
 
-anim::Result<anim::Image> decode_png_or_jpeg(std::span<const std::byte> bytes, std::uint64_t budget) {
-  if (!jpeg_tables_fit(bytes)) return anim::Error{"a Huffman table of its JPEG has more than 256 codes"};
+Result<anim::Image> decode_png_or_jpeg(std::span<const std::byte> bytes, std::uint64_t budget) {
+  if (!jpeg_tables_fit(bytes)) return Error{"a Huffman table of its JPEG has more than 256 codes"};
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   DecoderHeap heap{.budget = std::uint64_t{1} << 24U};
   const HeapInUse in_use(heap);
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
-    return anim::Error{"it is neither PNG nor JPEG nor WebP"};
+    return Error{"it is neither PNG nor JPEG nor WebP"};
   }
   if (!sides_fit(width, height)) return sides_do_not_fit();
   if (rgba_size(width, height) > budget) throw OverBudget{rgba_size(width, height)};
@@ -113,9 +113,9 @@ anim::Result<anim::Image> decode_png_or_jpeg(std::span<const std::byte> bytes, s
   heap = {.budget = std::min(budget, most)};
   stbi_uc* const pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
   if (pixels != nullptr) return owning_image(width, height, pixels, &stbi_image_free);
-  if (heap.refused > most) return anim::Error{"its stream holds more than an image of its size needs"};
+  if (heap.refused > most) return Error{"its stream holds more than an image of its size needs"};
   if (heap.refused > 0) throw OverBudget{heap.refused};
-  return anim::Error{std::string("it does not decode: ") + stbi_failure_reason()};
+  return Error{std::string("it does not decode: ") + stbi_failure_reason()};
 }
 
 }  // namespace throng::import

@@ -19,16 +19,16 @@ std::uint64_t scratch_size(const WebPBitstreamFeatures& features) {
 
 }  // namespace
 
-anim::Result<anim::Image> decode_webp(std::span<const std::byte> bytes, std::uint64_t budget) {
+Result<anim::Image> decode_webp(std::span<const std::byte> bytes, std::uint64_t budget) {
   const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   WebPBitstreamFeatures features;
-  if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK) return anim::Error{"its WebP header is broken"};
+  if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK) return Error{"its WebP header is broken"};
   int width = features.width, height = features.height;
   if (!sides_fit(width, height)) return sides_do_not_fit();
   const std::uint64_t needed = rgba_size(width, height) + scratch_size(features);
   if (needed > budget) throw OverBudget{needed};
   std::uint8_t* const pixels = WebPDecodeRGBA(data, bytes.size(), &width, &height);
-  if (pixels == nullptr) return anim::Error{"its WebP does not decode"};
+  if (pixels == nullptr) return Error{"its WebP does not decode"};
   return owning_image(width, height, pixels, &WebPFree);
 }
 

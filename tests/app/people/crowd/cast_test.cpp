@@ -71,7 +71,7 @@ TEST(CrowdCast, EverybodyPlaysClipsOfTheirOwnAndWalksAtTheirOwnSpeed) {
   const std::vector characters = {person(), other};
   Crowd crowd(Scene::plaza, 200, 1, characters);
   for (int frame = 0; frame < 300; ++frame) {
-    for (const ClipRequest& request : crowd.advance(anim::ticks_per_second / 60)) {
+    for (const ClipRequest& request : crowd.advance(ticks_per_second / 60)) {
       EXPECT_EQ(request.clip >= 100, crowd.characters()[request.agent] == 1);
     }
   }
@@ -84,7 +84,7 @@ TEST(CrowdCast, KeepsItsDistanceByTheWidest) {
   const std::vector characters = {person(), giant()};
   Crowd crowd(Scene::plaza, 200, 1, characters);
   for (int frame = 0; frame < 600; ++frame) {
-    crowd.advance(anim::ticks_per_second / 60);
+    crowd.advance(ticks_per_second / 60);
     for (std::size_t a = 0; a < crowd.size(); ++a) {
       for (std::size_t b = a + 1; b < crowd.size(); ++b) {
         const float apart = glm::distance(crowd.positions()[a], crowd.positions()[b]);

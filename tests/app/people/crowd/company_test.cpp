@@ -13,12 +13,12 @@
 namespace throng::app::company_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 30;
+constexpr Ticks frame = ticks_per_second / 30;
 
 /// Runs the last job first.
-class Backwards final : public anim::Executor {
+class Backwards final : public Executor {
  public:
-  void run(int count, anim::Job job) override {
+  void run(int count, Job job) override {
     for (int index = count; index-- > 0;) job.run(job.context, index);
   }
 };

@@ -14,7 +14,7 @@
 namespace throng::app::crowd_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 bool same_places(const Crowd& a, const Crowd& b) { return std::ranges::equal(a.positions(), b.positions()); }
 
@@ -339,7 +339,7 @@ TEST(Crowd, TheGridStandsInRowsThatFaceForward) {
 TEST(Crowd, AdvancingByNothingChangesNothing) {
   Crowd crowd(Scene::plaza, 100, 1, person());
   const std::vector<glm::vec3> before(crowd.positions().begin(), crowd.positions().end());
-  EXPECT_TRUE(crowd.advance(anim::Ticks{}).empty());
+  EXPECT_TRUE(crowd.advance(Ticks{}).empty());
   EXPECT_TRUE(std::ranges::equal(crowd.positions(), before));
 }
 

@@ -73,7 +73,7 @@ TEST_F(GatheringsOfAPlaza, StandFarEnoughFromEachOther) {
 TEST_F(GatheringsOfAPlaza, LetWhoIsAloneWaitAndNotApplaud) {
   ASSERT_GT(all_of(Habit::wait).size(), 20U);
   for (int i = 0; i < 600; ++i) {
-    crowd_.advance(anim::ticks_per_second / 10);
+    crowd_.advance(ticks_per_second / 10);
     for (const std::size_t agent : all_of(Habit::wait)) {
       EXPECT_NE(crowd_.minds().roles()[agent], Role::cheer);
       EXPECT_NE(crowd_.minds().roles()[agent], Role::clap);

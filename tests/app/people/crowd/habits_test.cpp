@@ -91,14 +91,14 @@ TEST(CrowdMinds, KeepARoleForItsTime) {
   CrowdMinds minds(cast, std::vector<Habit>(50, Habit::stand_about), 1);
   std::vector<std::uint32_t> everybody(50);
   std::iota(everybody.begin(), everybody.end(), 0U);
-  std::vector<anim::Ticks> since(50, anim::Ticks{-1});
-  for (anim::Ticks now{}; now < 60 * anim::ticks_per_second; now += anim::ticks_per_second / 60) {
+  std::vector<Ticks> since(50, Ticks{-1});
+  for (Ticks now{}; now < 60 * ticks_per_second; now += ticks_per_second / 60) {
     const std::vector<Role> before(minds.intentions().begin(), minds.intentions().end());
     minds.decide(now, everybody);
     for (const std::uint32_t agent : minds.changed()) {
-      const double kept = anim::to_seconds(now - since[agent]);
+      const double kept = to_seconds(now - since[agent]);
       const Stay stay = stay_in(before[agent]);
-      EXPECT_TRUE(since[agent] < anim::Ticks{} || kept > static_cast<double>(stay.least) - 1e-6);
+      EXPECT_TRUE(since[agent] < Ticks{} || kept > static_cast<double>(stay.least) - 1e-6);
       EXPECT_LT(kept, static_cast<double>(stay.most) + 0.1);
       since[agent] = now;
     }
@@ -108,12 +108,12 @@ TEST(CrowdMinds, KeepARoleForItsTime) {
 TEST(CrowdMinds, AreInterruptedAndGoOnFromThere) {
   const CrowdCast cast = standing(person(), 1);
   CrowdMinds minds(cast, {Habit::sit}, 3);
-  minds.decide(anim::Ticks{}, std::array{0U});
-  minds.interrupt(0, Role::cheer, anim::ticks_per_second);
+  minds.decide(Ticks{}, std::array{0U});
+  minds.interrupt(0, Role::cheer, ticks_per_second);
   ASSERT_EQ(minds.roles()[0], Role::cheer);
-  minds.decide(anim::ticks_per_second / 2, std::array{0U});
+  minds.decide(ticks_per_second / 2, std::array{0U});
   EXPECT_EQ(minds.roles()[0], Role::cheer);
-  minds.decide(anim::ticks_per_second, std::array{0U});
+  minds.decide(ticks_per_second, std::array{0U});
   EXPECT_EQ(minds.roles()[0], Role::sit);
 }
 

@@ -9,7 +9,7 @@
 namespace throng::app::hold_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 bool asks(std::span<const ClipRequest> requests, std::uint32_t agent) {
   return std::ranges::find(requests, agent, &ClipRequest::agent) != requests.end();

@@ -14,7 +14,7 @@
 namespace throng::app::obstacles_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 /// Metres by which the nearest of the agents is outside of the nearest obstacle.
 double least_room(const Crowd& crowd, const CrowdLayout& layout) {

@@ -12,7 +12,7 @@
 namespace throng::app::other_roles_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int other_walk = 20;
 constexpr Scene scenes[] = {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid};
 

@@ -47,7 +47,7 @@ TEST(Resting, GoesOnWhereItBegan) {
   const CharacterRoles roles = person_who_rests();
   Crowd crowd(Scene::plaza, 400, 2, std::span(&roles, 1), {.bodies = true});
   const std::vector<glm::vec3> places(crowd.positions().begin(), crowd.positions().end());
-  for (int i = 0; i < 600; ++i) crowd.advance(anim::ticks_per_second / 20);
+  for (int i = 0; i < 600; ++i) crowd.advance(ticks_per_second / 20);
   for (std::size_t agent = crowd.walkers().count(); agent < crowd.size(); ++agent) {
     EXPECT_EQ(crowd.positions()[agent], places[agent]);
     if (crowd.minds().habits()[agent] == Habit::sit_low) {

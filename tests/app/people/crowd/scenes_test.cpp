@@ -14,7 +14,7 @@
 namespace throng::app::scenes_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 glm::vec2 on_ground(const glm::vec3& position) { return {position.x, position.z}; }
 
@@ -73,7 +73,7 @@ TEST_P(EveryScene, TakesAnyNumberAnyStepAndAnyCharacter) {
     for (const std::size_t agents : {1U, 2U, 3U, 17U, 100U}) {
       Crowd crowd(GetParam(), agents, 1, character);
       ASSERT_EQ(crowd.size(), agents);
-      for (const anim::Ticks dt : {frame, anim::Ticks{0}, anim::Ticks{1}, 600 * frame, frame}) crowd.advance(dt);
+      for (const Ticks dt : {frame, Ticks{0}, Ticks{1}, 600 * frame, frame}) crowd.advance(dt);
       for (std::size_t agent = 0; agent < agents; ++agent) ASSERT_TRUE(is_finite(crowd, agent));
       EXPECT_GE(least_share_of_radii_between(crowd), 0.8F) << agents;
     }

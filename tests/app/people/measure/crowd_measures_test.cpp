@@ -47,7 +47,7 @@ class MeasuredCrowd : public testing::Test {
   CrowdMeasures taken_of(const Crowd& crowd, DebugView view) {
     tuning_.debug_view = view;
     CrowdMeasures measures;
-    anim::InOrder here;
+    InOrder here;
     measures.take(crowd, tuning_, here, 1);
     return measures;
   }

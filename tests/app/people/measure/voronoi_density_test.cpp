@@ -26,7 +26,7 @@ std::vector<float> densities_of(const Places& places, const WalkableArea& area =
   std::vector<glm::vec3> positions;
   for (const glm::vec2& place : places) positions.emplace_back(place.x, 0.0F, place.y);
   std::vector<float> densities(places.size());
-  anim::InOrder here;
+  InOrder here;
   VoronoiDensity().measure({positions, absent}, radius, area, here, 1, densities);
   return densities;
 }
@@ -211,7 +211,7 @@ TEST(VoronoiDensity, IsTheSameByAnyNumberOfJobsAndAllocatesNothing) {
   for (glm::vec3& position : positions) position = {place(random), 0.0F, place(random)};
   const WalkableArea area = area_of(rectangle(0, 0, 20, 20), {rectangle(5, 5, 7, 9)});
   std::vector<float> alone(positions.size()), together(positions.size());
-  anim::InOrder here;
+  InOrder here;
   anim::PuThreads threads(4);
   VoronoiDensity density;
   density.measure({positions, {}}, cut_off, area, here, 1, alone);

@@ -21,7 +21,7 @@
 namespace throng::app::place_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr std::array scenes{Scene::plaza, Scene::parade, Scene::stadium, Scene::film};
 constexpr std::array<std::size_t, 7> sizes{1, 10, 100, 300, 1000, 10'000, 100'000};
 

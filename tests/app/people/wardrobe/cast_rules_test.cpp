@@ -22,7 +22,7 @@ const std::string good = R"({"version": 1,
   "weather": {"cold": {"warm": 4}},
   "teams": [["#102030", "#FFFFFF"]]})";
 
-anim::Result<CastRules> read(const std::string& text) { return cast_rules(*parse_json(text)); }
+Result<CastRules> read(const std::string& text) { return cast_rules(*parse_json(text)); }
 
 /// Returns the complaint about the good rules with one text in the place of another.
 std::string complaint_with(const std::string& text, const std::string& other) {

@@ -49,7 +49,7 @@ TEST_F(CastRulesFile, HasNumbersAndColoursAsPeopleWriteThem) {
 
 TEST_F(CastRulesFile, ThatCannotBeWrittenIsNamedAndLeavesNothing) {
   const std::filesystem::path file = folder_ / "none" / "mine.cast.json";
-  const anim::Status written = write_cast_rules(file, rules());
+  const Status written = write_cast_rules(file, rules());
   ASSERT_FALSE(written);
   EXPECT_THAT(written.error().message, HasSubstr("mine.cast.json"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_));

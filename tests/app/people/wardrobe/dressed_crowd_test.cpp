@@ -172,7 +172,7 @@ TEST_F(DressedCrowdTest, LetsNobodyMeetSomebodyAlikeInAMinute) {
   constexpr int minute = 60, frames_a_second = 30;
   int met = 0;
   for (int frame = 0; frame < minute * frames_a_second; ++frame) {
-    crowd.advance(anim::ticks_per_second / frames_a_second);
+    crowd.advance(ticks_per_second / frames_a_second);
     for (const auto& [one, other] : pairs) {
       met += glm::distance(crowd.positions()[one], crowd.positions()[other]) < alike_reach ? 1 : 0;
     }

@@ -17,7 +17,7 @@
 namespace throng::app::error_meter_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int width = 1280, height = 720;
 
 std::vector<CharacterSource> mannequin() {
@@ -185,7 +185,7 @@ TEST_F(MeasuredStage, UsesItsLimitWhereFramesDifferInLengthToo) {
   pass(tuning, 0);
   constexpr std::array<int, 7> parts{10, 4, 16, 10, 7, 14, 9};  // tenths
   for (int i = 0; i < 200; ++i) {
-    const anim::Ticks step = frame * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
+    const Ticks step = frame * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
     stage_->move(step);
     stage_->pose(camera_, width, height, step, stage_->posed().frame());
   }

@@ -33,7 +33,7 @@ class MeshesWithinABudget : public testing::Test {
 
   const MeshFigures& choose(int budget, int jobs = 1) {
     tuning_.triangle_budget = budget;
-    anim::InOrder here;
+    InOrder here;
     choice_.choose(visible_, character_of_, lods_, tuning_, here, jobs);
     return choice_.figures();
   }

@@ -35,7 +35,7 @@ void change(Show& show, const std::function<void(Tuning&)>& values) {
 }
 
 void ask(Show& show, const CrowdRequest& request) {
-  const anim::Status taken = show.take(request);
+  const Status taken = show.take(request);
   EXPECT_TRUE(taken) << taken.error().message;
 }
 
@@ -50,13 +50,13 @@ std::string with_true_checksum(std::string recording) {
 }
 
 void RecordedRun::record(Show& show, int frames, const Act& act) const {
-  const anim::Status started = show.start_recording(file_);
+  const Status started = show.start_recording(file_);
   ASSERT_TRUE(started) << started.error().message;
   for (int frame = 1; frame <= frames; ++frame) {
     act(show, frame);
-    show.animate(show.stage().tuning().paused ? anim::Ticks{} : sixtieth + anim::Ticks{frame % 3 * 1000});
+    show.animate(show.stage().tuning().paused ? Ticks{} : sixtieth + Ticks{frame % 3 * 1000});
   }
-  const anim::Status stopped = show.stop_recording();
+  const Status stopped = show.stop_recording();
   ASSERT_TRUE(stopped) << stopped.error().message;
 }
 
@@ -65,9 +65,9 @@ std::string RecordedRun::repeated(const std::string& line) const {
   if (!replay) return replay.error().message;
   const DemoOptions options = (*replay)->options(demo("--replay " + file_.string() + " " + line));
   const auto show = show_of(options);
-  if (const anim::Status begun = (*replay)->begin(*show); !begun) return begun.error().message;
+  if (const Status begun = (*replay)->begin(*show); !begun) return begun.error().message;
   for (;;) {
-    const anim::Result<bool> more = (*replay)->step(*show);
+    const Result<bool> more = (*replay)->step(*show);
     if (!more) return more.error().message;
     if (!*more) return (*replay)->summary();
   }

@@ -10,7 +10,7 @@
 
 namespace throng::app::test {
 
-inline constexpr anim::Ticks sixtieth = anim::ticks_per_second / 60;
+inline constexpr Ticks sixtieth = ticks_per_second / 60;
 
 /// Returns the options of a headless run without pictures, as the command line gives them.
 DemoOptions demo(const std::string& line);

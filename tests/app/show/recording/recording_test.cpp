@@ -49,7 +49,7 @@ RecordingHeader header() {
   return header;
 }
 
-RecordedFrame frame(anim::Ticks delta) {
+RecordedFrame frame(Ticks delta) {
   return {.delta = delta,
           .view = {.camera = {.position = {1.5F, 2.0F, -3.0F}, .yaw = 0.1F}, .width = 640, .height = 360},
           .pose_hash = 77};
@@ -66,7 +66,7 @@ class Recordings : public test::TemporaryFolder {
   void write_recording() const {
     auto writer = RecordingWriter::create(file_, header());
     ASSERT_TRUE(writer) << writer.error().message;
-    (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1), high_bits(2), high_bits(3)});
+    (*writer)->add(frame(Ticks{10}), std::vector{high_bits(1), high_bits(2), high_bits(3)});
     Tuning tuning = header().tuning;
     tuning.agents = 2;
     tuning.time_scale = 0.3F;
@@ -86,7 +86,7 @@ class Recordings : public test::TemporaryFolder {
         SetRules{.character = 0, .rules = "", .file = "none.cast.json"},
         SetCast{{person(), person()}}};
     for (const CrowdRequest& request : requests) (*writer)->add(request);
-    (*writer)->add(frame(anim::Ticks{}), std::vector{high_bits(1), high_bits(9)});
+    (*writer)->add(frame(Ticks{}), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
   }
 
@@ -120,8 +120,8 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   EXPECT_EQ(reader.header().height, 360);
 
   const auto first = std::get<RecordedFrame>(*reader.next());
-  EXPECT_EQ(first.delta, anim::Ticks{10});
-  EXPECT_EQ(first.view.camera, frame(anim::Ticks{10}).view.camera);
+  EXPECT_EQ(first.delta, Ticks{10});
+  EXPECT_EQ(first.view.camera, frame(Ticks{10}).view.camera);
   EXPECT_EQ(first.pose_hash, 77U);
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 2, 3));
 
@@ -148,7 +148,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   EXPECT_EQ(rules.rules, "");
   EXPECT_EQ(rules.file, "none.cast.json");
   EXPECT_THAT(asked<SetCast>(reader).characters, ElementsAre(person(), person()));
-  EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, anim::Ticks{});
+  EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, Ticks{});
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));
   EXPECT_EQ(std::get<RecordedEnd>(*reader.next()).frames, 2U);
 }
@@ -156,7 +156,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
 TEST_F(Recordings, AreNotThereUntilTheyAreWhole) {
   auto writer = RecordingWriter::create(file_, header());
   ASSERT_TRUE(writer);
-  (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1)});
+  (*writer)->add(frame(Ticks{10}), std::vector{high_bits(1)});
   EXPECT_FALSE(fs::exists(file_));
   ASSERT_TRUE((*writer)->finish());
   EXPECT_TRUE(fs::exists(file_));
@@ -167,7 +167,7 @@ TEST_F(Recordings, OfARunThatCrashedStayBesideAndSayHowFarTheyGo) {
   {
     auto writer = RecordingWriter::create(file_, header());
     ASSERT_TRUE(writer);
-    (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1)});
+    (*writer)->add(frame(Ticks{10}), std::vector{high_bits(1)});
   }
   file_ = fs::directory_iterator(folder_)->path();
   EXPECT_EQ(file_.extension(), ".part");

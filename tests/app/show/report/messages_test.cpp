@@ -29,7 +29,7 @@ TEST(Messages, AreSeenTheLongerTheMoreWordsTheyHave) {
 TEST(Messages, OneThatIsSaidInEachFrameFillsNoLog) {
   Messages messages;
   for (int frame = 0; frame < 100; ++frame) {
-    EXPECT_FALSE(messages.report(anim::Error{"the disk is full"}));
+    EXPECT_FALSE(messages.report(Error{"the disk is full"}));
     messages.pass(1.0 / 60.0);
   }
   ASSERT_EQ(messages.all().size(), 1U);
@@ -39,8 +39,8 @@ TEST(Messages, OneThatIsSaidInEachFrameFillsNoLog) {
 
 TEST(Messages, OfSuccessAndFailureAreToldApart) {
   Messages messages;
-  messages.report(anim::Done{}, "Wrote it");
-  messages.report(anim::Error{"a.glb: cannot be read"}, "Read it");
+  messages.report(Done{}, "Wrote it");
+  messages.report(Error{"a.glb: cannot be read"}, "Read it");
   ASSERT_EQ(messages.all().size(), 2U);
   EXPECT_EQ(messages.all()[0].words, "Wrote it");
   EXPECT_EQ(messages.all()[1].words, "a.glb: cannot be read");

@@ -15,7 +15,7 @@
 namespace throng::app::cut_scene_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr std::uint32_t actor = 0, the_balloon = 1;
 constexpr const char* mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";

@@ -17,7 +17,7 @@ namespace {
 
 using Phase = FallenAgents::Phase;
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int a_minute = 3600;
 
 /// A dozen mannequins, without a picture.
@@ -79,7 +79,7 @@ TEST_F(PushedOnStage, IsPosedEveryFrameWithAllBonesInViewAndOut) {
   ASSERT_TRUE(push(agent));
   pass_until([&] { return phase(agent) == Phase::down; });
   for (int i = 0; i < 30; ++i) {
-    const anim::Ticks clock = stage_->system().clock();
+    const Ticks clock = stage_->system().clock();
     pass(1);
     const ShownPose& pose = stage_->posed().shown().pose(agent);
     ASSERT_TRUE(pose.shown());
@@ -150,7 +150,7 @@ TEST_F(PushedOnStage, IsLeftStandingWhereTheStoreHasNoRoomForARagDoll) {
   Tuning tuning = stage_->tuning();
   int kib = 8;
   for (set_local_store_kib(tuning, kib); !stage_->apply(tuning); set_local_store_kib(tuning, ++kib)) ASSERT_LT(kib, 64);
-  const anim::Status pushed = stage_->animated().push_over(3, {0.0F, 0.0F, -1.0F});
+  const Status pushed = stage_->animated().push_over(3, {0.0F, 0.0F, -1.0F});
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos) << pushed.error().message;
   EXPECT_FALSE(stage_->crowd().minds().holds(3));

@@ -14,7 +14,7 @@
 namespace throng::app::foot_sliding_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 constexpr double roll = 0.02;  // metres that the ball of a standing foot may be up: a shoe's tip
 
@@ -33,7 +33,7 @@ class Feet {
         if (now && now->lift >= roll) now.reset();
         if (now && last) {
           slid_ += std::hypot(now->x - last->x, now->z - last->z);
-          seconds_ += anim::to_seconds(frame);
+          seconds_ += to_seconds(frame);
         }
         last = now;
       }

@@ -78,7 +78,7 @@ TEST_F(StageInHands, AnotherSelectionAndAPushLetGo) {
 
 TEST_F(StageInHands, TakenBackTheCrowdDoesTheSameAgain) {
   pass(80);
-  const anim::Ticks kept = stage_->system().clock() - rewind_.age(*stage_);
+  const Ticks kept = stage_->system().clock() - rewind_.age(*stage_);
   const auto frames_since = static_cast<int>(rewind_.age(*stage_) / frame);
   ASSERT_GT(frames_since, 5);
   const auto then = positions();
@@ -109,7 +109,7 @@ TEST_F(StageInHands, TakenBackTwiceItStrikesTheSamePosesBothTimes) {
 TEST_F(StageInHands, EachTimeItGoesFurtherBackUntilNothingIsLeft) {
   pass(200);
   ASSERT_GE(rewind_.count(), 3U);
-  anim::Ticks clock = stage_->system().clock();
+  Ticks clock = stage_->system().clock();
   while (rewind_.count() > 0) {
     ASSERT_TRUE(rewind_.go_back(*stage_));
     EXPECT_LT(stage_->system().clock(), clock);

@@ -14,7 +14,7 @@
 namespace throng::app::hot_path_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr int warm_up_frames = 300;
 constexpr int counted_frames = 200;
 
@@ -30,7 +30,7 @@ class FilmedCrowd {
 
   void pass_frame() {
     stage_->move(frame);
-    stage_->pose(along(CameraPath::orbit, start_, 5 * anim::to_seconds(frame) * passed_++), 1280, 720, frame,
+    stage_->pose(along(CameraPath::orbit, start_, 5 * to_seconds(frame) * passed_++), 1280, 720, frame,
                  stage_->posed().frame());
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
       const bool has_feet = stage_->system().agent(agent).post_process_count() > 0;

@@ -16,13 +16,13 @@
 namespace throng::app::lod_events_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr float least_weight = 1e-3F;  // what faded out may still be in an agent's graph until it is posed again
 
 /// What an agent met, in order.
 struct Met {
   std::uint32_t name, clip;
-  anim::Ticks time;
+  Ticks time;
   friend bool operator==(const Met&, const Met&) = default;
 };
 
@@ -40,7 +40,7 @@ class Watched {
   }
 
   void pass_frame() {
-    const anim::Ticks before = stage_->system().clock();
+    const Ticks before = stage_->system().clock();
     stage_->move(frame);
     for (std::uint32_t agent = 0; agent < met_.size(); ++agent) {
       stage_->system().agent(agent).motion().for_each_data_key(
@@ -75,7 +75,7 @@ std::string first_difference(const std::vector<Met>& exact, const std::vector<Me
   const auto words = [](auto event, auto end) {
     if (event == end) return std::string("nothing");
     return "name " + std::to_string(event->name) + " of clip " + std::to_string(event->clip) + " at " +
-           std::to_string(anim::to_seconds(event->time)) + " s";
+           std::to_string(to_seconds(event->time)) + " s";
   };
   return "event " + std::to_string(one - exact.begin()) + ": " + words(one, exact.end()) + ", with skipping " +
          words(other, skipping.end());

@@ -12,7 +12,7 @@
 namespace throng::app::stage_roles_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 constexpr const char* mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 
 struct OtherRolesOnAStage : testing::Test {

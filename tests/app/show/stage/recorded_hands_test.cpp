@@ -42,7 +42,7 @@ std::shared_ptr<const Trajectories> some_people() {
 class RecordedHands : public TracksStage {
  protected:
   RecordedHands()
-      : TracksStage(some_people(), {.x = 4, .y = 5, .z = 12, .yaw = 0, .pitch = -15}, anim::ticks_per_second / 30) {
+      : TracksStage(some_people(), {.x = 4, .y = 5, .z = 12, .yaw = 0, .pitch = -15}, ticks_per_second / 30) {
     begin(2);
   }
   void begin(int pus) {

@@ -38,7 +38,7 @@ std::shared_ptr<const Trajectories> some_people() {
 class TalkingPeople : public TracksStage {
  protected:
   TalkingPeople()
-      : TracksStage(some_people(), {.x = 2, .y = 2, .z = 6, .yaw = 0, .pitch = -10}, anim::ticks_per_second / 30) {
+      : TracksStage(some_people(), {.x = 2, .y = 2, .z = 6, .yaw = 0, .pitch = -10}, ticks_per_second / 30) {
     open({.scene = Scene::tracks, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}});
     const anim::Skeleton& skeleton = stage_->people().front().character->skeleton;
     const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
@@ -49,7 +49,7 @@ class TalkingPeople : public TracksStage {
   /// Poses everybody as they are at a time.
   void look_at(double seconds) {
     go_to(seconds);
-    pass(1, anim::Ticks{});
+    pass(1, Ticks{});
   }
   /// Returns the radians by which a head is turned to the left.
   double turned(std::uint32_t agent) const {

@@ -19,7 +19,7 @@
 namespace throng::app::track_players_test {
 namespace {
 
-constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr Ticks frame = ticks_per_second / 60;
 
 /// Six people who come one after the other, walk round in circles of their own, slow down, stop for two seconds, and go
 /// on faster.
@@ -100,7 +100,7 @@ TEST_F(TrackPlayers, EverybodyIsWhereTheRowsAre) {
 TEST_F(TrackPlayers, PeopleAreThereFromTheirFirstRowToTheirLast) {
   const auto there = [&](double seconds) {
     go_to(seconds);
-    pass(1, anim::Ticks{});
+    pass(1, Ticks{});
     return stage_->posed().selection().visible.size();
   };
   EXPECT_EQ(there(0.2), 1U);
@@ -124,7 +124,7 @@ TEST_F(TrackPlayers, AMomentIsTheSameHoweverOneCameThere) {
   go_to(1.0);
   pass(3);
   go_to(moment);
-  pass(1, anim::Ticks{});
+  pass(1, Ticks{});
   ASSERT_EQ(drawn().size(), played.size());
   EXPECT_EQ(drawn(), played);
 }
@@ -142,7 +142,7 @@ TEST_F(TrackPlayers, FeetDoNotSlip) {
   FootSlips slips(stage_->characters()[0].character->skeleton);
   for (int i = 0; i < 600; ++i) {
     pass(1);
-    slips.add_frame(*stage_, *pages_, anim::to_seconds(frame));
+    slips.add_frame(*stage_, *pages_, to_seconds(frame));
   }
   const std::vector<double> all = slips.slips();
   EXPECT_GT(all.size(), 60U);
@@ -159,7 +159,7 @@ TEST_F(TrackPlayers, WithLevelOfDetailThePoseOfALongIntervalIsThatOfItsEnd) {
 }
 
 TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
-  const anim::Status pushed = stage_->animated().push_over(0, {1.0F, 0.0F, 0.0F});
+  const Status pushed = stage_->animated().push_over(0, {1.0F, 0.0F, 0.0F});
   ASSERT_FALSE(pushed);
   EXPECT_EQ(pushed.error().message, "an agent that acts in the cut scene or follows a file cannot be pushed over");
 }
@@ -167,11 +167,11 @@ TEST_F(TrackPlayers, NobodyWhoFollowsAFileIsPushedOverOrHeld) {
 TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
   pass(400);
   go_to(2.0);
-  pass(1, anim::Ticks{});
+  pass(1, Ticks{});
   const std::vector<std::byte> jumped = drawn();
   open(tuning(anim::LodRule::off));
   go_to(2.0);
-  pass(1, anim::Ticks{});
+  pass(1, Ticks{});
   EXPECT_LT(farthest(drawn(), jumped), 1e-4F) << "as on a stage where nobody was anywhere before";
 }
 
@@ -186,7 +186,7 @@ TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
   const std::vector<std::byte> repeated = drawn();
   open(tuning(anim::LodRule::off));
   go_to(moment);
-  pass(1, anim::Ticks{});
+  pass(1, Ticks{});
   EXPECT_LT(farthest(drawn(), repeated), 1e-4F);
 }
 

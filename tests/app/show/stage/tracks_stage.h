@@ -15,7 +15,7 @@ namespace throng::app {
 /// A stage on which the built-in character plays the people of a recorded crowd.
 class TracksStage : public testing::Test {
  protected:
-  TracksStage(std::shared_ptr<const Trajectories> people, const CameraPose& seen_from, anim::Ticks frame)
+  TracksStage(std::shared_ptr<const Trajectories> people, const CameraPose& seen_from, Ticks frame)
       : camera_(camera_at(seen_from)), people_(std::move(people)), frame_(frame) {}
 
   /// Begins anew, in the scene of the tuning.
@@ -29,7 +29,7 @@ class TracksStage : public testing::Test {
     stage_ = std::move(*made);
   }
   void pass(int frames) { pass(frames, frame_); }
-  void pass(int frames, anim::Ticks step) {
+  void pass(int frames, Ticks step) {
     for (int i = 0; i < frames; ++i) {
       stage_->move(step);
       stage_->pose(camera_, 1280, 720, step, stage_->posed().frame());
@@ -48,7 +48,7 @@ class TracksStage : public testing::Test {
   std::shared_ptr<const Trajectories> people_;
 
  private:
-  anim::Ticks frame_;
+  Ticks frame_;
 };
 
 }  // namespace throng::app

@@ -17,7 +17,7 @@ namespace throng::app::test {
 /// time.
 class WatchedStage : public testing::Test {
  protected:
-  static constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+  static constexpr Ticks frame = ticks_per_second / 60;
 
   void open(const Tuning& tuning) {
     std::vector<CharacterSource> characters;

@@ -15,7 +15,7 @@
 namespace throng::app::viewer_test {
 namespace {
 
-constexpr anim::Ticks tenth = anim::ticks_per_second / 10;
+constexpr Ticks tenth = ticks_per_second / 10;
 constexpr const char* mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
 
@@ -70,7 +70,7 @@ TEST_F(ViewedAlone, ListsEachClipWithItsLength) {
   ASSERT_EQ(report.clips.size(), source.clip_names.size());
   for (std::size_t i = 0; i < report.clips.size(); ++i) {
     EXPECT_EQ(report.clips[i].name, source.clip_names[i]);
-    EXPECT_FLOAT_EQ(report.clips[i].seconds, static_cast<float>(anim::to_seconds(source.character->clips[i].duration)));
+    EXPECT_FLOAT_EQ(report.clips[i].seconds, static_cast<float>(to_seconds(source.character->clips[i].duration)));
   }
   EXPECT_EQ(report.settings.clip, source.roles.clip(Role::stand)) << "who is asked for nothing stands";
 }
@@ -97,10 +97,10 @@ TEST_F(ViewedAlone, PlaysAtItsSpeedAndLoopsOrStops) {
   choose([](ViewerSettings& settings) { settings.speed = 2.0F; });
   viewer_->advance(tenth);
   EXPECT_NEAR(viewer_->report().seconds, 0.3, 1e-4);
-  viewer_->advance(anim::to_ticks(length / 2));
+  viewer_->advance(to_ticks(length / 2));
   EXPECT_NEAR(viewer_->report().seconds, 0.3, 1e-3) << "it has come round";
   choose([](ViewerSettings& settings) { settings.loops = false; });
-  viewer_->advance(anim::to_ticks(length));
+  viewer_->advance(to_ticks(length));
   EXPECT_NEAR(viewer_->report().seconds, length, 1e-6);
   EXPECT_FALSE(viewer_->settings().plays) << "it has ended";
   choose([](ViewerSettings& settings) { settings.plays = true; });

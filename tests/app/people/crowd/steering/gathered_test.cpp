@@ -15,7 +15,7 @@ constexpr std::size_t count = 5000;  // ends within a tile
 
 bool is_picked(std::size_t i) { return i % 7 == 0 || i / 300 == 4; }
 
-std::vector<std::uint32_t> picked_by(anim::Executor& executor, int jobs) {
+std::vector<std::uint32_t> picked_by(Executor& executor, int jobs) {
   Gathered<std::uint32_t> gathered;
   gathered.set_aside(count);
   const auto list = gathered.gather(count, executor, jobs, [](std::size_t i, std::uint32_t& listed) {
@@ -39,7 +39,7 @@ TEST(Gathered, ListsThoseWhoArePickedInTheSameOrderForAnyNumberOfJobs) {
 TEST(Gathered, ListsNobodyOfNobody) {
   Gathered<std::uint32_t> gathered;
   gathered.set_aside(count);
-  anim::InOrder here;
+  InOrder here;
   const auto none = gathered.gather(count, here, 1, [](std::size_t, std::uint32_t&) { return false; });
   EXPECT_TRUE(none.empty());
   EXPECT_TRUE(gathered.gather(0, here, 1, [](std::size_t, std::uint32_t&) { return true; }).empty());

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/settings/tuning_values.h"
+#include "engine/base/random.h"
 
 namespace throng::soak {
 

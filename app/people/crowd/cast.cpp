@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/numbers/shares.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

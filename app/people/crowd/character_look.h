@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/settings/settings.h"
+#include "engine/base/random.h"
 #include "engine/render/agent_look.h"
 
 namespace throng::app {

@@ -10,7 +10,7 @@
 
 #include "app/people/crowd/character_look.h"
 #include "app/people/crowd/layout.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

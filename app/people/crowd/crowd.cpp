@@ -12,7 +12,7 @@
 #include "app/people/crowd/numbers/turn.h"
 #include "app/people/crowd/plaza_plan.h"
 #include "app/people/crowd/resting.h"
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

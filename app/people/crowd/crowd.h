@@ -19,9 +19,9 @@
 #include "app/people/crowd/minds.h"
 #include "app/people/crowd/parade.h"
 #include "app/people/crowd/stadium.h"
-#include "app/people/crowd/steering/gathered.h"
 #include "app/people/crowd/walkers.h"
 #include "app/settings/settings.h"
+#include "engine/base/gathered.h"
 
 namespace throng::app {
 

@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "app/people/crowd/clothes.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/parade.h"
 #include "app/people/crowd/tower_view.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

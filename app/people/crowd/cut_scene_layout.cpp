@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/character/cut_scene_models.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/numbers/turn.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/people/crowd/numbers/random.h"
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/random.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/people/crowd/fixtures.h"
 #include "app/people/crowd/layout.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

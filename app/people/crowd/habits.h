@@ -7,7 +7,7 @@
 
 #include "app/character/held.h"
 #include "app/character/roles.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

@@ -8,8 +8,8 @@
 
 #include "app/people/crowd/formation.h"
 #include "app/people/crowd/groups.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/plaza_plan.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

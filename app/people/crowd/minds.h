@@ -12,7 +12,7 @@
 #include "app/character/roles.h"
 #include "app/people/crowd/cast.h"
 #include "app/people/crowd/habits.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

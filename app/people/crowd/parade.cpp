@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

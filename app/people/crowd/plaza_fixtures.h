@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/plaza_plan.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

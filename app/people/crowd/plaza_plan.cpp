@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/people/crowd/layout.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/plaza_fixtures.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

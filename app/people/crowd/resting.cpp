@@ -8,10 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/crowd/numbers/turn.h"
 #include "app/people/crowd/plaza_plan.h"
 #include "app/people/crowd/steering/cells.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

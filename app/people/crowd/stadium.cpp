@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

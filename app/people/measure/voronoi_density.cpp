@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

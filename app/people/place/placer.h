@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 
 #include "app/people/crowd/fixtures.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/place/place.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/people/crowd/character_look.h"
-#include "app/people/crowd/numbers/random.h"
 #include "app/people/wardrobe/cast_rules.h"
 #include "app/people/wardrobe/wardrobe.h"
+#include "engine/base/random.h"
 #include "engine/render/agent_look.h"
 
 namespace throng::app {

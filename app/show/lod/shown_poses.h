@@ -6,10 +6,10 @@
 
 #include "throng/host.h"
 
-#include "app/people/crowd/steering/gathered.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/lod/level_of_detail.h"
+#include "engine/base/gathered.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/palette/palette_slots.h"
 

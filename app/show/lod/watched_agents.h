@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "app/people/crowd/numbers/random.h"
 #include "app/show/lod/shown_poses.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/kernel/palette/surface_error.h"
 #include "engine/anim/lod/lod.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

@@ -10,7 +10,6 @@
 
 #include "app/character/source.h"
 #include "app/people/crowd/crowd.h"
-#include "app/people/crowd/steering/gathered.h"
 #include "app/people/wardrobe/clothing.h"
 #include "app/settings/settings.h"
 #include "app/show/stage/body_details.h"
@@ -20,6 +19,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/lod/level_of_detail.h"
+#include "engine/base/gathered.h"
 
 namespace throng::app {
 

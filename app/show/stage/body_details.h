@@ -7,7 +7,6 @@
 
 #include "app/character/source.h"
 #include "app/people/crowd/crowd.h"
-#include "app/people/crowd/steering/gathered.h"
 #include "app/show/stage/gazes.h"
 #include "app/show/stage/held_arms.h"
 #include "app/show/stage/joined_hands.h"
@@ -15,6 +14,7 @@
 #include "app/show/stage/track_players.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
+#include "engine/base/gathered.h"
 
 namespace throng::app {
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/character/gait_plane.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 namespace {

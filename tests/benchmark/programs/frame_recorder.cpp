@@ -6,9 +6,9 @@
 #include <numeric>
 #include <span>
 
-#include "app/people/crowd/steering/tiles.h"
 #include "engine/anim/run/store/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/character/roles.h"
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app {
 

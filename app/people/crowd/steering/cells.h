@@ -11,7 +11,7 @@
 
 #include "app/people/crowd/steering/ground_grid.h"
 #include "app/people/crowd/steering/near_bodies.h"
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/people/crowd/steering/near_bodies.h"
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/people/crowd/crowd.h"
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 #include "tests/app/people/crowd/crowd_person.h"
 
 namespace throng::app::company_test {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app::near_bodies_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 
 namespace throng::app::obstacle_map_test {
 namespace {

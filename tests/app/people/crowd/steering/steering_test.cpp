@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/people/crowd/numbers/random.h"
 #include "engine/anim/run/pu_threads.h"
+#include "engine/base/random.h"
 
 namespace throng::app::steering_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/people/crowd/numbers/random.h"
+#include "engine/base/random.h"
 #include "tests/app/people/crowd/steering/plain_step.h"
 
 namespace throng::app::step_strip_test {

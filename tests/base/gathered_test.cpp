@@ -1,15 +1,24 @@
-#include "app/people/crowd/steering/gathered.h"
+#include "engine/base/gathered.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/run/pu_threads.h"
-
-namespace throng::app::gathered_test {
+namespace throng::gathered_test {
 namespace {
+
+/// Runs each job on a thread of its own.
+class Threads final : public Executor {
+ public:
+  void run(int jobs, Job job) override {
+    std::vector<std::thread> threads;
+    for (int index = 0; index < jobs; ++index) threads.emplace_back(job.run, job.context, index);
+    for (std::thread& thread : threads) thread.join();
+  }
+};
 
 constexpr std::size_t count = 5000;  // ends within a tile
 
@@ -25,18 +34,18 @@ std::vector<std::uint32_t> picked_by(Executor& executor, int jobs) {
   return {list.begin(), list.end()};
 }
 
-TEST(Gathered, ListsThoseWhoArePickedInTheSameOrderForAnyNumberOfJobs) {
+TEST(Gathered, ListsPickedElementsInOneOrderForAnyNumberOfJobs) {
   std::vector<std::uint32_t> expected;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (is_picked(i)) expected.push_back(i);
   }
   for (const int jobs : {1, 2, 3, 8}) {
-    anim::PuThreads threads(jobs);
+    Threads threads;
     EXPECT_EQ(picked_by(threads, jobs), expected) << jobs << " jobs";
   }
 }
 
-TEST(Gathered, ListsNobodyOfNobody) {
+TEST(Gathered, IsEmptyWhereNoElementIsPicked) {
   Gathered<std::uint32_t> gathered;
   gathered.set_aside(count);
   InOrder here;
@@ -46,4 +55,4 @@ TEST(Gathered, ListsNobodyOfNobody) {
 }
 
 }  // namespace
-}  // namespace throng::app::gathered_test
+}  // namespace throng::gathered_test

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace throng::app {
+namespace throng {
 
 /// Draws the same numbers on every machine for the same seed and stream (PCG32, M. O'Neill 2014); distributions of
 /// `std` do not.
@@ -47,4 +47,4 @@ void shuffle(std::vector<Element>& elements, Random& random) {
   }
 }
 
-}  // namespace throng::app
+}  // namespace throng

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "app/people/crowd/steering/tiles.h"
+#include "engine/base/tiles.h"
 
-namespace throng::app {
+namespace throng {
 
 /// A list that jobs make together, tile by tile. It has the same order for any number of them.
 template <typename Element>
@@ -48,4 +48,4 @@ class Gathered {
   std::vector<std::uint32_t> picked_;  // [tile]
 };
 
-}  // namespace throng::app
+}  // namespace throng

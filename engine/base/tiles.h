@@ -7,7 +7,7 @@
 
 #include "engine/base/run_jobs.h"
 
-namespace throng::app {
+namespace throng {
 
 /// Tiles of numbers, shared out over jobs. Each job has a part of its own, the same in each frame, so that its data
 /// stay near its core; a job that is done takes tiles of the others.
@@ -61,4 +61,4 @@ void visit_in_tiles(std::size_t count, Executor& executor, int jobs, Visit&& vis
   });
 }
 
-}  // namespace throng::app
+}  // namespace throng

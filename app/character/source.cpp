@@ -63,13 +63,6 @@ glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
   return glm::dot(velocity, way) > same_way * glm::length(velocity) ? velocity : glm::dvec2(0.0);
 }
 
-// The entries that a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
-std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
-  std::vector<std::uint16_t> entries;
-  for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
-  return entries;
-}
-
 // Returns for each palette entry whether it moves the head; nothing where no bone is the head for certain.
 std::vector<std::uint8_t> face_entries(const anim::Skeleton& skeleton) {
   const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
@@ -261,12 +254,6 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
   roles.walk_seconds = to_seconds(source.character->clips[walk].duration);
 }
 
-std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton) {
-  std::vector<std::vector<std::uint16_t>> levels;
-  for (const int bones : skeleton.level_bone_counts) levels.push_back(entries_at_level(skeleton, bones));
-  return levels;
-}
-
 namespace {
 
 render::PieceLevelData level_data(const std::vector<anim::SkinnedMesh>& meshes, double error, const auto& part_of) {
@@ -301,7 +288,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
   for (const anim::Image& image : model.images) {
     data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
   }
-  data.entry_at_level = entries_at_levels(model.skeleton);
+  data.entry_at_level = anim::entries_at_levels(model.skeleton);
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }

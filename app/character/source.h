@@ -87,9 +87,6 @@ void take_order(CharacterSource& source, const BoneLodChoice& choice);
 /// Plays `clips` for the roles, and measures the velocities of the gaits among them.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 
-/// Returns, for each bone level and palette entry, the entry that a mesh reads at that level.
-std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton);
-
 /// Returns the surface as drawing takes it. Its spans point into `source`, which must outlive the call that uses them.
 render::CrowdMeshData mesh_data(const CharacterSource& source);
 

@@ -14,6 +14,7 @@
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/crowd/view_rules.h"
 #include "engine/render/scene_light.h"
 #include "engine/tracks/reading.h"
 
@@ -23,7 +24,6 @@ enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, tracks };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error, speed, density, presence };
-enum class ErrorSampling : std::uint8_t { some, all, off };
 /// Divides the picture at a line. Left of it is the exact crowd; right of it the crowd as shown, or the difference of
 /// the two.
 enum class Split : std::uint8_t { off, shown, difference };

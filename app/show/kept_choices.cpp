@@ -4,7 +4,7 @@
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/show/lod/lod_export.h"
-#include "app/show/lod/mesh_lods.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"

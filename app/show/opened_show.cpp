@@ -12,7 +12,7 @@
 #include "app/files/progress_line.h"
 #include "app/files/start_line.h"
 #include "app/show/camera/fly_camera.h"
-#include "app/show/lod/mesh_lods.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/show_parts.h"
 #include "app/show/stage/memory_needs.h"
 #include "engine/base/text/joined.h"

@@ -9,6 +9,7 @@
 #include "app/people/place/plan_mesh.h"
 #include "app/people/place/props.h"
 #include "app/show/contexts.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/stage/stage.h"
 #include "app/show/worn_pieces.h"
 
@@ -94,7 +95,7 @@ Status Painter::open_context(const DemoOptions& options) {
 
 Status Painter::open_renderer(const DemoOptions& options) {
   if (context_ == nullptr) {
-    heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
+    heap_pages_ = std::make_unique<HeapPageSource>(heap_page_bytes);
     return Done{};
   }
   const auto data = find_data(data_folders(options.data), "shaders");
@@ -208,7 +209,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
       .looks_number = stage.crowd().looks().number,
       .drawn = picture.drawn(),
       .runs = picture.runs(),
-      .first_plain_lod = stage.posed().mesh_lods().first_below(stage.tuning(), stage.people().size(),
+      .first_plain_lod = stage.posed().mesh_lods().first_below(mesh_rules(stage.tuning()), stage.people().size(),
                                                                least_dressed_pixels, render::first_silhouette_lod),
       .jobs = {.executor = &stage.system().executor(), .at_once = stage.system().options().pus}};
   light_as_tuned(stage.tuning(), frame);
@@ -235,7 +236,7 @@ Status Painter::upload(Stage& stage, const PaintedView& view) {
     renderer_->upload(crowd_frame(stage, view, picture_));
     return Done{};
   }
-  stage.posed().pose_exactly(stage.animated());
+  stage.posed().pose_exactly(stage.animated().system(), placed_agents(stage.crowd()));
   exact_picture_.compose(stage, Poses::exact);
   return Done{};
 }

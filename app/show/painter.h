@@ -85,7 +85,7 @@ class Painter {
 
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
-  std::unique_ptr<render::HeapPageSource> heap_pages_;
+  std::unique_ptr<HeapPageSource> heap_pages_;
   std::optional<render::gl::DeviceTimer> device_timer_;  // goes before the context
   Picture picture_;
   Picture exact_picture_;  // the exact side of a split view

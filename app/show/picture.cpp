@@ -1,206 +1,77 @@
 #include "app/show/picture.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/settings/agent_colors.h"
 #include "app/show/stage/stage.h"
-#include "app/show/worn_pieces.h"
-#include "engine/base/run_jobs.h"
+#include "engine/base/tiles.h"
 
 namespace throng::app {
 namespace {
 
-constexpr std::uint32_t lods = mesh_lod_steps;
-constexpr std::uint32_t not_drawn = UINT32_MAX;
-constexpr std::size_t agents_worth_a_job = 1024;
-constexpr std::size_t runs_a_line = 64 / sizeof(std::uint32_t);  // of the cache
+/// Calls visit(place) for each place in view, on the PUs of a stage.
+template <typename Visit>
+void visit_in_view(const Stage& stage, const Visit& visit) {
+  const anim::AnimationSystem& system = stage.system();
+  visit_in_tiles(stage.posed().selection().visible.size(), system.executor(), system.options().pus, visit);
+}
 
-/// Calls visit(tile) for each tile, on the PUs of a stage.
-template <typename Tile, typename Visit>
-void visit_on_pus(const Stage& stage, std::span<Tile> tiles, Visit visit) {
-  run_jobs(stage.system().executor(), tiles.size(), [&](std::size_t tile) { visit(tiles[tile]); });
+// A thing in the air has no spot below it.
+float contact_scale(const CharacterSource& source) {
+  return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
 }  // namespace
 
-/// All that the tiles of one frame share.
-struct Picture::Frame {
-  const Stage& stage;
-  Poses poses;
-  std::span<const anim::VisibleAgent> visible = stage.posed().selection().visible;
-  std::span<const std::uint8_t> mesh_lods = stage.posed().mesh_choice().lods();
-  std::uint32_t characters = static_cast<std::uint32_t>(stage.characters().size());
-  std::uint32_t runs = static_cast<std::uint32_t>(stage.posed().shown().slots().page_count()) * characters * lods;
-  bool has_morphs = std::ranges::any_of(
-      stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
-  std::span<const render::Outfit> outfits = stage.crowd().looks().outfits;
-  bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
-  bool stand_ins = false;  ///< silhouettes of agents near by are listed too, for shadows
-
-  std::uint32_t run_of(std::size_t at) const {
-    const std::uint32_t agent = visible[at].agent;
-    const ShownPose& pose = stage.posed().pose_of(agent, poses);
-    if (!pose.shown()) return not_drawn;
-    const std::uint32_t lod = poses == Poses::exact ? 0 : mesh_lods[at];
-    return (pose.to.page * characters + stage.crowd().characters()[agent]) * lods + lod;
-  }
-  std::uint32_t run_of(const render::CrowdBatch& batch) const {
-    return (batch.page * characters + batch.character) * lods + batch.mesh_lod;
-  }
-  render::CrowdBatch batch(std::uint32_t run, std::uint32_t first, std::uint32_t count) const {
-    return {.page = run / lods / characters,
-            .character = static_cast<std::uint8_t>(run / lods % characters),
-            .mesh_lod = static_cast<std::uint8_t>(run % lods),
-            .first = first,
-            .count = count};
-  }
-  /// Calls visit(list) for each list, counted through all runs, on which an agent of a run is.
-  void for_each_list(std::uint32_t agent, std::uint32_t run, std::uint32_t pieces, const auto& visit) const {
-    const std::uint32_t put_away = put_away_by(agent);
-    const std::size_t first = std::size_t{run} * pieces;
-    for_each_worn(outfits[agent], run % lods, [&](std::uint32_t piece) {
-      if (piece != put_away) visit(first + piece);
-    });
-    const bool stands_in = stand_ins && run % lods < render::first_silhouette_lod && outfits[agent].count > 0;
-    if (stands_in) visit(first + outfits[agent].silhouette);
-  }
-  /// Returns the piece of a thing that its hand does not hold now, or no_piece.
-  std::uint32_t put_away_by(std::uint32_t agent) const {
-    const std::span<const std::uint16_t> in_hand = stage.crowd().looks().in_hand;
-    const bool shows = in_hand.empty() || in_hand[agent] == render::Outfit::no_piece ||
-                       stage.animated().details().held_arms().shows_thing(stage.crowd(), agent);
-    return shows ? render::Outfit::no_piece : in_hand[agent];
-  }
-};
-
 void Picture::compose(const Stage& stage, Poses poses) {
-  Frame frame{stage, poses};
-  make_room(stage);
-  frame.stand_ins = all_have_silhouettes_ && stage.tuning().shadows;
-  const std::span<Tile> tiles = cut_into_tiles(frame);
-  visit_on_pus(stage, tiles, [&](Tile& tile) { choose_runs(frame, tile); });
-  begin_runs(frame, tiles);
-  begin_lists(frame, tiles);
-  visit_on_pus(stage, tiles, [&](Tile& tile) { write_records(frame, tile); });
+  const Crowd& crowd = stage.crowd();
+  if (colors_.size() < crowd.size()) {
+    colors_.resize(crowd.size());
+    put_away_.resize(crowd.size());
+  }
+  contact_scales_.clear();
+  for (const CharacterSource& source : stage.characters()) contact_scales_.push_back(contact_scale(source));
+  DrawnAgents drawn{.agents = placed_agents(crowd),
+                    .outfits = crowd.looks().outfits,
+                    .outfits_number = crowd.looks().number,
+                    .contact_scales = contact_scales_,
+                    .silhouettes_cast = stage.tuning().shadows};
+  if (stage.selected() || stage.tuning().debug_view != DebugView::none) {
+    color(stage, poses);
+    drawn.colors = colors_;
+  }
+  if (!crowd.looks().in_hand.empty()) {
+    put_things_away(stage);
+    drawn.put_away = put_away_;
+  }
+  CrowdDraws::compose(stage.posed(), stage.system(), drawn, poses);
 }
 
-// There is room for the whole crowd from its first picture on, so that nothing is allocated when more come into view.
-void Picture::make_room(const Stage& stage) {
-  const std::size_t agents = stage.crowd().size();
-  look_at_outfits(stage.crowd().looks());
-  if (choices_.size() >= agents) return;
-  choices_.resize(agents);
-  records_.resize(agents);
+void Picture::color(const Stage& stage, Poses poses) {
+  const PosedCrowd& posed = stage.posed();
+  const Tuning& tuning = stage.tuning();
+  visit_in_view(stage, [&](std::size_t at) {
+    const anim::VisibleAgent& agent = posed.selection().visible[at];
+    const int mesh_lod = poses == Poses::exact ? 0 : posed.mesh_choice().lods()[at];
+    colors_[at] = agent.agent == stage.selected()
+                      ? selected_color
+                      : debug_color(tuning, {.interval = agent.interval,
+                                             .bone_level = posed.pose_of(agent.agent, poses).level(),
+                                             .error_px = posed.error_meter().error_of(agent.agent),
+                                             .mesh_lod = mesh_lod,
+                                             .measure = posed.measures().of(agent.agent)});
+  });
 }
 
-void Picture::look_at_outfits(const CrowdLooks& looks) {
-  if (looks.number == looks_number_) return;
-  looks_number_ = looks.number;
-  std::size_t most_drawn = 0;
-  pieces_ = 0;
-  all_have_silhouettes_ = true;
-  for (const render::Outfit& outfit : looks.outfits) {
-    most_drawn += std::max<std::size_t>(outfit.count, 1) + 1;
-    all_have_silhouettes_ &= outfit.count == 0 || outfit.silhouette != render::Outfit::no_piece;
-    for (std::size_t i = 0; i < outfit.count; ++i) pieces_ = std::max(pieces_, outfit.pieces[i] + 1U);
-    if (outfit.silhouette != render::Outfit::no_piece) pieces_ = std::max(pieces_, outfit.silhouette + 1U);
-  }
-  if (drawn_.size() < most_drawn) drawn_.resize(most_drawn);
-  is_silhouette_.assign(pieces_, false);
-  for (const render::Outfit& outfit : looks.outfits) {
-    if (outfit.silhouette != render::Outfit::no_piece) is_silhouette_[outfit.silhouette] = true;
-  }
-}
-
-// All tiles together count no more runs than there are agents. They count on cache lines of their own.
-std::span<Picture::Tile> Picture::cut_into_tiles(const Frame& frame) {
-  const std::size_t agents = frame.visible.size();
-  const std::size_t line = (frame.runs / runs_a_line + 2) * runs_a_line;
-  const auto jobs = static_cast<std::size_t>(frame.stage.system().options().pus);
-  const std::size_t worthwhile = agents / std::max(agents_worth_a_job, line);
-  const std::size_t count = std::clamp<std::size_t>(std::min(worthwhile, jobs), 1, most_tiles);
-  const std::size_t list_line = (std::size_t{frame.runs} * pieces_ / runs_a_line + 1) * runs_a_line;
-  run_counts_.assign(count * line, 0);
-  if (list_counts_.size() < count * list_line) list_counts_.resize(count * list_line);
-  const std::span<Tile> tiles = std::span(tiles_).first(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    tiles[i].first = agents * i / count;
-    tiles[i].end = agents * (i + 1) / count;
-    tiles[i].runs = run_counts_.data() + i * line;
-    tiles[i].lists = wears_outfits() ? list_counts_.data() + i * list_line : nullptr;
-  }
-  return tiles;
-}
-
-void Picture::choose_runs(const Frame& frame, Tile& tile) {
-  tile.morphs.clear();
-  if (wears_outfits()) std::fill_n(tile.lists, std::size_t{frame.runs} * pieces_, 0U);
-  for (std::size_t at = tile.first; at < tile.end; ++at) {
-    Choice& choice = choices_[at] = {.run = frame.run_of(at), .weights = 0};
-    if (choice.run == not_drawn) continue;
-    ++tile.runs[choice.run];
-    if (wears_outfits()) {
-      frame.for_each_list(frame.visible[at].agent, choice.run, pieces_, [&](std::size_t list) { ++tile.lists[list]; });
-    }
-    if (frame.has_morphs) choice.weights = tile.morphs.add(frame.stage, frame.visible[at]);
-  }
-}
-
-// The tiles follow each other within a run, so that the sort is stable, and equal frames give equal pictures.
-void Picture::begin_runs(const Frame& frame, std::span<Tile> tiles) {
-  runs_.clear();
-  std::uint32_t next = 0;
-  for (std::uint32_t run = 0; run < frame.runs; ++run) {
-    const std::uint32_t first = next;
-    for (Tile& tile : tiles) next += std::exchange(tile.runs[run], next);
-    if (next > first) runs_.push_back(frame.batch(run, first, next - first));
-  }
-  instance_count_ = next;
-  weight_count_ = 0;
-  for (Tile& tile : tiles) {
-    tile.first_weight = weight_count_;
-    weight_count_ += tile.morphs.all().size();
-  }
-  if (weights_.size() < weight_count_) weights_.resize(weight_count_);
-}
-
-void Picture::begin_lists(const Frame& frame, std::span<Tile> tiles) {
-  lists_.clear();
-  std::uint32_t next = 0;
-  for (const render::CrowdBatch& batch : wears_outfits() ? std::span(runs_) : std::span<render::CrowdBatch>()) {
-    const std::size_t first_list = std::size_t{frame.run_of(batch)} * pieces_;
-    for (std::uint32_t piece = 0; piece < pieces_; ++piece) {
-      const std::uint32_t first = next;
-      for (Tile& tile : tiles) next += std::exchange(tile.lists[first_list + piece], next);
-      if (next == first) continue;
-      lists_.push_back(batch);
-      lists_.back().piece = static_cast<std::uint16_t>(piece);
-      lists_.back().first = first;
-      lists_.back().count = next - first;
-      lists_.back().stands_in = is_silhouette_[piece] && batch.mesh_lod < render::first_silhouette_lod;
-    }
-  }
-  drawn_count_ = next;
-}
-
-void Picture::write_records(const Frame& frame, Tile& tile) {
-  std::ranges::copy(tile.morphs.all(), weights_.begin() + static_cast<std::ptrdiff_t>(tile.first_weight));
-  for (std::size_t at = tile.first; at < tile.end; ++at) {
-    const auto [run, weights] = choices_[at];
-    if (run == not_drawn) continue;
-    const anim::VisibleAgent& agent = frame.visible[at];
-    const std::uint32_t number = tile.runs[run]++;
-    if (wears_outfits()) {
-      frame.for_each_list(agent.agent, run, pieces_, [&](std::size_t list) { drawn_[tile.lists[list]++] = number; });
-    }
-    render::InstanceRecord& record = records_[number];
-    frame.stage.record(agent, record, frame.poses);
-    if (frame.lod_as_color && agent.agent != frame.stage.selected()) {
-      record.debug_color = debug_color(frame.stage.tuning(), {.mesh_lod = static_cast<int>(run % lods)});
-    }
-    if (weights > 0) record.weights = static_cast<std::uint32_t>(tile.first_weight) + weights;
-  }
+/// Finds the pieces of things that hands do not hold now.
+void Picture::put_things_away(const Stage& stage) {
+  const auto& visible = stage.posed().selection().visible;
+  const Crowd& crowd = stage.crowd();
+  const std::span<const std::uint16_t> in_hand = crowd.looks().in_hand;
+  visit_in_view(stage, [&](std::size_t at) {
+    const std::uint32_t agent = visible[at].agent;
+    const bool shows =
+        in_hand[agent] == render::Outfit::no_piece || stage.animated().details().held_arms().shows_thing(crowd, agent);
+    put_away_[at] = shows ? render::Outfit::no_piece : in_hand[agent];
+  });
 }
 
 }  // namespace throng::app

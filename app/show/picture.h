@@ -1,76 +1,27 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "app/show/lod/shown_poses.h"
-#include "app/show/morph_weights.h"
-#include "engine/render/crowd_draw.h"
+#include "engine/crowd/crowd_draws.h"
 
 namespace throng::app {
 
 class Stage;
-struct CrowdLooks;
 
-/// Sorts the visible agents of a stage into runs of the same palette page, character and mesh LOD, so that one
-/// instanced draw shows a run. The runs ascend by page, then by character, and the agents within a run. Where agents
-/// wear outfits, each piece that an agent of a run wears has a list of its wearers. The PUs of the stage do all of it
-/// in tiles; the result is the same for any number of them. Memory is kept from frame to frame.
-class Picture {
+/// The draws of a stage's agents in view, coloured as the stage's tuning says.
+class Picture : public CrowdDraws {
  public:
   /// Sorts the agents. Exact poses are drawn with their full meshes.
   void compose(const Stage& stage, Poses poses = Poses::shown);
 
-  std::span<const render::InstanceRecord> instances() const { return std::span(records_).first(instance_count_); }
-  std::span<const render::CrowdBatch> batches() const { return wears_outfits() ? lists_ : runs_; }
-  /// Returns CrowdFrame::drawn; empty where no agent wears an outfit.
-  std::span<const std::uint32_t> drawn() const { return std::span(drawn_).first(drawn_count_); }
-  std::span<const render::CrowdBatch> runs() const { return runs_; }
-  std::span<const float> morph_weights() const { return std::span(weights_).first(weight_count_); }
-
  private:
-  static constexpr std::size_t most_tiles = 64;
-  struct Frame;
+  void color(const Stage& stage, Poses poses);
+  void put_things_away(const Stage& stage);
 
-  /// Agents whose records one job writes.
-  struct Tile {
-    std::size_t first = 0, end = 0;  // places in the list of visible agents
-    std::uint32_t* runs = nullptr;   // [run] its agents of the tile, and then where the next of them goes
-    std::uint32_t* lists = nullptr;  // [run][piece] the same for its wearers; null: no agent wears an outfit
-    MorphWeights morphs;             // of its own agents
-    std::size_t first_weight = 0;    // where its weights begin among all
-  };
-  /// Says of a visible agent where its record will be written, and where its weights begin.
-  struct Choice {
-    std::uint32_t run;      // page, character, mesh LOD
-    std::uint32_t weights;  // 1 + the number of the first in the tile, 0: it has none
-  };
-
-  bool wears_outfits() const { return pieces_ > 0; }
-  void make_room(const Stage& stage);
-  void look_at_outfits(const CrowdLooks& looks);
-  std::span<Tile> cut_into_tiles(const Frame& frame);
-  void choose_runs(const Frame& frame, Tile& tile);
-  void begin_runs(const Frame& frame, std::span<Tile> tiles);
-  void begin_lists(const Frame& frame, std::span<Tile> tiles);
-  void write_records(const Frame& frame, Tile& tile);
-
-  std::vector<Tile> tiles_ = std::vector<Tile>(most_tiles);
-  std::vector<Choice> choices_;  // [place in the list of visible agents]
-  std::vector<std::uint32_t> run_counts_, list_counts_;
-  std::vector<render::InstanceRecord> records_;
-  std::size_t instance_count_ = 0;
-  std::vector<render::CrowdBatch> runs_, lists_;
-  std::vector<std::uint32_t> drawn_;
-  std::size_t drawn_count_ = 0;
-  std::uint32_t pieces_ = 0;         // that outfits name; 0: no agent wears one
-  std::vector<bool> is_silhouette_;  // [piece]
-  bool all_have_silhouettes_ = false;
-  std::uint64_t looks_number_ = 0;  // number of the looks to which these belong
-  std::vector<float> weights_;
-  std::size_t weight_count_ = 0;
+  std::vector<std::uint32_t> colors_;    // [place in view]
+  std::vector<std::uint16_t> put_away_;  // [place in view]
+  std::vector<float> contact_scales_;    // [character]
 };
 
 }  // namespace throng::app

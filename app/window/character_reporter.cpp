@@ -5,6 +5,7 @@
 
 #include "app/people/wardrobe/clothing.h"
 #include "app/settings/choices.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
@@ -14,7 +15,7 @@ namespace throng::app {
 MeshReport report_meshes(const Show& show, std::size_t character) {
   const Stage& stage = show.stage();
   MeshReport report{
-      .tolerance = mesh_tolerance(stage.tuning()), .crowd = stage.posed().mesh_choice().figures(), .lods = {}};
+      .tolerance = mesh_rules(stage.tuning()).tolerance, .crowd = stage.posed().mesh_choice().figures(), .lods = {}};
   for (const MeshLevel& level : show.painter().mesh_levels(character)) {
     const render::MeshError& share = stage.posed().mesh_lods().shares(character)[report.lods.size()];
     report.lods.push_back({.triangles = level.triangles,

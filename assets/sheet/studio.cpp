@@ -109,7 +109,7 @@ std::vector<anim::PaletteMatrix> Studio::palette_of(const Figure& figure) const 
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
   const std::vector<anim::PaletteMatrix> palette = palette_of(figure);
-  const render::PaletteSlot slot = slots_->acquire(palette_bytes(palette.size()));
+  const PaletteSlot slot = slots_->acquire(palette_bytes(palette.size()));
   std::memcpy(slots_->memory(slot), palette.data(), palette.size() * sizeof(anim::PaletteMatrix));
   render::InstanceRecord record{};
   for (int axis = 0; axis < 3; ++axis) record.position[axis] = figure.place[axis];
@@ -125,8 +125,8 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
 render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures) {
   need(renderer_->set_size({shot.width, shot.height}));
   renderer_->reset_palette_pages();
-  slots_ = std::make_unique<render::PaletteSlots>(renderer_->palette_pages(),
-                                                  palette_bytes_by_level(character_.model.skeleton));
+  slots_ =
+      std::make_unique<PaletteSlots>(renderer_->palette_pages(), palette_bytes_by_level(character_.model.skeleton));
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
   std::vector<render::AgentLook> looks;

@@ -13,10 +13,10 @@
 #include "app/people/wardrobe/clothing.h"
 #include "assets/mannequin/pose.h"
 #include "engine/anim/base/transform.h"
+#include "engine/crowd/palette_slots.h"
 #include "engine/render/agent_look.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
-#include "engine/render/palette/palette_slots.h"
 #include "engine/render/renderer.h"
 
 namespace throng::sheet {
@@ -69,7 +69,7 @@ class Studio {
   app::Clothing clothing_;
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
-  std::unique_ptr<render::PaletteSlots> slots_;
+  std::unique_ptr<PaletteSlots> slots_;
 };
 
 }  // namespace throng::sheet

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/show/lod/mesh_lods.h"
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
+#include "engine/crowd/mesh_lods.h"
 #include "engine/render/image.h"
 #include "tests/gl/small_picture.h"
 

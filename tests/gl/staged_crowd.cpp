@@ -197,7 +197,7 @@ double StagedCrowd::largest_error(std::uint32_t agent) {
 }
 
 void StagedCrowd::negate_rotations(std::uint32_t agent) {
-  const render::PaletteSlot& slot = stage_->posed().shown().pose(agent).to;
+  const PaletteSlot& slot = stage_->posed().shown().pose(agent).to;
   std::byte* memory = pages_->page(slot.page).memory + slot.first_line * render::palette_line_bytes;
   for (std::size_t bone = 0; bone < stage_->characters().front().model.skeleton.bones.size(); ++bone) {
     std::int16_t rotation[4];
@@ -208,7 +208,7 @@ void StagedCrowd::negate_rotations(std::uint32_t agent) {
   }
 }
 
-void StagedCrowd::write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette) {
+void StagedCrowd::write(const PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette) {
   std::byte* memory = pages_->page(slot.page).memory + slot.first_line * render::palette_line_bytes;
   const std::size_t entries =
       std::min(palette.size(), slot.lines * render::palette_line_bytes / sizeof(anim::PaletteMatrix));

@@ -74,7 +74,7 @@ class StagedCrowd {
   double blend_of(std::uint32_t agent) const;
   std::vector<glm::dvec3> reference_surface(std::uint32_t agent) const;
   render::CrowdFrame frame() const;
-  void write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
+  void write(const PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
 
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::test::SkinningReadBack> read_back_;

@@ -158,6 +158,11 @@ Findings includes_that_join(const Tree& tree) {
       {"engine/anim/", "engine/", {"engine/base/"}},
       {"engine/render/", "engine/", {"engine/base/", "engine/anim/include/throng/host.h"}},
       {"engine/tracks/", "engine/", {"engine/base/", "engine/anim/"}},
+      {"engine/crowd/",
+       "engine/",
+       {"engine/base/", "engine/anim/", "engine/render/agent_look.h", "engine/render/crowd_draw.h",
+        "engine/render/instance_record.h", "engine/render/mesh/mesh_error_value.h",
+        "engine/render/palette/palette_page.h"}},
       {"app/window/panel/",
        "app/show/",
        {"app/show/camera/", "app/show/lod/", "app/show/report/", "app/show/request/"}}};

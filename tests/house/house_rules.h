@@ -33,8 +33,9 @@ Findings rooms_without_files(const Tree& tree);
 /// No folder of engine/, app/, assets/ or shaders/ holds more than 60 files of code.
 Findings rooms_too_full(const Tree& tree);
 
-/// Of the engine, engine/anim and engine/render see engine/base alone, and engine/tracks sees engine/anim too; app/
-/// joins them. Of a show, the panel sees plain data alone: requests, reports, cameras and what level of detail decides.
+/// Of the engine, engine/anim and engine/render see engine/base alone, and engine/tracks sees engine/anim too.
+/// engine/crowd joins engine/anim with the plain data of engine/render, and app/ joins all. Of a show, the panel sees
+/// plain data alone: requests, reports, cameras and what level of detail decides.
 Findings includes_that_join(const Tree& tree);
 
 /// Only the few files that speak with a part that others made see it.

@@ -94,8 +94,10 @@ TEST(Joint, IsRefusedFromEitherSide) {
   const Tree tree{source_file("engine/render/camera.h", "#include \"engine/anim/base/units.h\"\n"),
                   source_file("engine/anim/lod/lod.h", "#include \"engine/render/camera.h\"\n"),
                   source_file("engine/tracks/read.h", "#include \"engine/render/camera.h\"\n"),
-                  source_file("engine/base/text/joined.h", "#include \"engine/anim/base/units.h\"\n")};
-  EXPECT_THAT(includes_that_join(tree), testing::SizeIs(4));
+                  source_file("engine/base/text/joined.h", "#include \"engine/anim/base/units.h\"\n"),
+                  source_file("engine/crowd/crowd_draws.h",
+                              "#include \"engine/render/crowd_draw.h\"\n#include \"engine/render/renderer.h\"\n")};
+  EXPECT_THAT(includes_that_join(tree), testing::SizeIs(5));
 }
 
 TEST(Joint, IsNotThePanel) {

@@ -6,7 +6,7 @@
 
 #include "app/show/painter.h"
 #include "app/show/stage/stage.h"
-#include "engine/render/palette/palette_slots.h"
+#include "engine/crowd/palette_slots.h"
 
 namespace throng::soak {
 namespace {
@@ -26,7 +26,7 @@ bool is_finite(const std::byte* matrices, std::size_t entries) {
 }
 
 /// Packed palettes are integers, which are always numbers.
-bool is_finite(const render::HeapPageSource& pages, const render::PaletteSlot& slot, anim::PaletteFormat format,
+bool is_finite(const HeapPageSource& pages, const PaletteSlot& slot, anim::PaletteFormat format,
                std::uint32_t entries) {
   if (!slot.valid() || format == anim::PaletteFormat::packed) return true;
   return is_finite(pages.memory(slot.page) + slot.first_line * render::palette_line_bytes, entries);
@@ -36,7 +36,7 @@ bool is_finite(const render::HeapPageSource& pages, const render::PaletteSlot& s
 
 Fault number_that_is_none(app::Show& show) {
   const app::Stage& stage = show.stage();
-  const auto* const pages = dynamic_cast<const render::HeapPageSource*>(&show.painter().palette_pages());
+  const auto* const pages = dynamic_cast<const HeapPageSource*>(&show.painter().palette_pages());
   for (std::uint32_t agent = 0; agent < stage.crowd().size(); ++agent) {
     const std::string who = "agent " + std::to_string(agent) + " (" + stage.character_of(agent).name + ")";
     if (!is_finite(stage.crowd().positions()[agent])) return who + " is nowhere";

@@ -7,7 +7,7 @@
 #include "app/character/built_in.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
-#include "app/show/lod/mesh_lods.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/stage/stage.h"
 #include "engine/base/files/output_file.h"
 #include "engine/render/camera.h"

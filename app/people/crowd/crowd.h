@@ -132,6 +132,14 @@ class Crowd {
 /// Returns the middle of a box around all agents, as tall as they stand.
 glm::vec3 middle_of(const Crowd& crowd);
 
+/// Returns where the agents of a crowd stand.
+inline PlacedAgents placed_agents(const Crowd& crowd) {
+  return {.positions = crowd.positions(),
+          .headings = crowd.headings(),
+          .scales = crowd.scales(),
+          .characters = crowd.characters()};
+}
+
 /// Returns [agent] 1 for agents that are not there now; empty where all are.
 inline std::span<const std::uint8_t> absent_of(const Crowd& crowd) {
   return crowd.tracks() != nullptr ? crowd.tracks()->absent() : std::span<const std::uint8_t>();

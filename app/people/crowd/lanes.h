@@ -2,13 +2,9 @@
 
 #include <glm/vec2.hpp>
 
-namespace throng::app {
+#include "engine/crowd/placed_agents.h"
 
-/// A direction on the ground: the character's forward is (sine, cosine) in x, z; cosine 1 faces +Z.
-struct Heading {
-  float cosine = 1.0F;
-  float sine = 0.0F;
-};
+namespace throng::app {
 
 struct LanePoint {
   glm::dvec2 position{0.0};  ///< x, z in metres

@@ -5,8 +5,8 @@
 
 #include "app/character/source.h"
 #include "app/people/wardrobe/clothing.h"
-#include "app/show/lod/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/crowd/shown_poses.h"
 #include "engine/tracks/trajectories.h"
 
 /// Sentences on the ways in which a run differs from a person's expectation. Each is empty where it does not.

@@ -5,8 +5,9 @@
 #include "app/character/bone_lod.h"
 #include "app/settings/choices.h"
 #include "app/show/lod/lod_thresholds.h"
-#include "app/show/lod/mesh_lods.h"
+#include "app/show/lod/tuned_view.h"
 #include "engine/base/json/json.h"
+#include "engine/crowd/mesh_lods.h"
 
 namespace throng::app {
 namespace {
@@ -89,7 +90,7 @@ Json levels_of(std::span<const LodLevel> levels, const LodInForce& lod, double h
 }
 
 Json meshes_of(std::span<const MeshLevel> meshes, const Tuning& tuning, double height) {
-  const MeshTolerance tolerance = mesh_tolerance(tuning);
+  const MeshTolerance tolerance = mesh_rules(tuning).tolerance;
   Json rows = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto error = static_cast<double>(meshes[i].error.surface);

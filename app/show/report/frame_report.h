@@ -16,8 +16,6 @@
 #include "app/settings/settings.h"
 #include "app/show/camera/camera_bookmarks.h"
 #include "app/show/lod/lod_thresholds.h"
-#include "app/show/lod/mesh_choice.h"
-#include "app/show/lod/mesh_lods.h"
 #include "app/show/report/frame_details.h"
 #include "app/show/report/messages.h"
 #include "app/show/report/replay_report.h"
@@ -30,6 +28,8 @@
 #include "engine/anim/run/schedule_options.h"
 #include "engine/anim/survey/bone_lod.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/crowd/mesh_choice.h"
+#include "engine/crowd/mesh_lods.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/tracks/track_clock.h"
 

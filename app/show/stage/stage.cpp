@@ -7,7 +7,7 @@
 #include "app/character/cut_scene_models.h"
 #include "app/people/wardrobe/cast_rules_text.h"
 #include "app/people/wardrobe/rule_doubts.h"
-#include "app/settings/agent_colors.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/stage/memory_needs.h"
 #include "app/show/stage/moment.h"
 #include "engine/base/text/plain_text.h"
@@ -34,11 +34,6 @@ bool same_crowd(const Tuning& a, const Tuning& b) {
   const bool same_clothes = !a.wardrobe || a.weather == b.weather;  // and things in hands
   return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && variety_of(a) == variety_of(b) &&
          same_clothes;
-}
-
-// A thing in the air has no spot below it.
-float contact_scale(const CharacterSource& source) {
-  return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
 }  // namespace
@@ -117,7 +112,7 @@ Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
     source.surface = drawn;
     return replaced;
   }
-  posed_.take_character(character, crowd().size());
+  posed_.take_character(character, viewed_character(source));
   return Done{};
 }
 
@@ -168,12 +163,12 @@ void Stage::populate(AnimatedCrowd::Clocks clocks) {
     track_clock_ = crowd().tracks()->clock();
   }
   selected_.reset();
-  posed_.reset(crowd().size(), tuning_);
+  posed_.reset(crowd().size(), lod_limits(tuning_));
 }
 
 // No agent flies or slides from its place before: all agents are posed at once, and feet come down anew.
 void Stage::jump() {
-  posed_.forget_shown(crowd().size(), tuning_);
+  posed_.forget_shown(crowd().size(), lod_limits(tuning_));
   animated_->details().take_back({});
 }
 
@@ -214,32 +209,6 @@ void Stage::pose(const render::Camera& camera, int width, int height, Ticks fram
               tuning_, times_);
 }
 
-bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses) const {
-  const ShownPose& pose = posed_.pose_of(agent.agent, poses);
-  if (!pose.shown()) return false;
-  const glm::vec3 position = crowd().positions()[agent.agent];
-  const Heading heading = crowd().headings()[agent.agent];
-  record = {.position = {position.x, position.y, position.z},
-            .scale = crowd().scales()[agent.agent],
-            .heading_cosine = heading.cosine,
-            .heading_sine = heading.sine,
-            .palette_from = pose.from_word(),
-            .palette_to = pose.to_word(),
-            .blend_start = pose.from_time,
-            .blend_duration = pose.to_time - pose.from_time,
-            .agent = agent.agent,
-            .debug_color = agent.agent == selected_
-                               ? selected_color
-                               : debug_color(tuning_, {.interval = agent.interval,
-                                                       .bone_level = pose.level(),
-                                                       .error_px = posed_.error_meter().error_of(agent.agent),
-                                                       .measure = posed_.measures().of(agent.agent)}),
-            .bone_level = pose.level(),
-            .weights = 0,
-            .contact_scale = contact_scale(character_of(agent.agent))};
-  return true;
-}
-
 void Stage::select(std::optional<std::uint32_t> agent) {
   const auto& held = animated_->held_clip();
   if (held && held->agent != agent) animated_->let_go_of_clip();
@@ -248,7 +217,7 @@ void Stage::select(std::optional<std::uint32_t> agent) {
 
 Status Stage::go_back_to(const StageMoment& moment) {
   Status gone = animated_->go_back_to(moment);
-  if (gone) posed_.forget_shown(crowd().size(), tuning_);  // those are poses of the future
+  if (gone) posed_.forget_shown(crowd().size(), lod_limits(tuning_));  // those are poses of the future
   return gone;
 }
 

@@ -12,14 +12,13 @@
 #include "app/show/stage/picking.h"
 #include "app/show/stage/posed_crowd.h"
 #include "engine/render/camera.h"
-#include "engine/render/instance_record.h"
 
 namespace throng::app {
 
 /// A stage brings characters, the crowd of a scene and its poses together. A frame is
 ///     move(dt)            the crowd walks on, asks for clips, every clock advances
 ///     pose(...)           level of detail chooses, slots are taken, the PUs write them
-/// Then posed().selection() and record() say what to draw.
+/// Then Picture sorts the agents of posed().selection() into draws.
 class Stage {
  public:
   /// Makes a stage for 1 to most_models people in `characters`, and adds the balloon to them. Every agent is one of
@@ -70,9 +69,6 @@ class Stage {
 
   /// Does what AnimatedCrowd::go_back_to does, and forgets which poses are shown.
   Status go_back_to(const StageMoment& moment);
-
-  /// Fills the instance record of a visible agent. Returns false if the agent has no slot; then it is not drawn.
-  bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
 
   /// Returns the poses that are shown, with level of detail and the measures of them.
   PosedCrowd& posed() { return posed_; }

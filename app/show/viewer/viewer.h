@@ -8,10 +8,10 @@
 #include "app/show/report/viewer_report.h"
 #include "app/show/viewer/turntable.h"
 #include "app/show/viewer/viewed_character.h"
+#include "engine/crowd/palette_slots.h"
 #include "engine/render/agent_look.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/render/instance_record.h"
-#include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
 
@@ -59,8 +59,8 @@ class Viewer {
 
   std::size_t character_;
   std::unique_ptr<ViewedCharacter> viewed_;
-  render::PaletteSlots* slots_;
-  render::PaletteSlot slot_;
+  PaletteSlots* slots_;
+  PaletteSlot slot_;
   std::uint64_t stage_frame_;
   ViewedRoom room_;  // of the character, in its own size
   float scale_;      // at which its sphere has a radius of a metre

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <string>
 
-#include "app/show/lod/error_history.h"
 #include "app/window/panel/controls/plots.h"
 #include "app/window/panel/tabs.h"
+#include "engine/crowd/error_history.h"
 
 namespace throng::app {
 namespace {

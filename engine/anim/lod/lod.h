@@ -56,6 +56,7 @@ struct LodForce {
   std::optional<std::uint32_t> agent = {};  ///< this agent alone; nothing: all agents
 
   [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
+  friend bool operator==(const LodForce&, const LodForce&) = default;
 };
 
 /// The camera, as far as the rule reads it.

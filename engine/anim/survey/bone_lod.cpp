@@ -90,4 +90,13 @@ std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count) {
   return kept;
 }
 
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const Skeleton& skeleton) {
+  std::vector<std::vector<std::uint16_t>> levels;
+  for (const int bones : skeleton.level_bone_counts) {
+    std::vector<std::uint16_t>& entries = levels.emplace_back();
+    for (const int entry : kept_entries(skeleton, bones)) entries.push_back(static_cast<std::uint16_t>(entry));
+  }
+  return levels;
+}
+
 }  // namespace throng::anim

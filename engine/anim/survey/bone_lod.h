@@ -35,5 +35,7 @@ BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const
 /// Returns for each palette entry its replacement when only the first `bone_count` bones are kept: itself, or
 /// the first entry of its bone's nearest kept ancestor that has one.
 std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count);
+/// Returns, for each bone level and palette entry, the entry that a mesh reads at that level.
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const Skeleton& skeleton);
 
 }  // namespace throng::anim

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cassert>
+#include <cstddef>
+#include <span>
+
 namespace throng::render {
 
 /// How far a coarser mesh is off, in metres, as MeshErrorMeter measures it.
@@ -9,5 +13,13 @@ struct MeshError {
 
   friend bool operator==(const MeshError&, const MeshError&) = default;
 };
+
+/// Returns the coarsest mesh LOD whose errors are at most `limits`, in the unit of the errors. The first errors are 0.
+inline int pick_mesh_lod(std::span<const MeshError> error_by_lod, const MeshError& limits) {
+  assert(!error_by_lod.empty());
+  std::size_t lod = error_by_lod.size() - 1;
+  while (lod > 0 && (error_by_lod[lod].surface > limits.surface || error_by_lod[lod].face > limits.face)) --lod;
+  return static_cast<int>(lod);
+}
 
 }  // namespace throng::render

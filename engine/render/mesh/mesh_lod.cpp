@@ -131,11 +131,4 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
   return cheapest(candidates, static_cast<double>(meter.extent()));
 }
 
-int pick_mesh_lod(std::span<const MeshError> error_by_lod, const MeshError& limits) {
-  assert(!error_by_lod.empty());
-  std::size_t lod = error_by_lod.size() - 1;
-  while (lod > 0 && (error_by_lod[lod].surface > limits.surface || error_by_lod[lod].face > limits.face)) --lod;
-  return static_cast<int>(lod);
-}
-
 }  // namespace throng::render

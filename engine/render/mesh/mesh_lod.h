@@ -26,7 +26,4 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
 /// Measures all LODs but the first, which is the surface itself. No error is smaller than the one before.
 void measure_mesh_lods(std::span<MeshLod> lods, const MeshErrorMeter& meter);
 
-/// Returns the coarsest mesh LOD whose errors are at most `limits`, in the unit of the errors. The first errors are 0.
-int pick_mesh_lod(std::span<const MeshError> error_by_lod, const MeshError& limits);
-
 }  // namespace throng::render

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/render/gl/handles.h"
-#include "engine/render/palette/palette_slots.h"
+#include "engine/render/palette/palette_page.h"
 
 namespace throng::render {
 

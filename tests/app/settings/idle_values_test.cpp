@@ -188,7 +188,7 @@ class Seen {
     }
   }
 
-  render::HeapPageSource pages_{std::size_t{4} << 20U};
+  HeapPageSource pages_{std::size_t{4} << 20U};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 5, .z = 10, .yaw = 0, .pitch = -15});
   std::uint64_t hash_ = 0xcbf29ce484222325U;

@@ -1,4 +1,4 @@
-#include "app/show/morph_weights.h"
+#include "engine/crowd/morph_weights.h"
 
 #include <algorithm>
 #include <memory>
@@ -58,7 +58,7 @@ class PictureOfMorphs : public testing::Test {
         std::ranges::count_if(picture_.instances(), [](const auto& record) { return place_of(record) > 0; }));
   }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U};
   std::unique_ptr<Stage> stage_;
   Picture picture_;
   render::Camera camera_ = camera_at({.x = 0, .y = 4, .z = 25, .yaw = 0, .pitch = -10});

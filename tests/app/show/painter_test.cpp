@@ -36,7 +36,7 @@ TEST(PainterWithoutAContext, FreesThePagesOfCharactersThatWereReplaced) {
   for (int times = 0; times < 3; ++times) {
     ASSERT_TRUE(show->take(LoadModels{std::vector<std::string>{THRONG_SOURCE_DIR "/tests/data/features/plain.glb"}}));
     show->animate(test::sixtieth);
-    const auto& pages = dynamic_cast<render::HeapPageSource&>(show->painter().palette_pages());
+    const auto& pages = dynamic_cast<HeapPageSource&>(show->painter().palette_pages());
     EXPECT_EQ(pages.page_count(), 1U) << times;
   }
 }

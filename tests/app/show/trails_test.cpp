@@ -70,7 +70,7 @@ class TrailsOfTwo : public testing::Test {
   }
 
   Tuning tuning_;
-  render::HeapPageSource pages_{std::size_t{4} << 20U};
+  HeapPageSource pages_{std::size_t{4} << 20U};
   std::unique_ptr<Stage> stage_;
   Trails trails_;
   render::Camera camera_ = camera_at({.x = 8, .y = 20, .z = 10, .yaw = 0, .pitch = -60});

@@ -115,7 +115,7 @@ class Subject {
   }
 
   Tuning tuning_{.scene = Scene::plaza, .system = {.pus = 1}};
-  render::HeapPageSource pages_{std::size_t{16} << 20U};
+  HeapPageSource pages_{std::size_t{16} << 20U};
   std::unique_ptr<Stage> stage_;
   render::CameraView view_;
   Picture picture_;

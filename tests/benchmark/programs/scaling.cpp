@@ -105,7 +105,7 @@ class PlazaSubject final : public Subject {
   static constexpr int width = 1280, height = 720;
 
   Tuning tuning_;
-  render::HeapPageSource pages_{std::size_t{16} << 20U};
+  HeapPageSource pages_{std::size_t{16} << 20U};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_;
   std::uint64_t frame_ = 0;

@@ -41,6 +41,23 @@ TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
   EXPECT_EQ(local_store_notice(*system_of(200, large)), "");
 }
 
+TEST(PaletteNotice, SaysThatMemoryRanOut) {
+  constexpr std::uint32_t entries = 4;
+  constexpr std::size_t bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+  struct OnePage final : render::PalettePageSource {
+    render::PalettePage add_page() override { return left-- > 0 ? heap.add_page() : render::PalettePage{}; }
+    HeapPageSource heap{bytes};
+    int left = 1;
+  } page;
+  PaletteSlots slots(page, {bytes});
+  ShownPoses shown(slots);
+  shown.reset(2, 0);
+  shown.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
+  EXPECT_EQ(palette_notice(shown), "");
+  shown.show({.agent = 1, .level = 0, .entries = entries, .time = 0}, 0, 0);
+  EXPECT_THAT(palette_notice(shown), HasSubstr("Palette memory ran out"));
+}
+
 TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
   const std::string file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
   std::vector<CharacterSource> people;

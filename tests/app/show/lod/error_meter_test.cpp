@@ -1,6 +1,6 @@
 // What level of detail costs the eye, as the stage measures it.
 
-#include "app/show/lod/error_meter.h"
+#include "engine/crowd/error_meter.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/show/camera/fly_camera.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/stage/stage.h"
 
 namespace throng::app::error_meter_test {
@@ -53,7 +54,7 @@ class MeasuredStage : public testing::Test {
     return tuning;
   }
 
-  render::HeapPageSource pages_{std::size_t{4} << 20U};
+  HeapPageSource pages_{std::size_t{4} << 20U};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 6, .z = 14, .yaw = 0, .pitch = -20});
 };
@@ -248,14 +249,17 @@ class DisplacedBone : public testing::Test {
     system_->update({&update, 1});
     auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
     for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
-    const auto mesh = static_cast<std::uint8_t>(mesh_lods_.choose(tuning_, 0, visible.pixels_tall));
-    meter_.end_frame(*system_, {.tuning = tuning_,
-                                .crowd = crowd_,
+    const auto mesh = static_cast<std::uint8_t>(mesh_lods_.choose(rules_.meshes, 0, visible.pixels_tall));
+    const PlacedAgents agents = placed_agents(crowd_);
+    const render::CameraView view = render::view_of(camera_, static_cast<float>(width) / height);
+    meter_.end_frame(*system_, {.rules = rules_,
+                                .agents = agents,
                                 .visible = {&visible, 1},
                                 .mesh_lods = mesh_lods_,
                                 .mesh_of_visible = {&mesh, 1},
                                 .shown = shown_,
-                                .view = render::view_of(camera_, static_cast<float>(width) / height),
+                                .view = view.view,
+                                .projection = view.projection,
                                 .size = {width, height},
                                 .now = 0,
                                 .number = ++frame_});
@@ -276,11 +280,11 @@ class DisplacedBone : public testing::Test {
 
   std::vector<CharacterSource> characters_ = mannequin();
   std::unique_ptr<anim::AnimationSystem> system_;
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
-  render::PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
+  HeapPageSource pages_{std::size_t{1} << 20U};
+  PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
   ShownPoses shown_{slots_};
-  ErrorMeter meter_{characters_};
-  Tuning tuning_;
+  ErrorMeter meter_{std::vector{viewed_character(characters_.front())}};
+  ViewRules rules_;
   MeshLods mesh_lods_{characters_.size()};
   Crowd crowd_{Scene::grid, 1, 1, characters_.front().roles};
   render::Camera camera_{.position = crowd_.positions()[0] + glm::vec3(0.0F, 0.5F, 8.0F)};
@@ -299,7 +303,7 @@ TEST_F(DisplacedBone, AddsTheErrorOfTheMeshThatItIsDrawnWith) {
   mesh_lods_.set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}}, {});
   EXPECT_FLOAT_EQ(error_of({}), 0.4F);
   EXPECT_EQ(meter_.pose_figures().max, 0.0F);
-  tuning_.mesh_lod = 2;
+  rules_.meshes.lod = 2;
   EXPECT_FLOAT_EQ(error_of({}), 2.0F);
   EXPECT_FLOAT_EQ(meter_.figures().max, 2.0F);
 }

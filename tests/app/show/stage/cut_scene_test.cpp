@@ -47,7 +47,7 @@ class CutSceneOnStage : public testing::Test {
     return glm::dot(render::forward(camera()), glm::normalize(target - camera().position));
   }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U};
   std::unique_ptr<Stage> stage_;
   double seconds_ = 0.0;
 };

@@ -55,7 +55,7 @@ class PushedOnStage : public testing::Test {
     return found == kinds.end() ? 0 : found->own.blocks_alive;
   }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
 };

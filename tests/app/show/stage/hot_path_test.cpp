@@ -46,7 +46,7 @@ class FilmedCrowd {
  private:
   static constexpr int agents = 150;
 
-  render::HeapPageSource pages_{std::size_t{4} << 20U};
+  HeapPageSource pages_{std::size_t{4} << 20U};
   std::unique_ptr<Stage> stage_;
   render::Camera start_ = camera_at({.x = 0, .y = 2, .z = 12, .yaw = 0, .pitch = -5});
   int passed_ = 0;

@@ -57,7 +57,7 @@ class Watched {
   std::uint64_t posed() const { return stage_->system().figures().report().agents_updated; }
 
  private:
-  render::HeapPageSource pages_{std::size_t{1} << 22U};
+  HeapPageSource pages_{std::size_t{1} << 22U};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
   std::vector<std::vector<Met>> met_;  // [agent]

@@ -16,7 +16,7 @@ constexpr Ticks frame = ticks_per_second / 60;
 constexpr const char* mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 
 struct OtherRolesOnAStage : testing::Test {
-  std::unique_ptr<Stage> open(Scene scene, render::HeapPageSource& pages) const {
+  std::unique_ptr<Stage> open(Scene scene, HeapPageSource& pages) const {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(mannequin, mannequin));
     auto stage = Stage::create(
@@ -38,7 +38,7 @@ struct OtherRolesOnAStage : testing::Test {
     return clips;
   }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U}, other_pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U}, other_pages_{std::size_t{1} << 20U};
   render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
 };
 

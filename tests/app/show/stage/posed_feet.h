@@ -20,13 +20,13 @@ class KeptPages final : public render::PalettePageSource {
     pages_.push_back(source_.add_page());
     return pages_.back();
   }
-  const anim::PaletteMatrix* palette(const render::PaletteSlot& slot) const {
+  const anim::PaletteMatrix* palette(const PaletteSlot& slot) const {
     const std::byte* const memory = pages_[slot.page].memory + slot.first_line * render::palette_line_bytes;
     return reinterpret_cast<const anim::PaletteMatrix*>(memory);
   }
 
  private:
-  render::HeapPageSource source_{std::size_t{16} << 20};
+  HeapPageSource source_{std::size_t{16} << 20};
   std::vector<render::PalettePage> pages_;
 };
 

@@ -39,7 +39,7 @@ class WatchedStage : public testing::Test {
   }
   std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U};
   std::unique_ptr<Stage> stage_;
   Rewind rewind_;
   render::Camera camera_ = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});

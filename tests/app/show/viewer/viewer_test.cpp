@@ -52,7 +52,7 @@ class ViewedAlone : public testing::Test {
     return {first, first + entries.size() * 12};
   }
 
-  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  HeapPageSource pages_{std::size_t{1} << 20U};
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<Viewer> viewer_;
 };

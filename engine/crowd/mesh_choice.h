@@ -8,30 +8,30 @@
 
 #include "throng/host.h"
 
-#include "app/show/lod/mesh_lods.h"
 #include "engine/anim/lod/lod.h"
+#include "engine/crowd/mesh_lods.h"
 
-namespace throng::app {
+namespace throng {
 
 /// Sums up the meshes of all agents in view.
 struct MeshFigures {
   std::uint64_t triangles = 0;         ///< as drawn
-  std::uint64_t triangles_wanted = 0;  ///< without Tuning::triangle_budget
+  std::uint64_t triangles_wanted = 0;  ///< without MeshRules::triangle_budget
   std::uint32_t demoted = 0;           ///< agents whose mesh is coarser than the limit on its error asks for
   float demoted_error_px = 0.0F;       ///< the most that the surface of a demoted agent is off
   bool budget_held = true;             ///< false: all have their coarsest mesh, and triangles exceed the budget
 };
 
 /// Chooses the mesh LOD of each agent in view, once a frame: the coarsest within the limit on its error. Where all
-/// together exceed Tuning::triangle_budget, some agents have a coarser one: the steps to coarser meshes that are seen
-/// least (MeshLods::seen_px) come first. The result is the same for any number of jobs.
+/// together exceed MeshRules::triangle_budget, some agents have a coarser one: the steps to coarser meshes that are
+/// seen least (MeshLods::seen_px) come first. The result is the same for any number of jobs.
 class MeshChoice {
  public:
   /// Makes room for a crowd, so that choose() allocates nothing.
   void reset(std::size_t agents) { lods_.resize(agents); }
 
   void choose(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> character_of,
-              const MeshLods& lods, const Tuning& tuning, Executor& executor, int jobs);
+              const MeshLods& lods, const MeshRules& rules, Executor& executor, int jobs);
 
   /// Returns the mesh LODs of the last choice, [place in `visible`].
   std::span<const std::uint8_t> lods() const { return std::span(lods_).first(visible_); }
@@ -59,4 +59,4 @@ class MeshChoice {
   MeshFigures figures_;
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,11 +1,8 @@
-#include "app/show/lod/shown_poses.h"
+#include "engine/crowd/shown_poses.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/show/figures/notices.h"
-
-namespace throng::app::shown_poses_test {
+namespace throng::shown_poses_test {
 namespace {
 
 constexpr std::uint32_t entries = 64;
@@ -19,13 +16,13 @@ class FewPages final : public render::PalettePageSource {
   render::PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : render::PalettePage{}; }
 
  private:
-  render::HeapPageSource heap_;
+  HeapPageSource heap_;
   int left_;
 };
 
 struct ShownPosesTest : testing::Test {
   FewPages pages{3, 2};
-  render::PaletteSlots slots{pages, {palette_bytes}};
+  PaletteSlots slots{pages, {palette_bytes}};
   ShownPoses shown{slots};
 
   ShownPosesTest() { shown.reset(8, 0); }
@@ -67,15 +64,14 @@ TEST_F(ShownPosesTest, AskForThePoseOfNowWhereThereIsNoneToBlendFromOnTheSamePag
 
 TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
   for (std::uint32_t agent = 0; agent < 6; ++agent) EXPECT_NE(show(agent, 0, 0), nullptr) << agent;
-  EXPECT_EQ(palette_notice(shown), "");
+  EXPECT_FALSE(shown.out_of_memory());
   EXPECT_EQ(show(6, 0, 0), nullptr);
   EXPECT_FALSE(shown.pose(6).shown());
   EXPECT_TRUE(shown.out_of_memory());
-  EXPECT_THAT(palette_notice(shown), testing::HasSubstr("Palette memory ran out"));
 }
 
 TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
-  render::PaletteSlots both(pages, {palette_bytes, anim::palette_stride(entries, anim::PaletteFormat::packed)});
+  PaletteSlots both(pages, {palette_bytes, anim::palette_stride(entries, anim::PaletteFormat::packed)});
   ShownPoses poses(both);
   poses.reset(1, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
@@ -88,7 +84,7 @@ TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
 
 TEST_F(ShownPosesTest, TakeAThirdOfTheRoomWherePacked) {
   const std::size_t packed_bytes = anim::palette_stride(entries, anim::PaletteFormat::packed);
-  render::PaletteSlots both(pages, {palette_bytes, packed_bytes});
+  PaletteSlots both(pages, {palette_bytes, packed_bytes});
   ShownPoses poses(both);
   poses.reset(1, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0, .format = anim::PaletteFormat::packed}, 0, 0);
@@ -108,4 +104,4 @@ TEST_F(ShownPosesTest, StartAnewWithANewCrowd) {
 }
 
 }  // namespace
-}  // namespace throng::app::shown_poses_test
+}  // namespace throng::shown_poses_test

@@ -1,6 +1,6 @@
-#include "app/show/lod/shown_poses.h"
+#include "engine/crowd/shown_poses.h"
 
-namespace throng::app {
+namespace throng {
 
 void ShownPoses::retire_from(ShownPose& pose, std::uint64_t last_frame) {
   if (pose.from.valid() && pose.from.first_line != pose.to.first_line) slots_->retire(pose.from, last_frame);
@@ -34,7 +34,7 @@ void ShownPoses::hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_
 anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
   ShownPose& pose = poses_[next.agent];
   const std::size_t bytes = anim::palette_stride(next.entries, next.format);
-  render::PaletteSlot slot = slots_->acquire(bytes, pose.to.page);
+  PaletteSlot slot = slots_->acquire(bytes, pose.to.page);
   // Its page is full: the agent moves to another.
   if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(bytes);
   if (!slot.valid()) {
@@ -56,4 +56,4 @@ anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now
   return anim::PaletteDestination(slots_->memory(slot));
 }
 
-}  // namespace throng::app
+}  // namespace throng

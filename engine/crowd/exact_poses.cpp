@@ -1,6 +1,6 @@
-#include "app/show/lod/exact_poses.h"
+#include "engine/crowd/exact_poses.h"
 
-namespace throng::app {
+namespace throng {
 
 void ExactPoses::reset(std::size_t agents, std::uint64_t last_frame) {
   give_back(last_frame);
@@ -15,7 +15,7 @@ void ExactPoses::give_back(std::uint64_t last_frame) {
 void ExactPoses::add(std::uint32_t agent, const ShownPose& shown, std::uint32_t entries) {
   poses_[agent] = shown;
   if (entries == 0) return;
-  const render::PaletteSlot slot = slots_->acquire(anim::palette_stride(entries, anim::PaletteFormat::matrices));
+  const PaletteSlot slot = slots_->acquire(anim::palette_stride(entries, anim::PaletteFormat::matrices));
   if (!slot.valid()) return;
   poses_[agent] = {.from = slot, .to = slot};
   posed_.push_back({.agent = {agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot))});
@@ -25,4 +25,4 @@ void ExactPoses::pose(anim::AnimationSystem& system) {
   if (!posed_.empty()) system.pose_exactly(posed_);
 }
 
-}  // namespace throng::app
+}  // namespace throng

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace throng::app {
+namespace throng {
 
 /// The errors on screen of a frame.
 struct ErrorOfFrame {
@@ -41,4 +41,4 @@ class ErrorHistory {
   std::size_t frames_ = 0;
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,4 +1,4 @@
-#include "engine/render/palette/palette_slots.h"
+#include "engine/crowd/palette_slots.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-namespace throng::render {
+namespace throng {
 namespace {
 
 std::uint32_t whole_lines(std::size_t bytes) {
-  return static_cast<std::uint32_t>((bytes + palette_line_bytes - 1) / palette_line_bytes);
+  return static_cast<std::uint32_t>((bytes + render::palette_line_bytes - 1) / render::palette_line_bytes);
 }
 
 constexpr std::uint32_t bits_a_word = 64;
@@ -25,12 +25,13 @@ std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t line
 
 }  // namespace
 
-PalettePage HeapPageSource::add_page() {
+render::PalettePage HeapPageSource::add_page() {
   pages_.push_back(std::make_unique_for_overwrite<Line[]>(whole_lines(page_bytes_)));
   return {pages_.back()[0].bytes, page_bytes_};
 }
 
-PaletteSlots::PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes) : source_(&source) {
+PaletteSlots::PaletteSlots(render::PalettePageSource& source, const std::vector<std::size_t>& sizes)
+    : source_(&source) {
   assert(!sizes.empty());
   for (const std::size_t bytes : sizes) sizes_.push_back(whole_lines(bytes));
   std::ranges::sort(sizes_, std::greater<>());
@@ -52,15 +53,15 @@ PaletteSlot PaletteSlots::acquire(std::size_t bytes, std::uint32_t near) {
 }
 
 bool PaletteSlots::has_room_for_newcomer(const Page& page) const {
-  return page.lines_in_use * palette_line_bytes < page.memory.size / 3;
+  return page.lines_in_use * render::palette_line_bytes < page.memory.size / 3;
 }
 
 bool PaletteSlots::add_page() {
-  const PalettePage memory = source_->add_page();
+  const render::PalettePage memory = source_->add_page();
   if (memory.memory == nullptr) return false;
   Page page;
   page.memory = memory;
-  const std::size_t lines = memory.size / palette_line_bytes;
+  const std::size_t lines = memory.size / render::palette_line_bytes;
   page.free_by_size.resize(sizes_.size());
   // Reserves as many as the page has room for, so that no frame allocates. Memory that is never used is never touched.
   for (std::size_t i = 0; i < sizes_.size(); ++i) page.free_by_size[i].reserve(lines / sizes_[i]);
@@ -73,7 +74,7 @@ bool PaletteSlots::add_page() {
 PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t lines) {
   Page& from = pages_[page];
   PaletteSlot slot{page, 0, lines};
-  if ((from.next_line + lines) * palette_line_bytes <= from.memory.size &&
+  if ((from.next_line + lines) * render::palette_line_bytes <= from.memory.size &&
       from.free_by_size[size_index(lines)].empty()) {
     slot.first_line = from.next_line;
     from.next_line += lines;
@@ -91,7 +92,7 @@ PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t lines) {
   from.acquired[slot.first_line / bits_a_word] |= bit_of(slot.first_line);
   from.lines_in_use += slot.lines;
   ++in_use_;
-  bytes_in_use_ += slot.lines * palette_line_bytes;
+  bytes_in_use_ += slot.lines * render::palette_line_bytes;
   return slot;
 }
 
@@ -110,7 +111,7 @@ void PaletteSlots::reclaim(std::uint64_t completed_frame) {
     page.free_by_size[size_index(slot.lines)].push_back(slot.first_line);
     page.lines_in_use -= slot.lines;
     --in_use_;
-    bytes_in_use_ -= slot.lines * palette_line_bytes;
+    bytes_in_use_ -= slot.lines * render::palette_line_bytes;
   }
   std::erase_if(retired_, is_free);
 }
@@ -128,7 +129,7 @@ bool PaletteSlots::is_acquired(const PaletteSlot& slot) const {
 
 std::byte* PaletteSlots::memory(const PaletteSlot& slot) const {
   assert(is_acquired(slot));
-  return pages_[slot.page].memory.memory + slot.first_line * palette_line_bytes;
+  return pages_[slot.page].memory.memory + slot.first_line * render::palette_line_bytes;
 }
 
-}  // namespace throng::render
+}  // namespace throng

@@ -5,27 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "app/settings/settings.h"
+#include "engine/crowd/view_rules.h"
 #include "engine/render/mesh/mesh_error_value.h"
 
-namespace throng::app {
+namespace throng {
 
-/// The share of Tuning::error_px that a coarser mesh may show at most. Poses may show the rest.
-inline constexpr float mesh_share_of_error = 0.5F;
-/// An agent of `least_face_pixels` on the screen keeps its face on any device: the face is off by `most_face_error`
-/// pixels at most.
-inline constexpr float least_face_pixels = 100.0F, most_face_error = 0.5F;
-
-/// Returns the limit on the errors of poses alone.
-float pose_error_limit(const Tuning& tuning);
-
-/// The pixels that a coarser mesh may be off, where a mesh is chosen by its error.
-struct MeshTolerance {
-  float surface = 0.0F;
-  float face = 0.0F;  ///< of agents that are least_face_pixels tall or taller
-};
-/// Returns the pixels that a tuning allows.
-MeshTolerance mesh_tolerance(const Tuning& tuning);
 /// Returns the errors in metres as shares of a character's height.
 render::MeshError shares_of(const render::MeshError& metres, double height);
 /// Returns the height on screen, in pixels, below which a mesh with that error is fine enough; infinity without error.
@@ -44,17 +28,17 @@ class MeshLods {
     triangles_[character] = std::move(triangles);
   }
 
-  /// Returns the coarsest LOD within the limit for a character of that height on screen, or the LOD that the tuning
-  /// fixes. 0 for a character without LODs.
-  int choose(const Tuning& tuning, std::uint8_t character, float pixels_tall) const;
+  /// Returns the coarsest LOD within the limit for a character of that height on screen, or the LOD that the rules
+  /// fix. 0 for a character without LODs.
+  int choose(const MeshRules& rules, std::uint8_t character, float pixels_tall) const;
   /// Returns how much is seen of a LOD that is coarser than choose() takes: the pixels that surface and face are off,
   /// and more where an agent loses the face that it should keep.
-  float seen_px(const Tuning& tuning, std::uint8_t character, int lod, float pixels_tall) const;
+  float seen_px(const MeshRules& rules, std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the pixels that the surface of a LOD is off.
   float error_px(std::uint8_t character, int lod, float pixels_tall) const;
   /// Returns the first mesh LOD that no agent of the first `people` characters shows while taller than `pixels_tall`,
   /// as far as errors decide; `lods` if there is none.
-  std::size_t first_below(const Tuning& tuning, std::size_t people, float pixels_tall, std::size_t lods) const;
+  std::size_t first_below(const MeshRules& rules, std::size_t people, float pixels_tall, std::size_t lods) const;
   /// Returns the errors of a character's mesh LODs, as they were set.
   std::span<const render::MeshError> shares(std::size_t character) const { return shares_[character]; }
   /// Returns the triangles of a character's mesh LODs, as they were set.
@@ -65,4 +49,4 @@ class MeshLods {
   std::vector<std::vector<std::uint32_t>> triangles_;   // [character][LOD]
 };
 
-}  // namespace throng::app
+}  // namespace throng

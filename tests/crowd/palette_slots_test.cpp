@@ -1,20 +1,20 @@
-#include "engine/render/palette/palette_slots.h"
+#include "engine/crowd/palette_slots.h"
 
 #include <cstdint>
 #include <set>
 
 #include <gtest/gtest.h>
 
-namespace throng::render::palette_slots_test {
+namespace throng::palette_slots_test {
 namespace {
 
-constexpr std::size_t bytes_of(std::size_t lines) { return lines * palette_line_bytes; }
+constexpr std::size_t bytes_of(std::size_t lines) { return lines * render::palette_line_bytes; }
 
 /// Gives `pages` pages, and then no more.
-class LimitedPages final : public PalettePageSource {
+class LimitedPages final : public render::PalettePageSource {
  public:
   LimitedPages(std::size_t page_lines, int pages) : heap_(bytes_of(page_lines)), left_(pages) {}
-  PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : PalettePage{}; }
+  render::PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : render::PalettePage{}; }
 
  private:
   HeapPageSource heap_;
@@ -27,7 +27,7 @@ TEST(PaletteSlots, StartOnCacheLines) {
   for (const std::uint32_t lines : {62U, 21U, 62U, 21U}) {
     const PaletteSlot slot = slots.acquire(bytes_of(lines));
     ASSERT_TRUE(slot.valid());
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % palette_line_bytes, 0U);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % render::palette_line_bytes, 0U);
   }
 }
 
@@ -51,7 +51,7 @@ TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
   EXPECT_EQ(slots.acquire(bytes_of(21)).lines, 21U);
 }
 
-TEST(PaletteSlots, OfASizeThatNobodyAnnouncedAreOfTheNextLarger) {
+TEST(PaletteSlots, OfASizeThatWasNotAnnouncedAreOfTheNextLarger) {
   HeapPageSource source(std::size_t{1} << 16U);
   PaletteSlots slots(source, {bytes_of(64), bytes_of(24)});
   EXPECT_EQ(slots.acquire(bytes_of(40)).lines, 64U);
@@ -112,7 +112,7 @@ TEST(PaletteSlots, SecondSlotOfAnAgentLiesOnThePageOfItsFirst) {
   EXPECT_GT(slots.page_count(), 1U);
 }
 
-TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfThoseWhoAreThere) {
+TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfAgentsThere) {
   HeapPageSource pages(bytes_of(1200));
   PaletteSlots slots(pages, {bytes_of(40)});
   int on_first_page = 0;
@@ -179,4 +179,4 @@ TEST(PaletteSlots, ThousandAgentsThatMoveOnEveryFrameKeepToOnePage) {
 }
 
 }  // namespace
-}  // namespace throng::render::palette_slots_test
+}  // namespace throng::palette_slots_test

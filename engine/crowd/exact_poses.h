@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/show/lod/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
-#include "engine/render/palette/palette_slots.h"
+#include "engine/crowd/palette_slots.h"
+#include "engine/crowd/shown_poses.h"
 
-namespace throng::app {
+namespace throng {
 
 /// The exact poses of a moment, in palette slots of their own for one frame. A split view shows them on its left. In a
 /// frame:
@@ -16,7 +16,7 @@ namespace throng::app {
 ///     pose(system)  the PUs write the slots
 class ExactPoses {
  public:
-  explicit ExactPoses(render::PaletteSlots& slots) : slots_(&slots) {}
+  explicit ExactPoses(PaletteSlots& slots) : slots_(&slots) {}
 
   void reset(std::size_t agents, std::uint64_t last_frame);
   void give_back(std::uint64_t last_frame);
@@ -30,9 +30,9 @@ class ExactPoses {
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
 
  private:
-  render::PaletteSlots* slots_;
+  PaletteSlots* slots_;
   std::vector<ShownPose> poses_;  // [agent]
   std::vector<anim::ExactPose> posed_;
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,10 +1,10 @@
-#include "app/show/lod/watched_agents.h"
+#include "engine/crowd/watched_agents.h"
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-namespace throng::app {
+namespace throng {
 
 void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t entries) {
   constexpr std::size_t poses = 2;  // from and to
@@ -100,4 +100,4 @@ void WatchedAgents::hand_over() {
   }
 }
 
-}  // namespace throng::app
+}  // namespace throng

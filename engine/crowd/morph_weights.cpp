@@ -1,10 +1,8 @@
-#include "app/show/morph_weights.h"
+#include "engine/crowd/morph_weights.h"
 
 #include <algorithm>
 
-#include "app/show/stage/stage.h"
-
-namespace throng::app {
+namespace throng {
 namespace {
 
 constexpr double least_pixels = 0.25;  // a smaller move is not seen
@@ -16,14 +14,14 @@ double pixels_moved(const anim::Character& character, const anim::VisibleAgent& 
 
 }  // namespace
 
-std::uint32_t MorphWeights::add(const Stage& stage, const anim::VisibleAgent& agent) {
-  const anim::Character& character = *stage.character_of(agent.agent).character;
+std::uint32_t MorphWeights::add(const anim::AnimationSystem& system, const anim::Character& character,
+                                const anim::VisibleAgent& agent) {
   const std::size_t count = character.morph_bones.size();
   if (count == 0 || pixels_moved(character, agent) < least_pixels) return 0;
   const std::size_t first = weights_.size();
   weights_.resize(first + count, 0.0F);
   const std::span<float> own(weights_.data() + first, count);
-  const bool plays = stage.system().agent(agent.agent).motion().add_morph_weights(stage.system().clock(), own);
+  const bool plays = system.agent(agent.agent).motion().add_morph_weights(system.clock(), own);
   if (plays && std::ranges::any_of(own, [](float weight) { return weight != 0.0F; })) {
     return static_cast<std::uint32_t>(first + 1);
   }
@@ -31,4 +29,4 @@ std::uint32_t MorphWeights::add(const Stage& stage, const anim::VisibleAgent& ag
   return 0;
 }
 
-}  // namespace throng::app
+}  // namespace throng

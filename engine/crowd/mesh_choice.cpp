@@ -1,11 +1,11 @@
-#include "app/show/lod/mesh_choice.h"
+#include "engine/crowd/mesh_choice.h"
 
 #include <algorithm>
 #include <bit>
 
 #include "engine/base/run_jobs.h"
 
-namespace throng::app {
+namespace throng {
 namespace {
 
 constexpr std::size_t choices_worth_a_job = 512;
@@ -33,26 +33,25 @@ struct MeshChoice::Frame {
   std::span<const anim::VisibleAgent> visible;
   std::span<const std::uint8_t> character_of;
   const MeshLods& lods;
-  const Tuning& tuning;
+  const MeshRules& rules;
   std::span<std::uint8_t> chosen;  ///< [place in visible]
   std::size_t last_class = 0;
 
-  bool has_budget() const { return tuning.triangle_budget > 0 && tuning.mesh_lod < 0; }
   std::uint8_t character(std::size_t at) const { return character_of[visible[at].agent]; }
   float seen_px(std::size_t at, int lod) const {
-    return lods.seen_px(tuning, character(at), lod, visible[at].pixels_tall);
+    return lods.seen_px(rules, character(at), lod, visible[at].pixels_tall);
   }
 
   void choose(Tile& tile) const {
     tile.saved.fill(0);
     tile.figures = {};
     for (std::size_t at = tile.first; at < tile.end; ++at) {
-      const int lod = lods.choose(tuning, character(at), visible[at].pixels_tall);
+      const int lod = lods.choose(rules, character(at), visible[at].pixels_tall);
       chosen[at] = static_cast<std::uint8_t>(lod);
       const std::span<const std::uint32_t> triangles = lods.triangles(character(at));
       if (triangles.empty()) continue;
       tile.figures.triangles_wanted += triangles[static_cast<std::size_t>(lod)];
-      if (has_budget()) count_savings(tile, at, lod, triangles);
+      if (rules.has_budget()) count_savings(tile, at, lod, triangles);
     }
     tile.figures.triangles = tile.figures.triangles_wanted;
   }
@@ -89,7 +88,7 @@ struct MeshChoice::Frame {
 };
 
 void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<const std::uint8_t> character_of,
-                        const MeshLods& lods, const Tuning& tuning, Executor& executor, int jobs) {
+                        const MeshLods& lods, const MeshRules& rules, Executor& executor, int jobs) {
   visible_ = visible.size();
   const std::size_t count =
       std::clamp<std::size_t>(std::min(visible_ / choices_worth_a_job, std::size_t(jobs)), 1, most_tiles);
@@ -98,15 +97,14 @@ void MeshChoice::choose(std::span<const anim::VisibleAgent> visible, std::span<c
     tiles[i].first = visible_ * i / count;
     tiles[i].end = visible_ * (i + 1) / count;
   }
-  Frame frame{visible, character_of, lods, tuning, lods_};
+  Frame frame{visible, character_of, lods, rules, lods_};
   run_jobs(executor, count, [&](std::size_t tile) { frame.choose(tiles[tile]); });
-  const auto budget = static_cast<std::uint64_t>(tuning.triangle_budget);
   sum_up(tiles);
-  if (!frame.has_budget() || figures_.triangles <= budget) return;
-  frame.last_class = plan_demotions(figures_.triangles - budget, tiles);
+  if (!rules.has_budget() || figures_.triangles <= rules.triangle_budget) return;
+  frame.last_class = plan_demotions(figures_.triangles - rules.triangle_budget, tiles);
   run_jobs(executor, count, [&](std::size_t tile) { frame.demote(tiles[tile]); });
   sum_up(tiles);
-  figures_.budget_held = figures_.triangles <= budget;
+  figures_.budget_held = figures_.triangles <= rules.triangle_budget;
 }
 
 // The last class is shared out in the order of the agents, so that tiles do not matter.
@@ -135,4 +133,4 @@ void MeshChoice::sum_up(std::span<const Tile> tiles) {
   }
 }
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,5 +1,5 @@
-// A budget of triangles is kept by coarser meshes for those who are least visible.
-#include "app/show/lod/mesh_choice.h"
+// A budget of triangles is kept by coarser meshes where they are seen least.
+#include "engine/crowd/mesh_choice.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,9 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/character/source.h"
-
-namespace throng::app::mesh_choice_test {
+namespace throng::mesh_choice_test {
 namespace {
 
 constexpr std::uint32_t agents = 5000;
@@ -32,9 +30,9 @@ class MeshesWithinABudget : public testing::Test {
   }
 
   const MeshFigures& choose(int budget, int jobs = 1) {
-    tuning_.triangle_budget = budget;
+    rules_.triangle_budget = static_cast<std::uint64_t>(budget);
     InOrder here;
-    choice_.choose(visible_, character_of_, lods_, tuning_, here, jobs);
+    choice_.choose(visible_, character_of_, lods_, rules_, here, jobs);
     return choice_.figures();
   }
   std::vector<std::uint8_t> chosen() const { return {choice_.lods().begin(), choice_.lods().end()}; }
@@ -46,11 +44,11 @@ class MeshesWithinABudget : public testing::Test {
     return sum;
   }
   float seen_px(std::size_t at, int lod) const {
-    return lods_.seen_px(tuning_, character_of_[at], lod, visible_[at].pixels_tall);
+    return lods_.seen_px(rules_, character_of_[at], lod, visible_[at].pixels_tall);
   }
 
   MeshLods lods_{2};
-  Tuning tuning_{.error_px = 1.0F};
+  MeshRules rules_;
   std::vector<anim::VisibleAgent> visible_;
   std::vector<std::uint8_t> character_of_;
   MeshChoice choice_;
@@ -59,7 +57,7 @@ class MeshesWithinABudget : public testing::Test {
 TEST_F(MeshesWithinABudget, AreThoseOfTheErrorAloneWithoutOne) {
   const MeshFigures figures = choose(0);
   for (std::size_t at = 0; at < visible_.size(); ++at) {
-    ASSERT_EQ(choice_.lods()[at], lods_.choose(tuning_, character_of_[at], visible_[at].pixels_tall));
+    ASSERT_EQ(choice_.lods()[at], lods_.choose(rules_, character_of_[at], visible_[at].pixels_tall));
   }
   EXPECT_EQ(figures.triangles, triangles());
   EXPECT_EQ(figures.triangles_wanted, figures.triangles);
@@ -109,8 +107,8 @@ TEST_F(MeshesWithinABudget, AreAllTheCoarsestWhereItCannotHoldAndThatIsSaid) {
   }
 }
 
-TEST_F(MeshesWithinABudget, AreTheFixedOneWhereTheTuningHasOne) {
-  tuning_.mesh_lod = 0;
+TEST_F(MeshesWithinABudget, AreTheFixedOneWhereTheRulesHaveOne) {
+  rules_.lod = 0;
   const MeshFigures figures = choose(1000);
   EXPECT_EQ(figures.demoted, 0);
   EXPECT_EQ(std::ranges::count(chosen(), 0), static_cast<std::ptrdiff_t>(agents));
@@ -143,4 +141,4 @@ TEST_F(MeshesWithinABudget, LoseTheFaceLast) {
 }
 
 }  // namespace
-}  // namespace throng::app::mesh_choice_test
+}  // namespace throng::mesh_choice_test

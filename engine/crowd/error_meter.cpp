@@ -1,12 +1,11 @@
-#include "app/show/lod/error_meter.h"
+#include "engine/crowd/error_meter.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "engine/anim/kernel/palette/hierarchy.h"
 #include "engine/base/run_jobs.h"
 
-namespace throng::app {
+namespace throng {
 namespace {
 
 constexpr float not_measured = -1.0F;
@@ -19,42 +18,22 @@ constexpr double frames_of_credit = 4.0;
 // percentile is known.
 constexpr std::size_t most_measured_of_few = 24, least_measured_of_few = 4;
 
-glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
-  const glm::vec3 position = crowd.positions()[agent];
-  const Heading heading = crowd.headings()[agent];
-  const float scale = crowd.scales()[agent];
-  return {glm::vec4(heading.cosine, 0.0F, -heading.sine, 0.0F) * scale, glm::vec4(0.0F, scale, 0.0F, 0.0F),
-          glm::vec4(heading.sine, 0.0F, heading.cosine, 0.0F) * scale, glm::vec4(position, 1.0F)};
-}
-
-// Returns whether two tunings leave the eye the same errors.
-bool decide_alike(const Tuning& a, const Tuning& b) {
-  const auto forced = [](const Tuning& tuning) {
-    const LodInspection& look = tuning.inspection;
-    return std::tuple(look.forced_interval, look.forced_bone_level, look.force_selected_only);
-  };
-  const auto meshes = [](const Tuning& tuning) {
-    return std::tuple(tuning.mesh_lod, tuning.mesh_error_px, tuning.triangle_budget);
-  };
-  return a.lod == b.lod && a.error_px == b.error_px && a.budget_ms == b.budget_ms && meshes(a) == meshes(b) &&
-         forced(a) == forced(b);
-}
-
 }  // namespace
 
-ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
+ErrorMeter::ErrorMeter(std::span<const ViewedCharacter> characters) {
   characters_.resize(characters.size());
   for (std::size_t i = 0; i < characters.size(); ++i) set_character(i, characters[i]);
 }
 
-void ErrorMeter::set_character(std::size_t character, const CharacterSource& source) {
+void ErrorMeter::set_character(std::size_t character, const ViewedCharacter& viewed) {
+  const anim::Character& baked = *viewed.character;
   MeasuredCharacter& measured = characters_[character];
-  measured.points = source.character->surface_points;
-  measured.kept_entries = entries_at_levels(source.model.skeleton);
-  measured.packing = anim::packing_frames(source.model.skeleton);
-  measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
-  measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
-                  cost_of_point * static_cast<double>(measured.points.count());
+  measured.points = baked.surface_points;
+  measured.kept_entries = anim::entries_at_levels(baked.skeleton);
+  measured.packing = anim::packing_frames(baked.skeleton);
+  measured.entries = static_cast<std::size_t>(baked.skeleton.palette_count());
+  measured.cost =
+      cost_of_exact_bone * baked.skeleton.bone_count() + cost_of_point * static_cast<double>(measured.points.count());
   most_entries_ = std::max(most_entries_, measured.entries);
   blended_.resize(most_jobs * most_entries_);
 }
@@ -126,23 +105,23 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
     next_place_ = (next_place_ + 1) % watched.size();
     WatchedAgent& each = watched[next_place_];
     if (each.measured_in + 1 == frame.number || !is_ready(each)) continue;
-    const double cost = 2 * characters_[frame.crowd.characters()[each.agent]].cost;
+    const double cost = 2 * characters_[frame.agents.characters[each.agent]].cost;
     if (credit_ < cost) break;
     credit_ -= cost;
     take(each);
   }
 }
 
-// A person who changes a value waits for the figures of that value, not of the former one.
-void ErrorMeter::forget_other_tunings(const Tuning& tuning) {
-  if (!decide_alike(tuning, measured_with_)) window_.begin_anew();
-  measured_with_ = tuning;
+// A person who changes a rule waits for the figures of that rule, not of the former one.
+void ErrorMeter::forget_other_rules(const ViewRules& rules) {
+  if (rules != measured_with_) window_.begin_anew();
+  measured_with_ = rules;
 }
 
 void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame) {
   watched_.hand_over();
   if (sampling_ == ErrorSampling::off) return;
-  forget_other_tunings(frame.tuning);
+  forget_other_rules(frame.rules);
   window_.begin_frame();
   pose_window_.begin_frame();
   choose_whom_to_measure(system, frame);
@@ -170,7 +149,7 @@ void ErrorMeter::measure_chosen(anim::AnimationSystem& system, const MeasuredFra
 
 ErrorMeter::Measured ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact,
                                          const MeasuredFrame& frame, std::span<anim::PaletteMatrix> room) {
-  const MeasuredCharacter& character = characters_[frame.crowd.characters()[watched.agent]];
+  const MeasuredCharacter& character = characters_[frame.agents.characters[watched.agent]];
   const ShownPose& pose = frame.shown.pose(watched.agent);
   const std::span blended = room.first(character.entries);
   const bool packed = watched.format == anim::PaletteFormat::packed;
@@ -181,7 +160,7 @@ ErrorMeter::Measured ErrorMeter::measure(WatchedAgent& watched, const anim::Pale
                              .kept_entries = character.kept_entries[pose.level()],
                              .shown = blended});
   const anim::ModelOnScreen screen{
-      .model_to_clip = frame.view.projection * (frame.view.view * model_to_world(frame.crowd, watched.agent)),
+      .model_to_clip = frame.projection * (frame.view * frame.agents.model_to_world(watched.agent)),
       .half_size = frame.size * 0.5F};
   anim::SurfaceErrors errors;
   anim::measure_surface(character.points, blended, {exact, character.entries}, screen, errors);
@@ -198,9 +177,9 @@ ErrorMeter::Measured ErrorMeter::measure(WatchedAgent& watched, const anim::Pale
 float ErrorMeter::mesh_error(std::uint32_t agent, const MeasuredFrame& frame) {
   const auto found = std::ranges::lower_bound(frame.visible, agent, {}, &anim::VisibleAgent::agent);
   if (found == frame.visible.end() || found->agent != agent) return 0.0F;
-  const std::uint8_t character = frame.crowd.characters()[agent];
+  const std::uint8_t character = frame.agents.characters[agent];
   const std::uint8_t lod = frame.mesh_of_visible[static_cast<std::size_t>(found - frame.visible.begin())];
   return frame.mesh_lods.error_px(character, lod, found->pixels_tall);
 }
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,8 +1,8 @@
-#include "app/show/lod/exact_poses.h"
+#include "engine/crowd/exact_poses.h"
 
 #include <gtest/gtest.h>
 
-namespace throng::app::exact_poses_test {
+namespace throng::exact_poses_test {
 namespace {
 
 constexpr std::uint32_t all_bones = 8;  // of a palette
@@ -10,8 +10,8 @@ constexpr std::uint32_t all_bones = 8;  // of a palette
 struct ExactPosesTest : testing::Test {
   ExactPosesTest() { exact.reset(3, 0); }
 
-  render::HeapPageSource pages{std::size_t{1} << 16U};
-  render::PaletteSlots slots{pages, {anim::palette_stride(all_bones, anim::PaletteFormat::matrices)}};
+  HeapPageSource pages{std::size_t{1} << 16U};
+  PaletteSlots slots{pages, {anim::palette_stride(all_bones, anim::PaletteFormat::matrices)}};
   ExactPoses exact{slots};
   ShownPose shown{.from = {.page = 0, .first_line = 400, .lines = 3},
                   .to = {.page = 0, .first_line = 403, .lines = 3},
@@ -51,4 +51,4 @@ TEST_F(ExactPosesTest, GiveTheirSlotsBackOnceTheFrameIsDrawn) {
 }
 
 }  // namespace
-}  // namespace throng::app::exact_poses_test
+}  // namespace throng::exact_poses_test

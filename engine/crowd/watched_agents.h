@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "app/show/lod/shown_poses.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/kernel/palette/surface_error.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/base/random.h"
+#include "engine/crowd/shown_poses.h"
 
-namespace throng::app {
+namespace throng {
 
 /// An agent whose palettes are kept where they can be read, because the device's memory is only written
 /// (engine/render).
@@ -26,7 +26,7 @@ struct WatchedAgent {
   bool blends = false;           ///< false: shows `to` alone
   bool from_known = false;
   bool to_known = false;
-  render::PaletteSlot to_slot;
+  PaletteSlot to_slot;
   std::byte* slot_memory = nullptr;  ///< the slot to which `to` goes after the update; null: it is there
   std::uint32_t entries = 0;         ///< the number of entries that are written to `to`
   anim::SurfaceErrors errors;        ///< the errors in the frame `measured_in`
@@ -72,4 +72,4 @@ class WatchedAgents {
   Random random_{1, 0x6d65746572};
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -5,29 +5,15 @@
 #include <memory>
 #include <vector>
 
-namespace throng::render {
+#include "engine/render/palette/palette_page.h"
 
-inline constexpr std::size_t palette_line_bytes = 64;  ///< a cache line; slots are whole lines
-
-/// A page of palette memory: persistently mapped memory of the device, or plain memory where there is no OpenGL.
-struct PalettePage {
-  std::byte* memory = nullptr;  ///< aligned to 64 bytes; may be write-combined: write whole lines in order, never read
-  std::size_t size = 0;         ///< bytes
-};
-
-/// Makes pages. It is asked on the GL thread only, never while animation runs.
-class PalettePageSource {
- public:
-  virtual ~PalettePageSource() = default;
-  /// Gives a new page, whose memory is null when the device has no more.
-  virtual PalettePage add_page() = 0;
-};
+namespace throng {
 
 /// Makes pages of plain memory, for runs without OpenGL.
-class HeapPageSource final : public PalettePageSource {
+class HeapPageSource final : public render::PalettePageSource {
  public:
   explicit HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
-  PalettePage add_page() override;
+  render::PalettePage add_page() override;
   /// Frees every page. The PaletteSlots that had them gives out nothing more.
   void drop_pages() { pages_.clear(); }
   std::size_t page_count() const { return pages_.size(); }
@@ -35,8 +21,8 @@ class HeapPageSource final : public PalettePageSource {
   const std::byte* memory(std::size_t page) const { return pages_[page][0].bytes; }
 
  private:
-  struct alignas(palette_line_bytes) Line {
-    std::byte bytes[palette_line_bytes];
+  struct alignas(render::palette_line_bytes) Line {
+    std::byte bytes[render::palette_line_bytes];
   };
   std::size_t page_bytes_;
   std::vector<std::unique_ptr<Line[]>> pages_;
@@ -64,7 +50,7 @@ struct PaletteSlot {
 class PaletteSlots {
  public:
   /// `sizes` lists, in any order, the sizes of slots that will be asked for: of each bone level of each character.
-  PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes);
+  PaletteSlots(render::PalettePageSource& source, const std::vector<std::size_t>& sizes);
 
   /// Gives a slot of at least `bytes`, which may be at most the largest of the sizes. The slot is invalid when no
   /// memory is left, or none on page `near` where that is given; the agent is then not drawn.
@@ -84,7 +70,7 @@ class PaletteSlots {
 
  private:
   struct Page {
-    PalettePage memory;
+    render::PalettePage memory;
     std::uint32_t next_line = 0;                           ///< no slot was ever handed out from here on
     std::uint32_t lines_in_use = 0;                        ///< including lines of retired slots
     std::vector<std::vector<std::uint32_t>> free_by_size;  ///< first lines of free slots, one list a size
@@ -101,7 +87,7 @@ class PaletteSlots {
   bool add_page();
   PaletteSlot take(std::uint32_t page, std::uint32_t lines);
 
-  PalettePageSource* source_;
+  render::PalettePageSource* source_;
   std::vector<std::uint32_t> sizes_;  ///< lines of a slot, each size once, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
@@ -109,4 +95,4 @@ class PaletteSlots {
   std::size_t bytes_in_use_ = 0;
 };
 
-}  // namespace throng::render
+}  // namespace throng

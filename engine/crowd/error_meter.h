@@ -4,34 +4,33 @@
 #include <span>
 #include <vector>
 
-#include "app/character/source.h"
-#include "app/people/crowd/crowd.h"
-#include "app/settings/settings.h"
-#include "app/show/lod/error_history.h"
-#include "app/show/lod/mesh_lods.h"
-#include "app/show/lod/watched_agents.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/kernel/palette/surface_error.h"
 #include "engine/anim/lod/error_window.h"
-#include "engine/render/camera.h"
+#include "engine/crowd/error_history.h"
+#include "engine/crowd/mesh_lods.h"
+#include "engine/crowd/placed_agents.h"
+#include "engine/crowd/view_rules.h"
+#include "engine/crowd/viewed_character.h"
+#include "engine/crowd/watched_agents.h"
 
-namespace throng::app {
+namespace throng {
 
-/// The crowd, poses, mesh LODs and view in which one frame is measured.
+/// The rules, agents, poses, mesh LODs and view in which one frame is measured.
 struct MeasuredFrame {
-  const Tuning& tuning;
-  const Crowd& crowd;
+  const ViewRules& rules;
+  const PlacedAgents& agents;
   std::span<const anim::VisibleAgent> visible;  ///< by ascending agent
   const MeshLods& mesh_lods;
   std::span<const std::uint8_t> mesh_of_visible;  ///< [place in visible]
   const ShownPoses& shown;
-  render::CameraView view;
+  glm::mat4 view{1.0F}, projection{1.0F};
   glm::vec2 size{0.0F};   ///< size of the picture, pixels
   std::uint32_t now = 0;  ///< time of the shader's clock
   std::uint64_t number = 0;
 };
 
-/// Measures the error of level of detail (app/show/lod/README.md): the largest distance on screen, over points of the
+/// Measures the error of level of detail (engine/crowd/README.md): the largest distance on screen, over points of the
 /// surface, between the vertex shader's result and the exact pose of the moment. Changes no pose.
 class ErrorMeter {
  public:
@@ -39,10 +38,10 @@ class ErrorMeter {
   /// pays for less than four samples a frame, and until there are enough samples for a ninety-ninth percentile.
   static constexpr double share_of_pose_cost = 0.05;
 
-  explicit ErrorMeter(std::span<const CharacterSource> characters);
+  explicit ErrorMeter(std::span<const ViewedCharacter> characters);
 
   /// Takes a character whose bones are in another order. Call reset() after it.
-  void set_character(std::size_t character, const CharacterSource& source);
+  void set_character(std::size_t character, const ViewedCharacter& viewed);
   /// Forgets all samples, for a crowd of `agents` that starts anew.
   void reset(std::size_t agents);
 
@@ -56,8 +55,8 @@ class ErrorMeter {
   /// Hands the written poses over to their slots, and measures. Call it after the update.
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
-  /// Returns the errors of poses and meshes together, over the last 60 frames, or since a value that decides over level
-  /// of detail was changed. All are 0 while no agent is measured.
+  /// Returns the errors of poses and meshes together, over the last 60 frames, or since the rules changed. All are 0
+  /// while no agent is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
   /// Returns the intervals in which the percentiles of figures() lie; unbounded if no agent was measured.
   anim::ErrorIntervals intervals() const { return window_.intervals(); }
@@ -82,7 +81,7 @@ class ErrorMeter {
     double cost = 0;  // the cost of measuring one agent, in bones evaluated
   };
 
-  void forget_other_tunings(const Tuning& tuning);
+  void forget_other_rules(const ViewRules& rules);
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   double affordable_bones(const anim::UpdateReport& update) const;
   void take(WatchedAgent& watched);
@@ -98,7 +97,7 @@ class ErrorMeter {
   std::vector<MeasuredCharacter> characters_;
   std::size_t most_entries_ = 0;
   ErrorSampling sampling_ = ErrorSampling::off;
-  Tuning measured_with_;  // in the frame before
+  ViewRules measured_with_;  // in the frame before
   WatchedAgents watched_;
   std::vector<std::uint32_t> chosen_;  // places in watched_
   std::size_t next_place_ = 0;         // the place in watched_ that was measured last
@@ -114,4 +113,4 @@ class ErrorMeter {
   ErrorHistory history_;
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -10,14 +10,14 @@
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/base/gathered.h"
+#include "engine/crowd/palette_slots.h"
 #include "engine/render/instance_record.h"
-#include "engine/render/palette/palette_slots.h"
 
-namespace throng::app {
+namespace throng {
 
 /// The two slots of an agent that its record names, and the times between which the shader goes from one to the other.
 struct ShownPose {
-  render::PaletteSlot from, to;
+  PaletteSlot from, to;
   std::uint8_t from_level = 0, to_level = 0;
   anim::PaletteFormat from_format{}, to_format{};
   std::uint32_t from_time = 0;  ///< the moment of the pose `from`; microseconds modulo 2^32
@@ -32,7 +32,7 @@ struct ShownPose {
   std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
 
  private:
-  static std::uint32_t slot_word(const render::PaletteSlot& slot, anim::PaletteFormat format) {
+  static std::uint32_t slot_word(const PaletteSlot& slot, anim::PaletteFormat format) {
     return slot.first_line | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
   }
 };
@@ -52,7 +52,7 @@ struct NewPose {
 /// Keeps the palette slots that each agent shows: the animation's side of the contract in engine/render/README.md.
 class ShownPoses {
  public:
-  explicit ShownPoses(render::PaletteSlots& slots) : slots_(&slots) {}
+  explicit ShownPoses(PaletteSlots& slots) : slots_(&slots) {}
 
   /// Gives back everything shown, as of the last drawn frame, and makes room for `agents`.
   void reset(std::size_t agents, std::uint64_t last_frame);
@@ -70,7 +70,7 @@ class ShownPoses {
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
   /// Returns the slots that the poses are in; others may take some too.
-  render::PaletteSlots& slots() const { return *slots_; }
+  PaletteSlots& slots() const { return *slots_; }
   /// Returns whether an agent found no slot since the last reset.
   bool out_of_memory() const { return out_of_memory_; }
 
@@ -78,11 +78,11 @@ class ShownPoses {
   void hide(ShownPose& pose, std::uint64_t last_frame);
   void retire_from(ShownPose& pose, std::uint64_t last_frame);
 
-  render::PaletteSlots* slots_;
+  PaletteSlots* slots_;
   std::vector<ShownPose> poses_;
   std::vector<std::uint32_t> shown_;  // ascending agents
   Gathered<std::uint32_t> gone_;
   bool out_of_memory_ = false;
 };
 
-}  // namespace throng::app
+}  // namespace throng

@@ -41,7 +41,7 @@ class Random {
 
 /// Puts elements into a random order.
 template <typename Element>
-void shuffle(std::vector<Element>& elements, Random& random) {
+void put_in_random_order(std::vector<Element>& elements, Random& random) {
   for (std::size_t left = elements.size(); left > 1; --left) {
     std::swap(elements[left - 1], elements[random.below(static_cast<std::uint32_t>(left))]);
   }

@@ -64,7 +64,7 @@ std::vector<BenchSeat> seats_in(double side, double spacing, std::span<const Fix
 
 // Some of the seats stay empty, and few people sit.
 std::vector<StanderStart> seat_some(std::vector<BenchSeat> seats, std::size_t people, Random random) {
-  app::shuffle(seats, random);
+  put_in_random_order(seats, random);
   seats.resize(std::min(seats.size() * 2 / 3, static_cast<std::size_t>(most_seated * static_cast<double>(people))));
   std::vector<StanderStart> places;
   for (const BenchSeat& seat : seats) {

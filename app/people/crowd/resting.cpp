@@ -91,7 +91,7 @@ std::vector<RestSpot> chosen_places(std::vector<RestSpot> places, const Characte
     const bool is_taken = random.chance(chance_to_rest(place));
     return !is_taken || !can_rest(place, roles);
   });
-  shuffle(places, random);
+  put_in_random_order(places, random);
   return places;
 }
 

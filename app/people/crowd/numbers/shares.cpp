@@ -28,7 +28,7 @@ std::vector<std::uint8_t> ShareDealer::deal(std::span<const std::uint8_t> number
     dealt.push_back(*std::ranges::max_element(numbers, {}, owed));
     owed_[dealt.back()] -= 1.0;
   }
-  shuffle(dealt, random);
+  put_in_random_order(dealt, random);
   return dealt;
 }
 

@@ -64,7 +64,7 @@ TEST(DoorFork, AChildIsToldThatItHasNoThreadsOfItsParentsCrowd) {
     Lod lod;
     const bool selects = lod.select(*crowd, {.positions = positions}).size() == many;
     return selects && crowd.hash() == hash &&
-           testing::Value(HeardMisuses::all(), ElementsAre(HasSubstr("AnimationSystem::update: its threads are in")));
+           testing::Value(HeardMisuses::all(), ElementsAre(HasSubstr("Crowd::update: its threads are in")));
   }));
   crowd.step();
   EXPECT_NE(crowd.hash(), hash) << "the parent goes on";

@@ -120,7 +120,7 @@ const char* Agent::try_set_speed(double speed) const {
 }
 
 Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings) {
-  const Turn turn(system_->turn, "Agent::add_channel");
+  const Turn turn(system_->turn, "Agent::add");
   if (!turn) return Turn::refusal();
   if (!exists()) return turn.refuse(no_agent);
   if (channel == nullptr) return turn.refuse("the channel is null");
@@ -138,7 +138,7 @@ Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag t
 }
 
 bool Agent::remove_channel(ChannelId channel) {
-  const Turn turn(system_->turn, "Agent::remove_channel");
+  const Turn turn(system_->turn, "Agent::remove");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), channel);
   if (!place) return turn.report(exists() ? no_channel : no_agent);
@@ -147,7 +147,7 @@ bool Agent::remove_channel(ChannelId channel) {
 }
 
 bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
-  const Turn turn(system_->turn, "Agent::set_channel_weight");
+  const Turn turn(system_->turn, "Agent::set_weight");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), channel);
   if (!place) return turn.report(exists() ? no_channel : no_agent);
@@ -157,15 +157,15 @@ bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
   return true;
 }
 
-Status Agent::channel_changed() {
-  const Turn turn(system_->turn, "Agent::change");
+Status Agent::channel_changed(const char* call) {
+  const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
   if (!builder().has_room()) return turn.refuse(too_many_entities);
   return system_->pus.update_channels(system_->population, number());
 }
 
 Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {
-  const Turn turn(system_->turn, "Agent::add_post_process");
+  const Turn turn(system_->turn, "Agent::add");
   if (!turn) return Turn::refusal();
   if (!exists()) return turn.refuse(no_agent);
   if (process == nullptr) return turn.refuse("the post process is null");
@@ -180,7 +180,7 @@ Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, 
 }
 
 bool Agent::remove_post_process(ProcessId process) {
-  const Turn turn(system_->turn, "Agent::remove_post_process");
+  const Turn turn(system_->turn, "Agent::remove");
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), process);
   if (!place) return turn.report(exists() ? no_process : no_agent);
@@ -194,8 +194,8 @@ std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
   return turn && place ? own_graphs().take_post_process(builder(), index(), *place) : nullptr;
 }
 
-Status Agent::process_changed(ProcessId process) {
-  const Turn turn(system_->turn, "Agent::change_process");
+Status Agent::process_changed(ProcessId process, const char* call) {
+  const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
   const std::optional<std::size_t> place = graphs().place(index(), process);
   if (!place) return turn.refuse(no_process);

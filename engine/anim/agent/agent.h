@@ -147,11 +147,11 @@ class Agent : public AgentView {
   /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto& channel) {
   /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
   template <typename Derived, typename Change>
-  Status change(ChannelId channel, Change&& change_parameters) {
+  Status change(ChannelId channel, Change&& change_parameters, const char* call = "Agent::change") {
     auto* const found = as<Derived, Channel>(own(channel));
-    if (found == nullptr) return refuse({"Agent::change", "the agent has no channel of this id and type"});
+    if (found == nullptr) return refuse({call, "the agent has no channel of this id and type"});
     std::forward<Change>(change_parameters)(*found);
-    return channel_changed();
+    return channel_changed(call);
   }
 
   /// Adds a process, which changes the pose after the processes before it. Errors: those of add_channel.
@@ -174,11 +174,11 @@ class Agent : public AgentView {
   /// [&](auto& look) { look.look_at(target); }). Errors: those of add_channel; then the process lets go of its
   /// entities.
   template <typename Derived, typename Change>
-  Status change_process(ProcessId process, Change&& change_parameters) {
+  Status change_process(ProcessId process, Change&& change_parameters, const char* call = "Agent::change_process") {
     auto* const found = as<Derived, PostProcess>(own(process));
-    if (found == nullptr) return refuse({"Agent::change_process", "the agent has no post process of this id and type"});
+    if (found == nullptr) return refuse({call, "the agent has no post process of this id and type"});
     std::forward<Change>(change_parameters)(*found);
-    return process_changed(process);
+    return process_changed(process, call);
   }
 
  private:
@@ -196,8 +196,8 @@ class Agent : public AgentView {
   bool play(CrossFadeChannel& channel, const PlayRequest& request);
   const char* fault_of(const PlayRequest& request) const;
   const char* try_set_speed(double speed) const;
-  Status channel_changed();
-  Status process_changed(ProcessId process);
+  Status channel_changed(const char* call);
+  Status process_changed(ProcessId process, const char* call);
 
   SystemParts* system_;
 };

@@ -31,7 +31,7 @@ AnimationSystem::~AnimationSystem() {
 }
 
 Status AnimationSystem::configure(const SystemOptions& options) {
-  const Turn turn(parts_.turn, "AnimationSystem::configure");
+  const Turn turn(parts_.turn, "Crowd::configure");
   if (!turn) return Turn::refusal();
   return parts_.pus.configure(parts_.population, options);
 }
@@ -59,14 +59,14 @@ AgentId AnimationSystem::add_agent(CharacterId character) {
 }
 
 std::span<const AgentId> AnimationSystem::add_agents(std::uint32_t count, CharacterId character) {
-  const Turn turn(parts_.turn, "AnimationSystem::add_agents");
+  const Turn turn(parts_.turn, "Crowd::add_agents");
   if (!turn || !add(count, character, turn)) return {};
   make_room();
   return agents().last(count);
 }
 
 std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
-  const Turn turn(parts_.turn, "AnimationSystem::add_agents");
+  const Turn turn(parts_.turn, "Crowd::add_agents");
   if (!turn) return {};
   std::size_t done = 0;
   while (done < characters.size()) {
@@ -81,7 +81,7 @@ std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_
 }
 
 bool AnimationSystem::remove_agent(AgentId agent) {
-  const Turn turn(parts_.turn, "AnimationSystem::remove_agent");
+  const Turn turn(parts_.turn, "Crowd::remove_agent");
   if (!turn) return false;
   if (!parts_.population.numbers().has(agent)) return turn.report(no_agent);
   parts_.population.remove(agent.number);
@@ -130,7 +130,7 @@ bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
 }
 
 void AnimationSystem::advance(Ticks delta) {
-  const Turn turn(parts_.turn, "AnimationSystem::advance");
+  const Turn turn(parts_.turn, "Crowd::advance");
   if (!turn) return;
   if (delta < Ticks{0}) {
     turn.report("time does not go back");
@@ -142,12 +142,12 @@ void AnimationSystem::advance(Ticks delta) {
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
-  const Turn turn(parts_.turn, "AnimationSystem::update");
+  const Turn turn(parts_.turn, "Crowd::update");
   if (turn && can_run(turn)) parts_.frame.update(parts_.population, parts_.pus, agents);
 }
 
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
-  const Turn turn(parts_.turn, "AnimationSystem::pose_exactly");
+  const Turn turn(parts_.turn, "Crowd::pose_exactly");
   if (turn && can_run(turn)) parts_.exact.pose(parts_.population, parts_.pus, agents);
 }
 

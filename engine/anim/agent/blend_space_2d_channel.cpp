@@ -45,7 +45,7 @@ void BlendSpace2dChannel::set_place(const glm::vec2& place) {
   if (all_finite(place)) {
     place_ = place;
   } else {
-    report_misuse({"BlendSpace2dChannel::set_place", "a place is of finite numbers"});
+    report_misuse({"Agent::set_parameters", "a place is of finite numbers"});
   }
 }
 

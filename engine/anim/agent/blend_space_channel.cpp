@@ -18,7 +18,7 @@ void BlendSpaceChannel::set_parameter(float parameter) {
   if (std::isfinite(parameter)) {
     parameter_ = parameter;
   } else {
-    report_misuse({"BlendSpaceChannel::set_parameter", "a parameter is a finite number"});
+    report_misuse({"Agent::set_parameter", "a parameter is a finite number"});
   }
 }
 

@@ -56,7 +56,7 @@ PaletteFormat Characters::palette_format(CharacterId character) const {
 Status Characters::configure_again() { return system_->pus.configure(system_->population, system_->pus.options()); }
 
 Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) {
-  const Turn turn(system_->turn, "Characters::add");
+  const Turn turn(system_->turn, "Crowd::add");
   if (!turn) return Turn::refusal();
   if (character == nullptr) return turn.refuse("the character is null");
   if (const char* fault = fault_of(*character); fault != nullptr) return turn.refuse(fault);
@@ -75,7 +75,7 @@ Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) 
 }
 
 Status Characters::remove(CharacterId character) {
-  const Turn turn(system_->turn, "Characters::remove");
+  const Turn turn(system_->turn, "Crowd::remove");
   if (!turn) return Turn::refusal();
   if (!has(character)) return turn.refuse(no_character);
   Population& population = system_->population;
@@ -118,7 +118,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
 }
 
 Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Character> other) {
-  const Turn turn(system_->turn, "Characters::replace_clips");
+  const Turn turn(system_->turn, "Crowd::replace");
   if (!turn) return Turn::refusal();
   if (!has(character)) return turn.refuse(no_character);
   if (other == nullptr) return turn.refuse("the character is null");
@@ -136,7 +136,7 @@ Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Ch
 }
 
 Status Characters::write_joints(const JointList& list, JointFormat format, CharacterId character) {
-  const Turn turn(system_->turn, "Characters::write_joints");
+  const Turn turn(system_->turn, "Crowd::write_joints");
   if (!turn) return Turn::refusal();
   if (!has(character)) return turn.refuse(no_character);
   CharacterAgents& agents = of(character);
@@ -156,7 +156,7 @@ Status Characters::write_joints(const JointList& list, JointFormat format, Chara
 }
 
 int Characters::add_mask(BoneMask mask, CharacterId character) {
-  const Turn turn(system_->turn, "Characters::add_mask");
+  const Turn turn(system_->turn, "Crowd::add_mask");
   if (!turn) return PlayRequest::no_mask;
   const char* fault = nullptr;
   if (!has(character)) {
@@ -188,8 +188,8 @@ std::uint32_t Characters::add_bone_selection(BoneSelection selection, CharacterI
   return index;
 }
 
-Result<EntityPools::Kind> Characters::add_entity_kind(const EntityKind& kind, CharacterId character) {
-  const Turn turn(system_->turn, "Characters::add_entity_kind");
+Result<EntityPools::Kind> Characters::add_entity_kind(const EntityKind& kind, CharacterId character, const char* call) {
+  const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
   if (!has(character)) return turn.refuse(no_character);
   if (const char* fault = fault_of(kind); fault != nullptr) return turn.refuse(fault);

@@ -73,7 +73,8 @@ class Characters {
 
   /// Adds a kind of entity of the host's own, for channels and post processes that make such entities. `kind` outlives
   /// the system. Errors: the character has EntityPools::most_kinds already, or the kind is not whole.
-  Result<EntityPools::Kind> add_entity_kind(const EntityKind& kind, CharacterId character = 0);
+  Result<EntityPools::Kind> add_entity_kind(const EntityKind& kind, CharacterId character = 0,
+                                            const char* call = "Characters::add_entity_kind");
   /// Makes room for `count` living entities of a kind: as long as there are no more, making one allocates nothing.
   bool reserve_entities(EntityPools::Kind kind, std::size_t count, CharacterId character = 0);
 

@@ -24,7 +24,7 @@ const char* fault_of(const Population& population, const ExactPose& exact) {
 void ExactPoser::pose(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents) {
   for (const ExactPose& exact : agents) {
     const char* const fault = fault_of(population, exact);
-    if (fault != nullptr) report_misuse({"AnimationSystem::pose_exactly", fault});
+    if (fault != nullptr) report_misuse({"Crowd::pose_exactly", fault});
   }
   for (const Written written : {Written::palettes, Written::locals}) pose_as(written, population, crowd, agents);
 }

@@ -26,7 +26,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
     if (is_valid(model_in_world)) {
       model_in_world_ = model_in_world;
     } else {
-      report_misuse({"FootPlacementProcess::set_placement", not_a_placement});
+      report_misuse({"Processes::set_placement", not_a_placement});
     }
   }
   /// Sets the plane of one leg: a point of it and its unit normal (y above 0), in world space.
@@ -34,7 +34,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
     if (leg >= 0 && leg < max_legs && is_ground(plane)) {
       ground_[static_cast<std::size_t>(leg)] = plane;
     } else {
-      report_misuse({"FootPlacementProcess::set_ground", "a leg is one of the rig, and its ground faces up"});
+      report_misuse({"Processes::set_ground", "a leg is one of the rig, and its ground faces up"});
     }
   }
   /// Sets the plane of all legs.

@@ -125,7 +125,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
     }
     const PoseGraph& graph = graphs.graph(member.index);
     if (graph.empty()) [[unlikely]] {
-      report_misuse({"AnimationSystem::update", "an agent plays something before it is updated"});
+      report_misuse({"Crowd::update", "an agent plays something before it is updated"});
       continue;
     }
     if (!alike.include(*graph.program, update.level)) [[unlikely]] {
@@ -164,7 +164,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
 // Checks the values that the host wrote, before anything of the agent changes.
 bool FrameWork::may_update(const Population& population, std::span<const UpdateContext> contexts,
                            const AgentUpdate& update) const {
-  const auto refused = [](const char* reason) { return report_misuse({"AnimationSystem::update", reason}); };
+  const auto refused = [](const char* reason) { return report_misuse({"Crowd::update", reason}); };
   if (!population.numbers().has(update.agent)) return refused(no_agent);
   const std::uint32_t character = population.numbers().member(update.agent.number).character;
   const std::size_t levels = contexts[character].level_bone_counts.size();
@@ -177,7 +177,7 @@ bool FrameWork::may_update(const Population& population, std::span<const UpdateC
   if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
   if (update.joints.is_misaligned()) return refused("joints lie at a multiple of 16 bytes");
   if (update.joints != nullptr && contexts[character].joint_programs.empty()) {
-    return refused("the agent's character lists no joints: call Characters::write_joints first");
+    return refused("the agent's character lists no joints: call Crowd::write_joints first");
   }
   if (hashes_.frames[update.agent.number] == hashes_.frame) return refused("an agent is updated once in a call");
   return true;

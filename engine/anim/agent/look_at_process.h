@@ -14,7 +14,7 @@ class LookAtProcess final : public TargetedProcess<LookAtEntity> {
 
   /// Sets the target, and fades to the full weight if it looked away.
   void look_at(const glm::vec3& target, Ticks fade = {}) {
-    set_target(target);
+    set_target(target, "Processes::look_at");
     if (!std::exchange(looks_, true)) set_weight(1.0F, fade);
   }
   /// Fades back to where the animation looks.

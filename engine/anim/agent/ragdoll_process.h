@@ -28,7 +28,7 @@ class RagdollProcess final : public PostProcess {
   /// next update takes the place of the first.
   void push(const glm::vec3& impulse, const glm::vec3& place) {
     if (!is_place(impulse) || !is_place(place)) {
-      report_misuse({"RagdollProcess::push", "an impulse and its place are of finite numbers, below a billion"});
+      report_misuse({"Processes::push", "an impulse and its place are of finite numbers, below a billion"});
       return;
     }
     impulse_ = impulse;
@@ -38,7 +38,7 @@ class RagdollProcess final : public PostProcess {
   /// Blends back to the animation when the rag-doll is down, wherever it lies.
   void recover(Ticks fade) {
     if (!is_fade(fade)) {
-      report_misuse({"RagdollProcess::recover", not_a_fade});
+      report_misuse({"Processes::recover", not_a_fade});
       return;
     }
     recovery_ = fade;

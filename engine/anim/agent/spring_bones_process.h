@@ -21,7 +21,7 @@ class SpringBonesProcess final : public WeightedProcess<SpringBonesEntity> {
     if (is_valid(model_in_world)) {
       model_in_world_ = model_in_world;
     } else {
-      report_misuse({"SpringBonesProcess::set_placement", not_a_placement});
+      report_misuse({"Processes::set_placement", not_a_placement});
     }
   }
   /// Sets the height that no bone falls below, in world space. There is none until it is set.

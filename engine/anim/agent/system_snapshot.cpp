@@ -5,7 +5,7 @@
 namespace throng::anim {
 
 void AnimationSystem::snapshot(SystemSnapshot& into) const {
-  const Turn turn(parts_.turn, "AnimationSystem::snapshot");
+  const Turn turn(parts_.turn, "Crowd::snapshot");
   if (!turn) return;
   parts_.population.snapshot(into.population_);
   into.hashes_ = parts_.frame.hashes();
@@ -36,7 +36,7 @@ Status restore_other_stream(SystemParts& parts, const PopulationSnapshot& from) 
 }  // namespace
 
 Status AnimationSystem::restore(const SystemSnapshot& from) {
-  const Turn turn(parts_.turn, "AnimationSystem::restore");
+  const Turn turn(parts_.turn, "Crowd::restore");
   if (!turn) return Turn::refusal();
   if (Status same = parts_.population.can_restore(from.population_); !same) return same;
   const bool same_stream = from.population_.stream == options().stream;

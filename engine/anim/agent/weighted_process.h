@@ -18,7 +18,7 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   /// its full effect at 1.
   void set_weight(float weight, Ticks fade = {}) {
     if (!(weight >= 0.0F && weight <= 1.0F && is_fade(fade))) {
-      report_misuse({"PostProcess::set_weight", "a weight is from 0 to 1, and a fade takes from no time to a day"});
+      report_misuse({"Processes::set_weight", "a weight is from 0 to 1, and a fade takes from no time to a day"});
       return;
     }
     weight_ = weight;
@@ -71,11 +71,11 @@ template <typename Entity>
 class TargetedProcess : public WeightedProcess<Entity> {
  public:
   /// Sets the target at once, from the next update on. A caller that wants a slow change moves it slowly.
-  void set_target(const glm::vec3& target) {
+  void set_target(const glm::vec3& target, const char* call = "Processes::reach") {
     if (all_finite(target)) {
       target_ = target;
     } else {
-      report_misuse({"PostProcess::set_target", "a target is of finite numbers"});
+      report_misuse({call, "a target is of finite numbers"});
     }
   }
 

@@ -127,7 +127,8 @@ bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
                               .fade_out = shot.fade_out,
                               .speed = shot.speed,
                               .queued = shot.queued};
-  const Status played = agent.change<anim::SlotChannel>(slot, [&](auto& channel) { channel.play(request); });
+  const Status played = agent.change<anim::SlotChannel>(
+      slot, [&](auto& channel) { channel.play(request); }, "Agent::play_once");
   if (played) return own->took_all();
   static_cast<void>(agent.change<anim::SlotChannel>(slot, [](auto& channel) { channel.stop(); }));
   return false;
@@ -142,12 +143,14 @@ bool Agent::is_playing(ChannelId slot) const {
 
 bool Agent::set_parameter(ChannelId channel, float parameter) const {
   const auto set = [parameter](anim::BlendSpaceChannel& space) { space.set_parameter(parameter); };
-  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set).has_value();
+  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set, "Agent::set_parameter").has_value();
 }
 
 bool Agent::set_parameters(ChannelId channel, float x, float y) const {
   const auto set = [x, y](anim::BlendSpace2dChannel& space) { space.set_place({x, y}); };
-  return crowd_->system->agent(id_).change<anim::BlendSpace2dChannel>(channel, set).has_value();
+  return crowd_->system->agent(id_)
+      .change<anim::BlendSpace2dChannel>(channel, set, "Agent::set_parameters")
+      .has_value();
 }
 
 bool Agent::set_weight(ChannelId channel, float weight, Ticks fade) const {

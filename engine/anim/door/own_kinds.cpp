@@ -53,8 +53,8 @@ std::string OwnKinds::why_missing() const {
 }
 
 template <typename Owned>
-Result<OwnKinds::Kind> OwnKinds::add_last(std::deque<Owned>& all) {
-  const Result<Kind> kind = add(all.back().own);
+Result<OwnKinds::Kind> OwnKinds::add_last(std::deque<Owned>& all, const char* call) {
+  const Result<Kind> kind = add(all.back().own, call);
   if (kind) {
     all.back().kind = *kind;
   } else {
@@ -154,7 +154,7 @@ Result<std::uint32_t> OwnKinds::add_step(const StepKind& step) {
   if (const char* const fault = fault_of(step); fault != nullptr) return Error{fault};
   Step& own = steps_.emplace_back(Step{.step = step, .own = {}});
   own.own = step_entity_kind(own.step);
-  if (const Result<Kind> kind = add_last(steps_); !kind) return kind.error();
+  if (const Result<Kind> kind = add_last(steps_, "Crowd::add_step"); !kind) return kind.error();
   return static_cast<std::uint32_t>(steps_.size() - 1);
 }
 

@@ -78,8 +78,10 @@ class OwnKinds {
   Result<int> bone(std::string_view name) const;
   /// Adds the kind of the last element, or takes that away again.
   template <typename Owned>
-  Result<Kind> add_last(std::deque<Owned>& all);
-  Result<Kind> add(const anim::EntityKind& kind) { return system_->characters().add_entity_kind(kind, character_); }
+  Result<Kind> add_last(std::deque<Owned>& all, const char* call = "Agent::add");
+  Result<Kind> add(const anim::EntityKind& kind, const char* call = "Agent::add") {
+    return system_->characters().add_entity_kind(kind, character_, call);
+  }
 
   anim::AnimationSystem* system_;
   CharacterId character_;

@@ -36,7 +36,7 @@ bool change(detail::CrowdParts& crowd, AgentId agent, ProcessId process, const c
   bool done = false;
   const auto change_one = [&]<typename Process>(std::type_identity<Process>) {
     if (std::as_const(own).template post_process<Process>(process) == nullptr) return false;
-    done = own.template change_process<Process>(process, change_it).has_value();
+    done = own.template change_process<Process>(process, change_it, call).has_value();
     return true;
   };
   const bool is_known = (change_one(std::type_identity<Processes>()) || ...);

@@ -82,7 +82,10 @@ std::string_view StateMachine::state_name(std::uint32_t state) const {
 bool Machine::set(std::uint32_t input, float value) const {
   bool taken = false;
   const auto change = [&](anim::StateMachineChannel& own) { taken = own.set(input, value); };
-  return crowd_->system->agent(agent_).change<anim::StateMachineChannel>(channel_, change).has_value() && taken;
+  return crowd_->system->agent(agent_)
+             .change<anim::StateMachineChannel>(channel_, change, "Machine::set")
+             .has_value() &&
+         taken;
 }
 
 std::uint32_t Machine::state() const {

@@ -281,7 +281,7 @@ TEST(ListedJoints, ThatNobodyCanWriteAreRefusedAndNothingChanges) {
   EXPECT_EQ(crowd->characters().joint_bytes(), sizeof(PaletteMatrix));
   const HeardMisuses listening;
   EXPECT_FALSE(crowd->characters().write_joints({{.bone = 1}}, JointFormat::matrices, CharacterId{7}));
-  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("Characters::write_joints")));
+  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("Crowd::write_joints")));
 }
 
 TEST(ListedJoints, AtABadPlaceOrOfACharacterWithoutAListAreReported) {
@@ -291,7 +291,7 @@ TEST(ListedJoints, AtABadPlaceOrOfACharacterWithoutAListAreReported) {
   alignas(64) std::byte memory[2048];
   AgentUpdate update{.agent = {0}, .joints = PaletteDestination(memory)};
   crowd->update({&update, 1});
-  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("lists no joints: call Characters::write_joints first")));
+  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("lists no joints: call Crowd::write_joints first")));
   HeardMisuses::all().clear();
   ASSERT_TRUE(crowd->characters().write_joints(all_joints(skeleton()), JointFormat::transforms));
   update.joints = PaletteDestination(memory + 4);

@@ -63,11 +63,11 @@ TEST_F(MisuseTest, OfAnAgentThatIsNotThere) {
   for (const std::uint32_t number : {99U, 4'000'000'000U, no_number}) {
     expect_ignored("Agent::play", [&](auto& system) { EXPECT_FALSE(system.agent(number).play({.clip = 1})); });
     expect_ignored("Agent::set_speed", [&](auto& system) { EXPECT_FALSE(system.agent(number).set_speed(2.0)); });
-    expect_ignored("AnimationSystem::remove_agent", [&](auto& system) { EXPECT_FALSE(system.remove_agent({number})); });
-    expect_ignored("Agent::add_channel", [&](auto& system) {
+    expect_ignored("Crowd::remove_agent", [&](auto& system) { EXPECT_FALSE(system.remove_agent({number})); });
+    expect_ignored("Agent::add", [&](auto& system) {
       EXPECT_FALSE(system.agent(number).add_channel(std::make_unique<SimpleChannel>(PlayerStart{})));
     });
-    expect_ignored("Agent::add_post_process", [&](auto& system) {
+    expect_ignored("Agent::add", [&](auto& system) {
       EXPECT_FALSE(system.agent(number).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{})));
     });
   }

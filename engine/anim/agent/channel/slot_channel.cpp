@@ -66,7 +66,7 @@ bool SlotChannel::update(const EntityBuilder& build) {
 
 bool SlotChannel::take(const EntityBuilder& build, const OneShot& shot) {
   if (const char* fault = fault_of(build, shot); fault != nullptr) {
-    report_misuse({"SlotChannel::play", fault});
+    report_misuse({"Agent::play_once", fault});
     return false;
   }
   const Ticks now = build.now();

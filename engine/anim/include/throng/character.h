@@ -36,9 +36,9 @@ struct MeshView {
   int texture_height = 0;
 };
 
-/// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only and shared: copies are
-/// as cheap as pointers, and any number of crowds on any threads use one together. An empty one has no bones and no
-/// clips, and no crowd takes it.
+/// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only: copies are as cheap
+/// as pointers, and crowds on different threads can share one. An empty one has no bones and no clips, and no crowd
+/// takes it.
 class Character {
  public:
   Character() = default;

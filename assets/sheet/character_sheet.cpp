@@ -23,7 +23,7 @@ constexpr int columns = 8;
 constexpr float eighth = std::numbers::pi_v<float> / 4.0F;
 
 app::Tints dressed(std::uint32_t person) {
-  app::Random random(person, 0);
+  Random random(person, 0);
   return app::random_tints(random);
 }
 const app::Tints plain_clothes = dressed(12);
@@ -142,7 +142,7 @@ render::Image mesh_lods(Studio& studio) {
 }
 
 app::Variant variant_of(std::uint32_t person) {
-  app::Random random(person, 9);
+  Random random(person, 9);
   return app::random_variant(random);
 }
 

@@ -54,7 +54,7 @@ render::Image phases_of(Studio& studio, const Plane& plane, const glm::vec2& vel
   system->set_agent_count(1);
   if (!system->agent(0).add_channel(std::make_unique<anim::BlendSpace2dChannel>(plane, velocity))) return {};
   const Ticks step = to_ticks(cycle_seconds(source, plane, velocity) / columns);
-  app::Random random(12, 0);
+  Random random(12, 0);
   const app::Tints clothes = app::random_tints(random);
   std::vector<Figure> figures;
   for (int column = 0; column < columns; ++column) {

@@ -9,10 +9,10 @@
 #include <span>
 
 #include "app/character/built_in.h"
-#include "app/show/worn_pieces.h"
 #include "assets/sheet/contact_sheet.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
+#include "engine/crowd/crowd_draws.h"
 #include "engine/render/camera.h"
 
 namespace throng::sheet {
@@ -134,7 +134,7 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   for (const Figure& figure : figures) {
     const auto number = static_cast<std::uint32_t>(records.size());
     const auto lod = static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1));
-    app::for_each_worn(figure.outfit, lod, [&](std::uint32_t piece) {
+    for_each_worn(figure.outfit, lod, [&](std::uint32_t piece) {
       batches.push_back({.mesh_lod = lod,
                          .piece = static_cast<std::uint16_t>(piece),
                          .first = static_cast<std::uint32_t>(drawn.size()),

@@ -61,7 +61,7 @@ void put_away(render::Outfit& outfit, std::uint16_t piece) {
 
 /// Somebody as a crowd dresses them.
 Figure person_of(const Studio& studio, const app::Dresser& dresser, std::uint32_t number) {
-  app::Random random(number, 0);
+  Random random(number, 0);
   Figure figure{.clip = number % 3 == 0 ? "step in place" : "idle", .seconds = 0.25 * (number % 4)};
   figure.look = app::look_of(app::random_tints(random), app::random_variant(random), 0);
   const auto bodies = static_cast<std::uint8_t>(studio.clothing().rules.bodies.size());
@@ -99,7 +99,7 @@ void add_people(Studio& studio, ContactSheet& sheet, int pixels, int rows, std::
 }
 
 render::AgentLook plain_look_of(std::uint32_t number) {
-  app::Random random(number + 3, 0);
+  Random random(number + 3, 0);
   render::AgentLook look = app::look_of(app::random_tints(random), {}, 0);
   using enum render::Region;
   for (const auto& [region, color] : {std::pair{top, 0xB07A4AU},

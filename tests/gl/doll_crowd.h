@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/crowd/palette_slots.h"
 #include "engine/render/camera.h"
 #include "engine/render/renderer.h"
 #include "tests/gl/doll.h"

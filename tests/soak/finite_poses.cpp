@@ -41,7 +41,7 @@ Fault number_that_is_none(app::Show& show) {
     const std::string who = "agent " + std::to_string(agent) + " (" + stage.character_of(agent).name + ")";
     if (!is_finite(stage.crowd().positions()[agent])) return who + " is nowhere";
     if (pages == nullptr) continue;
-    const app::ShownPose& pose = stage.posed().pose_of(agent, app::Poses::shown);
+    const ShownPose& pose = stage.posed().pose_of(agent, Poses::shown);
     const auto& entries = stage.character_of(agent).character->level_entries;
     if (!is_finite(*pages, pose.from, pose.from_format, entries[pose.from_level]) ||
         !is_finite(*pages, pose.to, pose.to_format, entries[pose.to_level])) {

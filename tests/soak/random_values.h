@@ -9,8 +9,6 @@
 
 namespace throng::soak {
 
-using app::Random;
-
 template <typename Element>
 const Element& any_of(Random& random, const std::vector<Element>& elements) {
   return elements[random.below(static_cast<std::uint32_t>(elements.size()))];

@@ -20,6 +20,7 @@
 #include "app/settings/tuning_values.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/report/tuning_sweep.h"
+#include "app/show/picture.h"
 #include "app/show/stage/stage.h"
 
 namespace throng::app::idle_values_test {
@@ -179,16 +180,16 @@ class Seen {
     add(tuning.shadows && render::casts_shadows(tuning.light));
     add(tuning.crowd_shade);
     for (const std::uint8_t lod : stage_->posed().mesh_choice().lods()) add(lod);
-    for (const anim::VisibleAgent& agent : stage_->posed().selection().visible) {
-      render::InstanceRecord record{};
-      if (!stage_->record(agent, record)) continue;
+    picture_.compose(*stage_);
+    for (render::InstanceRecord record : picture_.instances()) {
       if (tuning.taken_away.upload) record.debug_color = 0;
       add_words(record);
-      add_words(stage_->crowd().looks().drawn[agent.agent]);
+      add_words(stage_->crowd().looks().drawn[record.agent]);
     }
   }
 
   HeapPageSource pages_{std::size_t{4} << 20U};
+  Picture picture_;
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 5, .z = 10, .yaw = 0, .pitch = -15});
   std::uint64_t hash_ = 0xcbf29ce484222325U;

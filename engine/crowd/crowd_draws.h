@@ -17,7 +17,7 @@ namespace throng {
 struct DrawnAgents {
   PlacedAgents agents;
   std::span<const render::Outfit> outfits = {};  ///< [agent]; empty: no agent wears an outfit
-  std::uint64_t outfits_number = 0;              ///< of these outfits alone
+  std::uint64_t outfits_number = 0;              ///< another one whenever outfits change; 0: there are none
   std::span<const std::uint16_t> put_away = {};  ///< [place in view] a piece that is not drawn; empty: none is
   std::span<const std::uint32_t> colors = {};    ///< [place in view] InstanceRecord::debug_color; empty: 0
   std::span<const float> contact_scales = {};    ///< [character] InstanceRecord::contact_scale; empty: 1

@@ -77,6 +77,7 @@ void CrowdView::take_character(std::size_t character, const ViewedCharacter& vie
 
 void CrowdView::choose(anim::AnimationSystem& system, const ViewFrame& frame) {
   const std::uint64_t last = frame_++;
+  now_ = shader_time(system.clock());
   const int jobs = system.options().pus;
   exact_.give_back(last);
   slots_.reclaim(frame.completed);
@@ -103,15 +104,14 @@ void CrowdView::choose(anim::AnimationSystem& system, const ViewFrame& frame) {
 bool CrowdView::show(const anim::AnimationSystem& system, const ViewFrame& frame, anim::AgentUpdate& update) {
   const std::uint32_t agent = update.agent.number;
   const std::uint8_t character = frame.agents.characters[agent];
-  const std::uint32_t now = shader_time(system.clock());
   const NewPose pose{.agent = agent,
                      .level = update.level,
                      .entries = characters_[character].character->level_entries[update.level],
                      .time = shader_time(system.clock() + update.look_ahead),
                      .format = system.characters().palette_format(character)};
-  const anim::PaletteDestination memory = shown_.show(pose, now, frame_ - 1);
+  const anim::PaletteDestination memory = shown_.show(pose, now_, frame_ - 1);
   update.palette = meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
-  if (update.look_ahead <= Ticks{} || shown_.pose(agent).to_time != now) return false;
+  if (update.look_ahead <= Ticks{} || shown_.pose(agent).to_time != now_) return false;
   lod_.show_at_once(update);
   return true;
 }
@@ -139,7 +139,7 @@ void CrowdView::measure(anim::AnimationSystem& system, const ViewFrame& frame) {
                             .view = frame.view,
                             .projection = frame.projection,
                             .size = frame.size,
-                            .now = shader_time(system.clock()),
+                            .now = now_,
                             .number = frame_});
 }
 

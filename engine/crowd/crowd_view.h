@@ -108,6 +108,7 @@ class CrowdView {
   anim::LevelOfDetail lod_;
   std::size_t agents_ = 0;
   std::uint64_t frame_;
+  std::uint32_t now_ = 0;  // of the shader's clock, in the frame that was chosen
 };
 
 /// Returns the time of a clock as InstanceRecord::blend_start has it: microseconds modulo 2^32.

@@ -19,8 +19,8 @@
 #include "app/settings/choices.h"
 #include "app/settings/tuning_values.h"
 #include "app/show/camera/fly_camera.h"
-#include "app/show/report/tuning_sweep.h"
 #include "app/show/picture.h"
+#include "app/show/report/tuning_sweep.h"
 #include "app/show/stage/stage.h"
 
 namespace throng::app::idle_values_test {

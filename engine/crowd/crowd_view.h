@@ -43,7 +43,7 @@ struct ViewFrame {
 /// blended on the screen, and the error of what is shown is measured. One thread calls it. In a frame:
 ///
 ///     choose(system, frame)            lists updates()
-///     show(update)                     for each update of a visible agent: the slot of its palette
+///     show(system, frame, update)      for each update of a visible agent: the slot of its palette
 ///     pose(system, frame)              the PUs write the palettes
 class CrowdView {
  public:
@@ -92,6 +92,8 @@ class CrowdView {
   const ErrorMeter& error_meter() const { return meter_; }
   std::span<const ViewedCharacter> characters() const { return characters_; }
   std::uint64_t frame() const { return frame_; }
+  /// Returns the shader's time of the frame that was chosen last.
+  std::uint32_t now() const { return now_; }
 
  private:
   void learn_level_of_detail();
@@ -108,7 +110,7 @@ class CrowdView {
   anim::LevelOfDetail lod_;
   std::size_t agents_ = 0;
   std::uint64_t frame_;
-  std::uint32_t now_ = 0;  // of the shader's clock, in the frame that was chosen
+  std::uint32_t now_ = 0;
 };
 
 /// Returns the time of a clock as InstanceRecord::blend_start has it: microseconds modulo 2^32.

@@ -37,7 +37,7 @@ struct ShownPose {
   }
 };
 
-/// The poses of a stage that a picture can be made of.
+/// The poses of a view that a picture can be made of.
 enum class Poses : std::uint8_t { shown, exact };
 
 /// A pose that is about to be written.

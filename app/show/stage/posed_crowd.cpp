@@ -46,7 +46,6 @@ struct PosedCrowd::Frame {
   const SeenFrame& seen;
   const Tuning& tuning;
   ViewFrame view;
-  std::uint32_t now;  ///< of the shader's clock
   anim::AnimationSystem& system = animated.system();
 };
 
@@ -56,7 +55,7 @@ PosedCrowd::PosedCrowd(std::span<const CharacterSource> characters, render::Pale
 
 void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning, StageTimes& times) {
   StopWatch watch;
-  const Frame frame{animated, seen, tuning, view_frame(animated, seen, tuning), shader_time(animated.system().clock())};
+  const Frame frame{animated, seen, tuning, view_frame(animated, seen, tuning)};
   choose(frame.system, frame.view);
   times.selection_ms = watch.lap();
 
@@ -73,8 +72,8 @@ void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuni
   times.pose_ms = watch.lap();
 }
 
-std::array<glm::vec4, 6> PosedCrowd::seen_by(const SeenFrame& seen, const Tuning& tuning) const {
-  const auto planes = render::frustum_planes(render::view_of(seen.camera, seen.size.x / seen.size.y));
+std::array<glm::vec4, 6> PosedCrowd::seen_by(const render::CameraView& view, const Tuning& tuning) const {
+  const auto planes = render::frustum_planes(view);
   if (!tuning.shadows || !render::casts_shadows(tuning.light)) return planes;
   return with_casters(planes, render::to_brightest(tuning.light), tallest_of(characters_));
 }
@@ -90,7 +89,7 @@ ViewFrame PosedCrowd::view_frame(const AnimatedCrowd& animated, const SeenFrame&
           .rules = view_rules(tuning, seen.selected),
           .sampling = error_sampling(tuning),
           .camera = {.position = camera.position,
-                     .frustum = seen_by(seen, tuning),
+                     .frustum = seen_by(view, tuning),
                      .pixels_per_unit = render::pixels_tall(camera, seen.size.y, 1.0F, 1.0F),
                      .forward = render::forward(camera)},
           .view = view.view,
@@ -132,7 +131,7 @@ void PosedCrowd::place_feet(const Frame& frame, const anim::AgentUpdate& update,
 void PosedCrowd::add_fallen(const Frame& frame) {
   for (const FallenAgents::Fallen& fallen : frame.animated.fallen().fallen()) {
     const ShownPose& pose = shown().pose(fallen.agent);
-    const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - frame.now) > 0;
+    const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
     if (looked_ahead || (!frame.seen.moves && pose.shown())) continue;
     anim::AgentUpdate& update = show_also(frame.system, frame.view, fallen.agent);
     if (level_of_detail().is_visible(fallen.agent)) update.joints = joints_.destination(fallen.agent);

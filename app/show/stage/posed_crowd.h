@@ -59,7 +59,7 @@ class PosedCrowd : public CrowdView {
  private:
   struct Frame;
 
-  std::array<glm::vec4, 6> seen_by(const SeenFrame& seen, const Tuning& tuning) const;
+  std::array<glm::vec4, 6> seen_by(const render::CameraView& view, const Tuning& tuning) const;
   ViewFrame view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const;
   void prepare(const Frame& frame, std::span<anim::AgentUpdate> updates);
   void place_feet(const Frame& frame, const anim::AgentUpdate& update, bool near_by) const;

@@ -20,7 +20,7 @@ extern "C" PLUG_IN_API std::uint64_t posed_agent_hash() {
   system.set_agent_count(1);
   system.agent(0).play({.clip = 0});
   const AgentUpdate update{.agent = {0}};
-  system.advance(ticks_per_second / 60);
+  system.advance(throng::ticks_per_second / 60);
   system.update({&update, 1});
   return system.figures().pose_hash();
 }

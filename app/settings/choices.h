@@ -35,9 +35,9 @@ consteval bool is_last(const std::array<const char*, count>& words, Choice choic
 static_assert(is_last(schedule_words, anim::Schedule::levels, "levels"));
 static_assert(is_last(double_buffer_words, anim::DoubleBuffering::interleaved, "interleaved"));
 static_assert(is_last(stream_words, anim::StreamKind::keyframe, "keyframe"));
-static_assert(is_last(palette_words, anim::PaletteFormat::packed, "packed"));
+static_assert(is_last(palette_words, PaletteFormat::packed, "packed"));
 static_assert(is_last(up_axis_words, anim::UpAxis::minus_z, "-z"));
 static_assert(is_last(ground_words, anim::GroundRule::feet, "feet"));
-static_assert(is_last(lod_rule_words, anim::LodRule::budget, "budget"));
+static_assert(is_last(lod_rule_words, LodRule::budget, "budget"));
 
 }  // namespace throng::app

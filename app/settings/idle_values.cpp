@@ -6,7 +6,6 @@
 namespace throng::app {
 namespace {
 
-using anim::LodRule;
 using Reason = const char*;  // null: the value has an effect
 
 constexpr Reason no_agent_selected = "it would be forced on the selected agent, and none is selected";

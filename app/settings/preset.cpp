@@ -54,7 +54,7 @@ bool may_stand_in_a_name(char letter) {
 
 // The defaults under the options of `tuning`: `--lod off` also turns off all that saves work.
 Tuning settled(Tuning defaults, const Tuning& tuning) {
-  if (tuning.lod.rule != anim::LodRule::off || defaults.lod.rule == anim::LodRule::off) return defaults;
+  if (tuning.lod.rule != LodRule::off || defaults.lod.rule == LodRule::off) return defaults;
   defaults.lod.bone_lod = defaults.lod.smooth = false;
   defaults.mesh_lod = 0;
   return defaults;

@@ -83,9 +83,9 @@ struct Tuning {
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off all feet
   // Level of detail
-  anim::LodRules lod{.rule = anim::LodRule::budget};  ///< LevelOfDetail puts tolerance_pixels and counts_cost in
-  ErrorSampling error_sample = ErrorSampling::some;   ///< the agents in view whose error on screen is measured
-  float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
+  LodRules lod{.smooth = true};                      ///< lod_rules() puts the limits in
+  ErrorSampling error_sample = ErrorSampling::some;  ///< the agents in view whose error on screen is measured
+  float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
   int mesh_lod = -1;           ///< -1: by error on screen; 0 or more: always that mesh LOD
@@ -122,7 +122,7 @@ inline void set_local_store_kib(Tuning& tuning, int kib) {
 
 /// Returns the tuning with which `--lod off` shows the same crowd: every agent is posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
-  tuning.lod.rule = anim::LodRule::off;
+  tuning.lod.rule = LodRule::off;
   tuning.lod.bone_lod = false;
   tuning.lod.smooth = false;
   tuning.mesh_lod = 0;

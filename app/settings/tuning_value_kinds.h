@@ -12,7 +12,7 @@
 /// Makes the rows of the table: each reads and writes its value by the kind of the value.
 namespace throng::app {
 
-/// Makes a function that finds a member of a Tuning, const or not: at(&Tuning::lod, &anim::LodRules::smooth).
+/// Makes a function that finds a member of a Tuning, const or not: at(&Tuning::lod, &LodRules::smooth).
 template <typename... Members>
 auto at(Members... members) {
   return [=](auto& tuning) -> auto& { return (tuning.*....*members); };

@@ -13,7 +13,6 @@ namespace throng::app {
 namespace {
 
 using anim::CostModel;
-using anim::LodRules;
 using anim::SystemOptions;
 
 constexpr double farthest = 10'000, most_nanoseconds = 1e9, most_limit = 1e6;

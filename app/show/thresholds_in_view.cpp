@@ -40,9 +40,9 @@ void ThresholdsInView::update(const Stage& stage, const render::Camera& lod_came
   const Tuning& tuning = stage.tuning();
   thresholds_.clear();
   clip_name_.clear();
-  if (tuning.lod.rule == anim::LodRule::distance) thresholds_ = interval_thresholds(tuning);
+  if (tuning.lod.rule == LodRule::distance) thresholds_ = interval_thresholds(tuning);
   const float tolerance = stage.posed().level_of_detail().figures().tolerance_px;
-  if (tuning.lod.rule != anim::LodRule::budget || tolerance <= 0) return;
+  if (tuning.lod.rule != LodRule::budget || tolerance <= 0) return;
   pick_clip(stage);
   const CharacterSource& character = stage.characters()[character_];
   clip_name_ = clip_ == no_clip ? "standing still" : character.clip_names[static_cast<std::size_t>(clip_)];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/show/lod/lod_thresholds.h"
+#include "engine/render/camera.h"
 
 namespace throng::app {
 

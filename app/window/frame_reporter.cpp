@@ -252,7 +252,7 @@ void FrameReporter::add_error(const Stage& stage) {
   report_.error.intervals = meter.intervals();
   report_.error.p99_history.assign(meter.history().p99().begin(), meter.history().p99().end());
   report_.error.pop_history.assign(meter.history().pop().begin(), meter.history().pop().end());
-  const bool skips = stage.tuning().lod.rule != anim::LodRule::off;
+  const bool skips = stage.tuning().lod.rule != LodRule::off;
   report_.error.skipping_sentence = skips ? skipping_sentence(limit_.mean(), report_.agents_by_interval) : "";
 }
 

@@ -63,7 +63,7 @@ render::Image phases_of(Studio& studio, const Plane& plane, const glm::vec2& vel
     figure.place.x = (static_cast<float>(column) - 0.5F * (columns - 1)) * pitch;
     figure.heading = velocity.x == 0.0F ? 1.1F : 0.4F;
     figure.tints = clothes;
-    const anim::AgentUpdate update{.agent = {0}};
+    const PoseRequest update{.agent = {0}};
     const anim::ExactPose wanted{.agent = {0}, .palette = figure.palette.data()};
     system->update({&update, 1});
     system->pose_exactly({&wanted, 1});

@@ -39,7 +39,7 @@ render::CameraView view_of(const Shot& shot) {
   return render::view_of(camera, static_cast<float>(shot.width) / static_cast<float>(shot.height));
 }
 
-std::size_t palette_bytes(std::size_t entries) { return anim::palette_stride(entries, anim::PaletteFormat::matrices); }
+std::size_t palette_bytes(std::size_t entries) { return anim::palette_stride(entries, PaletteFormat::matrices); }
 
 std::vector<std::size_t> palette_bytes_by_level(const anim::Skeleton& skeleton) {
   std::vector<std::size_t> bytes;

@@ -11,8 +11,8 @@ std::vector<std::size_t> palette_sizes(std::span<const ViewedCharacter> characte
   std::vector<std::size_t> sizes;
   for (const ViewedCharacter& viewed : characters) {
     for (const std::uint32_t entries : viewed.character->level_entries) {
-      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::matrices));
-      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::packed));
+      sizes.push_back(anim::palette_stride(entries, PaletteFormat::matrices));
+      sizes.push_back(anim::palette_stride(entries, PaletteFormat::packed));
     }
   }
   return sizes;
@@ -51,14 +51,14 @@ void CrowdView::restart() {
   lod_.restart();
 }
 
-void CrowdView::reset(std::size_t agents, const anim::LodLimits& limits) {
+void CrowdView::reset(std::size_t agents, const LodRules& rules) {
   exact_.reset(agents, frame_);
-  forget_shown(agents, limits);
+  forget_shown(agents, rules);
 }
 
-void CrowdView::forget_shown(std::size_t agents, const anim::LodLimits& limits) {
+void CrowdView::forget_shown(std::size_t agents, const LodRules& rules) {
   agents_ = agents;
-  lod_.reset(agents, limits);
+  lod_.reset(agents, rules);
   mesh_choice_.reset(agents);
   shown_.reset(agents, frame_);
   meter_.reset(agents);
@@ -89,7 +89,6 @@ void CrowdView::choose(anim::AnimationSystem& system, const ViewFrame& frame) {
                .absent = frame.absent},
               {.camera = frame.camera,
                .rules = frame.rules.lod,
-               .limits = frame.rules.limits,
                .force = frame.rules.force,
                .selected = frame.selected,
                .now = system.clock(),
@@ -101,7 +100,7 @@ void CrowdView::choose(anim::AnimationSystem& system, const ViewFrame& frame) {
   meter_.begin_frame(frame.sampling, visible, shown_);
 }
 
-bool CrowdView::show(const anim::AnimationSystem& system, const ViewFrame& frame, anim::AgentUpdate& update) {
+bool CrowdView::show(const anim::AnimationSystem& system, const ViewFrame& frame, PoseRequest& update) {
   const std::uint32_t agent = update.agent.number;
   const std::uint8_t character = frame.agents.characters[agent];
   const NewPose pose{.agent = agent,
@@ -109,16 +108,15 @@ bool CrowdView::show(const anim::AnimationSystem& system, const ViewFrame& frame
                      .entries = characters_[character].character->level_entries[update.level],
                      .time = shader_time(system.clock() + update.look_ahead),
                      .format = system.characters().palette_format(character)};
-  const anim::PaletteDestination memory = shown_.show(pose, now_, frame_ - 1);
+  std::byte* const memory = shown_.show(pose, now_, frame_ - 1);
   update.palette = meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
   if (update.look_ahead <= Ticks{} || shown_.pose(agent).to_time != now_) return false;
   lod_.show_at_once(update);
   return true;
 }
 
-anim::AgentUpdate& CrowdView::show_also(const anim::AnimationSystem& system, const ViewFrame& frame,
-                                        std::uint32_t agent) {
-  anim::AgentUpdate& update = lod_.update_also(agent);
+PoseRequest& CrowdView::show_also(const anim::AnimationSystem& system, const ViewFrame& frame, std::uint32_t agent) {
+  PoseRequest& update = lod_.update_also(agent);
   if (lod_.is_visible(agent)) show(system, frame, update);
   return update;
 }

@@ -31,7 +31,7 @@ struct ViewFrame {
   std::span<const std::uint8_t> absent = {};    ///< anim::LodCrowd::absent
   ViewRules rules;
   ErrorSampling sampling = ErrorSampling::some;
-  anim::LodCamera camera;  ///< its frustum may be wider than the picture, for agents that cast shadows into it
+  Camera camera;  ///< its frustum may be wider than the picture, for agents that cast shadows into it
   glm::mat4 view{1.0F}, projection{1.0F};      ///< of the picture
   glm::vec2 size{0.0F};                        ///< of the picture, pixels
   Ticks step{};                                ///< the time of a frame, for looking ahead; 0: time stands still
@@ -53,23 +53,23 @@ class CrowdView {
   /// Begins figures and turns anew, as if just made; call reset() after it.
   void restart();
   /// Forgets all agents, for a crowd of `agents` that was made anew.
-  void reset(std::size_t agents, const anim::LodLimits& limits);
+  void reset(std::size_t agents, const LodRules& rules);
   /// Forgets what is shown: no agent blends from a pose of before, and all are posed at once.
-  void forget_shown(std::size_t agents, const anim::LodLimits& limits);
+  void forget_shown(std::size_t agents, const LodRules& rules);
   /// Takes a character whose bones are in another order, or that has other levels; all its agents are posed at once.
   void take_character(std::size_t character, const ViewedCharacter& viewed);
 
   /// Finds the agents in view and their meshes, and lists the agents to be posed.
   void choose(anim::AnimationSystem& system, const ViewFrame& frame);
-  /// Returns the list for pose(). The host may set AgentUpdate::joints.
-  std::span<anim::AgentUpdate> updates() { return lod_.updates(); }
+  /// Returns the list for pose(). The host may set PoseRequest::joints.
+  std::span<PoseRequest> updates() { return lod_.updates(); }
   /// Asks the caches for the pose of an agent, for which show() is called soon.
   void prefetch_pose(std::uint32_t agent) const { shown_.prefetch_pose(agent); }
   /// Takes a slot for the pose of a visible agent. Returns whether the update, which looked ahead, must be of now
   /// instead: there is nothing on the new page that it could be blended from.
-  bool show(const anim::AnimationSystem& system, const ViewFrame& frame, anim::AgentUpdate& update);
+  bool show(const anim::AnimationSystem& system, const ViewFrame& frame, PoseRequest& update);
   /// Poses an agent of ViewFrame::left_out too, for the moment. Returns its update.
-  anim::AgentUpdate& show_also(const anim::AnimationSystem& system, const ViewFrame& frame, std::uint32_t agent);
+  PoseRequest& show_also(const anim::AnimationSystem& system, const ViewFrame& frame, std::uint32_t agent);
   /// Poses the listed agents, measures errors and settles level of detail.
   void pose(anim::AnimationSystem& system, const ViewFrame& frame);
 

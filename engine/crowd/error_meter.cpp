@@ -57,8 +57,7 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
     const std::size_t most = sampling == ErrorSampling::all ? errors_.size() : WatchedAgents::few;
     const std::size_t watched = sampling == ErrorSampling::off ? 0 : std::min(most, errors_.size());
     watched_.reset(errors_.size(), watched, most_entries_);
-    exact_palettes_ =
-        anim::allocate_aligned(watched * anim::palette_stride(most_entries_, anim::PaletteFormat::matrices));
+    exact_palettes_ = anim::allocate_aligned(watched * anim::palette_stride(most_entries_, PaletteFormat::matrices));
     chosen_.reserve(watched);
     measured_.reserve(watched);
     exact_.reserve(watched);
@@ -71,7 +70,7 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
 }
 
 void ErrorMeter::take(WatchedAgent& watched) {
-  const std::size_t stride = anim::palette_stride(most_entries_, anim::PaletteFormat::matrices);
+  const std::size_t stride = anim::palette_stride(most_entries_, PaletteFormat::matrices);
   chosen_.push_back(static_cast<std::uint32_t>(&watched - watched_.all().data()));
   std::byte* const palette = exact_palettes_.get() + exact_.size() * stride;
   exact_.push_back({.agent = {watched.agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
@@ -152,7 +151,7 @@ ErrorMeter::Measured ErrorMeter::measure(WatchedAgent& watched, const anim::Pale
   const MeasuredCharacter& character = characters_[frame.agents.characters[watched.agent]];
   const ShownPose& pose = frame.shown.pose(watched.agent);
   const std::span blended = room.first(character.entries);
-  const bool packed = watched.format == anim::PaletteFormat::packed;
+  const bool packed = watched.format == PaletteFormat::packed;
   anim::blend_shown_palette({.from = anim::PaletteDestination(watched.blends ? watched.from : watched.to),
                              .to = anim::PaletteDestination(watched.to),
                              .packing = packed ? character.packing : std::span<const anim::PackingFrame>(),

@@ -48,8 +48,7 @@ class ErrorMeter {
   /// Chooses the agents to watch. Call it before an update, when the visible agents are known.
   void begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
   /// Returns where the PU must write a pose that ShownPoses::show gave `slot_memory`.
-  anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                       anim::PaletteDestination slot_memory) {
+  std::byte* destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries, std::byte* slot_memory) {
     return watched_.destination(agent, pose, entries, slot_memory);
   }
   /// Hands the written poses over to their slots, and measures. Call it after the update.

@@ -15,7 +15,7 @@ void ExactPoses::give_back(std::uint64_t last_frame) {
 void ExactPoses::add(std::uint32_t agent, const ShownPose& shown, std::uint32_t entries) {
   poses_[agent] = shown;
   if (entries == 0) return;
-  const PaletteSlot slot = slots_->acquire(anim::palette_stride(entries, anim::PaletteFormat::matrices));
+  const PaletteSlot slot = slots_->acquire(anim::palette_stride(entries, PaletteFormat::matrices));
   if (!slot.valid()) return;
   poses_[agent] = {.from = slot, .to = slot};
   posed_.push_back({.agent = {agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot))});

@@ -31,7 +31,7 @@ void ShownPoses::hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_
   visit_in_tiles(visible.size(), executor, jobs, [&](std::size_t i) { shown_[i] = visible[i].agent; });
 }
 
-anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
+std::byte* ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
   ShownPose& pose = poses_[next.agent];
   const std::size_t bytes = anim::palette_stride(next.entries, next.format);
   PaletteSlot slot = slots_->acquire(bytes, pose.to.page);
@@ -53,7 +53,7 @@ anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now
           .to_format = next.format,
           .from_time = blends ? pose.to_time : now,
           .to_time = blends ? next.time : now};
-  return anim::PaletteDestination(slots_->memory(slot));
+  return slots_->memory(slot);
 }
 
 }  // namespace throng

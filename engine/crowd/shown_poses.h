@@ -19,7 +19,7 @@ namespace throng {
 struct ShownPose {
   PaletteSlot from, to;
   std::uint8_t from_level = 0, to_level = 0;
-  anim::PaletteFormat from_format{}, to_format{};
+  PaletteFormat from_format{}, to_format{};
   std::uint32_t from_time = 0;  ///< the moment of the pose `from`; microseconds modulo 2^32
   std::uint32_t to_time = 0;    ///< the moment of the pose `to`; equal to from_time: nothing blends
 
@@ -32,8 +32,8 @@ struct ShownPose {
   std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
 
  private:
-  static std::uint32_t slot_word(const PaletteSlot& slot, anim::PaletteFormat format) {
-    return slot.first_line | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
+  static std::uint32_t slot_word(const PaletteSlot& slot, PaletteFormat format) {
+    return slot.first_line | (format == PaletteFormat::packed ? render::packed_slot : 0U);
   }
 };
 
@@ -46,7 +46,7 @@ struct NewPose {
   std::uint8_t level;     ///< bone level
   std::uint32_t entries;  ///< entries of the palette at that level
   std::uint32_t time;     ///< the moment of the pose; microseconds modulo 2^32
-  anim::PaletteFormat format = anim::PaletteFormat::matrices;
+  PaletteFormat format = PaletteFormat::matrices;
 };
 
 /// Keeps the palette slots that each agent shows: the animation's side of the contract in engine/render/README.md.
@@ -66,7 +66,7 @@ class ShownPoses {
   /// far. A pose of `now` is shown at once. A pose of an agent that must move to another page is shown at once too;
   /// pose().to_time is then `now`, and the pose must be of now. Returns null where no memory is left: the agent is
   /// posed but not drawn.
-  anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
+  std::byte* show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
   /// Returns the slots that the poses are in; others may take some too.

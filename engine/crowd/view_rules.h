@@ -39,8 +39,7 @@ struct MeshRules {
 
 /// What decides how exactly a crowd is seen.
 struct ViewRules {
-  anim::LodRules lod;
-  anim::LodLimits limits;  ///< of anim::LodRule::budget
+  LodRules lod{.smooth = true};
   anim::LodForce force;
   MeshRules meshes;
 

@@ -8,7 +8,7 @@ namespace throng {
 
 void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t entries) {
   constexpr std::size_t poses = 2;  // from and to
-  const std::size_t stride = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+  const std::size_t stride = anim::palette_stride(entries, PaletteFormat::matrices);
   if (watched != watched_.size() || palettes_ == nullptr) {
     palettes_ = anim::allocate_aligned(watched * poses * stride);
   }
@@ -76,8 +76,8 @@ void WatchedAgents::fill_by_height(std::span<const anim::VisibleAgent> visible) 
   }
 }
 
-anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                                    anim::PaletteDestination slot_memory) {
+std::byte* WatchedAgents::destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
+                                      std::byte* slot_memory) {
   const std::uint32_t place = place_of_[agent];
   if (place == WatchedAgent::no_agent || slot_memory == nullptr) return slot_memory;
   WatchedAgent& watched = watched_[place];
@@ -88,9 +88,9 @@ anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const S
   watched.to_known = true;
   watched.to_slot = pose.to;
   watched.format = pose.to_format;
-  watched.slot_memory = slot_memory.memory();
+  watched.slot_memory = slot_memory;
   watched.entries = entries;
-  return anim::PaletteDestination(watched.to);
+  return watched.to;
 }
 
 void WatchedAgents::hand_over() {

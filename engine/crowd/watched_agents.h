@@ -20,10 +20,10 @@ struct WatchedAgent {
 
   std::uint32_t agent = no_agent;
   std::uint32_t frames_left = 0;
-  std::byte* from = nullptr;     ///< the palette of the slot that the agent blends from; room for matrices
-  std::byte* to = nullptr;       ///< the palette of the slot that the agent blends to; room for matrices
-  anim::PaletteFormat format{};  ///< the format of both
-  bool blends = false;           ///< false: shows `to` alone
+  std::byte* from = nullptr;  ///< the palette of the slot that the agent blends from; room for matrices
+  std::byte* to = nullptr;    ///< the palette of the slot that the agent blends to; room for matrices
+  PaletteFormat format{};     ///< the format of both
+  bool blends = false;        ///< false: shows `to` alone
   bool from_known = false;
   bool to_known = false;
   PaletteSlot to_slot;
@@ -51,8 +51,7 @@ class WatchedAgents {
 
   /// Returns where the PU must write a new pose: `slot_memory`, or for a watched agent the memory that keeps the pose
   /// until hand_over().
-  anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                       anim::PaletteDestination slot_memory);
+  std::byte* destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries, std::byte* slot_memory);
   /// Copies the written palettes into their slots. Call it after an update.
   void hand_over();
 

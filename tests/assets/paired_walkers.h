@@ -49,7 +49,7 @@ class PairedWalkers {
 
   std::unique_ptr<anim::AnimationSystem> system_;
   std::vector<anim::JointMotion> placements_;  // [pair]
-  std::vector<anim::AgentUpdate> updates_;
+  std::vector<PoseRequest> updates_;
   std::vector<Pair> pairs_;
 };
 

@@ -36,7 +36,7 @@ class SeenCrowd {
       positions_.emplace_back(spacing * (static_cast<float>(agent % 20) - 10.0F), 0.0F,
                               spacing * static_cast<float>(agent / 20U + 1));
     }
-    view_.reset(agents, frame().rules.limits);
+    view_.reset(agents, frame().rules.lod);
     view_.mesh_lods().set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}}, {1000, 300, 50});
   }
 
@@ -44,16 +44,16 @@ class SeenCrowd {
     constexpr float tall = 720.0F;
     ViewFrame seen;
     seen.agents = {.positions = positions_, .headings = headings_, .scales = scales_, .characters = characters_};
-    seen.rules.lod = {.rule = anim::LodRule::distance, .interval_growth = 8.0F, .smooth = true};
+    seen.rules.lod = {.rule = LodRule::distance, .interval_growth = 8.0F, .smooth = true};
     seen.view = glm::lookAt(glm::vec3(0.0F, 1.7F, 0.0F), glm::vec3(0.0F, 1.7F, 1.0F), glm::vec3(0.0F, 1.0F, 0.0F));
     seen.projection = glm::perspective(0.9F, 16.0F / 9.0F, 0.1F, 500.0F);
     seen.size = {1280.0F, tall};
     seen.step = frame_time;
     seen.completed = view_.frame();
     seen.camera = {.position = {0.0F, 1.7F, 0.0F},
-                   .frustum = {glm::vec4(0.0F, 0.0F, 1.0F, 0.0F), {}, {}, {}, {}, {}},
-                   .pixels_per_unit = seen.projection[1][1] * tall / 2.0F,
-                   .forward = {0.0F, 0.0F, 1.0F}};
+                   .forward = {0.0F, 0.0F, 1.0F},
+                   .frustum = {{{0.0F, 0.0F, 1.0F, 0.0F}}},
+                   .pixels_per_unit = seen.projection[1][1] * tall / 2.0F};
     return seen;
   }
   void pass(int frames) {
@@ -62,7 +62,7 @@ class SeenCrowd {
       const ViewFrame seen = frame();
       view_.choose(*system_, seen);
       posed_ = view_.updates().size();
-      for (anim::AgentUpdate& update : view_.updates()) {
+      for (PoseRequest& update : view_.updates()) {
         if (view_.level_of_detail().is_visible(update.agent.number)) view_.show(*system_, seen, update);
       }
       view_.pose(*system_, seen);

@@ -11,7 +11,7 @@ struct ExactPosesTest : testing::Test {
   ExactPosesTest() { exact.reset(3, 0); }
 
   HeapPageSource pages{std::size_t{1} << 16U};
-  PaletteSlots slots{pages, {anim::palette_stride(all_bones, anim::PaletteFormat::matrices)}};
+  PaletteSlots slots{pages, {anim::palette_stride(all_bones, PaletteFormat::matrices)}};
   ExactPoses exact{slots};
   ShownPose shown{.from = {.page = 0, .first_line = 400, .lines = 3},
                   .to = {.page = 0, .first_line = 403, .lines = 3},

@@ -6,7 +6,7 @@ namespace throng::shown_poses_test {
 namespace {
 
 constexpr std::uint32_t entries = 64;
-constexpr std::size_t palette_bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+constexpr std::size_t palette_bytes = anim::palette_stride(entries, PaletteFormat::matrices);
 constexpr std::uint32_t frame_time = 16'667;  // microseconds
 
 /// Gives `pages` pages of a few slots each and then no more.
@@ -26,7 +26,7 @@ struct ShownPosesTest : testing::Test {
   ShownPoses shown{slots};
 
   ShownPosesTest() { shown.reset(8, 0); }
-  anim::PaletteDestination show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
+  std::byte* show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
     return shown.show({.agent = agent, .level = 0, .entries = entries, .time = pose_time}, now, 0);
   }
 };
@@ -71,23 +71,22 @@ TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
 }
 
 TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
-  PaletteSlots both(pages, {palette_bytes, anim::palette_stride(entries, anim::PaletteFormat::packed)});
+  PaletteSlots both(pages, {palette_bytes, anim::palette_stride(entries, PaletteFormat::packed)});
   ShownPoses poses(both);
   poses.reset(1, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
-  poses.show({.agent = 0, .level = 0, .entries = entries, .time = frame_time, .format = anim::PaletteFormat::packed}, 0,
-             0);
+  poses.show({.agent = 0, .level = 0, .entries = entries, .time = frame_time, .format = PaletteFormat::packed}, 0, 0);
   const ShownPose& pose = poses.pose(0);
   EXPECT_EQ(pose.from_word(), pose.from.first_line);
   EXPECT_EQ(pose.to_word(), pose.to.first_line | render::packed_slot);
 }
 
 TEST_F(ShownPosesTest, TakeAThirdOfTheRoomWherePacked) {
-  const std::size_t packed_bytes = anim::palette_stride(entries, anim::PaletteFormat::packed);
+  const std::size_t packed_bytes = anim::palette_stride(entries, PaletteFormat::packed);
   PaletteSlots both(pages, {palette_bytes, packed_bytes});
   ShownPoses poses(both);
   poses.reset(1, 0);
-  poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0, .format = anim::PaletteFormat::packed}, 0, 0);
+  poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0, .format = PaletteFormat::packed}, 0, 0);
   EXPECT_EQ(both.bytes_in_use(), packed_bytes);
   EXPECT_NEAR(static_cast<double>(both.bytes_in_use()), static_cast<double>(palette_bytes) / 3.0,
               2.0 * render::palette_line_bytes);  // each is rounded up to an odd number of lines

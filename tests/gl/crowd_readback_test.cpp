@@ -27,15 +27,14 @@ constexpr double packing_tolerance = 5e-5;
 
 /// Sets up a crowd in which the watched agents differ in interval and bone level, and change level as the camera moves
 /// back.
-Tuning tuning_of(anim::LodRule lod, anim::StreamKind stream,
-                 anim::PaletteFormat palette = anim::PaletteFormat::matrices) {
+Tuning tuning_of(LodRule lod, anim::StreamKind stream, PaletteFormat palette = PaletteFormat::matrices) {
   Tuning tuning;
   tuning.system.palettes = palette;
   tuning.agents = 40;
   tuning.placed_feet = tuning.wardrobe = false;  // the reference has neither
   tuning.system.pus = 2;
   tuning.lod.rule = lod;
-  tuning.lod.bone_lod = lod != anim::LodRule::off;
+  tuning.lod.bone_lod = lod != LodRule::off;
   tuning.system.stream = stream;
   tuning.lod.full_rate_distance = 6.0F;
   tuning.lod.interval_growth = 6.0F;
@@ -46,7 +45,7 @@ Tuning tuning_of(anim::LodRule lod, anim::StreamKind stream,
 /// A sampled stream is off by at most the error that its baking measured, at the largest scale; a blend of two is off
 /// by no more.
 double tolerance_of(const Stage& stage) {
-  const double format = stage.tuning().system.palettes == anim::PaletteFormat::packed ? packing_tolerance : 0.0;
+  const double format = stage.tuning().system.palettes == PaletteFormat::packed ? packing_tolerance : 0.0;
   if (stage.tuning().system.stream == anim::StreamKind::keyframe) return exact_tolerance + format;
   const auto& clips = stage.characters().front().character->clips;
   const double worst = std::ranges::max_element(clips, {}, &anim::BakedClip::sampled_error)->sampled_error;
@@ -83,9 +82,9 @@ class StagedCrowdTest : public render::test::SoftwareGlTest {
 
 struct Mode {
   const char* name;
-  anim::LodRule lod;
+  LodRule lod;
   anim::StreamKind stream;
-  anim::PaletteFormat palette = anim::PaletteFormat::matrices;
+  PaletteFormat palette = PaletteFormat::matrices;
 };
 
 class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface<Mode> {
@@ -94,7 +93,7 @@ class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface
     StagedCrowdTest::SetUp();
     stage(tuning_of(GetParam().lod, GetParam().stream, GetParam().palette));
   }
-  bool skips() const { return GetParam().lod != anim::LodRule::off; }
+  bool skips() const { return GetParam().lod != LodRule::off; }
 
   void expect_where_the_reference_is(std::uint32_t agent) {
     EXPECT_LT(crowd().largest_error(agent), tolerance())
@@ -141,21 +140,20 @@ TEST_P(CrowdReadBack, HasThemThereWhileTheyFadeFromClipToClip) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, CrowdReadBack,
-    testing::Values(Mode{"SampledStreamsUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::sampled},
-                    Mode{"SampledStreamsSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::sampled},
-                    Mode{"KeyframeStreamsUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::keyframe},
-                    Mode{"KeyframeStreamsSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::keyframe},
-                    Mode{"PackedPalettesUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::keyframe,
-                         anim::PaletteFormat::packed},
-                    Mode{"PackedPalettesSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::keyframe,
-                         anim::PaletteFormat::packed}),
+    testing::Values(
+        Mode{"SampledStreamsUpdatedEachFrame", LodRule::off, anim::StreamKind::sampled},
+        Mode{"SampledStreamsSkippedSmoothly", LodRule::distance, anim::StreamKind::sampled},
+        Mode{"KeyframeStreamsUpdatedEachFrame", LodRule::off, anim::StreamKind::keyframe},
+        Mode{"KeyframeStreamsSkippedSmoothly", LodRule::distance, anim::StreamKind::keyframe},
+        Mode{"PackedPalettesUpdatedEachFrame", LodRule::off, anim::StreamKind::keyframe, PaletteFormat::packed},
+        Mode{"PackedPalettesSkippedSmoothly", LodRule::distance, anim::StreamKind::keyframe, PaletteFormat::packed}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class PackedCrowd : public StagedCrowdTest {};
 
 // app/commands/command_line/README.md states these figures (--palette).
 TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOfTheNearestAgent) {
-  stage(tuning_of(anim::LodRule::off, anim::StreamKind::keyframe, anim::PaletteFormat::packed));
+  stage(tuning_of(LodRule::off, anim::StreamKind::keyframe, PaletteFormat::packed));
   double metres = 0.0;
   for (int frame = 0; frame < 12; ++frame) {
     crowd().pass_frame();
@@ -172,7 +170,7 @@ TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOf
 }
 
 TEST_F(PackedCrowd, GoesTheShortestWayBetweenTwoPoses) {
-  Tuning tuning = tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe, anim::PaletteFormat::packed);
+  Tuning tuning = tuning_of(LodRule::distance, anim::StreamKind::keyframe, PaletteFormat::packed);
   tuning.lod.bone_lod = false;
   stage(tuning);
   ASSERT_NO_FATAL_FAILURE(pass_until_all_blend());
@@ -183,10 +181,10 @@ TEST_F(PackedCrowd, GoesTheShortestWayBetweenTwoPoses) {
 }
 
 TEST_F(PackedCrowd, TakesUpAnotherFormatWhileItRuns) {
-  stage(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe));
+  stage(tuning_of(LodRule::distance, anim::StreamKind::keyframe));
   for (int frame = 0; frame < 30; ++frame) {
-    const anim::PaletteFormat palette = frame / 10 == 1 ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices;
-    if (frame % 10 == 0) crowd().retune(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe, palette));
+    const PaletteFormat palette = frame / 10 == 1 ? PaletteFormat::packed : PaletteFormat::matrices;
+    if (frame % 10 == 0) crowd().retune(tuning_of(LodRule::distance, anim::StreamKind::keyframe, palette));
     crowd().pass_frame();
     for (const std::uint32_t agent : watched) {
       EXPECT_LT(crowd().largest_error(agent), tolerance() + packing_tolerance) << agent << " at frame " << frame;
@@ -199,7 +197,7 @@ class MeasuredCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
     StagedCrowdTest::SetUp();
-    Tuning tuning = tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe);
+    Tuning tuning = tuning_of(LodRule::distance, anim::StreamKind::keyframe);
     tuning.error_sample = ErrorSampling::all;
     stage(tuning);
   }
@@ -236,7 +234,7 @@ class BlendedCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
     StagedCrowdTest::SetUp();
-    stage(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe));
+    stage(tuning_of(LodRule::distance, anim::StreamKind::keyframe));
     ASSERT_NO_FATAL_FAILURE(pass_until_all_blend());
     for (const std::uint32_t agent : watched) ASSERT_LT(crowd().largest_error(agent), tolerance()) << agent;
   }

@@ -35,7 +35,7 @@ DemoOptions one_figure(const std::string& model, bool dressed) {
   options.tuning.wardrobe = dressed;
   options.msaa = 4;
   options.tuning.scenery = options.tuning.shadows = options.tuning.crowd_shade = false;
-  options.tuning.lod.rule = anim::LodRule::off;
+  options.tuning.lod.rule = LodRule::off;
   return options;
 }
 

@@ -34,7 +34,7 @@ class OutputOfARun : public test::TemporaryFolder {
     end_in_words();  // a pipe without a reader is an error of its writer, as in the program
     options_.tuning.agents = 12;
     options_.tuning.shadows = options_.tuning.crowd_shade = options_.tuning.scenery = false;
-    options_.tuning.lod.rule = anim::LodRule::off;
+    options_.tuning.lod.rule = LodRule::off;
     options_.msaa = 0;
     options_.output.run = {"--agents", "12"};
   }

@@ -97,7 +97,7 @@ void StagedCrowd::pass_frame() {
 // With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
 void StagedCrowd::note_moments() {
   const Ticks now = reference_->clock();
-  for (const anim::AgentUpdate& update : stage_->posed().level_of_detail().updates()) {
+  for (const PoseRequest& update : stage_->posed().level_of_detail().updates()) {
     const std::uint32_t agent = update.agent.number;
     const ShownPose& pose = stage_->posed().shown().pose(agent);
     const bool looks_ahead = pose.from_time != pose.to_time;
@@ -142,7 +142,7 @@ std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) cons
   const ShownPose& pose = stage_->posed().shown().pose(agent);
   const auto& [from, to] = moments_[agent];
   const double blend = blend_of(agent);
-  if (pose.from_format == anim::PaletteFormat::packed && pose.to_format == anim::PaletteFormat::packed) {
+  if (pose.from_format == PaletteFormat::packed && pose.to_format == PaletteFormat::packed) {
     const auto palette = between(stage_->characters().front().model.skeleton, reference_->palette(agent, from),
                                  reference_->palette(agent, to), blend);
     return reference_->surface_of(palette, pose.level());

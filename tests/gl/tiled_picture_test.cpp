@@ -88,7 +88,7 @@ TEST(TiledPicture, WithLinesOverItIsTheWholeOne) {
   DemoOptions options = crowd_in_a_small_picture();
   options.tuning.inspection.thresholds = true;
   options.tuning.inspection.freeze_camera = true;
-  options.tuning.lod.rule = anim::LodRule::distance;
+  options.tuning.lod.rule = LodRule::distance;
   options.camera_path = CameraPath::orbit;
   expect_tiled_as_whole(options);
 }
@@ -118,7 +118,7 @@ TEST(TiledPicture, WithTheOverlayIsTheWholeOne) {
 TEST(TiledPicture, HasTheLevelOfDetailOfTheWholeOne) {
   DemoOptions options = crowd_in_a_small_picture();
   options.tuning.debug_view = DebugView::interval;
-  options.tuning.lod.rule = anim::LodRule::budget;
+  options.tuning.lod.rule = LodRule::budget;
   options.frames = 20;
   expect_tiled_as_whole(options);
 }

@@ -87,7 +87,7 @@ TEST_F(OverlayState, ValuesThatAreSearched) {
 
 TEST_F(OverlayState, ValuesWithoutEffectAndThoseThatWereChanged) {
   open("LOD skipping");
-  person.tuning.lod.rule = anim::LodRule::distance;
+  person.tuning.lod.rule = LodRule::distance;
   person.tuning.lod.largest_interval = 4;
   looks_as_it_did("state-distance");
 }

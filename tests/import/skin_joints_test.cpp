@@ -42,13 +42,15 @@ TEST_P(SkinJoints, AreThePaletteInTheOrderOfTheFile) {
     const auto system = std::move(*anim::AnimationSystem::create(character, {}));
     const anim::JointList list = all_skins(model);
     if (list.empty()) continue;
-    ASSERT_TRUE(system->characters().write_joints(list, anim::JointFormat::matrices_4x4));
+    ASSERT_TRUE(system->characters().write_joints(list, JointFormat::matrices_4x4));
     system->set_agent_count(1);
     system->agent(0).play({.clip = 0, .start = to_ticks(0.1)});
     const auto entries = static_cast<std::size_t>(model.skeleton.palette_count());
     std::vector<PaletteMatrix> palette(entries + 4);
     std::vector<anim::Matrix4x4> joints(list.size());
-    const anim::AgentUpdate update{.agent = {0}, .palette = palette.data(), .joints = joints.data()};
+    const PoseRequest update{.agent = {0},
+                             .palette = anim::PaletteDestination(palette.data()).memory(),
+                             .joints = anim::PaletteDestination(joints.data()).memory()};
     system->update({&update, 1});
     std::size_t joint = 0;
     for (const anim::Skin& skin : model.skins) {

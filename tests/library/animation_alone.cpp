@@ -25,12 +25,13 @@ int main() {
   const glm::vec3 position(0.0F);
   const float scale = 1.0F;
   anim::LodFrame frame;
+  frame.rules.rule = LodRule::distance;
   frame.positions = {&position, 1};
   frame.scales = {&scale, 1};
   anim::select_for_update(frame, state, selection);
   if (selection.due.size() != 1) return 1;
 
-  const anim::AgentUpdate update{.agent = {selection.due[0]}};
+  const PoseRequest update{.agent = {selection.due[0]}};
   system.advance(ticks_per_second / 60);
   system.update({&update, 1});
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));

@@ -21,7 +21,7 @@ inline std::uint64_t crowd_hash(Schedule schedule, Executor* executor = nullptr)
   if (!created) return 0;
   AnimationSystem& system = **created;
   system.set_agent_count(agents);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     system.agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.004 * agent)});
     updates.push_back({.agent = {agent}});

@@ -19,7 +19,7 @@ extern "C" PLUG_IN_API std::uint64_t posed_agent_hash() {
   AnimationSystem& system = **created;
   system.set_agent_count(1);
   system.agent(0).play({.clip = 0});
-  const AgentUpdate update{.agent = {0}};
+  const throng::PoseRequest update{.agent = {0}};
   system.advance(throng::ticks_per_second / 60);
   system.update({&update, 1});
   return system.figures().pose_hash();

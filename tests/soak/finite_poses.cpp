@@ -26,9 +26,8 @@ bool is_finite(const std::byte* matrices, std::size_t entries) {
 }
 
 /// Packed palettes are integers, which are always numbers.
-bool is_finite(const HeapPageSource& pages, const PaletteSlot& slot, anim::PaletteFormat format,
-               std::uint32_t entries) {
-  if (!slot.valid() || format == anim::PaletteFormat::packed) return true;
+bool is_finite(const HeapPageSource& pages, const PaletteSlot& slot, PaletteFormat format, std::uint32_t entries) {
+  if (!slot.valid() || format == PaletteFormat::packed) return true;
   return is_finite(pages.memory(slot.page) + slot.first_line * render::palette_line_bytes, entries);
 }
 

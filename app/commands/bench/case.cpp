@@ -61,7 +61,7 @@ constexpr std::array<std::pair<const char*, anim::StorePolicy>, 3> store_policie
      {"write streaming", anim::StorePolicy::streaming}}};
 
 Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
-  const bool packed = options.palettes == anim::PaletteFormat::packed && packed_palettes_ != nullptr;
+  const bool packed = options.palettes == PaletteFormat::packed && packed_palettes_ != nullptr;
   auto made = SystemSubject::create(character_, options, agents_, packed ? *packed_palettes_ : *palettes_);
   if (!made) return made.error();
   return std::make_unique<SystemSubject>(std::move(*made));
@@ -111,7 +111,7 @@ Status CaseBench::prepare(std::shared_ptr<const anim::Character> character, cons
   const int entries = character_->skeleton.palette_count();
   palettes_ = std::make_unique<BenchPalettes>(agents, entries);
   if (character_->hierarchy.packs()) {
-    packed_palettes_ = std::make_unique<BenchPalettes>(agents, entries, anim::PaletteFormat::packed);
+    packed_palettes_ = std::make_unique<BenchPalettes>(agents, entries, PaletteFormat::packed);
   }
   floor_palettes_ = std::make_unique<BenchPalettes>(agents, entries);
 

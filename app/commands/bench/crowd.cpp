@@ -41,7 +41,7 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
   return result;
 }
 
-BenchPalettes::BenchPalettes(int agents, int entries, anim::PaletteFormat format)
+BenchPalettes::BenchPalettes(int agents, int entries, PaletteFormat format)
     : format_(format),
       slot_bytes_(anim::palette_stride(static_cast<std::size_t>(entries), format)),
       size_(slot_bytes_ * static_cast<std::size_t>(agents)),

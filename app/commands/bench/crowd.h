@@ -26,15 +26,13 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
 /// The palette slots of a crowd, one an agent, 64-byte aligned, as a renderer would hand them out.
 class BenchPalettes {
  public:
-  BenchPalettes(int agents, int entries, anim::PaletteFormat format = anim::PaletteFormat::matrices);
-  anim::PaletteFormat format() const { return format_; }
-  anim::PaletteDestination of(std::size_t agent) const {
-    return anim::PaletteDestination(memory_.get() + agent * slot_bytes_);
-  }
+  BenchPalettes(int agents, int entries, PaletteFormat format = PaletteFormat::matrices);
+  PaletteFormat format() const { return format_; }
+  std::byte* of(std::size_t agent) const { return memory_.get() + agent * slot_bytes_; }
   std::span<float> floats() const { return {reinterpret_cast<float*>(memory_.get()), size_ / sizeof(float)}; }
 
  private:
-  anim::PaletteFormat format_;
+  PaletteFormat format_;
   std::size_t slot_bytes_;
   std::size_t size_;
   anim::AlignedBytes memory_;
@@ -50,7 +48,7 @@ class SystemSubject {
   /// Sets the time that passes from one run to the next; 1/60 s unless set.
   void set_step(Ticks step) { step_ = step; }
   /// Returns [agent] what a run asks for, to ask for more.
-  std::span<anim::AgentUpdate> updates() { return updates_; }
+  std::span<PoseRequest> updates() { return updates_; }
   /// Changes to other options, which must fit.
   void configure(const anim::SystemOptions& options);
   void record_trace(anim::Tracing tracing) { system_->record_trace(tracing); }
@@ -60,7 +58,7 @@ class SystemSubject {
  private:
   std::unique_ptr<anim::AnimationSystem> system_;
   Ticks step_ = ticks_per_second / 60;
-  std::vector<anim::AgentUpdate> updates_;
+  std::vector<PoseRequest> updates_;
 };
 
 /// The bare kernels over the same agents: clips to palettes of their format, one thread, no blocks and no copies.

@@ -157,9 +157,9 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
 /// the command line asks for the rule that keeps it.
 void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
-  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod.rule = anim::LodRule::budget;
+  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod.rule = LodRule::budget;
   if (budget_given && !error_given) tuning.error_px = 0.0F;
-  if (tuning.lod.rule != anim::LodRule::off || !reader.given("--lod")) return;
+  if (tuning.lod.rule != LodRule::off || !reader.given("--lod")) return;
   if (!reader.given("--bone-lod")) tuning.lod.bone_lod = false;
   if (!reader.given("--smooth")) tuning.lod.smooth = false;
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
@@ -176,7 +176,7 @@ bool names_an_error(const OptionReader& reader) {
 /// Complains about limits without the rule that keeps them.
 std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
   for (const std::string limit : {"--error-px", "--budget-ms"}) {
-    if (reader.given(limit) && tuning.lod.rule != anim::LodRule::budget) return limit + ": goes with --lod budget";
+    if (reader.given(limit) && tuning.lod.rule != LodRule::budget) return limit + ": goes with --lod budget";
   }
   return {};
 }

@@ -99,7 +99,7 @@ Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels)
   if (!subject) return subject.error();
   anim::AnimationSystem& system = subject->system();
   BenchRounds rounds;
-  std::vector<anim::AgentUpdate> updates(agents.size());
+  std::vector<PoseRequest> updates(agents.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const auto update = [&system, &updates] {
       system.advance(ticks_per_second / 60);

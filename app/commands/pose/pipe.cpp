@@ -41,7 +41,7 @@ Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip) {
                                               {.schedule = anim::Schedule::levels, .stream = stream_, .hash = false});
   if (!system) return system.error();
   system_ = std::move(*system);
-  palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), anim::PaletteFormat::matrices));
+  palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), PaletteFormat::matrices));
   model_ = &model;
   clip_ = clip;
   return Done{};
@@ -52,8 +52,7 @@ Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip* clip
   system_->set_agent_count(0);
   system_->set_agent_count(1);
   system_->agent(0).play({.clip = 0, .start = to_ticks(seconds), .loop = false});
-  auto* palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get());
-  const anim::AgentUpdate update{.agent = {0}, .palette = palette};
+  const PoseRequest update{.agent = {0}, .palette = palette_.get()};
   system_->update({&update, 1});
 
   BonePose pose;
@@ -61,6 +60,7 @@ Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip* clip
   for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
     pose.states.push_back(state_of_bone(system_->agent(0).pose(), components, bone));
   }
+  const auto* const palette = reinterpret_cast<const anim::PaletteMatrix*>(palette_.get());
   for (std::size_t entry = 0; entry < model.skeleton.palette.size(); ++entry) {
     pose.palette.push_back(to_matrix(palette[entry]));
   }

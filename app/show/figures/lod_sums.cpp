@@ -9,8 +9,8 @@ double percent_of(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule) {
-  const bool culls = rule != anim::LodRule::off;
+SavedCost saved_cost(const anim::LodCost& cost, LodRule rule) {
+  const bool culls = rule != LodRule::off;
   return {.culling_percent = culls ? percent_of(cost.everyone - cost.visible, cost.everyone) : 0.0,
           .skipping_percent = percent_of(cost.visible - cost.due_all_bones, cost.visible),
           .bones_percent = percent_of(cost.due_all_bones - cost.due, cost.visible)};

@@ -12,7 +12,7 @@ struct SavedCost {
   double skipping_percent = 0.0;  ///< of the cost of agents in view; saved by skipped updates
   double bones_percent = 0.0;     ///< of the cost of agents in view; saved by dropped bones
 };
-SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule);
+SavedCost saved_cost(const anim::LodCost& cost, LodRule rule);
 
 /// Sums up level of detail over the frames of a run.
 struct LodSums {
@@ -31,7 +31,7 @@ struct LodSums {
 
   void add(const anim::LodFigures& figures);
   double predicted_ms_a_frame() const;
-  SavedCost saved(anim::LodRule rule) const { return saved_cost(cost, rule); }
+  SavedCost saved(LodRule rule) const { return saved_cost(cost, rule); }
 };
 
 }  // namespace throng::app

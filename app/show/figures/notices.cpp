@@ -148,10 +148,10 @@ std::string palette_notice(const ShownPoses& shown) {
 }
 
 std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
-  if (system.options().palettes != anim::PaletteFormat::packed) return {};
+  if (system.options().palettes != PaletteFormat::packed) return {};
   std::string names;
   for (std::uint32_t character = 0; character < characters.size(); ++character) {
-    if (system.characters().palette_format(character) == anim::PaletteFormat::packed) continue;
+    if (system.characters().palette_format(character) == PaletteFormat::packed) continue;
     names += (names.empty() ? "" : ", ") + characters[character].name;
   }
   if (names.empty()) return {};

@@ -51,7 +51,7 @@ const char* palette_format(const Stage& stage) {
   std::size_t packed = 0;
   const std::size_t characters = stage.people().size();
   for (std::uint32_t character = 0; character < characters; ++character) {
-    if (stage.system().characters().palette_format(character) == anim::PaletteFormat::packed) ++packed;
+    if (stage.system().characters().palette_format(character) == PaletteFormat::packed) ++packed;
   }
   if (packed == 0) return "float";
   return packed == characters ? "packed" : "mixed";
@@ -92,7 +92,7 @@ void add_error(Json& json, const ErrorMeter& meter) {
 
 // Null where there is no such limit.
 void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
-  const bool by_error = tuning.lod.rule == anim::LodRule::budget;
+  const bool by_error = tuning.lod.rule == LodRule::budget;
   const SavedCost saved = sums.saved(tuning.lod.rule);
   const auto held = [&](const LodSums::LimitCount& limit, float asked) {
     return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);

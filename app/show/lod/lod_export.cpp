@@ -15,8 +15,6 @@ namespace {
 constexpr int lod_export_version = 3;
 constexpr float frame_seconds = 1.0F / 60.0F;
 
-using anim::LodRule;
-
 /// A distance, and the height on screen of the character there; null at the camera.
 Json from(const LodInForce& lod, double metres, double height) {
   const double pixels = height * static_cast<double>(lod.pixels_per_unit);

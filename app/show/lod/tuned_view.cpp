@@ -8,7 +8,6 @@
 namespace throng::app {
 namespace {
 
-constexpr double nanoseconds_a_millisecond = 1e6;
 constexpr auto cost_of_placed_feet =
     static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
 
@@ -35,16 +34,15 @@ MeshRules mesh_rules(const Tuning& tuning) {
           .triangle_budget = static_cast<std::uint64_t>(tuning.triangle_budget)};
 }
 
-anim::LodLimits lod_limits(const Tuning& tuning) {
-  return {.error_pixels = pose_error_limit(tuning),
-          .budget_nanoseconds = static_cast<double>(tuning.budget_ms) * nanoseconds_a_millisecond};
+LodRules lod_rules(const Tuning& tuning) {
+  LodRules rules = tuning.lod;
+  rules.error_pixels = pose_error_limit(tuning);
+  rules.budget_milliseconds = static_cast<double>(tuning.budget_ms);
+  return rules;
 }
 
 ViewRules view_rules(const Tuning& tuning, std::optional<std::uint32_t> selected) {
-  return {.lod = tuning.lod,
-          .limits = lod_limits(tuning),
-          .force = lod_force(tuning.inspection, selected),
-          .meshes = mesh_rules(tuning)};
+  return {.lod = lod_rules(tuning), .force = lod_force(tuning.inspection, selected), .meshes = mesh_rules(tuning)};
 }
 
 ViewedCharacter viewed_character(const CharacterSource& source) {

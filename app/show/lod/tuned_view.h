@@ -16,8 +16,8 @@ inline constexpr float mesh_share_of_error = 0.5F;
 float pose_error_limit(const Tuning& tuning);
 /// Returns how a tuning has meshes chosen.
 MeshRules mesh_rules(const Tuning& tuning);
-/// Returns the limits of LodRule::budget.
-anim::LodLimits lod_limits(const Tuning& tuning);
+/// Returns the rules of a tuning with its limits, as far as they concern poses.
+LodRules lod_rules(const Tuning& tuning);
 /// Returns all that decides how exactly a tuned crowd is seen. `selected` is the agent that is looked at.
 ViewRules view_rules(const Tuning& tuning, std::optional<std::uint32_t> selected);
 

@@ -42,7 +42,7 @@ void BodyDetails::find_things() {
   joined_hands_.reset(*crowd_);
 }
 
-void BodyDetails::follow_track(std::span<const anim::AgentUpdate> updates) {
+void BodyDetails::follow_track(std::span<const PoseRequest> updates) {
   if (!track_players_) return;
   if (updates.size() > 1) std::as_const(*system_).agent(updates[1].agent.number).prefetch();
   track_players_->set(updates[0].agent.number, updates[0].look_ahead);

@@ -36,7 +36,7 @@ class BodyDetails {
   void find_things();
 
   /// Sets what a person of a recorded crowd plays in the first of these updates. It asks the caches for the next one.
-  void follow_track(std::span<const anim::AgentUpdate> updates);
+  void follow_track(std::span<const PoseRequest> updates);
   /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Where they stand, the agent
   /// turns its head to the person that it talks to. Call it after follow_track(); feet stand only in an update for the
   /// pose of now.

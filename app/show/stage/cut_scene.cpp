@@ -79,8 +79,7 @@ void CutScene::advance() {
   if (act_ == Act::let_go && now >= to_ticks(release_seconds)) begin(Act::wave);
   put(actor, root_of(actor));
   if (has_balloon()) put(balloon_agent, root_of(act_ == Act::wave ? balloon_agent : actor));
-  const anim::AgentUpdate camera{.agent = camera_,
-                                 .palette = reinterpret_cast<anim::PaletteMatrix*>(camera_palette_.get())};
+  const PoseRequest camera{.agent = camera_, .palette = camera_palette_.get()};
   system_->update({&camera, 1});
 }
 

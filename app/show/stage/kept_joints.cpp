@@ -13,7 +13,7 @@ Status KeptJoints::begin(anim::AnimationSystem& system, std::span<const Characte
   for (std::uint32_t i = 0; i < characters.size(); ++i) {
     const anim::JointList list = anim::all_joints(characters[i].character->skeleton);
     const CharacterId id{i};
-    if (Status set = system.characters().write_joints(list, anim::JointFormat::matrices, id); !set) return set;
+    if (Status set = system.characters().write_joints(list, JointFormat::matrices, id); !set) return set;
     most = std::max(most, system.characters().joint_bytes(id));
   }
   stride_ = (most + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment;

@@ -22,16 +22,14 @@ class KeptJoints {
   void make_room(std::size_t agents);
 
   /// Returns where an update writes the joints of an agent; null while none are kept.
-  anim::PaletteDestination destination(std::uint32_t agent) const { return stride_ == 0 ? nullptr : joints(agent); }
+  std::byte* destination(std::uint32_t agent) const { return stride_ == 0 ? nullptr : memory(agent); }
   /// Returns [bone] the joints of an agent with so many bones, as it was updated last.
   std::span<const anim::PaletteMatrix> of(std::uint32_t agent, std::size_t bones) const {
-    return {joints(agent), bones};
+    return {reinterpret_cast<const anim::PaletteMatrix*>(memory(agent)), bones};
   }
 
  private:
-  anim::PaletteMatrix* joints(std::uint32_t agent) const {
-    return reinterpret_cast<anim::PaletteMatrix*>(memory_.get() + stride_ * agent);
-  }
+  std::byte* memory(std::uint32_t agent) const { return memory_.get() + stride_ * agent; }
 
   std::size_t stride_ = 0;  // bytes an agent; 0: none are kept
   std::size_t agents_ = 0;

@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "app/show/lod/tuned_view.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float longest_shadow = 14.0F;   // metres, of a person; a shadow that falls farther is faint
 constexpr std::size_t agents_ahead = 12;  // that the caches are asked for while one is shown
-
-/// Moves the planes of a frustum outwards, as far as the shadow of an agent outside may fall in. A frustum holds a ball
-/// that moves along the light if it holds the ball at either end.
-std::array<glm::vec4, 6> with_casters(std::array<glm::vec4, 6> planes, const glm::vec3& to_light, float height) {
-  const float length = std::min(height / std::max(to_light.y, 1e-3F), longest_shadow / 1.8F * height);
-  for (glm::vec4& plane : planes) plane.w += length * std::max(-glm::dot(glm::vec3(plane), to_light), 0.0F);
-  return planes;
-}
 
 float tallest_of(std::span<const CharacterSource> characters) {
   double height = 0.0;
@@ -64,7 +54,7 @@ void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuni
   measures_.take(crowd, tuning, frame.system.executor(), frame.system.options().pus);
   joints_.make_room(crowd.size());
   prepare(frame, updates());
-  if (tuning.lod.rule != anim::LodRule::off) animated.details().take_back(visible);
+  if (tuning.lod.rule != LodRule::off) animated.details().take_back(visible);
   animated.details().hold_things(visible);
   add_fallen(frame);
   CrowdView::pose(frame.system, frame.view);
@@ -72,26 +62,29 @@ void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuni
   times.pose_ms = watch.lap();
 }
 
-std::array<glm::vec4, 6> PosedCrowd::seen_by(const render::CameraView& view, const Tuning& tuning) const {
-  const auto planes = render::frustum_planes(view);
-  if (!tuning.shadows || !render::casts_shadows(tuning.light)) return planes;
-  return with_casters(planes, render::to_brightest(tuning.light), tallest_of(characters_));
+Camera PosedCrowd::seen_by(const SeenFrame& seen, const render::CameraView& view, const Tuning& tuning) const {
+  Camera camera{.position = from_glm(seen.camera.position),
+                .forward = from_glm(render::forward(seen.camera)),
+                .pixels_per_unit = render::pixels_tall(seen.camera, seen.size.y, 1.0F, 1.0F)};
+  std::ranges::transform(render::frustum_planes(view), camera.frustum.begin(), [](const glm::vec4& plane) {
+    return std::array{plane.x, plane.y, plane.z, plane.w};
+  });
+  if (tuning.shadows && render::casts_shadows(tuning.light)) {
+    include_casters(camera, from_glm(render::to_brightest(tuning.light)), tallest_of(characters_));
+  }
+  return camera;
 }
 
 ViewFrame PosedCrowd::view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const {
   const Crowd& crowd = animated.crowd();
-  const render::Camera& camera = seen.camera;
-  const render::CameraView view = render::view_of(camera, seen.size.x / seen.size.y);
+  const render::CameraView view = render::view_of(seen.camera, seen.size.x / seen.size.y);
   return {.agents = placed_agents(crowd),
           .clips = crowd.minds().clips(),
           .left_out = animated.fallen().left_out(),
           .absent = absent_of(crowd),
           .rules = view_rules(tuning, seen.selected),
           .sampling = error_sampling(tuning),
-          .camera = {.position = camera.position,
-                     .frustum = seen_by(view, tuning),
-                     .pixels_per_unit = render::pixels_tall(camera, seen.size.y, 1.0F, 1.0F),
-                     .forward = render::forward(camera)},
+          .camera = seen_by(seen, view, tuning),
           .view = view.view,
           .projection = view.projection,
           .size = seen.size,
@@ -101,11 +94,11 @@ ViewFrame PosedCrowd::view_frame(const AnimatedCrowd& animated, const SeenFrame&
 }
 
 /// Sets the parts of poses beyond clips, and where palettes go.
-void PosedCrowd::prepare(const Frame& frame, std::span<anim::AgentUpdate> updates) {
+void PosedCrowd::prepare(const Frame& frame, std::span<PoseRequest> updates) {
   BodyDetails& details = frame.animated.details();
   for (std::size_t i = 0; i < updates.size(); ++i) {
     if (i + agents_ahead < updates.size()) prefetch_pose(updates[i + agents_ahead].agent.number);
-    anim::AgentUpdate& update = updates[i];
+    PoseRequest& update = updates[i];
     const std::uint32_t agent = update.agent.number;
     const bool visible = level_of_detail().is_visible(agent);
     details.follow_track(updates.subspan(i));
@@ -119,8 +112,8 @@ void PosedCrowd::prepare(const Frame& frame, std::span<anim::AgentUpdate> update
 
 // Feet are placed for agents that are evaluated each frame and not ahead, so that it is known where the feet are;
 // without level of detail, for all.
-void PosedCrowd::place_feet(const Frame& frame, const anim::AgentUpdate& update, bool near_by) const {
-  const bool everyone = frame.tuning.lod.rule == anim::LodRule::off;
+void PosedCrowd::place_feet(const Frame& frame, const PoseRequest& update, bool near_by) const {
+  const bool everyone = frame.tuning.lod.rule == LodRule::off;
   const anim::LodChoice choice = level_of_detail().choice(update.agent.number);
   const bool stand =
       frame.tuning.placed_feet && choice.bone_level == 0 && (everyone || (near_by && choice.interval == 1));
@@ -133,7 +126,7 @@ void PosedCrowd::add_fallen(const Frame& frame) {
     const ShownPose& pose = shown().pose(fallen.agent);
     const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
     if (looked_ahead || (!frame.seen.moves && pose.shown())) continue;
-    anim::AgentUpdate& update = show_also(frame.system, frame.view, fallen.agent);
+    PoseRequest& update = show_also(frame.system, frame.view, fallen.agent);
     if (level_of_detail().is_visible(fallen.agent)) update.joints = joints_.destination(fallen.agent);
   }
 }

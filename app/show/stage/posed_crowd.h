@@ -59,10 +59,10 @@ class PosedCrowd : public CrowdView {
  private:
   struct Frame;
 
-  std::array<glm::vec4, 6> seen_by(const render::CameraView& view, const Tuning& tuning) const;
+  Camera seen_by(const SeenFrame& seen, const render::CameraView& view, const Tuning& tuning) const;
   ViewFrame view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const;
-  void prepare(const Frame& frame, std::span<anim::AgentUpdate> updates);
-  void place_feet(const Frame& frame, const anim::AgentUpdate& update, bool near_by) const;
+  void prepare(const Frame& frame, std::span<PoseRequest> updates);
+  void place_feet(const Frame& frame, const PoseRequest& update, bool near_by) const;
   void add_fallen(const Frame& frame);
 
   std::span<const CharacterSource> characters_;

@@ -163,12 +163,12 @@ void Stage::populate(AnimatedCrowd::Clocks clocks) {
     track_clock_ = crowd().tracks()->clock();
   }
   selected_.reset();
-  posed_.reset(crowd().size(), lod_limits(tuning_));
+  posed_.reset(crowd().size(), lod_rules(tuning_));
 }
 
 // No agent flies or slides from its place before: all agents are posed at once, and feet come down anew.
 void Stage::jump() {
-  posed_.forget_shown(crowd().size(), lod_limits(tuning_));
+  posed_.forget_shown(crowd().size(), lod_rules(tuning_));
   animated_->details().take_back({});
 }
 
@@ -217,7 +217,7 @@ void Stage::select(std::optional<std::uint32_t> agent) {
 
 Status Stage::go_back_to(const StageMoment& moment) {
   Status gone = animated_->go_back_to(moment);
-  if (gone) posed_.forget_shown(crowd().size(), lod_limits(tuning_));  // those are poses of the future
+  if (gone) posed_.forget_shown(crowd().size(), lod_rules(tuning_));  // those are poses of the future
   return gone;
 }
 

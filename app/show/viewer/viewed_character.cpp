@@ -91,8 +91,7 @@ void ViewedCharacter::pose(const ViewedPose& wanted) {
     second.held_fraction = wanted.weight;
     agent.play(second);
   }
-  const anim::AgentUpdate update{
-      .agent = agent_, .level = wanted.bone_level, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get())};
+  const PoseRequest update{.agent = agent_, .level = wanted.bone_level, .palette = palette_.get()};
   system_->update({&update, 1});
 }
 

@@ -47,7 +47,7 @@ class ViewedCharacter {
   std::span<const anim::PaletteMatrix> palette() const;
   /// Returns the bytes that a palette of the character takes.
   std::size_t palette_bytes() const {
-    return anim::palette_stride(character().level_entries.front(), anim::PaletteFormat::matrices);
+    return anim::palette_stride(character().level_entries.front(), PaletteFormat::matrices);
   }
   /// Returns where a joint is in the last pose, in model space; nothing for a bone that no skin uses, or that the bone
   /// level lacks.

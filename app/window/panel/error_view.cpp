@@ -94,8 +94,7 @@ void show_error(const TabContext& context) {
        .cost = "some: 5% of the animation, or four agents a frame. all: more than the animation itself."});
   if (context.widgets.is_searching()) return;
   show_error_figures(context.widgets, error);
-  show_error_history(context.widgets, error,
-                     context.tuning.lod.rule == anim::LodRule::budget ? context.tuning.error_px : 0);
+  show_error_history(context.widgets, error, context.tuning.lod.rule == LodRule::budget ? context.tuning.error_px : 0);
   context.widgets.steady_caption(error.figures.samples == 0 ? why_no_figures(context) : error.skipping_sentence);
 }
 

@@ -21,7 +21,7 @@ std::optional<int> count_at(const std::vector<int>& counts, int place) {
 
 // With the rule off, all agents are posed in each frame.
 int largest_interval_in_force(const Tuning& tuning) {
-  if (tuning.lod.rule == anim::LodRule::off) return 1;
+  if (tuning.lod.rule == LodRule::off) return 1;
   return std::max(tuning.lod.largest_interval, tuning.inspection.forced_interval);
 }
 

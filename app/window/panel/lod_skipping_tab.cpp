@@ -57,7 +57,7 @@ void show_rule(const TabContext& context) {
               {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                        "not stutter.",
                .cost = "A second palette slot for each skipped agent."});
-  if (context.tuning.lod.rule == anim::LodRule::budget) context.when_not_searching(show_what_binds);
+  if (context.tuning.lod.rule == LodRule::budget) context.when_not_searching(show_what_binds);
 }
 
 void show_looking(const TabContext& context) {
@@ -105,7 +105,7 @@ void show_forcing(const TabContext& context) {
 void show_intervals_over_distance(const TabContext& context) {
   const Tuning& tuning = context.tuning;
   const FrameReport& report = context.report;
-  if (tuning.lod.rule == anim::LodRule::off) return;
+  if (tuning.lod.rule == LodRule::off) return;
   constexpr float nearest_reach = 20, margin = 1.2F;
   const float reach = report.thresholds.empty() ? 0 : margin * report.thresholds.back().metres;
   context.widgets.section("Interval over distance");
@@ -155,7 +155,7 @@ void show_budget(const TabContext& context) {
   Area graph = widgets.area("Budget graph", 96);
   graph.to.x -= theme.px(52);
   draw_well(theme, graph);
-  const float limit = context.tuning.lod.rule == anim::LodRule::budget ? context.tuning.budget_ms : 0;
+  const float limit = context.tuning.lod.rule == LodRule::budget ? context.tuning.budget_ms : 0;
   const float usual = report.update_ms_history.empty() ? 1 : at_percent(report.update_ms_history, 95);
   const float top = round_up(1.15F * std::max(usual, limit));
   const std::vector<float> smooth = smoothed(report.update_ms_history);

@@ -141,7 +141,7 @@ void AnimationSystem::advance(Ticks delta) {
   }
 }
 
-void AnimationSystem::update(std::span<const AgentUpdate> agents) {
+void AnimationSystem::update(std::span<const PoseRequest> agents) {
   const Turn turn(parts_.turn, "Crowd::update");
   if (turn && can_run(turn)) parts_.frame.update(parts_.population, parts_.pus, agents);
 }

@@ -81,7 +81,7 @@ class AnimationSystem {
   Ticks clock() const { return parts_.population.clock(); }
   /// Poses these agents, each once. An invalid entry is left out: an agent that is gone or plays nothing, a
   /// bone level that its character lacks, a palette that is not aligned, an agent that comes twice.
-  void update(std::span<const AgentUpdate> agents);
+  void update(std::span<const PoseRequest> agents);
 
   /// Writes palettes or local transforms for the clock, with all bones, of agents that were updated before. Level of
   /// detail is measured against these. The players and blends of an agent are wound back, however far ahead it stands;

@@ -53,14 +53,14 @@ class Characters {
   /// small. Then nothing has changed.
   Status replace_clips(CharacterId character, std::shared_ptr<const Character> other);
 
-  /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette
+  /// Sets which joints an update writes of each agent of this character, to PoseRequest::joints, instead of a palette
   /// or beside it: all joints (all_joints), chosen joints for sockets and hits (joints_of), or palettes in the order of
   /// a glTF skin (joints_of_skin) or as 4x4 matrices. An agent without a wanted palette or hash is posed as far as its
   /// joints need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
   /// joints, and the order of bones stays. An empty list: none. Errors: those of compile_joints, or a local store of a
   /// fixed size is too small; then nothing has changed.
   Status write_joints(const JointList& list, JointFormat format, CharacterId character = 0);
-  /// Returns the bytes that an update writes to AgentUpdate::joints; 0: the character lists no joints.
+  /// Returns the bytes that an update writes to PoseRequest::joints; 0: the character lists no joints.
   std::size_t joint_bytes(CharacterId character = 0) const { return of(character).joint_bytes(); }
 
   /// Adds weights of bones for requests and layers, and returns the number for `PlayRequest::mask`. The mask is made

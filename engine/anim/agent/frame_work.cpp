@@ -54,7 +54,7 @@ bool update_shared(const Population& population, CharacterAgents& character) {
 
 }  // namespace
 
-void FrameWork::update(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents) {
+void FrameWork::update(Population& population, FittedScheduler& pus, std::span<const PoseRequest> agents) {
   ++hashes_.frame;
   report_ = {};
   list_shared_work(population, pus);
@@ -89,7 +89,7 @@ void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
   population.shared_are_posed();
 }
 
-void FrameWork::list_work(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents) {
+void FrameWork::list_work(Population& population, FittedScheduler& pus, std::span<const PoseRequest> agents) {
   work_.resize(agents.size());
   // Nothing below moves these, and the compiler cannot know.
   const std::span<const Member> members = population.numbers().members();
@@ -113,7 +113,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
       prefetch_to_write(hashes_.frames.data() + agent);
       prefetch_graph(population, agents[place + agents_ahead].agent.number);
     }
-    const AgentUpdate& update = agents[place];
+    const PoseRequest& update = agents[place];
     if (!may_update(population, pus.contexts(), update)) [[unlikely]]
       continue;
     const std::uint32_t agent = update.agent.number;
@@ -163,7 +163,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
 
 // Checks the values that the host wrote, before anything of the agent changes.
 bool FrameWork::may_update(const Population& population, std::span<const UpdateContext> contexts,
-                           const AgentUpdate& update) const {
+                           const PoseRequest& update) const {
   const auto refused = [](const char* reason) { return report_misuse({"Crowd::update", reason}); };
   if (!population.numbers().has(update.agent)) return refused(no_agent);
   const std::uint32_t character = population.numbers().member(update.agent.number).character;
@@ -174,8 +174,8 @@ bool FrameWork::may_update(const Population& population, std::span<const UpdateC
   }
   if (update.look_ahead < Ticks{} || update.look_ahead > farthest_ahead)
     return refused("a pose looks 0 to an hour ahead");
-  if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
-  if (update.joints.is_misaligned()) return refused("joints lie at a multiple of 16 bytes");
+  if (PaletteDestination(update.palette).is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
+  if (PaletteDestination(update.joints).is_misaligned()) return refused("joints lie at a multiple of 16 bytes");
   if (update.joints != nullptr && contexts[character].joint_programs.empty()) {
     return refused("the agent's character lists no joints: call Crowd::write_joints first");
   }

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "throng/pose_request.h"
+
 #include "engine/anim/agent/fitted_scheduler.h"
-#include "engine/anim/run/agent_update.h"
 #include "engine/anim/run/update_report.h"
 
 namespace throng::anim {
@@ -25,7 +26,7 @@ struct FrameHashes {
 /// Does a frame: asks the channels that are due, lists the work of each agent, has the PUs do it, and sums it up.
 class FrameWork {
  public:
-  void update(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents);
+  void update(Population& population, FittedScheduler& pus, std::span<const PoseRequest> agents);
   /// Makes room for agents with numbers below `limit`, so that an update allocates nothing.
   void reserve(std::uint32_t limit);
   /// Forgets the agent that had this number.
@@ -42,10 +43,10 @@ class FrameWork {
 
  private:
   void list_shared_work(Population& population, FittedScheduler& pus);
-  void list_work(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents);
+  void list_work(Population& population, FittedScheduler& pus, std::span<const PoseRequest> agents);
   void report_work(const Population& population, const FittedScheduler& pus);
   bool may_update(const Population& population, std::span<const UpdateContext> contexts,
-                  const AgentUpdate& update) const;
+                  const PoseRequest& update) const;
   void sum_up_hashes(const AgentOrder& order);
   void hash_agent(std::uint32_t agent, std::uint32_t place);
 

@@ -27,8 +27,8 @@ anim::PlayRequest request_of(const Play& play) {
                             .loop = play.loop,
                             .mask = detail::number_of(play.mask)};
   if (play.absolute_root) {
-    request.absolute_root = {.position = glm::dvec3(detail::to_glm(play.absolute_root->position)),
-                             .rotation = detail::to_glm(play.absolute_root->rotation)};
+    request.absolute_root = {.position = glm::dvec3(to_glm(play.absolute_root->position)),
+                             .rotation = to_glm(play.absolute_root->rotation)};
   }
   return request;
 }

@@ -2,22 +2,14 @@
 
 #include <cstdint>
 
-#include <glm/gtc/quaternion.hpp>
-#include <glm/vec3.hpp>
-
 #include "throng/ids.h"
-#include "throng/math.h"
 
 #include "engine/anim/bake/character.h"
 #include "engine/anim/kernel/limb/joint_chain.h"
+#include "engine/base/glm_numbers.h"
 
 /// Converts the door's numbers to the library's, and back.
 namespace throng::detail {
-
-inline glm::vec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
-inline glm::quat to_glm(const Quat& q) { return {q.w, q.x, q.y, q.z}; }  // GLM takes w first
-inline Vec3 from_glm(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-inline Quat from_glm(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 inline anim::JointMotion to_joint(const Place& place) {
   return {.rotation = to_glm(place.rotation), .position = to_glm(place.position)};

@@ -18,29 +18,13 @@ namespace throng {
 
 namespace {
 
-// The enumerators of the door have the numbers of the library's own.
-static_assert(static_cast<int>(JointFormat::transforms) == static_cast<int>(anim::JointFormat::transforms));
-static_assert(static_cast<int>(JointFormat::matrices) == static_cast<int>(anim::JointFormat::matrices));
-static_assert(static_cast<int>(JointFormat::matrices_4x4) == static_cast<int>(anim::JointFormat::matrices_4x4));
-
 anim::SystemOptions system_options(const CrowdOptions& options) {
   return {.pus = options.pus,
           .local_store_bytes = options.local_store_bytes,
           .executor = options.executor,
           .hash = options.hash,
           .trace = options.trace ? anim::Tracing::on : anim::Tracing::off,
-          .palettes =
-              options.palettes == PaletteFormat::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
-}
-
-anim::AgentUpdate update_of(const PoseRequest& request) {
-  return {.agent = request.agent,
-          .level = request.level,
-          .look_ahead = request.look_ahead,
-          .palette = anim::PaletteDestination(request.palette),
-          .joints = anim::PaletteDestination(request.joints),
-          .fade_level = request.fade_level,
-          .fade_halves = request.fade_halves};
+          .palettes = options.palettes};
 }
 
 /// Returns a number that no crowd had before.
@@ -214,7 +198,7 @@ Status Crowd::write_joints(CharacterId character, const JointOutput& output) {
   }
   const Result<anim::JointList> joints = joints_of(*parts_->characters[character.number].character.data(), output);
   if (!joints) return joints.error();
-  return characters.write_joints(*joints, static_cast<anim::JointFormat>(output.format), character);
+  return characters.write_joints(*joints, output.format, character);
 }
 
 std::size_t Crowd::joint_bytes(CharacterId character) const {
@@ -300,10 +284,7 @@ Ticks Crowd::clock() const {
 
 void Crowd::update(std::span<const PoseRequest> requests) {
   if (is_gone("Crowd::update")) return;
-  std::vector<anim::AgentUpdate>& updates = parts_->updates;
-  updates.clear();
-  for (const PoseRequest& request : requests) updates.push_back(update_of(request));
-  parts_->system->update(updates);
+  parts_->system->update(requests);
 }
 
 void Crowd::pose_exactly(std::span<const PoseRequest> requests) {
@@ -329,9 +310,9 @@ bool Crowd::local_pose(AgentId agent, std::span<LocalTransform> into) {
   const anim::ExactPose pose{.agent = agent, .locals = locals};
   parts_->system->pose_exactly({&pose, 1});
   for (std::size_t bone = 0; bone < bones; ++bone) {
-    into[bone] = {.translation = detail::from_glm(locals[bone].translation),
-                  .rotation = detail::from_glm(locals[bone].rotation),
-                  .scale = detail::from_glm(locals[bone].scale)};
+    into[bone] = {.translation = from_glm(locals[bone].translation),
+                  .rotation = from_glm(locals[bone].rotation),
+                  .scale = from_glm(locals[bone].scale)};
   }
   return true;
 }

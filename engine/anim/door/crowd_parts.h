@@ -35,10 +35,9 @@ struct CrowdParts {
       characters;  // [number] an empty one where no character has the number. They outlive the system.
   std::unique_ptr<anim::AnimationSystem> system;
   AgentNotes notes;
-  std::vector<anim::AgentUpdate> updates;  // scratch of a frame
-  std::vector<anim::ExactPose> exact;      // scratch of a look
-  std::vector<anim::Transform> locals;     // the same
-  std::uint64_t version = 0;               // another one, of all crowds, whenever characters come or go
+  std::vector<anim::ExactPose> exact;   // scratch of a look
+  std::vector<anim::Transform> locals;  // the same
+  std::uint64_t version = 0;            // another one, of all crowds, whenever characters come or go
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.
   CrowdCharacter* character_of(AgentId agent, const char* call);

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "throng/debug.h"
 
 #include "engine/anim/base/misuse.h"
@@ -25,7 +23,7 @@ struct Lod::State {
   std::vector<int> clips;
   std::vector<std::uint8_t> is_left_out;
   std::vector<std::uint32_t> generations;  // [number] of the agent that was seen last
-  std::vector<PoseRequest> requests;
+  std::span<PoseRequest> requests;         // of the last selection
   bool has_selected = false;
 };
 
@@ -34,40 +32,6 @@ namespace {
 constexpr const char* selects = "Lod::select";
 constexpr std::size_t least_room = 64;
 constexpr Ticks longest_frame = 3600 * ticks_per_second;
-
-anim::LodCamera camera_for(const Camera& camera) {
-  anim::LodCamera own{.position = detail::to_glm(camera.position),
-                      .pixels_per_unit = camera.pixels_per_unit,
-                      .forward = detail::to_glm(camera.forward)};
-  for (std::size_t i = 0; i < own.frustum.size(); ++i) {
-    const std::array<float, 4>& plane = camera.frustum[i];
-    own.frustum[i] = {plane[0], plane[1], plane[2], plane[3]};
-  }
-  return own;
-}
-
-// The enumerators of the door have the numbers of the library's own.
-static_assert(static_cast<int>(LodRule::distance) == static_cast<int>(anim::LodRule::distance));
-static_assert(static_cast<int>(LodRule::budget) == static_cast<int>(anim::LodRule::budget));
-
-anim::LodLimits limits_of(const LodRules& rules) {
-  return {.error_pixels = rules.error_pixels, .budget_nanoseconds = rules.budget_milliseconds * 1e6};
-}
-
-anim::LodRequest request_for(const LodFrame& frame, Ticks now) {
-  anim::LodRequest request;
-  request.camera = camera_for(frame.camera);
-  request.rules.rule = static_cast<anim::LodRule>(frame.rules.rule);
-  request.rules.full_rate_distance = frame.rules.full_rate_distance;
-  request.rules.interval_growth = frame.rules.interval_growth;
-  request.rules.largest_interval = frame.rules.largest_interval;
-  request.rules.bone_lod = frame.rules.bone_lod;
-  request.rules.smooth = frame.rules.smooth;
-  request.limits = limits_of(frame.rules);
-  request.now = now;
-  request.frame_step = frame.frame_step;
-  return request;
-}
 
 /// No place of a crowd is farther off, in metres: squares of it are still numbers.
 constexpr float farthest = 1e9F;
@@ -112,24 +76,6 @@ const char* fault_of(const LodFrame& frame, std::size_t numbers) {
 
 }  // namespace
 
-Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall) {
-  Camera camera{.position = position, .forward = forward};
-  const auto row = [&](int r) {
-    return glm::vec4(clip_from_world[r], clip_from_world[4 + r], clip_from_world[8 + r], clip_from_world[12 + r]);
-  };
-  for (int side = 0; side < 6; ++side) {
-    const glm::vec4 plane = row(3) + (side % 2 == 0 ? 1.0F : -1.0F) * row(side / 2);
-    const float length = glm::length(glm::vec3(plane));
-    for (int i = 0; i < 4; ++i) {
-      camera.frustum[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] =
-          length > 0.0F ? plane[i] / length : 0.0F;
-    }
-  }
-  // The second row is the projection's scale times a unit vector.
-  camera.pixels_per_unit = 0.5F * static_cast<float>(pixels_tall) * glm::length(glm::vec3(row(1)));
-  return camera;
-}
-
 Lod::Lod() : state_(std::make_unique<State>()) {}
 Lod::~Lod() = default;
 Lod::Lod(Lod&&) noexcept = default;
@@ -160,7 +106,7 @@ void Lod::make_room(std::size_t numbers, const LodRules& rules) {
   s.clips.resize(room, -1);
   s.is_left_out.resize(room, 1);
   s.generations.resize(room, whichever);
-  s.lod.reset(room, limits_of(rules));
+  s.lod.reset(room, rules);
 }
 
 void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
@@ -175,7 +121,7 @@ void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
       continue;
     }
     s.is_left_out[number] = 0;
-    s.positions[number] = detail::to_glm(frame.positions[number]);
+    s.positions[number] = to_glm(frame.positions[number]);
     s.scales[number] = scale;
     s.characters_of[number] = notes.characters[number];
     s.clips[number] = notes.clips[number];
@@ -186,13 +132,13 @@ void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
 std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
   if (is_gone(selects)) return {};
   State& s = *state_;
-  s.requests.clear();
+  s.requests = {};
+  s.has_selected = false;
   if (const char* fault = fault_of(frame, crowd.number_limit()); fault != nullptr) {
     anim::report_misuse({selects, fault});
     return {};
   }
   if (crowd.parts().characters.empty()) return {};  // it was moved from, as number_limit() has reported
-  const anim::LodRequest request = request_for(frame, crowd.clock());
   take_characters(crowd);
   make_room(crowd.number_limit(), frame.rules);
   if (s.positions.empty()) return {};
@@ -203,16 +149,11 @@ std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
                 .character_of = s.characters_of,
                 .clips = s.clips,
                 .left_out = s.is_left_out},
-               request, system.executor(), system.options().pus);
+               {.camera = frame.camera, .rules = frame.rules, .now = crowd.clock(), .frame_step = frame.frame_step},
+               system.executor(), system.options().pus);
   s.has_selected = true;
-  for (const anim::AgentUpdate& update : s.lod.updates()) {
-    s.requests.push_back({.agent = system.id(update.agent.number),
-                          .level = update.level,
-                          .look_ahead = update.look_ahead,
-                          .palette = nullptr,
-                          .fade_level = update.fade_level,
-                          .fade_halves = update.fade_halves});
-  }
+  for (PoseRequest& request : s.lod.updates()) request.agent = system.id(request.agent.number);
+  s.requests = s.lod.updates();
   return s.requests;
 }
 
@@ -226,10 +167,6 @@ void Lod::settle(const Crowd& crowd) {
   if (!std::exchange(state_->has_selected, false)) {
     anim::report_misuse({"Lod::settle", "there was no selection since the last call"});
     return;
-  }
-  const std::span<anim::AgentUpdate> updates = state_->lod.updates();
-  for (std::size_t i = 0; i < updates.size(); ++i) {
-    updates[i].palette = anim::PaletteDestination(state_->requests[i].palette);
   }
   state_->lod.settle(crowd.debug().predicted_nanoseconds());
 }

@@ -31,7 +31,7 @@ bool are_near(const detail::CrowdParts& crowd, Ticks from, Ticks to, const char*
 RootMotion Motion::displacement(Ticks from, Ticks to) const {
   if (!are_near(*crowd_, from, to, "Motion::displacement")) return {};
   const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
-  return {.displacement = detail::from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
+  return {.displacement = from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
 }
 
 float Motion::curve(std::uint32_t name) const {
@@ -45,7 +45,7 @@ float Motion::curve(std::uint32_t name) const {
 std::optional<Place> Motion::absolute_root() const {
   const auto root = motion_of(*crowd_, agent_).absolute_root(crowd_->system->clock());
   if (!root) return std::nullopt;
-  return Place{.position = detail::from_glm(glm::vec3(root->position)), .rotation = detail::from_glm(root->rotation)};
+  return Place{.position = from_glm(glm::vec3(root->position)), .rotation = from_glm(root->rotation)};
 }
 
 void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),

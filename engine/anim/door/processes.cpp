@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* adds = "Agent::add";
 
-using detail::no_agent, detail::to_glm;
+using detail::no_agent;
 
 /// Adds a process of type `Process`, made of its kind and `settings`, to an agent.
 template <typename Process, typename... Settings>
@@ -177,7 +177,7 @@ bool Processes::set_ground(ProcessId feet, int leg, const Vec3& point, const Vec
 
 Vec3 Processes::ankle(ProcessId feet, int leg) const {
   const auto* const own = find<anim::FootPlacementProcess>(*crowd_, agent_, feet, "Processes::ankle");
-  return own == nullptr ? Vec3{} : detail::from_glm(own->ankle(pools_of(*crowd_, agent_), leg));
+  return own == nullptr ? Vec3{} : from_glm(own->ankle(pools_of(*crowd_, agent_), leg));
 }
 
 bool Processes::push(ProcessId ragdoll, const Vec3& impulse, const Vec3& place) const {

@@ -45,19 +45,19 @@ anim::EntityKind detail::step_entity_kind(const StepKind& step) {
 
 // A pose has no such bones in a coarser level of detail, so they are neither read nor written.
 Quat StepPose::rotation(int bone) const {
-  return bone >= 0 && bone < bones_ ? detail::from_glm(view_of(view_).rotation(bone)) : Quat{};
+  return bone >= 0 && bone < bones_ ? from_glm(view_of(view_).rotation(bone)) : Quat{};
 }
 
 void StepPose::set_rotation(int bone, const Quat& rotation) const {
-  if (bone >= 0 && bone < bones_) view_of(view_).set_rotation(bone, detail::to_glm(rotation));
+  if (bone >= 0 && bone < bones_) view_of(view_).set_rotation(bone, to_glm(rotation));
 }
 
 Vec3 StepPose::position(int bone) const {
-  return bone >= 0 && bone < bones_ ? detail::from_glm(view_of(view_).position(bone)) : Vec3{};
+  return bone >= 0 && bone < bones_ ? from_glm(view_of(view_).position(bone)) : Vec3{};
 }
 
 void StepPose::set_position(int bone, const Vec3& position) const {
-  if (bone >= 0 && bone < bones_) view_of(view_).set_position(bone, detail::to_glm(position));
+  if (bone >= 0 && bone < bones_) view_of(view_).set_position(bone, to_glm(position));
 }
 
 }  // namespace throng

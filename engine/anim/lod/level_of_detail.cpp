@@ -12,13 +12,10 @@ namespace {
 constexpr double usual_frame_seconds = 1.0 / 60.0;
 constexpr double longer_frame = 1.25;  // on the average than a turn, or shorter: choices are built anew
 constexpr int frames_of_mean = 16;
-constexpr double nanoseconds_a_millisecond = 1e6;
 constexpr std::uint64_t never_shown = UINT64_MAX;
 
-// No choice depends on the tolerance.
-bool same_but_tolerance(LodRules a, const LodRules& b) {
-  a.tolerance_pixels = b.tolerance_pixels;
-  return a == b;
+bool have_same_choices(const LodRules& a, const LodRules& b) {
+  return a.largest_interval == b.largest_interval && a.bone_lod == b.bone_lod && a.smooth == b.smooth;
 }
 
 // Returns nanoseconds of one PU for a character that plays one clip.
@@ -50,10 +47,10 @@ void LevelOfDetail::set_characters(std::vector<LodCharacter> characters) {
   choices_ = {};
 }
 
-void LevelOfDetail::reset(std::size_t agents, const LodLimits& limits) {
+void LevelOfDetail::reset(std::size_t agents, const LodRules& rules) {
   state_.resize(agents, selection_);
   importance_.reset(agents);
-  controller_.reset(limits);
+  controller_.reset(rules);
   shown_in_.assign(agents, never_shown);
   bone_steps_.assign(agents, {});
   updates_.clear();
@@ -76,7 +73,7 @@ void LevelOfDetail::forget_shown() {
 void LevelOfDetail::build_choices(const LodRequest& request) {
   const double ratio = turn_length_ == Ticks{} ? 0.0 : to_seconds(mean_frame_) / to_seconds(turn_length_);
   const bool same_frames = mean_frame_ == Ticks{} || (ratio <= longer_frame && ratio >= 1.0 / longer_frame);
-  if (!choices_.empty() && same_but_tolerance(request.rules, built_for_) && same_frames) return;
+  if (!choices_.empty() && have_same_choices(request.rules, built_for_) && same_frames) return;
   if (!same_frames) set_turn_length(mean_frame_);
   built_for_ = request.rules;
   const double seconds = turn_length_ > Ticks{} ? to_seconds(turn_length_) : usual_frame_seconds;
@@ -102,23 +99,22 @@ void LevelOfDetail::pass_time(Ticks frame_step) {
 }
 
 LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
-  LodFrame frame{.positions = crowd.positions,
-                 .scales = crowd.scales,
-                 .characters = characters_,
-                 .character_of = crowd.character_of,
-                 .clips = crowd.clips,
-                 .importance = importance_.of_agents(),
-                 .changing = importance_.changing(),
-                 .absent = crowd.absent,
-                 .choices = &choices_,
-                 .camera = request_.camera,
-                 .rules = request_.rules,
-                 .force = request_.force,
-                 .number = turn_,
-                 .stands_still = request_.frame_step == Ticks{}};
-  frame.rules.tolerance_pixels = controller_.tolerance_pixels();
-  frame.rules.counts_cost = has_budget();
-  return frame;
+  return LodFrame{.positions = crowd.positions,
+                  .scales = crowd.scales,
+                  .characters = characters_,
+                  .character_of = crowd.character_of,
+                  .clips = crowd.clips,
+                  .importance = importance_.of_agents(),
+                  .changing = importance_.changing(),
+                  .absent = crowd.absent,
+                  .choices = &choices_,
+                  .camera = request_.camera,
+                  .rules = request_.rules,
+                  .tolerance_pixels = controller_.tolerance_pixels(),
+                  .counts_cost = has_budget(),
+                  .force = request_.force,
+                  .number = turn_,
+                  .stands_still = request_.frame_step == Ticks{}};
 }
 
 void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs) {
@@ -157,12 +153,12 @@ void LevelOfDetail::go_on_showing(Executor& executor, int jobs) {
 
 // The controller reads what tolerances cost for a budget alone.
 bool LevelOfDetail::has_budget() const {
-  return request_.rules.rule == LodRule::budget && request_.limits.budget_nanoseconds > 0.0;
+  return request_.rules.rule == LodRule::budget && request_.rules.budget_milliseconds > 0.0;
 }
 
 bool LevelOfDetail::find_first_tolerance() {
   if (!has_budget() || !controller_.is_new()) return false;
-  controller_.begin(request_.limits, selection_.cost.by_tolerance);
+  controller_.begin(request_.rules, selection_.cost.by_tolerance);
   return true;
 }
 
@@ -192,39 +188,39 @@ BoneStep LevelOfDetail::step_bones(std::uint32_t agent) {
   return step;
 }
 
-AgentUpdate& LevelOfDetail::update_also(std::uint32_t agent) {
+PoseRequest& LevelOfDetail::update_also(std::uint32_t agent) {
   bone_steps_[agent] = settled_at(0);
-  return updates_.emplace_back(AgentUpdate{.agent = {agent}});
+  return updates_.emplace_back(PoseRequest{.agent = {agent}});
 }
 
-void LevelOfDetail::show_at_once(AgentUpdate& update) {
+void LevelOfDetail::show_at_once(PoseRequest& update) {
   update.look_ahead = Ticks{};
   make_due(update.agent.number);
 }
 
 void LevelOfDetail::settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels) {
-  for (const AgentUpdate& update : updates_) {
-    shown_in_[update.agent.number] = update.palette.memory() != nullptr ? frame_ : never_shown;
+  for (const PoseRequest& update : updates_) {
+    shown_in_[update.agent.number] = update.palette != nullptr ? frame_ : never_shown;
   }
   if (request_.frame_step == Ticks{}) return;
   const bool by_error = request_.rules.rule == LodRule::budget;
-  const LodLimits& limits = request_.limits;
+  const LodRules& rules = request_.rules;
   const auto exempt = static_cast<double>(selection_.cost.reappeared);
   const double counted = predicted_nanoseconds - exempt;
   figures_ = {.tolerance_px = by_error ? controller_.tolerance_pixels() : 0.0F,
               .binding = BindingLimit::none,
-              .predicted_ms = predicted_nanoseconds / nanoseconds_a_millisecond,
-              .budget_held = !by_error || limits.budget_nanoseconds <= 0.0 || counted <= limits.budget_nanoseconds,
+              .predicted_ms = predicted_nanoseconds / nanoseconds_per_millisecond,
+              .budget_held = !has_budget() || counted <= budget_nanoseconds(rules),
               .error_held = {},
               .cost = selection_.cost};
   if (!by_error) return;
-  controller_.settle(limits, {.cost_by_tolerance = selection_.cost.by_tolerance,
-                              .nanoseconds = counted,
-                              .exempt_nanoseconds = exempt,
-                              .measured_error_pixels = measured_error_pixels});
+  controller_.settle(rules, {.cost_by_tolerance = selection_.cost.by_tolerance,
+                             .nanoseconds = counted,
+                             .exempt_nanoseconds = exempt,
+                             .measured_error_pixels = measured_error_pixels});
   figures_.binding = controller_.binding();
-  if (measured_error_pixels && limits.error_pixels > 0.0F) {
-    figures_.error_held = *measured_error_pixels <= limits.error_pixels;
+  if (measured_error_pixels && rules.error_pixels > 0.0F) {
+    figures_.error_held = *measured_error_pixels <= rules.error_pixels;
   }
 }
 

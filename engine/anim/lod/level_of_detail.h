@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "throng/host.h"
+#include "throng/pose_request.h"
 
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/units.h"
@@ -15,7 +16,6 @@
 #include "engine/anim/lod/lod_choices.h"
 #include "engine/anim/lod/lod_controller.h"
 #include "engine/anim/lod/lod_importance.h"
-#include "engine/anim/run/agent_update.h"
 #include "engine/anim/run/program/cost_model.h"
 
 namespace throng::anim {
@@ -35,9 +35,8 @@ struct LodCrowd {
 
 /// The request of a program for one frame.
 struct LodRequest {
-  LodCamera camera;
-  LodRules rules;    ///< the limits set `tolerance_pixels`; `counts_cost` is not read
-  LodLimits limits;  ///< the limits of LodRule::budget
+  Camera camera;
+  LodRules rules;
   LodForce force = {};
   std::optional<std::uint32_t> selected = {};  ///< an agent of the crowd that shows a quarter of the others' error
   Ticks now{};
@@ -69,7 +68,7 @@ class LevelOfDetail {
   void set_characters(std::vector<LodCharacter> characters);
 
   /// Forgets every agent and makes room for `agents`. Time and turns go on.
-  void reset(std::size_t agents, const LodLimits& limits);
+  void reset(std::size_t agents, const LodRules& rules);
   /// Begins turns and figures as in the first frame; call reset() after it. Equal frames then get equal decisions.
   void restart();
 
@@ -86,14 +85,14 @@ class LevelOfDetail {
   void select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs);
   /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: it blends from the
   /// shown palette to the new one, over `look_ahead`.
-  std::span<AgentUpdate> updates() { return updates_; }
+  std::span<PoseRequest> updates() { return updates_; }
   /// Adds an agent of LodCrowd::left_out, with all bones and its present pose.
-  AgentUpdate& update_also(std::uint32_t agent);
+  PoseRequest& update_also(std::uint32_t agent);
   /// Changes an update whose palette cannot be blended to: it is shown at once, and the agent is due again in the next
   /// frame.
-  void show_at_once(AgentUpdate& update);
+  void show_at_once(PoseRequest& update);
 
-  /// Learns from the updates which palettes are shown, and from the limits the tolerance of the next frame.
+  /// Learns from the updates which palettes are shown, and from the rules the tolerance of the next frame.
   /// `measured_error_pixels` is LodOutcome's.
   void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
 
@@ -132,7 +131,7 @@ class LevelOfDetail {
   Ticks turn_length_{}, into_turn_{}, mean_frame_{};
   std::vector<std::uint64_t> shown_in_;  // [agent] the last frame in which it was shown
   std::vector<BoneStep> bone_steps_;     // [agent] the step of its last update
-  std::vector<AgentUpdate> updates_;
+  std::vector<PoseRequest> updates_;
   LodFigures figures_;
 };
 

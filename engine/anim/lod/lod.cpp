@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/anim/lod/lod_choices.h"
+#include "engine/base/glm_numbers.h"
 #include "engine/base/run_jobs.h"
 
 namespace throng::anim {
@@ -61,9 +62,10 @@ int frames_to_own_turn(std::uint64_t agent, std::uint64_t frame, std::uint64_t i
   return static_cast<int>(own > now ? own - now : own + interval - now);
 }
 
-bool in_view(const glm::vec3& centre, float radius, const LodCamera& camera) {
-  return std::all_of(camera.frustum.begin(), camera.frustum.end(),
-                     [&](const glm::vec4& plane) { return dot(glm::vec3(plane), centre) + plane.w >= -radius; });
+bool in_view(const glm::vec3& centre, float radius, const Camera& camera) {
+  return std::all_of(camera.frustum.begin(), camera.frustum.end(), [&](const std::array<float, 4>& plane) {
+    return dot({plane[0], plane[1], plane[2]}, centre) + plane[3] >= -radius;
+  });
 }
 
 float squared(const glm::vec3& from_camera) { return dot(from_camera, from_camera); }
@@ -91,9 +93,9 @@ LodChoice choose_by_distance(const LodFrame& frame, const Thresholds& squares, i
   return {static_cast<std::uint8_t>(interval), static_cast<std::uint8_t>(level)};
 }
 
-LodChoice choose_within_tolerance(const LodRules& rules, const Seen& seen, LodChoice shown) {
-  const float allowed = rules.tolerance_pixels * seen.metres_a_pixel;
-  if (seen.fresh || shown.interval > rules.largest_interval) return seen.motion->choose(allowed);
+LodChoice choose_within_tolerance(const LodFrame& frame, const Seen& seen, LodChoice shown) {
+  const float allowed = frame.tolerance_pixels * seen.metres_a_pixel;
+  if (seen.fresh || shown.interval > frame.rules.largest_interval) return seen.motion->choose(allowed);
   return seen.motion->choose(allowed, shown);
 }
 
@@ -106,7 +108,7 @@ void apply_force(const LodForce& force, std::size_t agent, int level_count, LodC
 Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
                 int level_count, const Seen& seen) {
   LodChoice choice = frame.rules.rule == LodRule::budget
-                         ? choose_within_tolerance(frame.rules, seen, {state.interval[agent], state.bone_level[agent]})
+                         ? choose_within_tolerance(frame, seen, {state.interval[agent], state.bone_level[agent]})
                          : choose_by_distance(frame, squares, state.bone_level[agent], level_count, seen);
   apply_force(frame.force, agent, level_count, choice);
   if (frame.rules.rule == LodRule::off) return {1, 1, choice.bone_level};
@@ -131,7 +133,7 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.importance.empty() || frame.importance.size() == frame.positions.size());
   assert(frame.absent.empty() || frame.absent.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
-  assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.rules.tolerance_pixels > 0.0F));
+  assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.tolerance_pixels > 0.0F));
   assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
   static_cast<void>(frame);
   static_cast<void>(state);
@@ -176,7 +178,7 @@ constexpr float least_cosine = 0.5F;
 
 float metres_a_pixel(const LodFrame& frame, float cosine_of_centre, std::size_t agent, const glm::vec3& from_camera,
                      float distance) {
-  const float cosine = std::clamp(dot(from_camera, frame.camera.forward) / distance, least_cosine, 1.0F);
+  const float cosine = std::clamp(dot(from_camera, to_glm(frame.camera.forward)) / distance, least_cosine, 1.0F);
   const float pixels = frame.scales[agent] * frame.camera.pixels_per_unit / (distance * cosine * cosine);
   const float importance = frame.importance.empty() ? 1.0F : frame.importance[agent];
   return 1.0F / (pixels * importance * (cosine >= cosine_of_centre ? frame.rules.centre_importance : 1.0F));
@@ -211,7 +213,7 @@ struct LodTile {
     const LodCharacter& character = character_of(frame, agent);
     const float scale = frame.scales[agent];
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
-    const glm::vec3 from_camera = centre - frame.camera.position;
+    const glm::vec3 from_camera = centre - to_glm(frame.camera.position);
     const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
     std::uint8_t& frames_seen = state.frames_seen[agent];
     Seen seen{.squared_distance = squared(from_camera),
@@ -221,7 +223,7 @@ struct LodTile {
     const float distance = std::max(std::sqrt(seen.squared_distance), near_enough_to_divide);
     const bool turn_has_come = seen.fresh || (!frame.stands_still && frame.number >= state.next_update[agent]);
     const bool is_due = frame.rules.rule == LodRule::off || (is_visible && turn_has_come);
-    if (frame.rules.rule == LodRule::budget && is_visible && (is_due || frame.rules.counts_cost)) {
+    if (frame.rules.rule == LodRule::budget && is_visible && (is_due || frame.counts_cost)) {
       seen.metres_a_pixel = metres_a_pixel(frame, cosine_of_centre, agent, from_camera, distance);
     }
     if (is_due) {
@@ -235,7 +237,7 @@ struct LodTile {
           state.interval[agent], state.bone_level[agent]};
     }
     if (seen.motion != nullptr) {
-      count_cost(seen, is_visible, is_due, state.bone_level[agent], frame.rules.counts_cost);
+      count_cost(seen, is_visible, is_due, state.bone_level[agent], frame.counts_cost);
       if (is_due && frames_seen < frames_of_coming_into_view)
         cost.reappeared += seen.motion->update_cost(state.bone_level[agent]);
     }

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
+#include "throng/camera.h"
 #include "throng/host.h"
+#include "throng/lod_rules.h"
 
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/bake/skip_error.h"
@@ -21,33 +22,9 @@
 /// other inputs alone.
 namespace throng::anim {
 
-enum class LodRule : std::uint8_t {
-  off,       ///< every agent, seen or not, is posed every frame
-  distance,  ///< the farther from the camera, the longer the interval between updates
-  budget,    ///< the cheapest choice whose predicted error on screen is within a tolerance
-};
-
 inline constexpr int longest_interval = 16;  ///< frames
 
-/// The settings of the rules. A change takes effect for each agent at its next update, or at once after
-/// `LodState::make_all_due`. Distances are from the camera to the centre of the agent's bounds. An agent exactly at a
-/// distance counts as beyond it.
-struct LodRules {
-  LodRule rule = LodRule::distance;
-  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;     ///< metres for each further frame of the interval; above 0
-  int largest_interval = 8;          ///< frames, 1 to longest_interval
-  bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
-  std::array<float, max_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
-  // LodRule::budget reads what follows, and neither distances nor interval_growth.
-  float tolerance_pixels = 1.0F;    ///< the error on screen that an agent of importance 1 may have; above 0
-  float centre_importance = 1.25F;  ///< for agents within centre_degrees of the middle of the picture
-  float centre_degrees = 8.0F;
-  bool smooth = true;        ///< skipped frames blend (smooth skipping)
-  bool counts_cost = false;  ///< true: LodCost::by_tolerance is counted
-
-  friend bool operator==(const LodRules&, const LodRules&) = default;
-};
+static_assert(std::tuple_size_v<decltype(LodRules::level_distances)> == max_bone_levels - 1);
 
 /// Overrules the rule, to show an interval or a level. Takes effect at an agent's next update.
 struct LodForce {
@@ -57,14 +34,6 @@ struct LodForce {
 
   [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
   friend bool operator==(const LodForce&, const LodForce&) = default;
-};
-
-/// The camera, as far as the rule reads it.
-struct LodCamera {
-  glm::vec3 position{0.0F};              ///< metres, world space
-  std::array<glm::vec4, 6> frustum{};    ///< unit normals, offsets: inside where dot(normal, point) + offset >= 0
-  float pixels_per_unit = 1.0F;          ///< pixels that one metre covers at a distance of one metre
-  glm::vec3 forward{0.0F, 0.0F, -1.0F};  ///< unit
 };
 
 /// A character, as far as the rule reads it: a sphere that holds every pose, its height and its bone levels. Lengths
@@ -132,11 +101,13 @@ struct LodFrame {
   std::span<const std::uint8_t> changing;     ///< 1: goes over to another clip (LodChoices::changing); empty: none does
   std::span<const std::uint8_t> absent = {};  ///< 1: neither seen nor due; empty: every agent is there
   const LodChoices* choices = nullptr;        ///< of `characters`; null: counts no cost, and forbids LodRule::budget
-  LodCamera camera;
-  LodRules rules;
-  LodForce force = {};        ///< LodRule::off ignores its interval
-  std::uint64_t number = 0;   ///< the turn: it grows with time, by one a frame where frames are of one length
-  bool stands_still = false;  ///< no time has passed since the frame before
+  Camera camera;
+  LodRules rules;                 ///< its limits are not read
+  float tolerance_pixels = 1.0F;  ///< LodRule::budget: the error that an agent of importance 1 may have; above 0
+  bool counts_cost = false;       ///< true: LodCost::by_tolerance is counted
+  LodForce force = {};            ///< LodRule::off ignores its interval
+  std::uint64_t number = 0;       ///< the turn: it grows with time, by one a frame where frames are of one length
+  bool stands_still = false;      ///< no time has passed since the frame before
 };
 
 /// Decides for every agent. An agent that comes into view or was made due is due at once, for the pose of this frame,

@@ -78,32 +78,32 @@ float LodController::budget_tolerance(const CostByTolerance& cost, double nanose
   return towards(budget_tolerance_, fitting, sinking);
 }
 
-void LodController::reset(const LodLimits& limits) {
+void LodController::reset(const LodRules& rules) {
   *this = LodController();
-  if (limits.error_pixels > 0.0F) tolerance_ = std::max(limits.error_pixels, least_tolerance_pixels);
+  if (rules.error_pixels > 0.0F) tolerance_ = std::max(rules.error_pixels, least_tolerance_pixels);
 }
 
-void LodController::begin(const LodLimits& limits, const CostByTolerance& cost) {
-  budget_tolerance_ = least_tolerance(cost, limits.budget_nanoseconds / headroom_ * aimed_cost);
-  tolerance_ = std::max(limits.error_pixels, budget_tolerance_);
+void LodController::begin(const LodRules& rules, const CostByTolerance& cost) {
+  budget_tolerance_ = least_tolerance(cost, budget_nanoseconds(rules) / headroom_ * aimed_cost);
+  tolerance_ = std::max(rules.error_pixels, budget_tolerance_);
   is_new_ = false;
 }
 
-void LodController::settle(const LodLimits& limits, const LodOutcome& outcome) {
+void LodController::settle(const LodRules& rules, const LodOutcome& outcome) {
   is_new_ = false;
-  const bool error_limited = limits.error_pixels > 0.0F, budgeted = limits.budget_nanoseconds > 0.0;
+  const bool error_limited = rules.error_pixels > 0.0F, budgeted = budget_nanoseconds(rules) > 0.0;
   const bool error_decides = binding_ == BindingLimit::error;
   if (error_limited && error_decides && outcome.measured_error_pixels) {
-    learn_error_factor(limits.error_pixels, *outcome.measured_error_pixels);
+    learn_error_factor(rules.error_pixels, *outcome.measured_error_pixels);
   }
-  const float for_error = error_limited ? limits.error_pixels * error_factor_ : least_tolerance_pixels;
+  const float for_error = error_limited ? rules.error_pixels * error_factor_ : least_tolerance_pixels;
   float for_budget = least_tolerance_pixels;
   bool fits = true;
   if (budgeted) {
     learn_headroom(outcome);
-    budget_tolerance_ = budget_tolerance(outcome.cost_by_tolerance, limits.budget_nanoseconds);
+    budget_tolerance_ = budget_tolerance(outcome.cost_by_tolerance, budget_nanoseconds(rules));
     for_budget = budget_tolerance_;
-    fits = static_cast<double>(outcome.cost_by_tolerance.back()) * headroom_ <= limits.budget_nanoseconds;
+    fits = static_cast<double>(outcome.cost_by_tolerance.back()) * headroom_ <= budget_nanoseconds(rules);
   }
   tolerance_ = std::clamp(std::max(for_error, for_budget), least_tolerance_pixels, most_tolerance_pixels);
   if (!fits && error_limited) {

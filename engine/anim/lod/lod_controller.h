@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "throng/lod_rules.h"
+
 #include "engine/anim/lod/lod_cost.h"
 
 namespace throng::anim {
 
-/// The limits on error and time. 0 is no limit.
-struct LodLimits {
-  float error_pixels = 1.0F;        ///< 99% of shown errors stay below it
-  double budget_nanoseconds = 0.0;  ///< a frame, predicted, summed over PUs; agents that come into view are exempt
-
-  friend bool operator==(const LodLimits&, const LodLimits&) = default;
-};
+inline constexpr double nanoseconds_per_millisecond = 1e6;
+/// Returns LodRules::budget_milliseconds in nanoseconds; 0: no limit.
+inline double budget_nanoseconds(const LodRules& rules) {
+  return rules.budget_milliseconds * nanoseconds_per_millisecond;
+}
 
 enum class BindingLimit : std::uint8_t {
   none,       ///< the finest choices fit the budget
@@ -33,8 +33,8 @@ struct LodOutcome {
   std::optional<float> measured_error_pixels = {};  ///< p99 over the last frames; none: too little was measured
 };
 
-/// Sets LodRules::tolerance_pixels, frame by frame, so that the limits hold. It depends on outcomes alone, so a replay
-/// decides alike.
+/// Sets LodFrame::tolerance_pixels, frame by frame, so that the limits of the rules hold. It depends on outcomes alone,
+/// so a replay decides alike.
 ///
 /// It learns slowly, for the limit on the error, the ratio of tolerance to error at which the measured error stays
 /// below the limit. It takes, for the budget, the least tolerance at which the predicted cost fits. The tolerance rises
@@ -42,14 +42,14 @@ struct LodOutcome {
 class LodController {
  public:
   /// Forgets all that was learned. Call it before the first frame, and when the crowd starts again.
-  void reset(const LodLimits& limits);
+  void reset(const LodRules& rules);
 
   /// Returns true until begin() or settle() is called.
   bool is_new() const { return is_new_; }
   /// Finds a tolerance for a budget before the first frame, from the cost of the agents in view.
-  void begin(const LodLimits& limits, const CostByTolerance& cost);
+  void begin(const LodRules& rules, const CostByTolerance& cost);
 
-  void settle(const LodLimits& limits, const LodOutcome& outcome);
+  void settle(const LodRules& rules, const LodOutcome& outcome);
 
   float tolerance_pixels() const { return tolerance_; }
   BindingLimit binding() const { return binding_; }

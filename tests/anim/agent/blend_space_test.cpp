@@ -95,7 +95,7 @@ TEST(BlendSpace, KeepsPhasesAlignedAfterMinutesOfChangingSpeed) {
 
 TEST(BlendSpace, KeepsPhasesAlignedAfterAnHourOfOneSpeed) {
   Runner runner(1.9F);
-  const AgentUpdate update{.agent = {0}};
+  const PoseRequest update{.agent = {0}};
   double farthest = 0.0;
   for (int second = 0; second < 3600; ++second) {
     runner.crowd->advance(ticks_per_second);

@@ -33,9 +33,9 @@ Palette pose(const Fade& fade, const SystemOptions& options) {
   (*system)->set_agent_count(1);
   (*system)->agent(0).play({.clip = 0, .start = to_ticks(0.3)});
   Palette palette(64);
-  const AgentUpdate update{.agent = {0},
+  const PoseRequest update{.agent = {0},
                            .level = fade.level,
-                           .palette = palette.data(),
+                           .palette = PaletteDestination(palette.data()).memory(),
                            .fade_level = fade.fade_level,
                            .fade_halves = fade.halves};
   (*system)->update({&update, 1});

@@ -30,7 +30,7 @@ struct Solo {
     system->set_agent_count(1);
   }
   void step(int frames = 1) {
-    const AgentUpdate update{.agent = {0}};
+    const PoseRequest update{.agent = {0}};
     for (int i = 0; i < frames; ++i) {
       system->advance(frame);
       system->update({&update, 1});

@@ -35,9 +35,9 @@ const PaletteMatrix* CrowdRig::palette(std::uint32_t agent) const {
 }
 
 void CrowdRig::step(int frames) {
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < system->agent_count(); ++agent) {
-    updates.push_back({.agent = {agent}, .palette = const_cast<PaletteMatrix*>(palette(agent))});
+    updates.push_back({.agent = {agent}, .palette = memory_of(palette(agent))});
   }
   for (int i = 0; i < frames; ++i) {
     system->advance(frame_ticks);

@@ -65,7 +65,7 @@ TEST(CurvesOfPoses, DoNotChangeThem) {
     ASSERT_TRUE(system);
     (*system)->set_agent_count(1);
     (*system)->agent(0).play({.clip = 0});
-    const AgentUpdate update{.agent = {0}};
+    const PoseRequest update{.agent = {0}};
     for (int frame = 0; frame < 10; ++frame) {
       (*system)->advance(frame_ticks);
       (*system)->update({&update, 1});

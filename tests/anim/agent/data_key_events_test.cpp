@@ -102,7 +102,7 @@ TEST(ClipEnd, ComesOnceWhereTheAgentIsPosedSeldomAndAheadOfTheClock) {
       const Ticks before = crowd->clock();
       crowd->advance(frame);
       met.ask(crowd, before);
-      const AgentUpdate update{.agent = {0}, .look_ahead = (every - 1) * frame};
+      const PoseRequest update{.agent = {0}, .look_ahead = (every - 1) * frame};
       if (i % every == 0) crowd->update({&update, 1});
     }
     ASSERT_EQ(met.ends.size(), 1U) << every;

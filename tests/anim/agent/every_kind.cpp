@@ -172,7 +172,7 @@ void EveryKind::request(std::uint32_t agent, std::uint32_t frame) {
 
 void EveryKind::step(int frames) {
   const auto levels = static_cast<std::uint32_t>(test_character()->skeleton.level_bone_counts.size());
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (int i = 0; i < frames; ++i) {
     system->advance(frame_ticks);
     const auto frame = static_cast<std::uint32_t>(system->clock() / frame_ticks);

@@ -56,7 +56,7 @@ void expect_agreement_of(const std::shared_ptr<const Character>& character, cons
   const auto bones = character->skeleton.bones.size();
   const auto system = std::move(*AnimationSystem::create(character, options));
   system->set_agent_count(agents);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     system->agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.05 * agent)});
     system->agent(agent).play({.clip = static_cast<int>((agent + 1) % 3), .fade = to_ticks(0.3)});

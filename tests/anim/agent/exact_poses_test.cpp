@@ -40,7 +40,7 @@ class Skipped : public testing::TestWithParam<SystemOptions> {
     for (int i = 0; i < frames; ++i, ++frame_) {
       each_frame_.step();
       skipped_->advance(frame_ticks);
-      const AgentUpdate update{.agent = {0}, .level = level, .look_ahead = look_ahead};
+      const PoseRequest update{.agent = {0}, .level = level, .look_ahead = look_ahead};
       if (frame_ % interval == 0) skipped_->update({&update, 1});
       const ExactPose exact{.agent = {0}, .palette = exact_.get()};
       skipped_->pose_exactly({&exact, 1});
@@ -78,7 +78,7 @@ TEST_P(Skipped, IsWoundBackByAnUpdateBeforeTheTimeWhereItStands) {
   ASSERT_TRUE(skipped_->agent(0).can_wind_back());
   each_frame_.step();
   skipped_->advance(frame_ticks);
-  const AgentUpdate update{.agent = {0}, .palette = exact_.get()};
+  const PoseRequest update{.agent = {0}, .palette = PaletteDestination(exact_.get()).memory()};
   skipped_->update({&update, 1});
   EXPECT_TRUE(exact_.is(each_frame_.palette()));
 }
@@ -92,7 +92,7 @@ TEST_P(Skipped, SaysWhenAFadeThatWasInterruptedCannotBeWoundBack) {
   int unknown = 0;
   for (int i = 0; i < 3 * interval; ++i) {
     skipped_->advance(frame_ticks);
-    const AgentUpdate update{.agent = {0}, .look_ahead = interval * frame_ticks};
+    const PoseRequest update{.agent = {0}, .look_ahead = interval * frame_ticks};
     if (i % interval == 0) skipped_->update({&update, 1});
     unknown += skipped_->agent(0).can_pose_exactly() ? 0 : 1;
   }

@@ -21,7 +21,7 @@ struct Crowd {
   void step(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
       system->advance(frame);
-      const AgentUpdate update{.agent = {0}};
+      const PoseRequest update{.agent = {0}};
       system->update({&update, 1});
     }
   }

@@ -35,7 +35,7 @@ std::uint64_t hash_of_fading_crowd(const SystemOptions& options, unsigned seed) 
   AnimationSystem& system = **created;
   system.set_agent_count(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) system.agent(agent).play(request(agent, 0, seed));
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t frame = 1; frame <= frames; ++frame) {
     system.advance(ticks_per_second / 60);
     updates.clear();

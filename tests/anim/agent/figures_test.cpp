@@ -69,7 +69,7 @@ TEST(Figures, CountTheStreamsThatPlayersRead) {
   CrowdRig crowd = crowd_that_plays();
   crowd.step();
   const std::uint64_t all = crowd->figures().stream_bytes();
-  const AgentUpdate one{.agent = {0}};
+  const PoseRequest one{.agent = {0}};
   crowd->update({&one, 1});
   EXPECT_EQ(all, agents * crowd->figures().stream_bytes());
 }

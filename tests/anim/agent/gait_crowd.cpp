@@ -58,7 +58,7 @@ GaitCrowd::GaitCrowd(std::uint32_t agents) {
 
 Ticks GaitCrowd::step(Ticks by) {
   const Ticks before = system->clock();
-  const AgentUpdate update{.agent = {0}};
+  const PoseRequest update{.agent = {0}};
   system->advance(by);
   system->update({&update, 1});
   return before;

@@ -114,7 +114,7 @@ std::uint64_t hash_of_held_crowd(const SystemOptions& options) {
     if (agent % 5 == 1 && agent % 3 == 1) add_gaze(system, kinds, agent);
     if (agent % 5 == 4) add_wanderer(system, agent % 2 == 0 ? wanderers : keepers, agent);
   }
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (int frame = 0; frame < held_frames; ++frame) {
     updates.clear();
     for (std::uint32_t agent = 0; agent < held_agents; ++agent) {

@@ -56,8 +56,7 @@ TEST(LayerWeight, IsTheSameForWhoIsPosedAheadOfTheClock) {
   CrowdRig now = layered();
   CrowdRig ahead = layered();
   for (int frame = 0; frame <= fade_frames + 8; frame += 4) {
-    const AgentUpdate early{
-        .agent = {0}, .look_ahead = 4 * frame_ticks, .palette = const_cast<PaletteMatrix*>(ahead.palette())};
+    const PoseRequest early{.agent = {0}, .look_ahead = 4 * frame_ticks, .palette = memory_of(ahead.palette())};
     ahead->update({&early, 1});
     now.step(2);
     ahead->advance(2 * frame_ticks);

@@ -70,8 +70,7 @@ TEST(Layer, MovesWithItsWeight) {
   for (const float weight : {0.25F, 0.5F, 0.75F, 1.0F}) {
     layered->agent(0).set_channel_weight({1}, weight);
     for (CrowdRig* crowd : {&layered, &walking})
-      crowd->system->update(
-          std::vector<AgentUpdate>{{.agent = {0}, .palette = const_cast<PaletteMatrix*>(crowd->palette())}});
+      crowd->system->update(std::vector<PoseRequest>{{.agent = {0}, .palette = memory_of(crowd->palette())}});
     float farthest = 0.0F;
     for (std::size_t bone = 0; bone < 40; ++bone) farthest = std::max(farthest, distance(layered, walking, bone));
     EXPECT_GT(farthest, before);

@@ -33,7 +33,7 @@ AgentId spawn(AnimationSystem& system, int clip) {
 
 void step(AnimationSystem& system) {
   system.advance(frame_ticks);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (const AgentId agent : system.agents()) updates.push_back({.agent = agent});
   system.update(updates);
 }
@@ -94,7 +94,7 @@ TEST(AgentLife, ThePlaceOfAHashMovesUpWhenOneBeforeItDies) {
   }
   const auto step_three = [](AnimationSystem& system) {
     system.advance(frame_ticks);
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (const AgentId agent : system.agents().last(3)) updates.push_back({.agent = agent});
     system.update(updates);
   };
@@ -113,7 +113,7 @@ TEST(AgentLife, AFrameThatAddsAndRemovesAThousandAllocatesNothingAfterTheFirst) 
   const auto system = empty_system({.trace = Tracing::off});
   std::vector<AgentId> living;
   living.reserve(2 * crowd);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   updates.reserve(2 * crowd);
   const auto replace_all = [&] {
     for (const AgentId agent : living) system->remove_agent(agent);
@@ -143,7 +143,7 @@ TEST(AgentLife, ALayerForWhichThereIsNoRoomPlaysNothing) {
     ASSERT_TRUE(added);
     if (agent.play(*added, {.clip = 1})) ++played;
     system->advance(frame_ticks);
-    const AgentUpdate update{.agent = agent.id()};
+    const PoseRequest update{.agent = agent.id()};
     system->update({&update, 1});
   }
   EXPECT_GT(played, 0);

@@ -42,13 +42,13 @@ class JointCrowd {
 
   Status list(const JointList& joints, JointFormat format) { return crowd_->characters().write_joints(joints, format); }
   void step(int frames, bool palettes, std::uint8_t level = 0) {
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      PaletteMatrix* const palette = const_cast<PaletteMatrix*>(crowd_.palette(agent));
+      const PaletteMatrix* const palette = crowd_.palette(agent);
       updates.push_back({.agent = {agent},
                          .level = level,
-                         .palette = palettes ? PaletteDestination(palette) : PaletteDestination(),
-                         .joints = PaletteDestination(memory_.get() + agent * floats_each * sizeof(float))});
+                         .palette = palettes ? memory_of(palette) : nullptr,
+                         .joints = memory_.get() + agent * floats_each * sizeof(float)});
     }
     for (int frame = 0; frame < frames; ++frame) {
       crowd_->advance(frame_ticks);
@@ -153,9 +153,9 @@ TEST(ListedJoints, DoNotChangePalettesOrTheirHash) {
   ASSERT_TRUE(without.list(all_joints(skeleton()), JointFormat::matrices));
   ASSERT_TRUE(without.list({}, JointFormat::matrices));
   EXPECT_EQ(without->characters().joint_bytes(), 0U);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    updates.push_back({.agent = {agent}, .palette = const_cast<PaletteMatrix*>(without.palette(agent))});
+    updates.push_back({.agent = {agent}, .palette = memory_of(without.palette(agent))});
   }
   for (int frame = 0; frame < 5; ++frame) {
     without->advance(frame_ticks);
@@ -241,10 +241,10 @@ TEST(ListedJoints, BesidePackedPalettesHaveTheBitsThatTheyHaveBesideMatrices) {
 TEST(ListedJoints, OfSomeAgentsDoNotDisturbTheOthers) {
   JointCrowd crowd;
   ASSERT_TRUE(crowd.list(all_joints(skeleton()), JointFormat::transforms));
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) updates.push_back({.agent = {agent}});
   alignas(16) JointTransform one[40];
-  updates[11].joints = one;
+  updates[11].joints = PaletteDestination(one).memory();
   crowd->update(updates);
   JointCrowd other;
   ASSERT_TRUE(other.list(all_joints(skeleton()), JointFormat::transforms));
@@ -258,9 +258,9 @@ TEST(ListedJoints, AllocateNothingInAFrame) {
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     JointCrowd crowd({.schedule = schedule, .hash = false});
     ASSERT_TRUE(crowd.list(all_joints(skeleton()), JointFormat::matrices));
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      updates.push_back({.agent = {agent}, .joints = const_cast<PaletteMatrix*>(crowd.joints<PaletteMatrix>(agent))});
+      updates.push_back({.agent = {agent}, .joints = memory_of(crowd.joints<PaletteMatrix>(agent))});
     }
     crowd->update(updates);
     const HotPathCounts before = hot_path_counts();
@@ -289,12 +289,12 @@ TEST(ListedJoints, AtABadPlaceOrOfACharacterWithoutAListAreReported) {
   CrowdRig crowd({}, 1);
   crowd->agent(0).play({.clip = 0});
   alignas(64) std::byte memory[2048];
-  AgentUpdate update{.agent = {0}, .joints = PaletteDestination(memory)};
+  PoseRequest update{.agent = {0}, .joints = memory};
   crowd->update({&update, 1});
   EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("lists no joints: call Crowd::write_joints first")));
   HeardMisuses::all().clear();
   ASSERT_TRUE(crowd->characters().write_joints(all_joints(skeleton()), JointFormat::transforms));
-  update.joints = PaletteDestination(memory + 4);
+  update.joints = memory + 4;
   crowd->update({&update, 1});
   EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("joints lie at a multiple of 16 bytes")));
 }

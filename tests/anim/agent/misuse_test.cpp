@@ -137,7 +137,7 @@ TEST_F(MisuseTest, OfAPostProcess) {
 
 TEST_F(MisuseTest, OfAnUpdate) {
   const AlignedBytes memory = allocate_aligned(std::size_t{64} << 10U);
-  const auto updates = [&](const char* sentence, const AgentUpdate& update) {
+  const auto updates = [&](const char* sentence, const PoseRequest& update) {
     heard.clear();
     system().update({&update, 1});
     ASSERT_EQ(heard.size(), 1U) << sentence;
@@ -148,13 +148,13 @@ TEST_F(MisuseTest, OfAnUpdate) {
   updates("an agent of this id is not in the system", {.agent = {0, 5}});
   updates("fewer bone levels", {.agent = {0}, .level = 9});
   updates("0 to 2 halves", {.agent = {0}, .fade_level = 3, .fade_halves = 3});
-  updates("a multiple of 16 bytes", {.agent = {0}, .palette = PaletteDestination(memory.get() + 4)});
+  updates("a multiple of 16 bytes", {.agent = {0}, .palette = memory.get() + 4});
   system().set_agent_count(5);
   updates("plays something", {.agent = {4}});
 }
 
 TEST_F(MisuseTest, OfAnAgentThatComesTwiceInAnUpdate) {
-  const std::vector<AgentUpdate> twice{{.agent = {0}}, {.agent = {1}}, {.agent = {0}}};
+  const std::vector<PoseRequest> twice{{.agent = {0}}, {.agent = {1}}, {.agent = {0}}};
   system().update(twice);
   EXPECT_EQ(system().figures().report().agents_updated, 2U);
   ASSERT_EQ(heard.size(), 1U);
@@ -180,7 +180,7 @@ TEST_F(MisuseTest, OfTime) {
   system().advance(to_ticks(1e9));
   system().advance(to_ticks(9e9));
   EXPECT_EQ(system().clock(), before + to_ticks(1e9)) << "a hundred years are 3.2e9 s";
-  const AgentUpdate update{.agent = {0}};
+  const PoseRequest update{.agent = {0}};
   system().update({&update, 1});
 }
 

@@ -57,7 +57,7 @@ class MorphWeights : public testing::Test {
   Agent agent() { return system_->agent(0); }
   void advance(double seconds, double look_ahead = 0.0) {
     system_->advance(to_ticks(seconds));
-    const AgentUpdate update{.agent = {0}, .look_ahead = to_ticks(look_ahead)};
+    const PoseRequest update{.agent = {0}, .look_ahead = to_ticks(look_ahead)};
     system_->update({&update, 1});
   }
   void skip(double seconds) { system_->advance(to_ticks(seconds)); }

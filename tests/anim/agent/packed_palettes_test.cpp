@@ -32,9 +32,9 @@ class PackedCrowd {
       system_->agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.03 * agent)});
       if (blends) system_->agent(agent).play({.clip = static_cast<int>((agent + 1) % 3), .held_fraction = 0.4F});
     }
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      updates.push_back({.agent = {agent}, .palette = PaletteDestination(palette(agent))});
+      updates.push_back({.agent = {agent}, .palette = PaletteDestination(palette(agent)).memory()});
     }
     for (int frame = 0; frame < frames; ++frame) {
       system_->advance(ticks_per_second / 60);

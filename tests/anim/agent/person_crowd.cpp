@@ -96,7 +96,7 @@ PersonCrowd::PersonCrowd(const SystemOptions& options, std::uint32_t agents)
 }
 
 void PersonCrowd::step(int frames, std::uint8_t level) {
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < system_->agent_count(); ++agent) {
     updates.push_back({.agent = {agent}, .level = level});
   }

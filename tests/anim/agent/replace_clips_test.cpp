@@ -60,7 +60,7 @@ struct Crowd {
     return agent;
   }
   void step(int frames = 1) {
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (const AgentId agent : system->agents()) updates.push_back({.agent = agent});
     for (int frame = 0; frame < frames; ++frame) {
       system->advance(frame_ticks);

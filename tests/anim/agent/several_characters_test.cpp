@@ -27,12 +27,12 @@ struct Palettes {
   explicit Palettes(std::size_t agents) {
     for (std::size_t i = 0; i < agents; ++i) memory.push_back(allocate_aligned(64 * sizeof(PaletteMatrix)));
   }
-  PaletteMatrix* of(std::size_t agent) { return reinterpret_cast<PaletteMatrix*>(memory[agent].get()); }
+  std::byte* of(std::size_t agent) { return memory[agent].get(); }
   std::vector<AlignedBytes> memory;
 };
 
 void run(AnimationSystem& system, Palettes& palettes, int frames) {
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < system.agent_count(); ++agent) {
     updates.push_back({.agent = {agent}, .palette = palettes.of(agent)});
   }
@@ -146,7 +146,7 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
   system->agent(bystander).play({.clip = 0});
 
   Palettes palettes(4);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < 4; ++agent)
     updates.push_back({.agent = {agent}, .palette = palettes.of(agent)});
   system->advance(duration / 2);

@@ -179,7 +179,7 @@ TEST(SharedSources, AreReadWithoutLookAhead) {
   for (int frame = 0; frame < 10; ++frame) {
     now.crowd.step();
     ahead.crowd->advance(frame_ticks);
-    std::vector<AgentUpdate> updates;
+    std::vector<PoseRequest> updates;
     for (std::uint32_t agent = 0; agent < 16; ++agent)
       updates.push_back({.agent = {agent}, .look_ahead = 5 * frame_ticks});
     ahead.crowd->update(updates);

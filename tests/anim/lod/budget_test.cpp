@@ -33,9 +33,10 @@ struct LodBudgetTest : testing::Test {
   LodSelection selection;
 
   LodBudgetTest() {
-    frame.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
+    frame.camera.frustum.fill({0.0F, 0.0F, -1.0F, 0.0F});
     frame.camera.pixels_per_unit = pixels_per_unit;
-    frame.rules = {.rule = LodRule::budget, .centre_importance = 1.0F, .counts_cost = true};
+    frame.rules = {.rule = LodRule::budget, .smooth = true, .centre_importance = 1.0F};
+    frame.counts_cost = true;
     frame.number = 100;
   }
 
@@ -68,7 +69,7 @@ struct LodBudgetTest : testing::Test {
 TEST_F(LodBudgetTest, NobodyIsPredictedToBeOffByMoreThanTheTolerance) {
   spawn(200);
   for (const float tolerance : {0.25F, 1.0F, 4.0F}) {
-    frame.rules.tolerance_pixels = tolerance;
+    frame.tolerance_pixels = tolerance;
     for (int i = 0; i < 20; ++i) select_next();
     for (const VisibleAgent& agent : selection.visible) {
       EXPECT_LE(error_on_screen(agent, 1.0F + static_cast<float>(agent.agent)), tolerance * 1.001F) << agent.agent;
@@ -128,7 +129,7 @@ TEST_F(LodBudgetTest, WhoeverGoesToAndFroKeepsWhatItHas) {
 
 TEST_F(LodBudgetTest, TheHistogramSaysWhatTheCrowdCostsInTheLongRun) {
   spawn(500);
-  frame.rules.tolerance_pixels = 1.0F;
+  frame.tolerance_pixels = 1.0F;
   for (int i = 0; i < 50; ++i) select_next();
   std::uint64_t spent = 0;
   constexpr int frames = 240;

@@ -18,7 +18,7 @@ LodCharacter person() {
 
 struct LodChoicesTest : testing::Test {
   LodCharacter character = person();
-  LodRules rules{.rule = LodRule::budget, .largest_interval = 8};
+  LodRules rules{.rule = LodRule::budget, .largest_interval = 8, .smooth = true};
   float frame_seconds = 1.0F / 60.0F;
 
   MotionLod motion(const SkipError& clip = {}) const { return MotionLod(character, clip, rules, frame_seconds); }

@@ -27,47 +27,49 @@ double cost_of(const CostByTolerance& cost, float tolerance) {
 
 struct LodControllerTest : testing::Test {
   LodController controller;
-  LodLimits limits{.error_pixels = 0.0F};
+  LodRules rules{.error_pixels = 0.0F};
+
+  void set_budget(double nanoseconds) { rules.budget_milliseconds = nanoseconds / nanoseconds_per_millisecond; }
 
   void settle(const CostByTolerance& cost, double over_the_long_run = 1.0, std::optional<float> error = {}) {
     const double spent = cost_of(cost, controller.tolerance_pixels()) * over_the_long_run;
-    controller.settle(limits, {.cost_by_tolerance = cost, .nanoseconds = spent, .measured_error_pixels = error});
+    controller.settle(rules, {.cost_by_tolerance = cost, .nanoseconds = spent, .measured_error_pixels = error});
   }
 };
 
 TEST_F(LodControllerTest, ABudgetThatIsEnoughForTheFinestBindsNothing) {
-  limits.budget_nanoseconds = 100 * millisecond;
+  set_budget(100 * millisecond);
   for (int frame = 0; frame < 600; ++frame) settle(crowd_costing(2 * millisecond));
   EXPECT_EQ(controller.binding(), BindingLimit::none);
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), least_tolerance_pixels);
 }
 
 TEST_F(LodControllerTest, TheBudgetIsHeldFromTheFirstFrameOn) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   const CostByTolerance cost = crowd_costing(3 * millisecond);
   EXPECT_TRUE(controller.is_new());
-  controller.begin(limits, cost);
+  controller.begin(rules, cost);
   EXPECT_FALSE(controller.is_new());
   for (int frame = 0; frame < 600; ++frame) {
-    EXPECT_LE(cost_of(cost, controller.tolerance_pixels()), limits.budget_nanoseconds);
+    EXPECT_LE(cost_of(cost, controller.tolerance_pixels()), budget_nanoseconds(rules));
     settle(cost);
   }
   EXPECT_EQ(controller.binding(), BindingLimit::budget);
 }
 
 TEST_F(LodControllerTest, LearnsNothingFromFramesInWhichMostCameIntoView) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   const CostByTolerance cost = crowd_costing(3 * millisecond);
   settle(cost);
   const float before = controller.tolerance_pixels();
   for (int frame = 0; frame < 10; ++frame) {
-    controller.settle(limits, {.cost_by_tolerance = cost, .nanoseconds = 4e6, .exempt_nanoseconds = 5e6});
+    controller.settle(rules, {.cost_by_tolerance = cost, .nanoseconds = 4e6, .exempt_nanoseconds = 5e6});
   }
   EXPECT_EQ(controller.tolerance_pixels(), before);
 }
 
 TEST_F(LodControllerTest, OfAConstantCrowdTheToleranceComesToRestAndStays) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   for (int frame = 0; frame < 1200; ++frame) settle(crowd_costing(3 * millisecond), frame % 2 == 0 ? 1.05 : 0.95);
   const float settled = controller.tolerance_pixels();
   for (int frame = 0; frame < 600; ++frame) {
@@ -77,35 +79,35 @@ TEST_F(LodControllerTest, OfAConstantCrowdTheToleranceComesToRestAndStays) {
 }
 
 TEST_F(LodControllerTest, MostOfTheBudgetIsSpent) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   const CostByTolerance cost = crowd_costing(3 * millisecond);
   settle(crowd_costing(30 * millisecond));  // what was there before
   for (int frame = 0; frame < 1200; ++frame) settle(cost);
-  EXPECT_GE(cost_of(cost, controller.tolerance_pixels()), 0.8 * limits.budget_nanoseconds);
+  EXPECT_GE(cost_of(cost, controller.tolerance_pixels()), 0.8 * budget_nanoseconds(rules));
 }
 
 TEST_F(LodControllerTest, FramesThatCostMoreThanInTheLongRunGetRoomWithinTheBudget) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   const CostByTolerance cost = crowd_costing(3 * millisecond);
   for (int frame = 0; frame < 100; ++frame) settle(cost, 1.3);
-  EXPECT_LE(cost_of(cost, controller.tolerance_pixels()) * 1.3, limits.budget_nanoseconds);
+  EXPECT_LE(cost_of(cost, controller.tolerance_pixels()) * 1.3, budget_nanoseconds(rules));
 }
 
 TEST_F(LodControllerTest, WhenTheCrowdInViewChangesTheBudgetHoldsInAlmostEveryFrame) {
-  limits.budget_nanoseconds = 2 * millisecond;
+  set_budget(2 * millisecond);
   int over = 0;
   constexpr int frames = 1200;
   for (int frame = 0; frame < frames; ++frame) {
     const CostByTolerance cost = crowd_costing((3.0 + std::sin(frame / 100.0)) * millisecond);
     const double spent = cost_of(cost, controller.tolerance_pixels());
-    over += frame > 0 && spent > limits.budget_nanoseconds ? 1 : 0;
-    controller.settle(limits, {.cost_by_tolerance = cost, .nanoseconds = spent});
+    over += frame > 0 && spent > budget_nanoseconds(rules) ? 1 : 0;
+    controller.settle(rules, {.cost_by_tolerance = cost, .nanoseconds = spent});
   }
   EXPECT_LE(over, frames / 100);
 }
 
 TEST_F(LodControllerTest, TheToleranceComesToWhatTheMeasuredErrorAsksFor) {
-  limits.error_pixels = 0.5F;
+  rules.error_pixels = 0.5F;
   float measured = 0.0F;
   for (int frame = 0; frame < 2000; ++frame) {
     const float shown = 0.4F * controller.tolerance_pixels();  // predictions are too careful
@@ -113,32 +115,35 @@ TEST_F(LodControllerTest, TheToleranceComesToWhatTheMeasuredErrorAsksFor) {
     settle(crowd_costing(millisecond), 1.0, measured);
   }
   EXPECT_EQ(controller.binding(), BindingLimit::error);
-  EXPECT_LE(measured, limits.error_pixels);
-  EXPECT_GE(measured, 0.6F * limits.error_pixels);
+  EXPECT_LE(measured, rules.error_pixels);
+  EXPECT_GE(measured, 0.6F * rules.error_pixels);
 }
 
 TEST_F(LodControllerTest, WithoutAMeasuredErrorThePredictedOneIsHeld) {
-  limits.error_pixels = 0.5F;
+  rules.error_pixels = 0.5F;
   settle(crowd_costing(millisecond));
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), 0.5F);
 }
 
 TEST_F(LodControllerTest, OfTwoLimitsThatHoldTheErrorsBinds) {
-  limits = {.error_pixels = 1.0F, .budget_nanoseconds = 4 * millisecond};
+  rules.error_pixels = 1.0F;
+  set_budget(4 * millisecond);
   for (int frame = 0; frame < 1200; ++frame) settle(crowd_costing(3 * millisecond));
   EXPECT_EQ(controller.binding(), BindingLimit::error);
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), 1.0F);
 }
 
 TEST_F(LodControllerTest, TheErrorsLimitGivesWayToTheBudget) {
-  limits = {.error_pixels = 1.0F, .budget_nanoseconds = 2 * millisecond};
+  rules.error_pixels = 1.0F;
+  set_budget(2 * millisecond);
   for (int frame = 0; frame < 300; ++frame) settle(crowd_costing(3 * millisecond));
   EXPECT_EQ(controller.binding(), BindingLimit::budget);
   EXPECT_GT(controller.tolerance_pixels(), 1.0F);
 }
 
 TEST_F(LodControllerTest, ABudgetThatNothingFitsMissesBothLimitsAtTheCoarsest) {
-  limits = {.error_pixels = 1.0F, .budget_nanoseconds = 0.1 * millisecond};
+  rules.error_pixels = 1.0F;
+  set_budget(0.1 * millisecond);
   for (int frame = 0; frame < 300; ++frame) settle(crowd_costing(3 * millisecond));
   EXPECT_EQ(controller.binding(), BindingLimit::both_miss);
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), most_tolerance_pixels);

@@ -22,7 +22,8 @@ struct ForcedLod : testing::Test {
     frame.positions = positions;
     frame.scales = scales;
     frame.characters = {&character, 1};
-    frame.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 100.0F));
+    frame.camera.frustum.fill({0.0F, 0.0F, -1.0F, 100.0F});
+    frame.rules = {.rule = LodRule::distance, .smooth = true};
     state.resize(agents, selection);
   }
 

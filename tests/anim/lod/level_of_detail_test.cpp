@@ -28,9 +28,9 @@ struct Row : testing::Test {
   std::array<std::byte, 64> memory{};
 
   Row() {
-    request.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
+    request.camera.frustum.fill({0.0F, 0.0F, -1.0F, 0.0F});
     request.camera.pixels_per_unit = 800.0F;
-    request.rules = {.rule = LodRule::distance};
+    request.rules = {.rule = LodRule::distance, .smooth = true};
     request.frame_step = frame_step;
     lod.set_characters({{.centre_height = 0.0F,
                          .radius = 1.0F,
@@ -46,10 +46,10 @@ struct Row : testing::Test {
     for (std::size_t i = 0; i < agents; ++i) positions.push_back({0.0F, 0.0F, -1.0F - static_cast<float>(i)});
     scales.assign(agents, 1.0F);
     left_out.assign(agents, 0);
-    lod.reset(agents, request.limits);
+    lod.reset(agents, request.rules);
   }
 
-  std::span<AgentUpdate> select() {
+  std::span<PoseRequest> select() {
     request.now += request.frame_step;
     lod.select({.positions = positions, .scales = scales, .left_out = left_out}, request, executor, 1);
     return lod.updates();
@@ -57,18 +57,18 @@ struct Row : testing::Test {
 
   /// Every agent that is updated gets a palette, but for `undrawn`.
   void pass_frame(std::uint32_t undrawn = UINT32_MAX) {
-    for (AgentUpdate& update : select()) {
-      if (update.agent.number != undrawn) update.palette = PaletteDestination(memory.data());
+    for (PoseRequest& update : select()) {
+      if (update.agent.number != undrawn) update.palette = memory.data();
     }
     lod.settle(1000.0);
   }
 
-  const AgentUpdate* update_of(std::uint32_t agent) {
-    const auto found = std::ranges::find(lod.updates(), AgentId{agent}, &AgentUpdate::agent);
+  const PoseRequest* update_of(std::uint32_t agent) {
+    const auto found = std::ranges::find(lod.updates(), AgentId{agent}, &PoseRequest::agent);
     return found == lod.updates().end() ? nullptr : &*found;
   }
   /// Passes frames until it is an agent's turn.
-  AgentUpdate next_update_of(std::uint32_t agent) {
+  PoseRequest next_update_of(std::uint32_t agent) {
     for (int i = 0; i < longest_interval; ++i) {
       pass_frame();
       if (update_of(agent) != nullptr) return *update_of(agent);
@@ -82,8 +82,8 @@ TEST_F(Row, ComesIntoViewAtOnceAndLooksAheadFromThere) {
   pass_frame();
   ASSERT_EQ(lod.updates().size(), 100U);
   EXPECT_TRUE(
-      std::ranges::all_of(lod.updates(), [](const AgentUpdate& update) { return update.look_ahead == Ticks{}; }));
-  const AgentUpdate far = next_update_of(90);
+      std::ranges::all_of(lod.updates(), [](const PoseRequest& update) { return update.look_ahead == Ticks{}; }));
+  const PoseRequest far = next_update_of(90);
   EXPECT_EQ(far.look_ahead % frame_step, Ticks{});
   EXPECT_GT(far.look_ahead, frame_step);
   EXPECT_EQ(next_update_of(1).look_ahead, Ticks{}) << "near by, posed in each frame";
@@ -97,7 +97,7 @@ TEST_F(Row, IsDueInTheFirstFrameAtTheEndOfItsBlendHoweverLongFramesAre) {
     request.frame_step = frame_step * parts[static_cast<std::size_t>(i) % parts.size()] / 10;
     pass_frame();
     for (std::size_t agent = 0; agent < ends.size(); ++agent) {
-      const AgentUpdate* const update = update_of(static_cast<std::uint32_t>(agent));
+      const PoseRequest* const update = update_of(static_cast<std::uint32_t>(agent));
       if (ends[agent] > Ticks{}) {
         ASSERT_EQ(update != nullptr, request.now >= ends[agent]) << "agent " << agent << " in frame " << i;
       }
@@ -113,7 +113,7 @@ TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
   for (int i = 0; i < 40; ++i) {
     pass_frame(90);
     EXPECT_FALSE(lod.is_shown(90));
-    if (const AgentUpdate* update = update_of(90)) {
+    if (const PoseRequest* update = update_of(90)) {
       EXPECT_EQ(update->look_ahead, Ticks{});
     }
   }
@@ -123,8 +123,8 @@ TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
 TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
   pass_frame();
   for (bool met = false; !met;) {
-    for (AgentUpdate& update : select()) {
-      update.palette = PaletteDestination(memory.data());
+    for (PoseRequest& update : select()) {
+      update.palette = memory.data();
       if (update.agent.number != 90 || update.look_ahead == Ticks{}) continue;
       lod.show_at_once(update);
       EXPECT_EQ(update.look_ahead, Ticks{});
@@ -146,7 +146,7 @@ TEST_F(Row, BoneLevelsChangeByStepsWhereTheAgentIsShownAndAtOnceElsewhere) {
   EXPECT_EQ(next_update_of(50).level, 3);
   request.rules.level_distances = {200.0F, 300.0F, 400.0F};
   lod.forget_shown();
-  const AgentUpdate anew = next_update_of(50);
+  const PoseRequest anew = next_update_of(50);
   EXPECT_EQ(anew.level, 0);
   EXPECT_EQ(anew.fade_halves, 0);
 }
@@ -156,7 +156,7 @@ TEST_F(Row, LeftOutAgentsAreUpdatedByHandAlone) {
   pass_frame();
   EXPECT_EQ(update_of(3), nullptr);
   select();
-  lod.update_also(3).palette = PaletteDestination(memory.data());
+  lod.update_also(3).palette = memory.data();
   lod.settle(1000.0);
   ASSERT_NE(update_of(3), nullptr);
   EXPECT_EQ(update_of(3)->level, 0);
@@ -165,7 +165,8 @@ TEST_F(Row, LeftOutAgentsAreUpdatedByHandAlone) {
 
 TEST_F(Row, ABudgetHoldsFromTheFirstFrame) {
   request.rules.rule = LodRule::budget;
-  request.limits = {.error_pixels = 0.0F, .budget_nanoseconds = 20'000.0};
+  request.rules.error_pixels = 0.0F;
+  request.rules.budget_milliseconds = 0.02;
   stand(100);
   pass_frame();
   EXPECT_GT(lod.figures().tolerance_px, least_tolerance_pixels);
@@ -193,7 +194,7 @@ TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
     for (int i = 0; i < 30; ++i) {
       request.frame_step = i == 0 ? first_step : frame_step;
       pass_frame();
-      for (const AgentUpdate& update : lod.updates()) decided.emplace_back(update.agent.number, update.look_ahead);
+      for (const PoseRequest& update : lod.updates()) decided.emplace_back(update.agent.number, update.look_ahead);
     }
     return decided;
   };

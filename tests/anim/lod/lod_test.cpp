@@ -23,7 +23,8 @@ struct LodTest : testing::Test {
 
   LodTest() {
     frame.characters = {&character, 1};
-    frame.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
+    frame.camera.frustum.fill({0.0F, 0.0F, -1.0F, 0.0F});
+    frame.rules = {.rule = LodRule::distance, .smooth = true};
     frame.camera.pixels_per_unit = 800.0F;
     frame.number = 100;
   }

@@ -76,11 +76,11 @@ std::uint64_t pose_hash(std::shared_ptr<const anim::Character> character, anim::
   anim::AnimationSystem& system = **created;
   system.set_agent_count(3);
   for (std::uint32_t agent = 0; agent < 3; ++agent) system.agent(agent).play({.clip = static_cast<int>(agent)});
-  const std::size_t stride = anim::palette_stride(23, anim::PaletteFormat::matrices);
+  const std::size_t stride = anim::palette_stride(23, PaletteFormat::matrices);
   const anim::AlignedBytes palettes = anim::allocate_aligned(3 * stride);
-  std::vector<anim::AgentUpdate> updates(3);
+  std::vector<PoseRequest> updates(3);
   for (std::uint32_t agent = 0; agent < 3; ++agent) {
-    updates[agent] = {.agent = {agent}, .palette = anim::PaletteDestination(palettes.get() + agent * stride)};
+    updates[agent] = {.agent = {agent}, .palette = palettes.get() + agent * stride};
   }
   for (int frame = 0; frame < 20; ++frame) {
     system.advance(ticks_per_second / 60);

@@ -28,7 +28,7 @@ CopyCounts counts_of_one_frame(SystemOptions options, StreamKind stream, int pus
   auto system = AnimationSystem::create(character(), options);
   EXPECT_TRUE(system.has_value());
   (*system)->set_agent_count(agents);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     (*system)->agent(agent).play({.clip = 0});
     (*system)->agent(agent).play({.clip = 1, .fade = ticks_per_second});

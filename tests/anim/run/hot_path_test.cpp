@@ -34,7 +34,7 @@ TEST(HotPathCounter, SeesAllocationsAndLocks) {
 /// Agents that have one clip, a fade that ends on the way, or two clips that stay, updated at every level and interval.
 HotPathCounts counts_of_frames(const SystemOptions& options) {
   CrowdRig crowd(options, agents);
-  std::vector<AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     crowd->agent(agent).play({.clip = 0});
     if (agent % 3 == 1) crowd->agent(agent).play({.clip = 1, .fade = ticks_per_second});

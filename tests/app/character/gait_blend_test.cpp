@@ -93,7 +93,7 @@ class GaitBlend : public testing::Test {
     std::vector<anim::Transform> locals(bones);
     const anim::ExactPose wanted{
         .agent = {0}, .palette = reinterpret_cast<anim::PaletteMatrix*>(memory.get()), .locals = locals};
-    const anim::AgentUpdate update{.agent = {0}};
+    const PoseRequest update{.agent = {0}};
     Figures figures;
     std::array<Sole, 2> soles = soles_of(source.model.meshes.front());
     int last = -1;

@@ -196,7 +196,7 @@ class Seen {
   std::string refusal_;
 };
 
-Tuning usual(anim::LodRule rule) {
+Tuning usual(LodRule rule) {
   Tuning tuning;
   tuning.agents = agents;
   tuning.lod.rule = rule;
@@ -214,7 +214,7 @@ void expect_effects_as_said(const Tuning& tuning, const Situation& situation, co
   for (const TuningValue& value : tuning_values()) {
     if (value.key == "cost_blender_packet_ns") continue;  // nobody blends so soon
     // Nor is anybody so far away that the error limit would drop bones.
-    if (value.key == "bone_lod" && tuning.lod.rule == anim::LodRule::budget) continue;
+    if (value.key == "bone_lod" && tuning.lod.rule == LodRule::budget) continue;
     const auto other = other_values.find(value.key);
     ASSERT_NE(other, other_values.end()) << value.key << " needs another value in the table above";
     Tuning changed = tuning;
@@ -231,18 +231,18 @@ void expect_effects_as_said(const Tuning& tuning, const Situation& situation, co
 }
 
 TEST(IdleValues, TheSameTuningIsSeenTheSame) {
-  const Tuning tuning = usual(anim::LodRule::budget);
+  const Tuning tuning = usual(LodRule::budget);
   EXPECT_EQ(Seen(tuning, {}).hash(), Seen(tuning, {}).hash());
 }
 
 TEST(IdleValues, HaveNoEffectUnderEachRuleAndAllOthersHaveOne) {
-  for (const anim::LodRule rule : {anim::LodRule::off, anim::LodRule::distance, anim::LodRule::budget}) {
+  for (const LodRule rule : {LodRule::off, LodRule::distance, LodRule::budget}) {
     expect_effects_as_said(usual(rule), mannequins, lod_rule_words.at(static_cast<std::size_t>(rule)));
   }
 }
 
 TEST(IdleValues, AreThoseOfAPausedCrowd) {
-  Tuning tuning = usual(anim::LodRule::distance);
+  Tuning tuning = usual(LodRule::distance);
   tuning.paused = true;
   EXPECT_TRUE(idle_reason("time_scale", tuning, {}));
   const Seen before(tuning, {});
@@ -252,7 +252,7 @@ TEST(IdleValues, AreThoseOfAPausedCrowd) {
 
 /// Each of these makes values idle that have an effect else.
 TEST(IdleValues, OfForcedIntervalsAndLevelsHaveNoEffectEither) {
-  for (const anim::LodRule rule : {anim::LodRule::off, anim::LodRule::distance, anim::LodRule::budget}) {
+  for (const LodRule rule : {LodRule::off, LodRule::distance, LodRule::budget}) {
     Tuning tuning = usual(rule);
     tuning.inspection.forced_interval = 3;
     tuning.inspection.forced_bone_level = 1;
@@ -269,7 +269,7 @@ TEST(IdleValues, OfForcedIntervalsAndLevelsHaveNoEffectEither) {
 }
 
 TEST(IdleValues, AreThoseThatWouldForceASelectedAgentWhereNobodyIsSelected) {
-  Tuning tuning = usual(anim::LodRule::budget);
+  Tuning tuning = usual(LodRule::budget);
   tuning.inspection.force_selected_only = true;
   for (const char* const key : {"forced_interval", "forced_bone_level"}) {
     EXPECT_TRUE(idle_reason(key, tuning, {.selected = false})) << key;
@@ -281,7 +281,7 @@ TEST(IdleValues, AreThoseThatWouldForceASelectedAgentWhereNobodyIsSelected) {
 }
 
 TEST(IdleValues, AreThoseOfWhatTheCrowdLacks) {
-  const Tuning tuning = usual(anim::LodRule::distance);
+  const Tuning tuning = usual(LodRule::distance);
   const auto idle = [&](const char* key, const Situation& situation) {
     return idle_reason(key, tuning, situation).has_value();
   };
@@ -298,7 +298,7 @@ TEST(IdleValues, AreThoseOfWhatTheCrowdLacks) {
 
 TEST(IdleValues, AreThoseOfAScaleThatIsNotShown) {
   for (const DebugView view : {DebugView::none, DebugView::speed, DebugView::density}) {
-    Tuning tuning = usual(anim::LodRule::off);
+    Tuning tuning = usual(LodRule::off);
     tuning.debug_view = view;
     expect_effects_as_said(tuning, mannequins, debug_view_words.at(static_cast<std::size_t>(view)));
   }
@@ -314,7 +314,7 @@ TEST(IdleValues, AreTrailsOfPeopleWhoAreInNoFile) {
 }
 
 TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {
-  Tuning tuning = usual(anim::LodRule::budget);
+  Tuning tuning = usual(LodRule::budget);
   EXPECT_TRUE(idle_reason("split_at", tuning, {}));
   tuning.inspection.split = Split::shown;
   EXPECT_FALSE(idle_reason("split_at", tuning, {}));

@@ -81,14 +81,14 @@ std::string refused(const std::string& line) {
 }
 
 TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
-  constexpr std::size_t own_rules = 4;  // the engine's: tolerance, importance of the middle, cost by tolerance
+  constexpr std::size_t own_rules = 4;  // the two limits, which lod_rules() sets, and the importance of the middle
   constexpr std::size_t own_options =
       7;  // the engine's: executor, hash, trace, prefetch, stores, cached bytes, kernels
   constexpr std::size_t more_distances = 2;  // an array of three
   constexpr std::size_t structs = 5;         // lod, system, inspection, light, taken_away
   constexpr std::size_t forced = 3;          // of the inspection; how one looks is not kept
   constexpr std::size_t light = members_of<render::SceneLight>();
-  constexpr std::size_t rules = members_of<anim::LodRules>() - own_rules + more_distances;
+  constexpr std::size_t rules = members_of<LodRules>() - own_rules + more_distances;
   constexpr std::size_t options = members_of<anim::SystemOptions>() - own_options - 1 + members_of<anim::CostModel>();
   EXPECT_EQ(tuning_values().size(), members_of<Tuning>() - structs + rules + options + forced + light)
       << "a new member of Tuning needs a row in app/settings/tuning_values.cpp, or presets and recordings forget it";

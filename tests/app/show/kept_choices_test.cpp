@@ -64,7 +64,6 @@ class LodExportOfAShow : public KeptChoices {
 };
 
 TEST_F(LodExportOfAShow, FollowsEveryValueThatIsInForceAndNoOther) {
-  using anim::LodRule;
   struct Value {
     const char* name;
     std::function<void(Tuning&)> change;

@@ -39,7 +39,7 @@ CharacterSource morphing_pillar(float weight) {
 class PictureOfMorphs : public testing::Test {
  protected:
   void open(std::vector<CharacterSource> characters) {
-    const Tuning tuning{.scene = Scene::grid, .agents = 40, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}};
+    const Tuning tuning{.scene = Scene::grid, .agents = 40, .lod = {.rule = LodRule::off}, .system = {.pus = 1}};
     auto made = Stage::create(std::move(characters), tuning, pages_);
     ASSERT_TRUE(made);
     stage_ = std::move(*made);

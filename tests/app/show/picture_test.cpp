@@ -114,7 +114,7 @@ class PictureInTiles : public testing::Test {
   }
 
   HeapPageSource pages_{std::size_t{1} << 20U};
-  Tuning tuning_{.scene = Scene::grid, .agents = agents, .lod = {.rule = anim::LodRule::off}, .system = {.pus = 1}};
+  Tuning tuning_{.scene = Scene::grid, .agents = agents, .lod = {.rule = LodRule::off}, .system = {.pus = 1}};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 60, .z = 130, .yaw = 0, .pitch = -25});
 };

@@ -37,7 +37,7 @@ void act(Show& show, int frame) {
   show.view().camera.position.x += 0.05F;
   show.view().camera.yaw += 0.002F;
   if (frame == 10) change(show, [](Tuning& tuning) { tuning.lod.full_rate_distance = 3.0F; });
-  if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = anim::LodRule::distance; });
+  if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = LodRule::distance; });
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.lod.largest_interval = 3; });
   if (frame == 30) test::ask(show, Select{4});
   if (frame == 31) push_selected(show);

@@ -11,7 +11,7 @@ namespace throng::app::scene_lines_test {
 namespace {
 
 TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
-  Tuning tuning{.lod = {.rule = anim::LodRule::distance, .full_rate_distance = 10, .interval_growth = 5}};
+  Tuning tuning{.lod = {.rule = LodRule::distance, .full_rate_distance = 10, .interval_growth = 5}};
   tuning.lod.largest_interval = 4;
   const auto thresholds = interval_thresholds(tuning);
   ASSERT_EQ(thresholds.size(), 3U);
@@ -26,7 +26,7 @@ TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
 anim::MotionLod walk(bool smooth = true) {
   const anim::LodCharacter person{.level_error_metres = {0.0F, 0.001F, 0.01F, 0.1F},
                                   .update_nanoseconds = {1600, 1200, 800, 400}};
-  return {person, {}, {.rule = anim::LodRule::budget, .smooth = smooth}, 1.0F / 60.0F};
+  return {person, {}, {.rule = LodRule::budget, .smooth = smooth}, 1.0F / 60.0F};
 }
 
 TEST(IntervalThresholds, LieWhereTheRuleByPixelsChangesItsChoice) {

@@ -28,7 +28,7 @@ struct LayeredAgent : testing::Test {
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       system->advance(ticks_per_second / 60);
-      system->update(std::vector<anim::AgentUpdate>{{.agent = {0}}});
+      system->update(std::vector<PoseRequest>{{.agent = {0}}});
     }
   }
   std::vector<LayerRow> layers() const { return agent_layers(*system, 0); }

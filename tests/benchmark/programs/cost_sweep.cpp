@@ -61,7 +61,7 @@ struct ShapedCrowd {
   std::optional<anim::CharacterRigs> rigs;
   std::unique_ptr<BenchPalettes> palettes;
   std::unique_ptr<anim::AnimationSystem> system;
-  std::vector<anim::AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
 
   /// An agent's share of a tile: held ones are narrower than asked for where the store was laid out for streaming ones.
   double tiles_an_agent() const {

@@ -41,7 +41,7 @@ bool print_slips(const char* name, CharacterSource source, bool placed_feet, con
   FootSlips slips(source.character->skeleton);
   const Tuning tuning{.scene = Scene::tracks,
                       .placed_feet = placed_feet,
-                      .lod = {.rule = anim::LodRule::off, .bone_lod = false, .smooth = false},
+                      .lod = {.rule = LodRule::off, .bone_lod = false, .smooth = false},
                       .system = {.pus = 2}};
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(source));

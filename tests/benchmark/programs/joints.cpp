@@ -7,7 +7,7 @@ namespace throng::app {
 std::unique_ptr<JointSubject> JointSubject::create(std::shared_ptr<const anim::Character> character,
                                                    const anim::SystemOptions& options,
                                                    std::span<const BenchAgent> agents, const BenchPalettes& palettes,
-                                                   const anim::JointList& list, anim::JointFormat format) {
+                                                   const anim::JointList& list, JointFormat format) {
   constexpr std::size_t line_bytes = 64;
   const std::size_t lines = (list.size() * anim::joint_bytes(format) + line_bytes - 1) / line_bytes;
   const std::size_t stride = (lines | 1U) * line_bytes;
@@ -17,7 +17,7 @@ std::unique_ptr<JointSubject> JointSubject::create(std::shared_ptr<const anim::C
   if (!subject || !subject->system().characters().write_joints(list, format)) return nullptr;
   for (std::size_t agent = 0; agent < agents.size(); ++agent) {
     subject->updates()[agent].palette = nullptr;
-    subject->updates()[agent].joints = anim::PaletteDestination(made->memory_.get() + agent * stride);
+    subject->updates()[agent].joints = made->memory_.get() + agent * stride;
   }
   made->subject_ = std::make_unique<SystemSubject>(std::move(*subject));
   return made;

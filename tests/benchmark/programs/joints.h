@@ -14,7 +14,7 @@ class JointSubject {
   static std::unique_ptr<JointSubject> create(std::shared_ptr<const anim::Character> character,
                                               const anim::SystemOptions& options, std::span<const BenchAgent> agents,
                                               const BenchPalettes& palettes, const anim::JointList& list,
-                                              anim::JointFormat format);
+                                              JointFormat format);
   void run() { subject_->run(); }
 
  private:

@@ -24,7 +24,7 @@ std::unique_ptr<SocketSubject> SocketSubject::create(std::shared_ptr<const anim:
   auto subject = SystemSubject::create(std::move(character), options, agents, palettes);
   const bool reads_palettes = source == SocketSource::palette;
   if (!list || !subject || (reads_palettes && place.entry < 0)) return nullptr;
-  if (!reads_palettes && !subject->system().characters().write_joints(*list, anim::JointFormat::matrices)) {
+  if (!reads_palettes && !subject->system().characters().write_joints(*list, JointFormat::matrices)) {
     return nullptr;
   }
   auto made = std::make_unique<SocketSubject>();
@@ -36,11 +36,10 @@ std::unique_ptr<SocketSubject> SocketSubject::create(std::shared_ptr<const anim:
     const std::size_t agent = thing * agents.size() / things;
     const float* rows = nullptr;
     if (reads_palettes) {
-      rows = reinterpret_cast<const float*>(palettes.of(agent).memory()) + std::ptrdiff_t{12} * place.entry;
+      rows = reinterpret_cast<const float*>(palettes.of(agent)) + std::ptrdiff_t{12} * place.entry;
     } else {
       rows = made->listed_[thing].rows;
-      subject->updates()[agent].joints =
-          anim::PaletteDestination(reinterpret_cast<std::byte*>(made->listed_[thing].rows));
+      subject->updates()[agent].joints = reinterpret_cast<std::byte*>(made->listed_[thing].rows);
     }
     const auto turn = static_cast<float>(thing);
     made->carriers_.push_back({rows, 0.7F * turn, 0.3F * turn, std::cos(turn), std::sin(turn)});

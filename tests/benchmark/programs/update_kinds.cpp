@@ -28,7 +28,7 @@ Result<BenchReport> measure_kinds(const BenchOptions& options) {
   if (!whom) return whom.error();
   anim::SystemOptions one_pu = bench_system_options(options, bench);
   one_pu.pus = 1;
-  one_pu.palettes = anim::PaletteFormat::matrices;
+  one_pu.palettes = PaletteFormat::matrices;
   const anim::Skeleton& skeleton = whom->character->skeleton;
   const std::vector<BenchAgent> agents = bench_agents(*whom->character, bench.agents);
   const BenchPalettes palettes(bench.agents, skeleton.palette_count());
@@ -42,7 +42,7 @@ Result<BenchReport> measure_kinds(const BenchOptions& options) {
     kinds.push_back(kind);
     rounds.add({kind, [made = std::shared_ptr(std::move(subject))] { made->run(); }});
   };
-  const auto joints = [&](const anim::JointList& list, anim::JointFormat format) {
+  const auto joints = [&](const anim::JointList& list, JointFormat format) {
     return JointSubject::create(whom->character, one_pu, agents, palettes, list, format);
   };
   const auto sockets = [&](SocketSource source) {
@@ -50,9 +50,9 @@ Result<BenchReport> measure_kinds(const BenchOptions& options) {
     return SocketSubject::create(whom->character, one_pu, agents, palettes, things, source);
   };
   add("held", HeldSubject::create(whom->model, whom->character, one_pu, agents, palettes));
-  if (skeleton.rigid) add("joints", joints(all_joints(skeleton), anim::JointFormat::transforms));
-  add("joint_matrices", joints(all_joints(skeleton), anim::JointFormat::matrices));
-  add("few_joints", joints(three_joints(skeleton), anim::JointFormat::matrices));
+  if (skeleton.rigid) add("joints", joints(all_joints(skeleton), JointFormat::transforms));
+  add("joint_matrices", joints(all_joints(skeleton), JointFormat::matrices));
+  add("few_joints", joints(three_joints(skeleton), JointFormat::matrices));
   add("sockets", sockets(SocketSource::palette));
   add("listed_sockets", sockets(SocketSource::list));
   rounds.add({"one_pu", [&] { update->run(); }});

@@ -2,26 +2,15 @@
 
 #include "throng/agent.h"
 #include "throng/character.h"
+#include "throng/formats.h"
 #include "throng/host.h"
 #include "throng/ids.h"
+#include "throng/pose_request.h"
 #include "throng/result.h"
 #include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {
-
-/// The form in which an entry of a palette is written.
-enum class PaletteFormat : unsigned char {
-  matrices,  ///< the top three rows of an affine matrix, row-major: 48 bytes
-  packed     ///< a rotation and a place: 16 bytes, unpacked by packed_palette.glsl; characters that scale get matrices
-};
-
-/// The form in which a joint is written.
-enum class JointFormat : unsigned char {
-  transforms,   ///< 8 floats: a rotation, a place and a scale; characters that scale have none
-  matrices,     ///< 12 floats: the top three rows of a matrix, row-major
-  matrices_4x4  ///< 16 floats, column-major
-};
 
 /// The joints that an update writes of each agent of a character, in model space: for a server that draws nothing, for
 /// sockets, or as palettes in another form. Without a palette, only the bones that they need are posed.
@@ -38,17 +27,6 @@ struct CrowdOptions {
   Executor* executor = nullptr;  ///< a host's job system, which outlives the crowd; null: threads of its own
   bool hash = false;             ///< Debug::pose_hash
   bool trace = false;            ///< notes what each PU does, for tools that see into the crowd
-};
-
-/// One agent to be posed in this frame.
-struct PoseRequest {
-  AgentId agent{};
-  std::uint8_t level = 0;        ///< bone level, 0: all bones
-  Ticks look_ahead{};            ///< the pose is for now + look_ahead, for skipped frames that are blended
-  std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: it is not drawn
-  std::byte* joints = nullptr;   ///< Crowd::joint_bytes, aligned to 16; null: none are written
-  std::uint8_t fade_level = 0;   ///< as Lod says it
-  std::uint8_t fade_halves = 0;
 };
 
 /// The weight of a bone and of all bones below it.

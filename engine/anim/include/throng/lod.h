@@ -1,40 +1,13 @@
 #pragma once
 
+#include "throng/camera.h"
 #include "throng/crowd.h"
+#include "throng/lod_rules.h"
 #include "throng/math.h"
 #include "throng/standard.h"
 #include "throng/ticks.h"
 
 namespace throng {
-
-/// The camera, as far as level of detail reads it.
-struct Camera {
-  Vec3 position{};                                ///< metres, world
-  Vec3 forward{0.0F, 0.0F, -1.0F};                ///< unit
-  std::array<std::array<float, 4>, 6> frustum{};  ///< unit normals and offsets, inside where normal * p + offset >= 0;
-                                                  ///< all 0: every agent is in view
-  float pixels_per_unit = 1000.0F;                ///< pixels that a metre covers at a distance of a metre
-};
-
-/// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1.
-Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall);
-
-enum class LodRule : unsigned char {
-  off,       ///< every agent is posed every frame
-  distance,  ///< the farther from the camera, the longer the interval between updates
-  budget     ///< the cheapest choice whose predicted error on screen is within the limits
-};
-
-struct LodRules {
-  LodRule rule = LodRule::budget;
-  float error_pixels = 1.0F;         ///< budget: 99% of shown errors stay below it; 0: no limit
-  double budget_milliseconds = 0.0;  ///< budget: of all PUs, a frame; 0: no limit
-  float full_rate_distance = 12.0F;  ///< distance: metres up to which agents are posed every frame
-  float interval_growth = 12.0F;     ///< distance: metres for each further frame of the interval
-  int largest_interval = 8;          ///< frames, 1 to 16
-  bool bone_lod = true;              ///< fewer bones far off
-  bool smooth = false;               ///< the renderer blends each palette from the last one over its look-ahead
-};
 
 /// One frame of a crowd. The spans have an element for each agent, by its number; dead numbers' elements are not read.
 struct LodFrame {

@@ -4,17 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "throng/formats.h"
+
 #include "engine/anim/asset/joint_list.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
 
 namespace throng::anim {
-
-/// The form in which a listed joint is written. Each begins at a multiple of 16 bytes.
-enum class JointFormat : std::uint8_t {
-  transforms,   ///< JointTransform, 32 bytes; rigid skeletons alone
-  matrices,     ///< PaletteMatrix, 48 bytes
-  matrices_4x4  ///< Matrix4x4, 64 bytes
-};
 
 constexpr std::size_t joint_bytes(JointFormat format) {
   constexpr std::size_t bytes[] = {sizeof(JointTransform), sizeof(PaletteMatrix), sizeof(Matrix4x4)};

@@ -3,15 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "throng/formats.h"
+
 #include "engine/anim/base/transform.h"
 
 namespace throng::anim {
-
-/// The form in which an entry of a palette is written.
-enum class PaletteFormat : std::uint8_t {
-  matrices,  ///< PaletteMatrix, 48 bytes
-  packed     ///< PackedPaletteEntry, 16 bytes; rigid skeletons alone
-};
 
 /// One entry of the palette of a rigid skeleton: how the bone is turned from its bind pose, and where its joint is.
 ///
@@ -65,8 +61,8 @@ constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) 
 class PaletteDestination {
  public:
   PaletteDestination() = default;
-  explicit PaletteDestination(std::byte* memory) : memory_(memory) {}
   // Implicit, as pointers convert.
+  PaletteDestination(std::byte* memory) : memory_(memory) {}
   PaletteDestination(std::nullptr_t) {}
   PaletteDestination(PaletteMatrix* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
   PaletteDestination(PackedPaletteEntry* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}

@@ -172,8 +172,7 @@ TEST(Slot, IsTheSameForWhoIsPosedAheadOfTheClock) {
   Pair pair;
   pair.ask({.clip = 1, .fade_in = fade, .fade_out = fade});
   for (int frame = 0; frame < frames_of(1) + frames_of(2); frame += 20) {
-    const AgentUpdate early{
-        .agent = {0}, .look_ahead = 20 * frame_ticks, .palette = const_cast<PaletteMatrix*>(pair.seldom.palette())};
+    const PoseRequest early{.agent = {0}, .look_ahead = 20 * frame_ticks, .palette = memory_of(pair.seldom.palette())};
     pair.seldom->update({&early, 1});
     pair.each_frame.step(10);
     pair.seldom->advance(10 * frame_ticks);
@@ -241,7 +240,7 @@ TEST(Slot, LeavesNoEntityBehindWhoeverInterruptsWhom) {
 
 TEST(Slot, AllocatesNothingInAFrame) {
   CrowdRig crowd = with_slot();
-  const AgentUpdate update{.agent = {0}};
+  const PoseRequest update{.agent = {0}};
   const auto play_all = [&] {
     for (const int clip : {1, 2, 3}) {
       play(crowd, {.clip = clip, .fade_in = fade, .fade_out = fade, .queued = true});

@@ -183,7 +183,7 @@ TEST(StateMachineLife, IsRefusedByACharacterThatHasNotItsClips) {
 
 TEST(StateMachineLife, AllocatesNothingInAFrame) {
   MachineCrowd crowd;
-  const AgentUpdate update{.agent = {0}};
+  const PoseRequest update{.agent = {0}};
   const auto live = [&] {
     const HotPathCounts before = hot_path_counts();
     for (int frame = 0; frame < 600; ++frame) {

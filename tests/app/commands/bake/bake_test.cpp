@@ -91,7 +91,7 @@ TEST_F(Bake, APackOfAPersonMayBeCutWhileItPlays) {
   ASSERT_TRUE(system);
   const AgentId agent = (*system)->add_agent();
   (*system)->agent(agent).play({.clip = 0});
-  const anim::AgentUpdate update{.agent = agent};
+  const PoseRequest update{.agent = agent};
   (*system)->update({&update, 1});
   EXPECT_EQ((*system)->figures().report().agents_updated, 1U);
 }

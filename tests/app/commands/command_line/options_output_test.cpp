@@ -38,7 +38,7 @@ TEST(OutputOptionsOfALine, LetSecondsSayTheLength) {
 
 TEST(OutputOptionsOfALine, PoseEverybodyExactlyForLabels) {
   const DemoOptions options = options_of("--headless --labels l --mesh-lod 2");
-  EXPECT_EQ(options.tuning.lod.rule, anim::LodRule::off);
+  EXPECT_EQ(options.tuning.lod.rule, LodRule::off);
   EXPECT_FALSE(options.tuning.lod.smooth);
   EXPECT_FALSE(options.tuning.lod.bone_lod);
   EXPECT_EQ(options.tuning.mesh_lod, 2);

@@ -58,7 +58,7 @@ TEST(DemoDefaults, TuneTheCrowd) {
   EXPECT_EQ(tuning.scene, Scene::plaza);
   EXPECT_EQ(tuning.agents, 1000);
   EXPECT_EQ(tuning.seed, 1U);
-  EXPECT_EQ(tuning.lod.rule, anim::LodRule::budget);
+  EXPECT_EQ(tuning.lod.rule, LodRule::budget);
   EXPECT_TRUE(tuning.lod.bone_lod);
   EXPECT_TRUE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, -1);
@@ -131,7 +131,7 @@ TEST(DemoOptions, TuneTheCrowd) {
   EXPECT_EQ(tuning.system.tile, 8);
   EXPECT_EQ(tuning.system.double_buffering, anim::DoubleBuffering::inline_copy);
   EXPECT_EQ(tuning.system.stream, anim::StreamKind::keyframe);
-  EXPECT_EQ(tuning.system.palettes, anim::PaletteFormat::packed);
+  EXPECT_EQ(tuning.system.palettes, PaletteFormat::packed);
   EXPECT_FALSE(tuning.lod.bone_lod);
   EXPECT_FALSE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, 2);
@@ -187,9 +187,9 @@ TEST(RequiredValue, IsTakenAfterASpaceOrAnEqualsSign) {
 }
 
 TEST(LodBudget, IsTheRuleOfWhoeverGivesALimit) {
-  EXPECT_EQ(demo("--error-px 0.5").tuning.lod.rule, anim::LodRule::budget);
-  EXPECT_EQ(demo("--budget-ms 4").tuning.lod.rule, anim::LodRule::budget);
-  EXPECT_EQ(demo("").tuning.lod.rule, anim::LodRule::budget);
+  EXPECT_EQ(demo("--error-px 0.5").tuning.lod.rule, LodRule::budget);
+  EXPECT_EQ(demo("--budget-ms 4").tuning.lod.rule, LodRule::budget);
+  EXPECT_EQ(demo("").tuning.lod.rule, LodRule::budget);
 }
 
 TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
@@ -203,7 +203,7 @@ TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
 
 TEST(LodOff, TurnsOffAllThatOnlySavesWork) {
   const Tuning tuning = demo("--lod off").tuning;
-  EXPECT_EQ(tuning.lod.rule, anim::LodRule::off);
+  EXPECT_EQ(tuning.lod.rule, LodRule::off);
   EXPECT_FALSE(tuning.lod.bone_lod);
   EXPECT_FALSE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, 0);
@@ -280,7 +280,7 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
   EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::keyframe));
   EXPECT_EQ(options.tuning.system.tile, 16);
   EXPECT_EQ(options.tuning.system.double_buffering, anim::DoubleBuffering::off);
-  EXPECT_EQ(options.tuning.system.palettes, anim::PaletteFormat::packed);
+  EXPECT_EQ(options.tuning.system.palettes, PaletteFormat::packed);
   EXPECT_EQ(options.frames, 9);
   EXPECT_EQ(options.json, "-");
 }

@@ -53,7 +53,7 @@ TEST(LodCurve, SaysOfEachMeshHowManyTrianglesItHasAndHowFarItIsOff) {
 
 LodInForce by_distance() {
   LodInForce lod{.tuning = {}, .pixels_per_unit = 772.0F};
-  lod.tuning.lod.rule = anim::LodRule::distance;
+  lod.tuning.lod.rule = LodRule::distance;
   return lod;
 }
 

@@ -43,7 +43,7 @@ TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
 
 TEST(PaletteNotice, SaysThatMemoryRanOut) {
   constexpr std::uint32_t entries = 4;
-  constexpr std::size_t bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+  constexpr std::size_t bytes = anim::palette_stride(entries, PaletteFormat::matrices);
   struct OnePage final : render::PalettePageSource {
     render::PalettePage add_page() override { return left-- > 0 ? heap.add_page() : render::PalettePage{}; }
     HeapPageSource heap{bytes};
@@ -127,7 +127,7 @@ class PaletteFormatNotice : public testing::Test {
     for (const std::string name : {"plain", "linear-trs"})
       people_.push_back(*load_character(folder + name + ".glb", name));
   }
-  std::string notice(anim::PaletteFormat palettes) {
+  std::string notice(PaletteFormat palettes) {
     const auto system = std::move(*anim::AnimationSystem::create(people_[0].character, {.palettes = palettes}));
     EXPECT_TRUE(system->characters().add(people_[1].character));
     return palette_format_notice(*system, people_);
@@ -136,13 +136,10 @@ class PaletteFormatNotice : public testing::Test {
 };
 
 TEST_F(PaletteFormatNotice, NamesWhoStaysFloat) {
-  EXPECT_EQ(notice(anim::PaletteFormat::packed),
-            "Palettes stay float of linear-trs: packed ones hold rigid skeletons only.");
+  EXPECT_EQ(notice(PaletteFormat::packed), "Palettes stay float of linear-trs: packed ones hold rigid skeletons only.");
 }
 
-TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) {
-  EXPECT_EQ(notice(anim::PaletteFormat::matrices), "");
-}
+TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) { EXPECT_EQ(notice(PaletteFormat::matrices), ""); }
 
 TEST(PlanNotice, SaysHowManyLinesAreTooMany) {
   EXPECT_EQ(plan_notice(30'000, 20'000),

@@ -133,7 +133,7 @@ TEST(TimelineLog, KeepsTheNewestFramesOnly) {
   ASSERT_TRUE(system.has_value());
   constexpr std::uint32_t agents = 20'000;
   (*system)->set_agent_count(agents);
-  std::vector<anim::AgentUpdate> updates;
+  std::vector<PoseRequest> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     (*system)->agent(agent).play({});
     updates.push_back({.agent = {agent}});

@@ -48,7 +48,7 @@ class MeasuredStage : public testing::Test {
   static Tuning measured() {
     Tuning tuning;
     tuning.agents = 120;
-    tuning.lod.rule = anim::LodRule::distance;
+    tuning.lod.rule = LodRule::distance;
     tuning.error_sample = ErrorSampling::all;
     tuning.system.pus = 2;
     return tuning;
@@ -61,7 +61,7 @@ class MeasuredStage : public testing::Test {
 
 TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
   Tuning tuning = measured();
-  tuning.lod.rule = anim::LodRule::off;
+  tuning.lod.rule = LodRule::off;
   tuning.lod.bone_lod = tuning.lod.smooth = false;
   pass(tuning, 90);
   EXPECT_GT(stage_->posed().error_meter().figures().samples, 1000U);
@@ -180,7 +180,7 @@ TEST_F(MeasuredStage, TellsTheErrorLimitNothingOfFewAgents) {
 // Poses that are shown past their time would be off by so much that the limit left nothing to skip.
 TEST_F(MeasuredStage, UsesItsLimitWhereFramesDifferInLengthToo) {
   Tuning tuning = measured();
-  tuning.lod.rule = anim::LodRule::budget;
+  tuning.lod.rule = LodRule::budget;
   tuning.mesh_lod = 0;
   tuning.error_px = 3.0F;
   pass(tuning, 0);
@@ -244,10 +244,10 @@ class DisplacedBone : public testing::Test {
     const anim::VisibleAgent visible{.agent = 0, .pixels_tall = 100.0F, .interval = 1, .bone_level = 0};
     meter_.begin_frame(ErrorSampling::all, {&visible, 1}, shown_);
     system_->advance(frame);
-    const anim::PaletteDestination slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
-    const anim::AgentUpdate update{.agent = {0}, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
+    std::byte* const slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
+    const PoseRequest update{.agent = {0}, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
     system_->update({&update, 1});
-    auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
+    auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette)[shin()];
     for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
     const auto mesh = static_cast<std::uint8_t>(mesh_lods_.choose(rules_.meshes, 0, visible.pixels_tall));
     const PlacedAgents agents = placed_agents(crowd_);
@@ -281,7 +281,7 @@ class DisplacedBone : public testing::Test {
   std::vector<CharacterSource> characters_ = mannequin();
   std::unique_ptr<anim::AnimationSystem> system_;
   HeapPageSource pages_{std::size_t{1} << 20U};
-  PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
+  PaletteSlots slots_{pages_, {anim::palette_stride(entries(), PaletteFormat::matrices)}};
   ShownPoses shown_{slots_};
   ErrorMeter meter_{std::vector{viewed_character(characters_.front())}};
   ViewRules rules_;

@@ -25,7 +25,7 @@ class PushedOnStage : public testing::Test {
  protected:
   explicit PushedOnStage(const Tuning& tuning = {.scene = Scene::plaza,
                                                  .agents = 12,
-                                                 .lod = {.rule = anim::LodRule::distance},
+                                                 .lod = {.rule = LodRule::distance},
                                                  .system = {.pus = 2}}) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));

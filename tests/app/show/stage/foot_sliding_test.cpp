@@ -59,7 +59,7 @@ TEST_P(FootSliding, IsBelowTwoCentimetresASecondOnAverage) {
   KeptPages pages;
   const Tuning tuning{.scene = GetParam(),
                       .agents = 500,
-                      .lod = {.rule = anim::LodRule::off, .bone_lod = false, .smooth = false},
+                      .lod = {.rule = LodRule::off, .bone_lod = false, .smooth = false},
                       .system = {.pus = 1}};
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));

@@ -90,10 +90,7 @@ TEST_F(StageInHands, TakenBackTheCrowdDoesTheSameAgain) {
 }
 
 TEST_F(StageInHands, TakenBackTwiceItStrikesTheSamePosesBothTimes) {
-  open({.scene = Scene::plaza,
-        .agents = 12,
-        .lod = {.rule = anim::LodRule::off, .bone_lod = false},
-        .system = {.pus = 2}});
+  open({.scene = Scene::plaza, .agents = 12, .lod = {.rule = LodRule::off, .bone_lod = false}, .system = {.pus = 2}});
   pass(40);
   StageMoment moment;
   stage_->animated().remember(moment);
@@ -139,7 +136,7 @@ TEST_F(StageInHands, AMomentOfAnotherCrowdIsRefused) {
 
 TEST_F(StageInHands, WhatIsForcedIsSeenInTheSelection) {
   Tuning tuning = stage_->tuning();
-  tuning.lod.rule = anim::LodRule::distance;
+  tuning.lod.rule = LodRule::distance;
   tuning.inspection = {.forced_interval = 6, .forced_bone_level = 1, .force_selected_only = true};
   ASSERT_TRUE(stage_->apply(tuning));
   pass(20);

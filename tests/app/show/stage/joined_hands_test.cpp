@@ -30,7 +30,7 @@ class JoinedHandsTest : public test::WatchedStage {
     Tuning tuning;
     tuning.scene = Scene::plaza;
     tuning.agents = 240;
-    tuning.lod.rule = anim::LodRule::off;
+    tuning.lod.rule = LodRule::off;
     tuning.inspection.forced_bone_level = 0;
     tuning.system = {.pus = pus, .hash = true};
     tuning.wardrobe = true;

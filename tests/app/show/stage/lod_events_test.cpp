@@ -29,11 +29,11 @@ struct Met {
 /// A plaza, and what everyone in it met so far.
 class Watched {
  public:
-  Watched(anim::LodRule lod, int agents) : met_(static_cast<std::size_t>(agents)) {
+  Watched(LodRule lod, int agents) : met_(static_cast<std::size_t>(agents)) {
     const char* const mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(mannequin, mannequin));
-    const bool off = lod == anim::LodRule::off;
+    const bool off = lod == LodRule::off;
     const Tuning tuning{.agents = agents, .lod = {.rule = lod, .bone_lod = !off, .smooth = !off}, .system = {.pus = 2}};
     stage_ = std::move(*Stage::create(std::move(characters), tuning, pages_));
     stage_->animated().sum_up_events();
@@ -81,11 +81,11 @@ std::string first_difference(const std::vector<Met>& exact, const std::vector<Me
          words(other, skipping.end());
 }
 
-class LodEvents : public testing::TestWithParam<anim::LodRule> {};
+class LodEvents : public testing::TestWithParam<LodRule> {};
 
 TEST_P(LodEvents, AreTheSameInTheSameOrderAsWithoutAndSoArePlaces) {
   constexpr int agents = 100, frames = 2400;
-  Watched exact(anim::LodRule::off, agents), skipping(GetParam(), agents);
+  Watched exact(LodRule::off, agents), skipping(GetParam(), agents);
   std::uint64_t posed = 0;
   const auto before = std::pair(exact.sums().event_hash(), exact.sums().place_hash());
   for (int i = 0; i < frames; ++i) {
@@ -107,10 +107,8 @@ TEST_P(LodEvents, AreTheSameInTheSameOrderAsWithoutAndSoArePlaces) {
   EXPECT_GT(events, 500U) << "people walk, and steps are data keys";
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, LodEvents, testing::Values(anim::LodRule::distance, anim::LodRule::budget),
-                         [](const auto& tested) {
-                           return tested.param == anim::LodRule::distance ? "Distance" : "Budget";
-                         });
+INSTANTIATE_TEST_SUITE_P(Rules, LodEvents, testing::Values(LodRule::distance, LodRule::budget),
+                         [](const auto& tested) { return tested.param == LodRule::distance ? "Distance" : "Budget"; });
 
 }  // namespace
 }  // namespace throng::app::lod_events_test

@@ -59,14 +59,14 @@ TEST_F(MixedStage, HasOnePoseHashHoweverItIsScheduled) {
 }
 
 TEST_F(MixedStage, SlotsAreAsLargeAsTheCharacterNeeds) {
-  open_mixed({.scene = Scene::grid, .agents = 60, .lod = {.rule = anim::LodRule::budget, .bone_lod = false}});
+  open_mixed({.scene = Scene::grid, .agents = 60, .lod = {.rule = LodRule::budget, .bone_lod = false}});
   pass(2);
   const auto slot_of = [&](std::uint8_t character) {
     return stage_->posed().shown().pose(first_of(character)).to.lines * render::palette_line_bytes;
   };
-  EXPECT_EQ(slot_of(0), anim::palette_stride(62, anim::PaletteFormat::matrices));
+  EXPECT_EQ(slot_of(0), anim::palette_stride(62, PaletteFormat::matrices));
   const auto few = static_cast<std::uint32_t>(stage_->characters()[1].character->skeleton.palette_count());
-  EXPECT_EQ(slot_of(1), anim::palette_stride(few, anim::PaletteFormat::matrices));
+  EXPECT_EQ(slot_of(1), anim::palette_stride(few, PaletteFormat::matrices));
 }
 
 TEST_F(MixedStage, ThePictureHasRunsOfOneCharacterInAscendingOrder) {

@@ -21,8 +21,7 @@ struct OtherRolesOnAStage : testing::Test {
     characters.push_back(*load_character(mannequin, mannequin));
     auto stage = Stage::create(
         std::move(characters),
-        {.scene = scene, .agents = 60, .lod = {.rule = anim::LodRule::off, .bone_lod = false}, .system = {.pus = 2}},
-        pages);
+        {.scene = scene, .agents = 60, .lod = {.rule = LodRule::off, .bone_lod = false}, .system = {.pus = 2}}, pages);
     EXPECT_TRUE(stage);
     return std::move(*stage);
   }

@@ -51,12 +51,12 @@ std::shared_ptr<const Trajectories> some_people() {
 class TrackPlayers : public TracksStage {
  protected:
   TrackPlayers() : TracksStage(some_people(), {.x = 0, .y = 20, .z = 25, .yaw = 0, .pitch = -40}, frame) {
-    open(tuning(anim::LodRule::off));
+    open(tuning(LodRule::off));
   }
 
-  static Tuning tuning(anim::LodRule rule) {
+  static Tuning tuning(LodRule rule) {
     return {.scene = Scene::tracks,
-            .lod = {.rule = rule, .bone_lod = false, .smooth = rule != anim::LodRule::off},
+            .lod = {.rule = rule, .bone_lod = false, .smooth = rule != LodRule::off},
             .system = {.pus = 2}};
   }
   /// Returns the bits of everybody's palette, agent by agent.
@@ -115,7 +115,7 @@ TEST_F(TrackPlayers, WhoIsTallInTheFileIsTall) {
 }
 
 TEST_F(TrackPlayers, AMomentIsTheSameHoweverOneCameThere) {
-  Tuning without_feet = tuning(anim::LodRule::off);
+  Tuning without_feet = tuning(LodRule::off);
   without_feet.placed_feet = false;  // feet that stand remember where they came down
   open(without_feet);
   pass(400);
@@ -151,7 +151,7 @@ TEST_F(TrackPlayers, FeetDoNotSlip) {
 }
 
 TEST_F(TrackPlayers, WithLevelOfDetailThePoseOfALongIntervalIsThatOfItsEnd) {
-  open(tuning(anim::LodRule::distance));
+  open(tuning(LodRule::distance));
   camera_ = camera_at({.x = 0, .y = 90, .z = 120, .yaw = 0, .pitch = -37});
   pass(300);
   EXPECT_GT(stage_->posed().selection().visible[0].interval, 1);
@@ -169,7 +169,7 @@ TEST_F(TrackPlayers, AJumpLeavesNoFootWhereItWas) {
   go_to(2.0);
   pass(1, Ticks{});
   const std::vector<std::byte> jumped = drawn();
-  open(tuning(anim::LodRule::off));
+  open(tuning(LodRule::off));
   go_to(2.0);
   pass(1, Ticks{});
   EXPECT_LT(farthest(drawn(), jumped), 1e-4F) << "as on a stage where nobody was anywhere before";
@@ -184,7 +184,7 @@ TEST_F(TrackPlayers, APartThatBeginsAnewLeavesNoFootWhereItWas) {
   ASSERT_LT(seconds(), 2.1);
   const double moment = seconds();
   const std::vector<std::byte> repeated = drawn();
-  open(tuning(anim::LodRule::off));
+  open(tuning(LodRule::off));
   go_to(moment);
   pass(1, Ticks{});
   EXPECT_LT(farthest(drawn(), repeated), 1e-4F);
@@ -209,7 +209,7 @@ TEST_F(TrackPlayers, TheClockStaysAsItIsInAnotherSceneAndWithOtherClips) {
 TEST_F(TrackPlayers, TheSceneNeedsAFile) {
   std::vector<CharacterSource> characters;
   characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-  const auto made = Stage::create(std::move(characters), tuning(anim::LodRule::off), *pages_);
+  const auto made = Stage::create(std::move(characters), tuning(LodRule::off), *pages_);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message, "scene tracks: no file of trajectories is open; start with --trajectories FILE");
 }

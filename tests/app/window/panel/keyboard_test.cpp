@@ -245,7 +245,7 @@ TEST_F(Keyboard, LettersAndDigitsStayHotkeysAndOthersDoNot) {
 }
 
 TEST_F(Keyboard, WhatIsIdleIsReachedAndDoesNothing) {
-  driver.tuning.lod.rule = anim::LodRule::off;
+  driver.tuning.lod.rule = LodRule::off;
   press_with(Key::control, Key::tab);
   EXPECT_EQ(driver.overlay.ui_map().tab, "LOD skipping");
   go_to("Largest interval");

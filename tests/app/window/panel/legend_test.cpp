@@ -79,7 +79,7 @@ TEST_F(Legends, TellEightIntervalsApartAndSayWhichShareTheLastColour) {
   EXPECT_EQ(words_of(legend_of_view(DebugView::interval)).back(), "8 to 16 frames");
   tuning.lod.largest_interval = 3;
   EXPECT_THAT(words_of(legend_of_view(DebugView::interval)), ElementsAre("1 frame", "2 frames", "3 frames"));
-  tuning.lod.rule = anim::LodRule::off;
+  tuning.lod.rule = LodRule::off;
   EXPECT_THAT(words_of(legend_of_view(DebugView::interval)), ElementsAre("1 frame"));
 }
 

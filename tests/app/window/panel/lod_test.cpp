@@ -78,7 +78,7 @@ TEST_F(LodSkippingTab, OffersNoLevelThatTheCharacterDoesNotHave) {
 
 TEST_F(LodSkippingTab, AnIntervalCannotBeForcedWhereNothingIsSkipped) {
   scroll_to_ways_to_look();
-  driver.tuning.lod.rule = anim::LodRule::off;
+  driver.tuning.lod.rule = LodRule::off;
   driver.frames();
   driver.drag("Force interval", 1);
   EXPECT_EQ(look.forced_interval, 0);
@@ -146,7 +146,7 @@ TEST_F(LodSkippingTab, ShowsIntervalsOverDistanceAndOfWhichClip) {
   driver.report.threshold_clip = "Walking_A";
   driver.frames();
   EXPECT_GT(driver.overlay.vertex_count(), without_clip);
-  driver.tuning.lod.rule = anim::LodRule::off;
+  driver.tuning.lod.rule = LodRule::off;
   driver.frames();
   EXPECT_FALSE(driver.sees("Interval over distance"));
 }
@@ -216,7 +216,7 @@ TEST(ExactCrowd, SkipsAndSimplifiesNothing) {
   Tuning tuning;
   tuning.inspection = {.freeze_camera = true, .forced_interval = 8, .forced_bone_level = 3};
   const Tuning exact = without_level_of_detail(tuning);
-  EXPECT_EQ(exact.lod.rule, anim::LodRule::off);
+  EXPECT_EQ(exact.lod.rule, LodRule::off);
   EXPECT_FALSE(exact.lod.bone_lod);
   EXPECT_FALSE(exact.lod.smooth);
   EXPECT_EQ(exact.mesh_lod, 0);
@@ -228,13 +228,13 @@ TEST(Overlay, LeavesDistancesOfBoneLevelsAloneWhereTheErrorDecides) {
   OverlayDriver driver;
   driver.report = full_report();
   driver.click("tab:Per-bone LOD");
-  for (const anim::LodRule rule : {anim::LodRule::budget, anim::LodRule::distance}) {
+  for (const LodRule rule : {LodRule::budget, LodRule::distance}) {
     driver.tuning.lod.rule = rule;
     driver.frames();
     const auto before = driver.tuning.lod.level_distances;
     driver.drag("Level 1 from", 0.9F);
     driver.drag("Level band", 0.2F);
-    EXPECT_EQ(driver.tuning.lod.level_distances == before, rule == anim::LodRule::budget);
+    EXPECT_EQ(driver.tuning.lod.level_distances == before, rule == LodRule::budget);
   }
 }
 

@@ -153,7 +153,7 @@ TEST(Overlay, EveryChoiceCanBeMade) {
   EXPECT_EQ(driver.tuning.debug_view, DebugView::bone_level);
   driver.click("tab:LOD skipping");
   driver.click("Rule:off");
-  EXPECT_EQ(driver.tuning.lod.rule, anim::LodRule::off);
+  EXPECT_EQ(driver.tuning.lod.rule, LodRule::off);
   driver.click("tab:Per-bone LOD");
   driver.click("Mesh LOD:2");
   EXPECT_EQ(driver.tuning.mesh_lod, 2);
@@ -188,7 +188,7 @@ TEST(Overlay, ProcessingUnitsAndStoresCanBeChangedAndGoBackToTheirWord) {
 TEST(Overlay, BoneLevelsFollowEachOther) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
-  driver.tuning.lod.rule = anim::LodRule::distance;
+  driver.tuning.lod.rule = LodRule::distance;
   driver.drag("Level 1 from", 1);
   const auto& distance = driver.tuning.lod.level_distances;
   EXPECT_EQ(distance[0], 150);
@@ -211,7 +211,7 @@ TEST(Overlay, ShowsNoMoreBoneLevelsThanTheCharacterHas) {
 TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
-  driver.tuning.lod.rule = anim::LodRule::distance;
+  driver.tuning.lod.rule = LodRule::distance;
   driver.drag("Level band", 0.8F);  // from the middle, 75 m, which is nearest to level 3 at 60 m
   EXPECT_NEAR(driver.tuning.lod.level_distances[2], 120, 1);
   EXPECT_EQ(driver.tuning.lod.level_distances[1], Tuning().lod.level_distances[1]);
@@ -219,7 +219,7 @@ TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
 
 TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
   OverlayDriver driver;
-  driver.tuning.lod.rule = anim::LodRule::off;
+  driver.tuning.lod.rule = LodRule::off;
   driver.click("tab:LOD skipping");
   driver.drag("Largest interval", 1);
   EXPECT_EQ(driver.tuning.lod.largest_interval, Tuning().lod.largest_interval);

@@ -132,7 +132,7 @@ TEST_F(PairTest, ValuesAreCalledAsTheRowsThatShowThem) {
   std::string rows;
   for (const DebugView view : {DebugView::speed, DebugView::density, DebugView::presence}) {
     driver.tuning.debug_view = view;
-    driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
+    driver.tuning.lod.rule = view == DebugView::speed ? LodRule::distance : LodRule::budget;
     rows += all_rows(driver);
   }
   for (const TuningValue& value : tuning_values()) {

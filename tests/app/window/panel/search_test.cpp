@@ -64,7 +64,7 @@ TEST_F(Search, FindsTheRowOfEveryKeyAndTheRowEditsIt) {
     for (const DebugView view :
          {DebugView::speed, DebugView::density, DebugView::presence}) {  // each leaves others idle
       driver.tuning = {};
-      driver.tuning.lod.rule = view == DebugView::speed ? anim::LodRule::distance : anim::LodRule::budget;
+      driver.tuning.lod.rule = view == DebugView::speed ? LodRule::distance : LodRule::budget;
       driver.tuning.debug_view = view;
       driver.tuning.wardrobe = value.key == "weather";
       driver.tuning.scene = value.key == "trail_seconds" ? Scene::tracks : Scene::plaza;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "throng/math.h"
+
+/// Converts the public numbers to GLM's, and back.
+namespace throng {
+
+inline glm::vec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline glm::quat to_glm(const Quat& q) { return {q.w, q.x, q.y, q.z}; }  // GLM takes w first
+inline Vec3 from_glm(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+inline Quat from_glm(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+}  // namespace throng

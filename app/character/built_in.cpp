@@ -12,7 +12,7 @@
 
 #include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
-#include "app/character/material_data.h"
+#include "app/character/drawn_import.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/files/data_folder.h"

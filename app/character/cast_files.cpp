@@ -11,7 +11,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
-#include "app/character/material_data.h"
+#include "app/character/drawn_import.h"
 #include "app/character/model_placement.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"

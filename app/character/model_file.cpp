@@ -1,6 +1,6 @@
 #include "app/character/model_file.h"
 
-#include "app/character/material_data.h"
+#include "app/character/drawn_import.h"
 #include "app/character/packed.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/pack/pack.h"

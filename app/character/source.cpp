@@ -9,16 +9,16 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/character/material_data.h"
+#include "app/character/drawn_import.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/pack/pack.h"
-#include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/lod_survey.h"
 #include "engine/base/text/joined.h"
 #include "engine/base/text/plain_text.h"
+#include "engine/crowd/surface_data.h"
 
 namespace throng::app {
 namespace {
@@ -63,22 +63,6 @@ glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
   return glm::dot(velocity, way) > same_way * glm::length(velocity) ? velocity : glm::dvec2(0.0);
 }
 
-// Returns for each palette entry whether it moves the head; nothing where no bone is the head for certain.
-std::vector<std::uint8_t> face_entries(const anim::Skeleton& skeleton) {
-  const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
-  if (head < 0) return {};
-  std::vector<std::uint8_t> of_head, entries;
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
-    const bool follows = parent >= 0 && of_head[static_cast<std::size_t>(parent)] != 0;
-    of_head.push_back(bone == head || follows ? 1 : 0);
-  }
-  for (const anim::PaletteEntry& entry : skeleton.palette) {
-    entries.push_back(of_head[static_cast<std::size_t>(entry.bone)]);
-  }
-  return entries;
-}
-
 // Returns the rest pose, and some poses of all clips.
 render::PosedPalettes posed_palettes(const anim::Model& model) {
   render::PosedPalettes palettes;
@@ -92,21 +76,6 @@ render::PosedPalettes posed_palettes(const anim::Model& model) {
     palettes[i] = std::move(palettes[i * stride]);
   palettes.resize((palettes.size() + stride - 1) / stride);
   return palettes;
-}
-
-std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
-  std::vector<render::BoneEndData> ends;
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
-    const anim::JointPlace places[] = {anim::joint_place(skeleton, bone),
-                                       anim::joint_place(skeleton, std::max(parent, 0))};
-    if (parent < 0 || places[0].entry < 0 || places[1].entry < 0) continue;
-    for (const anim::JointPlace& place : places) {
-      const glm::vec3 position(place.position);
-      ends.push_back({{position.x, position.y, position.z}, static_cast<std::uint16_t>(place.entry)});
-    }
-  }
-  return ends;
 }
 
 anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
@@ -284,15 +253,9 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
     for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_of(mesh));
   }
   for (const anim::ModelPart& part : model.parts) data.pieces.push_back(piece_data(part, part_of));
-  for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
-  for (const anim::Image& image : model.images) {
-    data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
-  }
-  data.entry_at_level = anim::entries_at_levels(model.skeleton);
-  for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
-    data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
-  }
-  data.morph_deltas = morph_deltas(model);
+  add_materials(model.materials, model.images, data);
+  add_palette_data(model.skeleton, data);
+  data.morph_deltas = morph_deltas(model.meshes);
   data.body_size = size_of_body(source.roles);
   if (!data.packed_surface.empty()) return data;
   data.face_entries = face_entries(model.skeleton);

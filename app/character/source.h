@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
 #include "app/character/load_options.h"
@@ -16,7 +18,6 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/base/result.h"
-#include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
 

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "throng/render/image.h"
+
 #include "app/output/kept_lines.h"
 #include "app/output/label_frame.h"
 #include "app/output/output_folder.h"
@@ -9,7 +11,6 @@
 #include "app/settings/settings.h"
 #include "app/show/show.h"
 #include "engine/base/files/output_file.h"
-#include "engine/render/image.h"
 
 namespace throng::app {
 

@@ -10,11 +10,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "throng/render/camera.h"
+#include "throng/render/instance_record.h"
+#include "throng/render/label_picture.h"
+
 #include "app/output/coco.h"
 #include "app/show/show.h"
-#include "engine/render/camera.h"
-#include "engine/render/instance_record.h"
-#include "engine/render/label_picture.h"
 
 namespace throng::app {
 

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/image.h"
+
 #include "engine/base/files/output_file.h"
 #include "engine/base/files/piped_program.h"
 #include "engine/base/result.h"
-#include "engine/render/image.h"
 
 namespace throng::app {
 

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "app/settings/settings.h"
-#include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
 

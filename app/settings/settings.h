@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "throng/render/scene_light.h"
+#include "throng/view_rules.h"
+
 #include "app/character/cast_entry.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
@@ -14,8 +17,6 @@
 #include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"
-#include "engine/crowd/view_rules.h"
-#include "engine/render/scene_light.h"
 #include "engine/tracks/reading.h"
 
 namespace throng::app {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "engine/render/scene_light.h"
+#include "throng/render/scene_light.h"
 
 namespace throng::app {
 

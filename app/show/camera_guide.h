@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "throng/render/camera.h"
+
 #include "app/settings/settings.h"
 #include "app/show/camera/camera_path.h"
 #include "app/show/camera/scenes.h"
 #include "app/show/follow_camera.h"
-#include "engine/render/camera.h"
 #include "engine/tracks/ground_bounds.h"
 
 namespace throng::app {

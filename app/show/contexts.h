@@ -3,8 +3,9 @@
 #include <functional>
 #include <memory>
 
+#include "throng/render/context.h"
+
 #include "app/settings/settings.h"
-#include "engine/render/gl/context.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::app {
 

@@ -6,10 +6,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/render/camera.h"
 #include "throng/ticks.h"
 
 #include "engine/base/result.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

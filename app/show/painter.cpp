@@ -180,14 +180,13 @@ void Painter::follow_outfits(Stage& stage) {
 
 std::vector<MeshLevel> Painter::mesh_levels(std::size_t character) const {
   if (renderer_ == nullptr) return {};
-  const render::CrowdMesh& mesh = renderer_->meshes()[character];
-  return app::mesh_levels(mesh.triangles_by_lod(), mesh.error_by_lod());
+  const render::MeshLodList meshes = renderer_->mesh_lods(character);
+  return app::mesh_levels(meshes.triangles, meshes.errors);
 }
 
 std::uint64_t Painter::completed_frame(const Stage& stage) {
   if (renderer_ == nullptr) return stage.posed().frame();
-  const std::uint64_t drawn = renderer_->fences().poll();
-  return renderer_->fences().frames_in_flight() == 0 ? stage.posed().frame() : drawn;
+  return renderer_->completed_frame(stage.posed().frame());
 }
 
 render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) {
@@ -265,7 +264,7 @@ Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures)
       if (device_timer_) device_timer_->begin();
       draw_counts_ = draw_pictures(stage, view);
       if (device_timer_) device_timer_->end();
-      renderer_->fences().insert(stage.posed().frame());
+      renderer_->end_frame(stage.posed().frame());
     });
   }
   times.wait_ms = time_of([&] { drawn = renderer_->finish(); });

@@ -7,6 +7,10 @@
 #include <span>
 #include <string>
 
+#include "throng/heap_pages.h"
+#include "throng/render/context.h"
+#include "throng/render/renderer.h"
+
 #include "app/settings/settings.h"
 #include "app/show/figures/notices.h"
 #include "app/show/figures/run_figures.h"
@@ -18,9 +22,7 @@
 #include "app/show/show_view.h"
 #include "app/show/thresholds_in_view.h"
 #include "app/show/trails.h"
-#include "engine/render/gl/context.h"
 #include "engine/render/gl/device_timer.h"
-#include "engine/render/renderer.h"
 
 namespace throng::app {
 

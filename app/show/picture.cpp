@@ -42,7 +42,7 @@ void Picture::compose(const Stage& stage, Poses poses) {
     put_things_away(stage);
     drawn.put_away = put_away_;
   }
-  CrowdDraws::compose(stage.posed(), stage.system(), drawn, poses);
+  SortedDraws::compose(stage.posed(), stage.system(), drawn, poses);
 }
 
 void Picture::color(const Stage& stage, Poses poses) {

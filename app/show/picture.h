@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/crowd/crowd_draws.h"
+#include "engine/crowd/sorted_draws.h"
 
 namespace throng::app {
 
 class Stage;
 
 /// The draws of a stage's agents in view, coloured as the stage's tuning says.
-class Picture : public CrowdDraws {
+class Picture : public SortedDraws {
  public:
   /// Sorts the agents. Exact poses are drawn with their full meshes.
   void compose(const Stage& stage, Poses poses = Poses::shown);

@@ -3,9 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "throng/render/camera.h"
+#include "throng/render/crowd_draw.h"
+
 #include "app/show/lod/lod_thresholds.h"
-#include "engine/render/camera.h"
-#include "engine/render/crowd_draw.h"
 
 namespace throng::app {
 

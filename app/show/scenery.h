@@ -7,9 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "throng/render/renderer.h"
+
 #include "app/people/place/place.h"
 #include "app/settings/settings.h"
-#include "engine/render/renderer.h"
 #include "engine/tracks/trajectories.h"
 
 namespace throng::app {

@@ -2,9 +2,10 @@
 
 #include <optional>
 
+#include "throng/render/camera.h"
+
 #include "app/show/camera_guide.h"
 #include "app/show/recording/recording.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/camera.h"
+
 #include "app/show/lod/lod_thresholds.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/show/stage/stage.h"
-#include "engine/crowd/crowd_draws.h"
+#include "engine/crowd/sorted_draws.h"
 
 namespace throng::app {
 namespace {

@@ -14,10 +14,11 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "throng/render/camera.h"
+#include "throng/render/renderer.h"
+
 #include "app/people/place/props.h"
 #include "assets/sheet/contact_sheet.h"
-#include "engine/render/camera.h"
-#include "engine/render/renderer.h"
 
 namespace throng::sheet {
 namespace {

@@ -8,12 +8,13 @@
 #include <cstring>
 #include <span>
 
+#include "throng/render/camera.h"
+
 #include "app/character/built_in.h"
 #include "assets/sheet/contact_sheet.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
-#include "engine/crowd/crowd_draws.h"
-#include "engine/render/camera.h"
+#include "engine/crowd/sorted_draws.h"
 
 namespace throng::sheet {
 namespace {

@@ -8,16 +8,17 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/render/agent_look.h"
+#include "throng/render/context.h"
+#include "throng/render/image.h"
+#include "throng/render/renderer.h"
+
 #include "app/character/source.h"
 #include "app/people/crowd/character_look.h"
 #include "app/people/wardrobe/clothing.h"
 #include "assets/mannequin/pose.h"
 #include "engine/anim/base/transform.h"
 #include "engine/crowd/palette_slots.h"
-#include "engine/render/agent_look.h"
-#include "engine/render/gl/context.h"
-#include "engine/render/image.h"
-#include "engine/render/renderer.h"
 
 namespace throng::sheet {
 
@@ -58,7 +59,7 @@ class Studio {
   render::Image take(const Shot& shot, const std::vector<Figure>& figures);
   const app::CharacterSource& character() const { return character_; }
   const app::Clothing& clothing() const { return clothing_; }
-  std::size_t mesh_lod_count() const { return renderer_->meshes().front().lod_count(); }
+  std::size_t mesh_lod_count() const { return renderer_->mesh_lods(0).errors.size(); }
 
  private:
   Studio() = default;

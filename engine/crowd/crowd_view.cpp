@@ -1,164 +1,232 @@
-#include "engine/crowd/crowd_view.h"
+#include "throng/crowd_view.h"
 
+#include <algorithm>
+#include <map>
 #include <utility>
+
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/door/crowd_parts.h"
+#include "engine/anim/door/taken_agents.h"
+#include "engine/base/glm_numbers.h"
+#include "engine/crowd/sorted_draws.h"
+#include "engine/crowd/system_view.h"
 
 namespace throng {
 namespace {
 
-constexpr std::size_t least_agents_to_learn_from = 100;
+constexpr const char* chooses = "CrowdView::choose";
+constexpr std::size_t most_mesh_lods = render::largest_mesh_lod_count;
 
-std::vector<std::size_t> palette_sizes(std::span<const ViewedCharacter> characters) {
+/// Returns sizes for the palettes of characters that come later: each is a quarter larger than the last, up to that of
+/// the most bones.
+std::vector<std::size_t> sizes_of_palettes() {
   std::vector<std::size_t> sizes;
-  for (const ViewedCharacter& viewed : characters) {
-    for (const std::uint32_t entries : viewed.character->level_entries) {
-      sizes.push_back(anim::palette_stride(entries, PaletteFormat::matrices));
-      sizes.push_back(anim::palette_stride(entries, PaletteFormat::packed));
-    }
+  for (std::size_t entries = 4; entries < anim::max_bones; entries += entries / 4) {
+    sizes.push_back(anim::palette_stride(entries, PaletteFormat::matrices));
   }
+  sizes.push_back(anim::palette_stride(anim::max_bones, PaletteFormat::matrices));
   return sizes;
+}
+
+/// Returns the characters of a crowd by number. Another one stands where no character has the number.
+std::vector<ViewedCharacter> viewed_characters(const detail::CrowdParts& parts) {
+  std::vector<ViewedCharacter> viewed;
+  const auto any = std::ranges::find_if(parts.characters, [](const auto& one) { return bool(one.character); });
+  for (const detail::CrowdCharacter& one : parts.characters) {
+    viewed.push_back({.character = detail::baked_of(one.character ? one.character : any->character)});
+  }
+  return viewed;
+}
+
+/// Returns why a frame cannot be shown, in one sentence; null if it can.
+const char* fault_of(const ViewFrame& frame, std::size_t numbers) {
+  for (const char* fault : {detail::fault_of({frame.positions, frame.scales}, numbers), detail::fault_of(frame.camera),
+                            detail::fault_of(frame.rules.lod), detail::fault_of_step(frame.frame_step)}) {
+    if (fault != nullptr) return fault;
+  }
+  if (!frame.headings.empty() && frame.headings.size() < numbers) {
+    return "the frame's headings have no place for each number";
+  }
+  const bool is_picture = frame.width > 0.0F && frame.height > 0.0F;
+  return is_picture ? nullptr : "the width and height of a picture are above 0";
 }
 
 }  // namespace
 
-std::uint32_t shader_time(Ticks clock) { return static_cast<std::uint32_t>(clock * 10 / (ticks_per_second / 100'000)); }
+struct CrowdView::State {
+  struct ToldMeshes {
+    std::vector<render::MeshError> errors;  // metres; the full mesh first
+    std::vector<std::uint32_t> triangles;
+  };
 
-anim::LodCharacter lod_character(const ViewedCharacter& viewed) {
-  anim::LodCharacter character = anim::lod_character(*viewed.character);
-  character.full_rate_nanoseconds = viewed.full_rate_nanoseconds;
-  return character;
-}
+  explicit State(render::PalettePageSource& its_pages) : pages(&its_pages) {}
 
-CrowdView::CrowdView(std::vector<ViewedCharacter> characters, render::PalettePageSource& pages,
-                     std::uint64_t first_frame)
-    : characters_(std::move(characters)),
-      slots_(pages, palette_sizes(characters_)),
-      shown_(slots_),
-      exact_(slots_),
-      meter_(characters_),
-      mesh_lods_(characters_.size()),
-      frame_(first_frame) {
-  learn_level_of_detail();
-}
+  render::PalettePageSource* pages;
+  std::optional<SystemView> view;                // none before the first frame
+  std::uint64_t characters = UINT64_MAX;         // CrowdParts::version that the characters are of
+  std::map<std::uint32_t, ToldMeshes> meshes{};  // by the character's number
+  detail::TakenAgents agents{};
+  std::vector<Heading> headings{};  // [number]
+  SystemFrame frame{};
+  SortedDraws sorted{};
+  bool has_chosen = false;
 
-void CrowdView::learn_level_of_detail() {
-  std::vector<anim::LodCharacter> characters;
-  for (const ViewedCharacter& viewed : characters_) characters.push_back(throng::lod_character(viewed));
-  lod_.set_characters(std::move(characters));
-}
-
-void CrowdView::restart() {
-  meter_ = ErrorMeter(characters_);
-  lod_.restart();
-}
-
-void CrowdView::reset(std::size_t agents, const LodRules& rules) {
-  exact_.reset(agents, frame_);
-  forget_shown(agents, rules);
-}
-
-void CrowdView::forget_shown(std::size_t agents, const LodRules& rules) {
-  agents_ = agents;
-  lod_.reset(agents, rules);
-  mesh_choice_.reset(agents);
-  shown_.reset(agents, frame_);
-  meter_.reset(agents);
-}
-
-// Slots keep their sizes: a pose goes to the next larger one.
-void CrowdView::take_character(std::size_t character, const ViewedCharacter& viewed) {
-  characters_[character] = viewed;
-  learn_level_of_detail();
-  meter_.set_character(character, viewed);
-  meter_.reset(agents_);
-  shown_.reset(agents_, frame_);
-  lod_.forget_shown();
-  lod_.make_all_due();
-}
-
-void CrowdView::choose(anim::AnimationSystem& system, const ViewFrame& frame) {
-  const std::uint64_t last = frame_++;
-  now_ = shader_time(system.clock());
-  const int jobs = system.options().pus;
-  exact_.give_back(last);
-  slots_.reclaim(frame.completed);
-  lod_.select({.positions = frame.agents.positions,
-               .scales = frame.agents.scales,
-               .character_of = frame.agents.characters,
-               .clips = frame.clips,
-               .left_out = frame.left_out,
-               .absent = frame.absent},
-              {.camera = frame.camera,
-               .rules = frame.rules.lod,
-               .force = frame.rules.force,
-               .selected = frame.selected,
-               .now = system.clock(),
-               .frame_step = frame.step},
-              system.executor(), jobs);
-  const std::span<const anim::VisibleAgent> visible = selection().visible;
-  mesh_choice_.choose(visible, frame.agents.characters, mesh_lods_, frame.rules.meshes, system.executor(), jobs);
-  shown_.hide_unseen(lod_, last, system.executor(), jobs);
-  meter_.begin_frame(frame.sampling, visible, shown_);
-}
-
-bool CrowdView::show(const anim::AnimationSystem& system, const ViewFrame& frame, PoseRequest& update) {
-  const std::uint32_t agent = update.agent.number;
-  const std::uint8_t character = frame.agents.characters[agent];
-  const NewPose pose{.agent = agent,
-                     .level = update.level,
-                     .entries = characters_[character].character->level_entries[update.level],
-                     .time = shader_time(system.clock() + update.look_ahead),
-                     .format = system.characters().palette_format(character)};
-  std::byte* const memory = shown_.show(pose, now_, frame_ - 1);
-  update.palette = meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
-  if (update.look_ahead <= Ticks{} || shown_.pose(agent).to_time != now_) return false;
-  lod_.show_at_once(update);
-  return true;
-}
-
-PoseRequest& CrowdView::show_also(const anim::AnimationSystem& system, const ViewFrame& frame, std::uint32_t agent) {
-  PoseRequest& update = lod_.update_also(agent);
-  if (lod_.is_visible(agent)) show(system, frame, update);
-  return update;
-}
-
-void CrowdView::pose(anim::AnimationSystem& system, const ViewFrame& frame) {
-  system.update(lod_.updates());
-  measure(system, frame);
-  settle(system);
-}
-
-void CrowdView::measure(anim::AnimationSystem& system, const ViewFrame& frame) {
-  meter_.end_frame(system, {.rules = frame.rules,
-                            .agents = frame.agents,
-                            .visible = selection().visible,
-                            .mesh_lods = mesh_lods_,
-                            .mesh_of_visible = mesh_choice_.lods(),
-                            .shown = shown_,
-                            .view = frame.view,
-                            .projection = frame.projection,
-                            .size = frame.size,
-                            .now = now_,
-                            .number = frame_});
-}
-
-// In the first frames no agent is skipped yet, so errors are too small to learn from. One of few agents is more
-// than the hundredth part, and a calm agent says nothing of its next motion.
-void CrowdView::settle(const anim::AnimationSystem& system) {
-  const anim::ErrorFigures error = meter_.pose_figures();
-  const bool tells = error.p99_is_known() && error.frames >= anim::ErrorWindow::frames &&
-                     selection().visible.size() >= least_agents_to_learn_from;
-  lod_.settle(system.figures().report().predicted_nanoseconds, tells ? std::optional(error.p99) : std::nullopt);
-}
-
-void CrowdView::pose_exactly(anim::AnimationSystem& system, const PlacedAgents& agents) {
-  exact_.give_back(frame_);
-  for (const anim::VisibleAgent& each : selection().visible) {
-    const ShownPose& shown = shown_.pose(each.agent);
-    const bool known = shown.shown() && std::as_const(system).agent(each.agent).can_pose_exactly();
-    const ViewedCharacter& viewed = characters_[agents.characters[each.agent]];
-    exact_.add(each.agent, shown, known ? viewed.character->level_entries.front() : 0);
+  PlacedAgents placed() const {
+    const anim::LodCrowd taken = agents.agents();
+    return {
+        .positions = taken.positions, .headings = headings, .scales = taken.scales, .characters = taken.character_of};
   }
-  exact_.pose(system);
+  void set_meshes() {
+    for (const auto& [number, told] : meshes) {
+      if (number >= view->characters().size()) continue;
+      const double height = view->characters()[number].character->bounds.height;
+      std::vector<render::MeshError> shares;
+      for (const render::MeshError& metres : told.errors) shares.push_back(shares_of(metres, height));
+      view->mesh_lods().set(number, std::move(shares), told.triangles);
+    }
+  }
+};
+
+CrowdView::CrowdView(render::PalettePageSource& pages) : state_(std::make_unique<State>(pages)) {}
+CrowdView::~CrowdView() = default;
+CrowdView::CrowdView(CrowdView&&) noexcept = default;
+CrowdView& CrowdView::operator=(CrowdView&&) noexcept = default;
+
+bool CrowdView::is_gone(const char* call) const {
+  return state_ == nullptr && !anim::report_misuse({call, detail::was_moved_from});
+}
+
+Status CrowdView::set_mesh_lods(CharacterId character, const render::MeshLodList& meshes) {
+  const auto& [errors, triangles] = meshes;
+  constexpr const char* call = "CrowdView::set_mesh_lods";
+  if (state_ == nullptr) return anim::refuse({call, detail::was_moved_from});
+  if (errors.size() != triangles.size() || errors.empty() || errors.size() > most_mesh_lods) {
+    return anim::refuse({call, "a character has 1 to 7 meshes, each with an error and a number of triangles"});
+  }
+  state_->meshes[character.number] = {{errors.begin(), errors.end()}, {triangles.begin(), triangles.end()}};
+  if (state_->view) state_->set_meshes();
+  return Done{};
+}
+
+void CrowdView::take_characters(const Crowd& crowd) {
+  State& s = *state_;
+  const detail::CrowdParts& parts = crowd.parts();
+  if (s.characters == parts.version) return;
+  s.characters = parts.version;
+  if (!s.view) {
+    s.view.emplace(viewed_characters(parts), *s.pages, 0, sizes_of_palettes());
+  } else {
+    s.view->set_characters(viewed_characters(parts));
+  }
+  s.set_meshes();
+  s.view->reset(s.agents.room(), s.frame.rules.lod);
+}
+
+std::span<PoseRequest> CrowdView::choose(Crowd& crowd, const ViewFrame& frame) {
+  if (is_gone(chooses)) return {};
+  State& s = *state_;
+  s.has_chosen = false;
+  if (const char* fault = fault_of(frame, crowd.number_limit()); fault != nullptr) {
+    anim::report_misuse({chooses, fault});
+    return {};
+  }
+  const detail::CrowdParts& parts = crowd.parts();
+  if (parts.characters.empty()) return {};  // it was moved from, as number_limit() has reported
+  take_characters(crowd);
+  if (s.agents.make_room(crowd.number_limit())) {
+    s.headings.resize(s.agents.room());
+    s.view->reset(s.agents.room(), frame.rules.lod);
+  }
+  s.agents.take(crowd, {frame.positions, frame.scales}, chooses);
+  for (const std::uint32_t number : s.agents.newcomers()) s.view->level_of_detail().make_due(number);
+  std::ranges::copy(frame.headings.first(std::min<std::size_t>(frame.headings.size(), s.headings.size())),
+                    s.headings.begin());
+  const anim::LodCrowd taken = s.agents.agents();
+  s.frame = {.agents = s.placed(),
+             .clips = taken.clips,
+             .absent = taken.absent,
+             .rules = frame.rules,
+             .camera = frame.camera,
+             .view = to_glm(frame.view),
+             .projection = to_glm(frame.projection),
+             .size = {frame.width, frame.height},
+             .step = frame.frame_step,
+             .completed = frame.completed};
+  s.view->choose(*parts.system, s.frame);
+  s.has_chosen = true;
+  for (PoseRequest& request : s.view->updates()) request.agent = parts.system->id(request.agent.number);
+  return s.view->updates();
+}
+
+void CrowdView::pose(Crowd& crowd) {
+  constexpr const char* call = "CrowdView::pose";
+  if (is_gone(call)) return;
+  State& s = *state_;
+  if (!std::exchange(s.has_chosen, false)) {
+    anim::report_misuse({call, "there was no choice since the last call"});
+    return;
+  }
+  anim::AnimationSystem& system = *crowd.parts().system;
+  for (PoseRequest& request : s.view->updates()) {
+    const std::uint32_t number = request.agent.number;
+    const bool plays = !std::as_const(system).agent(number).graph().empty();  // else its palette stays unwritten
+    if (plays && s.view->level_of_detail().is_visible(number)) s.view->show(system, s.frame, request);
+  }
+  s.view->pose(system, s.frame);
+}
+
+CrowdDraws CrowdView::draws(const Crowd& crowd, const WornOutfits& worn) {
+  constexpr const char* call = "CrowdView::draws";
+  if (is_gone(call)) return {};
+  State& s = *state_;
+  if (!s.view) {
+    anim::report_misuse({call, "no frame was chosen yet"});
+    return {};
+  }
+  if (!worn.outfits.empty() && worn.outfits.size() < crowd.number_limit()) {
+    anim::report_misuse({call, "WornOutfits::outfits has no place for each number"});
+    return {};
+  }
+  s.sorted.compose(*s.view, *crowd.parts().system,
+                   {.agents = s.placed(),
+                    .outfits = worn.outfits,
+                    .outfits_number = worn.outfits.empty() ? 0 : worn.number,
+                    .silhouettes_cast = worn.silhouettes_cast});
+  return {.instances = s.sorted.instances(),
+          .batches = s.sorted.batches(),
+          .drawn = s.sorted.drawn(),
+          .runs = s.sorted.runs(),
+          .morph_weights = s.sorted.morph_weights(),
+          .now = s.view->now()};
+}
+
+void CrowdView::make_due(AgentId agent) {
+  if (is_gone("CrowdView::make_due") || !state_->view) return;
+  if (agent.number < state_->agents.room()) state_->view->level_of_detail().make_due(agent.number);
+}
+
+bool CrowdView::is_visible(AgentId agent) const {
+  if (is_gone("CrowdView::is_visible") || !state_->view) return false;
+  return agent.number < state_->agents.room() && state_->view->level_of_detail().is_visible(agent.number);
+}
+
+std::uint64_t CrowdView::frame() const {
+  if (is_gone("CrowdView::frame") || !state_->view) return 0;
+  return state_->view->frame();
+}
+
+ViewFigures CrowdView::figures() const {
+  if (is_gone("CrowdView::figures") || !state_->view) return {};
+  const SystemView& view = *state_->view;
+  const anim::ErrorFigures& error = view.error_meter().figures();
+  return {.agents_in_view = static_cast<std::uint32_t>(view.selection().visible.size()),
+          .agents_posed = static_cast<std::uint32_t>(view.updates().size()),
+          .triangles = view.mesh_choice().figures().triangles,
+          .error_p50 = error.p50,
+          .error_p99 = error.p99,
+          .error_max = error.max,
+          .error_samples = error.samples,
+          .out_of_memory = view.shown().out_of_memory()};
 }
 
 }  // namespace throng

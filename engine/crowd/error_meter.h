@@ -4,13 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "throng/view_rules.h"
+
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/kernel/palette/surface_error.h"
 #include "engine/anim/lod/error_window.h"
 #include "engine/crowd/error_history.h"
 #include "engine/crowd/mesh_lods.h"
 #include "engine/crowd/placed_agents.h"
-#include "engine/crowd/view_rules.h"
 #include "engine/crowd/viewed_character.h"
 #include "engine/crowd/watched_agents.h"
 

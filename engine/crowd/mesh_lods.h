@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/crowd/view_rules.h"
-#include "engine/render/mesh/mesh_error_value.h"
+#include "throng/render/mesh_error_value.h"
+#include "throng/view_rules.h"
 
 namespace throng {
 

@@ -25,11 +25,6 @@ std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t line
 
 }  // namespace
 
-render::PalettePage HeapPageSource::add_page() {
-  pages_.push_back(std::make_unique_for_overwrite<Line[]>(whole_lines(page_bytes_)));
-  return {pages_.back()[0].bytes, page_bytes_};
-}
-
 PaletteSlots::PaletteSlots(render::PalettePageSource& source, const std::vector<std::size_t>& sizes)
     : source_(&source) {
   assert(!sizes.empty());

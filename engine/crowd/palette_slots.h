@@ -2,31 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "engine/render/palette/palette_page.h"
+#include "throng/render/palette_page.h"
 
 namespace throng {
-
-/// Makes pages of plain memory, for runs without OpenGL.
-class HeapPageSource final : public render::PalettePageSource {
- public:
-  explicit HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
-  render::PalettePage add_page() override;
-  /// Frees every page. The PaletteSlots that had them gives out nothing more.
-  void drop_pages() { pages_.clear(); }
-  std::size_t page_count() const { return pages_.size(); }
-  /// Gives the memory of a page, to look into it.
-  const std::byte* memory(std::size_t page) const { return pages_[page][0].bytes; }
-
- private:
-  struct alignas(render::palette_line_bytes) Line {
-    std::byte bytes[render::palette_line_bytes];
-  };
-  std::size_t page_bytes_;
-  std::vector<std::unique_ptr<Line[]>> pages_;
-};
 
 /// A run of lines in a page, to which one pose of one agent is written.
 struct PaletteSlot {

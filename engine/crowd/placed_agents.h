@@ -6,13 +6,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-namespace throng {
+#include "throng/heading.h"
 
-/// A direction on the ground: the character's forward is (sine, cosine) in x, z; cosine 1 faces +Z.
-struct Heading {
-  float cosine = 1.0F;
-  float sine = 0.0F;
-};
+namespace throng {
 
 /// The characters of the agents, and where they stand. The spans are parallel, one element an agent.
 struct PlacedAgents {

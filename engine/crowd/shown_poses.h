@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "throng/host.h"
+#include "throng/render/instance_record.h"
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/base/compiler.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/base/gathered.h"
 #include "engine/crowd/palette_slots.h"
-#include "engine/render/instance_record.h"
 
 namespace throng {
 

@@ -1,4 +1,4 @@
-#include "engine/render/agent_look.h"
+#include "throng/render/agent_look.h"
 
 #include <atomic>
 

@@ -1,4 +1,4 @@
-#include "engine/render/lens.h"
+#include "throng/render/lens.h"
 
 #include <algorithm>
 #include <array>

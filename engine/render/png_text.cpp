@@ -1,4 +1,4 @@
-#include "engine/render/png_text.h"
+#include "throng/render/png_text.h"
 
 #include <cstddef>
 #include <cstdint>

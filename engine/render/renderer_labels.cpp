@@ -4,7 +4,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "engine/render/renderer.h"
+#include "engine/render/renderer_parts.h"
 
 namespace throng::render {
 namespace {
@@ -46,41 +46,43 @@ void to_metres(const CameraView& view, LabelPicture& labels) {
 
 }  // namespace
 
-Status Renderer::prepare_labels() {
-  if (!labels_) labels_.emplace(shaders_);
-  if (std::ranges::any_of(meshes_, &CrowdMesh::has_morphs)) labels_->prepare_morphs();
-  if (!shaders_.status()) return shaders_.status();
-  return labels_->prepare(target_.tiles().tile_size());
+Status Renderer::Parts::prepare_labels() {
+  if (!labels) labels.emplace(shaders);
+  if (std::ranges::any_of(meshes, &CrowdMesh::has_morphs)) labels->prepare_morphs();
+  if (!shaders.status()) return shaders.status();
+  return labels->prepare(target.tiles().tile_size());
 }
 
-Status Renderer::draw_labels(const CrowdFrame& frame, LabelPicture& labels) {
+Status Renderer::Parts::draw_labels(const CrowdFrame& frame, LabelPicture& picture) {
   if (Status prepared = prepare_labels(); !prepared) return prepared;
-  const auto pixels = static_cast<std::size_t>(size().x) * static_cast<std::size_t>(size().y);
-  labels.size = size();
-  labels.agents.resize(pixels);
-  labels.metres.resize(pixels);
-  const PictureTiles& tiles = target_.tiles();
+  const auto pixels = static_cast<std::size_t>(target.size().x) * static_cast<std::size_t>(target.size().y);
+  picture.size = target.size();
+  picture.agents.resize(pixels);
+  picture.metres.resize(pixels);
+  const PictureTiles& tiles = target.tiles();
   for (int tile = 0; tile < tiles.count(); ++tile) {
-    CrowdFrame part = frame;
-    part.camera = part_of(frame.camera, size(), tiles.drawn(tile));
-    frame_data_.upload_view(part);
-    labels_->begin();
+    CrowdFrame seen = frame;
+    seen.camera = part_of(frame.camera, target.size(), tiles.drawn(tile));
+    frame_data.upload_view(seen);
+    labels->begin();
     const float height = static_cast<float>(tiles.tile_size().y) / frame.scenery_error_px;
-    if (frame.scenery) scenery_.draw_depth_in_view(part.camera, height);
-    labels_->draw(part, meshes_, palettes_);
+    if (frame.scenery) scenery.draw_depth_in_view(seen.camera, height);
+    labels->draw(seen, meshes, palettes);
     const PixelRect shown = tiles.shown(tile);
-    labels_->read(labels, {shown.corner.x, size().y - shown.corner.y - shown.size.y}, shown.size);
+    labels->read(picture, {shown.corner.x, target.size().y - shown.corner.y - shown.size.y}, shown.size);
   }
-  to_metres(frame.camera, labels);
-  if (!shaders_.status()) trouble_ = shaders_.status().error();
+  to_metres(frame.camera, picture);
+  if (!shaders.status()) trouble = shaders.status().error();
   return finish();
 }
 
-Status Renderer::measure_bodies(const CrowdFrame& frame, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies) {
+Status Renderer::Parts::measure_bodies(const CrowdFrame& frame, std::span<const PixelBox> boxes,
+                                       std::span<BodyAlone> bodies) {
   if (Status prepared = prepare_labels(); !prepared) return prepared;
-  frame_data_.upload_view(frame);
-  if (Status measured = labels_->measure(frame, meshes_, palettes_, size(), boxes, bodies); !measured) return measured;
-  if (!shaders_.status()) trouble_ = shaders_.status().error();
+  frame_data.upload_view(frame);
+  if (Status measured = labels->measure(frame, meshes, palettes, target.size(), boxes, bodies); !measured)
+    return measured;
+  if (!shaders.status()) trouble = shaders.status().error();
   return finish();
 }
 

@@ -1,4 +1,4 @@
-#include "engine/render/scene_light.h"
+#include "throng/render/scene_light.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,130 +1,178 @@
-// A host shows a crowd with the library alone.
-#include "engine/crowd/crowd_view.h"
+// A host shows a crowd with the public headers alone.
+#include "throng/crowd_view.h"
 
+#include <algorithm>
 #include <cstring>
-#include <memory>
+#include <set>
 #include <vector>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+
+#include "throng/heap_pages.h"
 
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/crowd/crowd_draws.h"
+#include "engine/anim/door/character_data.h"
+#include "tests/anim/agent/heard_misuses.h"
 
 namespace throng::crowd_view_test {
 namespace {
 
 constexpr Ticks frame_time = ticks_per_second / 60;
-constexpr std::uint32_t agents = 400;
 constexpr float spacing = 4.0F;  // metres
 
-std::shared_ptr<const anim::Character> person() {
-  static const auto character =
-      std::make_shared<const anim::Character>(anim::bake_character(anim::synthetic_model(40, 2)));
-  return character;
+Character person(int bones = 40) {
+  const anim::Model model = anim::synthetic_model(bones, 2);
+  return detail::make_character(model, anim::bake_character(model), false);
 }
 
-/// Agents in a square, seen from one side by a camera on the ground that looks along +Z.
-class SeenCrowd {
- public:
-  explicit SeenCrowd(int pus) : system_(std::move(*anim::AnimationSystem::create(person(), {.pus = pus}))) {
-    system_->set_agent_count(agents);
-    for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      system_->agent(agent).play({.clip = static_cast<int>(agent % 2)});
-      positions_.emplace_back(spacing * (static_cast<float>(agent % 20) - 10.0F), 0.0F,
-                              spacing * static_cast<float>(agent / 20U + 1));
-    }
-    view_.reset(agents, frame().rules.lod);
-    view_.mesh_lods().set(0, {{}, {0.004F, 0.004F}, {0.02F, 0.02F}}, {1000, 300, 50});
+/// Agents in a row that leads away from a camera, which looks along +Z.
+struct CrowdViewTest : testing::Test {
+  std::uint32_t add(std::uint32_t count, CharacterId character = 0) {
+    for (const AgentId agent : crowd.add_agents(count, character)) crowd.agent(agent).play({.clip = {0}});
+    positions.resize(crowd.number_limit());
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i].z = spacing * static_cast<float>(i + 1);
+    return crowd.number_limit();
   }
-
   ViewFrame frame() const {
-    constexpr float tall = 720.0F;
-    ViewFrame seen;
-    seen.agents = {.positions = positions_, .headings = headings_, .scales = scales_, .characters = characters_};
-    seen.rules.lod = {.rule = LodRule::distance, .interval_growth = 8.0F, .smooth = true};
-    seen.view = glm::lookAt(glm::vec3(0.0F, 1.7F, 0.0F), glm::vec3(0.0F, 1.7F, 1.0F), glm::vec3(0.0F, 1.0F, 0.0F));
-    seen.projection = glm::perspective(0.9F, 16.0F / 9.0F, 0.1F, 500.0F);
-    seen.size = {1280.0F, tall};
-    seen.step = frame_time;
-    seen.completed = view_.frame();
-    seen.camera = {.position = {0.0F, 1.7F, 0.0F},
-                   .forward = {0.0F, 0.0F, 1.0F},
-                   .frustum = {{{0.0F, 0.0F, 1.0F, 0.0F}}},
-                   .pixels_per_unit = seen.projection[1][1] * tall / 2.0F};
+    ViewFrame seen{.positions = positions, .frame_step = frame_time, .completed = view.frame()};
+    seen.camera.forward = {0.0F, 0.0F, 1.0F};
+    seen.camera.frustum = {{{0.0F, 0.0F, 1.0F, 0.0F}}};  // all before the camera
+    seen.rules.lod.rule = LodRule::distance;
     return seen;
   }
-  void pass(int frames) {
+  void pass(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
-      system_->advance(frame_time);
-      const ViewFrame seen = frame();
-      view_.choose(*system_, seen);
-      posed_ = view_.updates().size();
-      for (PoseRequest& update : view_.updates()) {
-        if (view_.level_of_detail().is_visible(update.agent.number)) view_.show(*system_, seen, update);
-      }
-      view_.pose(*system_, seen);
+      crowd.advance(frame_time);
+      posed = view.choose(crowd, frame()).size();
+      view.pose(crowd);
+      draws = view.draws(crowd);
     }
-    draws_.compose(view_, *system_, {.agents = frame().agents});
+  }
+  std::set<std::uint32_t> drawn() const {
+    std::set<std::uint32_t> agents;
+    for (const render::InstanceRecord& record : draws.instances) agents.insert(record.agent);
+    return agents;
   }
 
-  const CrowdView& view() const { return view_; }
-  const CrowdDraws& draws() const { return draws_; }
-  std::size_t posed() const { return posed_; }
-
- private:
-  HeapPageSource pages_{std::size_t{4} << 20U};
-  std::unique_ptr<anim::AnimationSystem> system_;
-  std::vector<glm::vec3> positions_;
-  std::vector<Heading> headings_ = std::vector<Heading>(agents);
-  std::vector<float> scales_ = std::vector<float>(agents, 1.0F);
-  std::vector<std::uint8_t> characters_ = std::vector<std::uint8_t>(agents, 0);
-  CrowdView view_{{{.character = person()}}, pages_};
-  CrowdDraws draws_;
-  std::size_t posed_ = 0;
+  HeapPageSource pages{std::size_t{1} << 20U};
+  Crowd crowd = std::move(*Crowd::create(person()));
+  CrowdView view{pages};
+  std::vector<Vec3> positions;
+  std::size_t posed = 0;
+  CrowdDraws draws;
 };
 
-TEST(SeenCrowds, AreDrawnWholeInAHandfulOfBatchesFromTheNearestMeshToTheFarthest) {
-  SeenCrowd crowd(1);
-  crowd.pass(30);
-  EXPECT_EQ(crowd.draws().instances().size(), agents);
-  ASSERT_EQ(crowd.draws().batches().size(), 3U) << "one for each mesh LOD";
-  std::size_t drawn = 0;
-  for (const render::CrowdBatch& batch : crowd.draws().batches()) drawn += batch.count;
-  EXPECT_EQ(drawn, agents);
-  EXPECT_EQ(crowd.draws().batches().front().mesh_lod, 0);
+TEST_F(CrowdViewTest, DrawsEachAgentInView) {
+  add(100);
+  positions[7].z = -5.0F;  // behind the camera
+  pass();
+  EXPECT_EQ(draws.instances.size(), 99U);
+  EXPECT_FALSE(drawn().contains(7));
+  EXPECT_FALSE(view.is_visible({7}));
+  ASSERT_EQ(draws.batches.size(), 1U);
+  EXPECT_EQ(draws.batches.front().count, 99U);
 }
 
-TEST(SeenCrowds, SkipUpdatesOfAgentsFarOffAndBlendThem) {
-  SeenCrowd crowd(1);
-  crowd.pass(30);
-  EXPECT_LT(crowd.posed(), agents / 2);
-  std::size_t blended = 0;
-  for (const render::InstanceRecord& record : crowd.draws().instances()) {
-    if (record.blend_duration > 0) ++blended;
-    EXPECT_EQ(record.blend_duration > 0, record.palette_from != record.palette_to) << record.agent;
+TEST_F(CrowdViewTest, WritesThePaletteThatAnInstanceNames) {
+  add(3);
+  pass();
+  std::vector<float> own(crowd.palette_bytes(0) / sizeof(float) + 4);
+  for (const render::InstanceRecord& record : draws.instances) {
+    auto* const exact = reinterpret_cast<std::byte*>((reinterpret_cast<std::uintptr_t>(own.data()) + 15) / 16 * 16);
+    const PoseRequest request{.agent = {record.agent}, .palette = exact};
+    crowd.pose_exactly({&request, 1});
+    const std::byte* const shown =
+        pages.memory(draws.batches.front().page) + record.palette_to * render::palette_line_bytes;
+    EXPECT_EQ(std::memcmp(shown, exact, 48 * crowd.character(0).palette_entries()), 0) << record.agent;
   }
-  EXPECT_GT(blended, agents / 4);
 }
 
-TEST(SeenCrowds, AreOffByFewPixelsAsTheMeterSays) {
-  SeenCrowd crowd(1);
-  crowd.pass(60);
-  const anim::ErrorFigures& error = crowd.view().error_meter().figures();
-  EXPECT_GT(error.samples, 100U);
-  EXPECT_GT(error.max, 0.0F) << "skipped updates and coarser meshes are seen";
-  EXPECT_GE(error.max, error.p50);
+TEST_F(CrowdViewTest, PosesFarAgentsMoreSeldomAndBlendsThem) {
+  add(100);
+  pass(30);
+  EXPECT_LT(posed, 50U);
+  const auto blends = [](const render::InstanceRecord& record) { return record.blend_duration > 0; };
+  EXPECT_GT(std::ranges::count_if(draws.instances, blends), 50);
 }
 
-TEST(SeenCrowds, AreTheSameForAnyNumberOfPus) {
-  SeenCrowd one(1), three(3);
-  one.pass(20);
-  three.pass(20);
-  const auto a = one.draws().instances(), b = three.draws().instances();
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0);
+TEST_F(CrowdViewTest, DrawsAnAgentThatWasAddedAtOnceAndARemovedOneNoMore) {
+  add(10);
+  pass(5);
+  ASSERT_TRUE(crowd.remove_agent({3}));
+  pass();
+  EXPECT_FALSE(drawn().contains(3));
+  EXPECT_EQ(draws.instances.size(), 9U);
+  add(200);
+  pass();
+  EXPECT_EQ(draws.instances.size(), 209U);
+}
+
+TEST_F(CrowdViewTest, DrawsNoAgentThatPlaysNothing) {
+  add(2);
+  crowd.add_agent();
+  positions.resize(crowd.number_limit(), {0.0F, 0.0F, spacing});
+  const anim::HeardMisuses heard;
+  pass();
+  EXPECT_EQ(drawn(), (std::set<std::uint32_t>{0, 1}));
+}
+
+TEST_F(CrowdViewTest, ShowsCharactersThatComeLater) {
+  add(5);
+  pass(3);
+  const auto other = crowd.add(person(60));
+  ASSERT_TRUE(other) << other.error().message;
+  add(5, *other);
+  pass(2);
+  EXPECT_EQ(draws.instances.size(), 10U);
+  ASSERT_EQ(draws.batches.size(), 2U);
+  EXPECT_EQ(draws.batches.back().character, 1);
+}
+
+TEST_F(CrowdViewTest, GivesFarAgentsTheCoarserMeshWhoseErrorIsNotSeen) {
+  const render::MeshError errors[] = {{}, {0.01F, 0.01F}};
+  const std::uint32_t triangles[] = {1000, 100};
+  ASSERT_TRUE(view.set_mesh_lods(0, {errors, triangles}));
+  add(100);
+  pass();
+  ASSERT_EQ(draws.batches.size(), 2U);
+  EXPECT_EQ(draws.batches.front().mesh_lod, 0);
+  EXPECT_EQ(draws.batches.back().mesh_lod, 1);
+  EXPECT_EQ(view.figures().triangles, 1000U * draws.batches.front().count + 100U * draws.batches.back().count);
+}
+
+TEST_F(CrowdViewTest, WritesNoPaletteAnewThatAFrameInFlightMayRead) {
+  add(1);
+  std::set<std::uint32_t> written;
+  for (int i = 0; i < 20; ++i) {
+    crowd.advance(frame_time);
+    ViewFrame seen = frame();
+    seen.completed = 0;  // the device has finished no frame
+    view.choose(crowd, seen);
+    view.pose(crowd);
+    EXPECT_TRUE(written.insert(view.draws(crowd).instances.front().palette_to).second) << "in frame " << i;
+  }
+}
+
+TEST_F(CrowdViewTest, MeasuresTheErrorOfWhatIsShown) {
+  add(200);
+  pass(60);
+  EXPECT_GT(view.figures().error_samples, 100U);
+  EXPECT_GT(view.figures().error_max, 0.0F);
+  EXPECT_EQ(view.figures().agents_in_view, 200U);
+}
+
+TEST_F(CrowdViewTest, SaysWhatIsWrongWithACall) {
+  add(10);
+  const anim::HeardMisuses heard;
+  view.pose(crowd);
+  EXPECT_EQ(heard.all().back(), "CrowdView::pose: there was no choice since the last call");
+  positions.resize(5);
+  EXPECT_TRUE(view.choose(crowd, frame()).empty());
+  EXPECT_EQ(heard.all().back(), "CrowdView::choose: the frame's positions have no place for each agent's number");
+  const render::MeshError error{};
+  EXPECT_EQ(view.set_mesh_lods(0, {.errors = {&error, 1}}).error().message,
+            "CrowdView::set_mesh_lods: a character has 1 to 7 meshes, each with an error and a number of triangles");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 namespace throng::exact_poses_test {
 namespace {
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 namespace throng::palette_slots_test {
 namespace {
 

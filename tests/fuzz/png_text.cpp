@@ -1,6 +1,6 @@
 // The texts that a PNG has inside.
 
-#include "engine/render/png_text.h"
+#include "throng/render/png_text.h"
 
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/target.h"

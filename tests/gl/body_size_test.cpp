@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/render/renderer.h"
+
 #include "app/character/source.h"
-#include "engine/render/renderer.h"
 #include "tests/gl/gl_test.h"
 #include "tests/gl/skinning_read_back.h"
 

@@ -6,12 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "throng/render/context.h"
+#include "throng/render/image.h"
+
 #include "app/output/regression/compare.h"
 #include "app/output/regression/markup.h"
 #include "app/output/regression/origin.h"
 #include "engine/base/files/input_file.h"
-#include "engine/render/gl/context.h"
-#include "engine/render/image.h"
 #include "tests/app/output/regression/strict_xml.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"

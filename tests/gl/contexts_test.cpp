@@ -9,8 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "engine/render/gl/context.h"
-#include "engine/render/image.h"
+#include "throng/render/context.h"
+#include "throng/render/image.h"
+
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/picture_tolerance.h"
 

@@ -160,7 +160,7 @@ TEST_F(CrowdPicture, CountsNoTriangleTwice) {
   CrowdFrame frame = crowd().frame();
   frame.shadows = frame.crowd_shade = false;
   const DrawCounts counts = crowd().renderer().draw(frame);
-  const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
+  const std::uint64_t surface = crowd().renderer().mesh_lods(0).triangles[0];
   constexpr std::uint64_t ground = 3, contact_spot = 2;  // two triangles of ground, one of sky
   EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));
   EXPECT_EQ(counts.draw_calls, 4U);  // ground, sky, spots, and the crowd, although it comes in two batches

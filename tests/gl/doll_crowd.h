@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "throng/render/camera.h"
+#include "throng/render/renderer.h"
+
 #include "engine/crowd/palette_slots.h"
-#include "engine/render/camera.h"
-#include "engine/render/renderer.h"
 #include "tests/gl/doll.h"
 #include "tests/gl/skinning_read_back.h"
 

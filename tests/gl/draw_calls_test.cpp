@@ -44,7 +44,7 @@ class DrawCallsOfDolls : public SoftwareGlTest {
     doll.images = {{2, 1, half_clear}};
     const std::vector<CrowdMeshData> dolls(2, doll);
     ASSERT_TRUE(crowd_->renderer().load_characters(dolls));
-    ASSERT_GE(crowd_->renderer().meshes()[0].lod_count(), 2U);
+    ASSERT_GE(crowd_->renderer().mesh_lods(0).errors.size(), 2U);
     crowd_->stand(1);
     crowd_->write_palettes();  // which makes the first page
     crowd_->renderer().palette_pages().add_page();

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/render/gl/context.h"
+#include "throng/render/context.h"
 
 namespace throng::render::test {
 

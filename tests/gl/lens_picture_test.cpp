@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/image.h"
+
 #include "app/window/demo.h"
-#include "engine/render/image.h"
 #include "tests/gl/small_picture.h"
 
 namespace throng::app::lens_picture_test {

@@ -8,12 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/image.h"
+
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "engine/crowd/mesh_lods.h"
-#include "engine/render/image.h"
 #include "tests/gl/small_picture.h"
 
 namespace throng::app::mesh_switch_test {

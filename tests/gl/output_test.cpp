@@ -9,9 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "throng/render/image.h"
+
 #include "app/files/exit_status.h"
 #include "app/window/demo.h"
-#include "engine/render/image.h"
 #include "tests/app/output/fake_ffmpeg.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"

@@ -8,6 +8,7 @@
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
+#include "engine/render/mesh/mesh.h"
 
 namespace throng::app::placed_meshes_test {
 namespace {

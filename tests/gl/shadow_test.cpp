@@ -146,7 +146,7 @@ TEST_F(Shadows, AreNotDrawnForThoseWhoCastNone) {
   EXPECT_GT(with, without);
   stand_at({{0.0F, 0.0F, 0.0F}, {-400.0F, 0.0F, 0.0F}});
   const std::uint64_t far_aside = crowd().renderer().draw(frame(true)).triangles;
-  const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
+  const std::uint64_t surface = crowd().renderer().mesh_lods(0).triangles[0];
   EXPECT_EQ(far_aside - with, surface + 2) << "the second is drawn with its spot, and casts no shadow that is seen";
 }
 

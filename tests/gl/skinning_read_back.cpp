@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/mesh/mesh.h"
 
 namespace throng::render::test {
 
@@ -25,7 +26,7 @@ std::vector<ReadBackVertex> SkinningReadBack::read(const CrowdFrame& frame, cons
   const std::size_t bytes = vertices.size() * sizeof(ReadBackVertex);
   const gl::Buffer captured = gl::create_buffer(nullptr, bytes);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
-  renderer_->palettes().bind(agent.page, palette_binding);
+  renderer_->bind_palette_page(agent.page, palette_binding);
   glUseProgram(program_.id());
   mesh.bind();
   glEnable(GL_RASTERIZER_DISCARD);

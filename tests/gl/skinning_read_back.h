@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "engine/render/renderer.h"
+#include "throng/render/renderer.h"
 
 namespace throng::render::test {
 

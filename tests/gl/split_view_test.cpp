@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/image.h"
+
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
-#include "engine/render/image.h"
 #include "tests/gl/picture_tolerance.h"
 #include "tests/gl/small_picture.h"
 

@@ -72,7 +72,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
   reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
   // Everybody gets the coarsest mesh, which is the quickest to draw.
-  stage_->posed().mesh_lods().set(0, std::vector<render::MeshError>(renderer_->meshes().front().lod_count()), {});
+  stage_->posed().mesh_lods().set(0, std::vector<render::MeshError>(renderer_->mesh_lods(0).errors.size()), {});
   moments_.resize(stage_->crowd().size());
   // The reference knows poses, but no builds of bodies.
   looks_.resize(stage_->crowd().size(), render::plain_look());

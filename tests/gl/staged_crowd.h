@@ -6,9 +6,10 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "throng/render/renderer.h"
+
 #include "app/show/picture.h"
 #include "app/show/stage/stage.h"
-#include "engine/render/renderer.h"
 #include "tests/gl/reference_crowd.h"
 #include "tests/gl/skinning_read_back.h"
 

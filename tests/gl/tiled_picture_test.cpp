@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/image.h"
+
 #include "app/show/show.h"
 #include "app/window/demo.h"
-#include "engine/render/image.h"
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
 #include "tests/gl/small_picture.h"

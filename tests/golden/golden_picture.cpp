@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/context.h"
+
 #include "app/output/regression/compare.h"
 #include "app/window/demo.h"
-#include "engine/render/gl/context.h"
 
 namespace throng::app::test {
 namespace {

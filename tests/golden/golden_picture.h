@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/image.h"
+
 #include "app/output/regression/cases.h"
 #include "app/output/regression/origin.h"
 #include "app/settings/settings.h"
-#include "engine/render/image.h"
 
 namespace throng::app::test {
 

@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/render/image.h"
+#include "throng/render/image.h"
 
 namespace throng::app::test {
 namespace {

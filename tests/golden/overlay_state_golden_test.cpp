@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/render/renderer.h"
+
 #include "app/show/camera/fly_camera.h"
-#include "engine/render/renderer.h"
 #include "tests/app/window/panel/overlay_driver.h"
 #include "tests/gl/gl_test.h"
 #include "tests/golden/golden_picture.h"

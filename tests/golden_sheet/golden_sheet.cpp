@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/render/image.h"
+#include "throng/render/image.h"
 
 namespace {
 

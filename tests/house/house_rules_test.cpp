@@ -95,8 +95,9 @@ TEST(Joint, IsRefusedFromEitherSide) {
                   source_file("engine/anim/lod/lod.h", "#include \"engine/render/camera.h\"\n"),
                   source_file("engine/tracks/read.h", "#include \"engine/render/camera.h\"\n"),
                   source_file("engine/base/text/joined.h", "#include \"engine/anim/base/units.h\"\n"),
-                  source_file("engine/crowd/crowd_draws.h",
-                              "#include \"engine/render/crowd_draw.h\"\n#include \"engine/render/renderer.h\"\n")};
+                  source_file("engine/crowd/sorted_draws.h",
+                              "#include \"throng/render/crowd_batch.h\"\n#include \"throng/render/renderer.h\"\n"),
+                  source_file("engine/crowd/examples/drawn_crowd.cpp", "#include \"throng/render/renderer.h\"\n")};
   EXPECT_THAT(includes_that_join(tree), testing::SizeIs(5));
 }
 

@@ -7,9 +7,13 @@
 namespace throng::house {
 namespace {
 
-/// Returns the path of a header in the tree: the door's have a folder of their own (engine/anim/include).
+/// Returns the path of a header in the tree. Public headers have a folder in the library that implements them.
 std::string in_tree(const std::string& included) {
-  return included.starts_with("throng/") ? "engine/anim/include/" + included : included;
+  if (!included.starts_with("throng/")) return included;
+  static const std::set<std::string> of_crowd{"throng/crowd_view.h", "throng/heading.h", "throng/heap_pages.h",
+                                              "throng/mesh_data.h", "throng/view_rules.h"};
+  if (of_crowd.contains(included)) return "engine/crowd/include/" + included;
+  return (included.starts_with("throng/render/") ? "engine/render/include/" : "engine/anim/include/") + included;
 }
 
 }  // namespace

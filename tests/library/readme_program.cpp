@@ -1,4 +1,3 @@
-#include <cstdint>
 #include <cstdio>
 #include <vector>
 
@@ -11,7 +10,6 @@ int main(int argument_count, char** arguments) {
   const auto file = load(arguments[1]);  // a .glb, a .gltf, or what `throng bake` made of them
   if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 1;
   const Character character = file->characters.front();
-
   auto created = Crowd::create(character, {.pus = 2, .hash = true});
   if (!created) return std::fprintf(stderr, "%s\n", created.error().message.c_str()), 1;
   Crowd& crowd = *created;
@@ -26,19 +24,13 @@ int main(int argument_count, char** arguments) {
   const std::size_t lines = crowd.palette_bytes(0) / sizeof(Line);
   std::vector<Line> palettes(lines * crowd.number_limit());
 
-  // They stand in a row that leads away from the camera: those far off are posed more seldom, with fewer bones.
-  std::vector<Vec3> positions(crowd.number_limit());
-  for (const AgentId id : agents) positions[id.number].z = -0.1F * static_cast<float>(id.number);
-  Lod lod;
-  LodFrame frame{.positions = positions, .frame_step = ticks_per_second / 60};
-
+  std::vector<PoseRequest> requests;
+  for (const AgentId id : agents) {
+    requests.push_back({.agent = id, .palette = reinterpret_cast<std::byte*>(&palettes[id.number * lines])});
+  }
   for (int number = 0; number < 60; ++number) {
-    crowd.advance(frame.frame_step);
-    for (PoseRequest& request : lod.select(crowd, frame)) {
-      request.palette = reinterpret_cast<std::byte*>(&palettes[request.agent.number * lines]);
-    }
-    crowd.update(lod.requests());  // returns when every palette is written
-    lod.settle(crowd);
+    crowd.advance(ticks_per_second / 60);
+    crowd.update(requests);  // returns when every palette is written
   }
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>(crowd.debug().pose_hash()));
 }

@@ -8,7 +8,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${throng} -DOUTPUT=${commit_fo
 # These compile themselves once a target (app/CMakeLists.txt).
 set_source_files_properties(${throng}/app/people/crowd/steering/near_bodies.cpp ${throng}/app/people/crowd/steering/step_strip.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-foreach(folder engine/base/json engine/anim/import engine/render engine/tracks app)
+foreach(folder engine/base/json engine/anim/import engine/render engine/crowd engine/tracks app)
   string(MAKE_C_IDENTIFIER objects_of_${folder} objects)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${throng}/${folder}/*.cpp)
   add_library(${objects} OBJECT ${sources})

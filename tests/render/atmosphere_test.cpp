@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/render/scene_light.h"
+#include "throng/render/scene_light.h"
 
 namespace throng::render::atmosphere_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 #include <algorithm>
 #include <cmath>

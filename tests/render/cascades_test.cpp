@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::render::cascades_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::render::casters_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/render/image.h"
+#include "throng/render/image.h"
 
 #include <algorithm>
 #include <filesystem>

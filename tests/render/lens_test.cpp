@@ -1,10 +1,10 @@
-#include "engine/render/lens.h"
+#include "throng/render/lens.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::render::lens_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::render::picture_tiles_test {
 namespace {

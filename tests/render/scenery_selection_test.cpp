@@ -8,7 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
+
 #include "engine/render/scenery/selection.h"
 
 namespace throng::render::scenery_selection_test {

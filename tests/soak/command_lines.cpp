@@ -6,13 +6,14 @@
 #include <iterator>
 #include <sstream>
 
+#include "throng/render/context.h"
+
 #include "app/commands/command_line/options.h"
 #include "app/commands/command_line/options_commands.h"
 #include "app/settings/preset.h"
 #include "app/show/request/crowd_file.h"
 #include "engine/anim/kernel/choose_kernels.h"
 #include "engine/anim/kernel/kernels.h"
-#include "engine/render/gl/context.h"
 
 namespace throng::soak {
 namespace {

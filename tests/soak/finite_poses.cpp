@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/painter.h"
 #include "app/show/stage/stage.h"
 #include "engine/crowd/palette_slots.h"

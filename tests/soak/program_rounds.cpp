@@ -7,7 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/render/gl/context.h"
+#include "throng/render/context.h"
+
 #include "tests/sanitized.h"
 
 namespace throng::soak {

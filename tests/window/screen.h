@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/image.h"
+#include "throng/render/image.h"
 
 namespace throng::app {
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "throng/render/context.h"
+
 #include "app/commands/check/drawn_case.h"
 #include "app/commands/check/git.h"
 #include "app/files/exit_status.h"
@@ -19,7 +21,6 @@
 #include "engine/base/files/child_process.h"
 #include "engine/base/files/output_file.h"
 #include "engine/base/text/joined.h"
-#include "engine/render/gl/context.h"
 
 namespace throng::app {
 namespace {

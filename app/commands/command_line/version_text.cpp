@@ -2,13 +2,14 @@
 
 #include <string_view>
 
+#include "throng/render/context.h"
+
 #include "app/files/program_version.h"
 #include "app/output/regression/origin.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/base/files/child_process.h"
 #include "engine/base/text/joined.h"
 #include "engine/base/text/plain_text.h"
-#include "engine/render/gl/context.h"
 
 namespace throng::app {
 namespace {

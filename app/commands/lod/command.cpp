@@ -4,13 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "throng/render/camera.h"
+
 #include "app/character/built_in.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
 #include "app/show/lod/tuned_view.h"
 #include "app/show/stage/stage.h"
 #include "engine/base/files/output_file.h"
-#include "engine/render/camera.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/render/image.h"
+#include "throng/render/image.h"
 
 namespace throng::app {
 

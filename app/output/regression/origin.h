@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/png_text.h"
+
 #include "app/show/figures/statistics.h"
-#include "engine/render/png_text.h"
 
 namespace throng::app {
 

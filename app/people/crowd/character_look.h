@@ -3,9 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "throng/render/agent_look.h"
+
 #include "app/settings/settings.h"
 #include "engine/base/random.h"
-#include "engine/render/agent_look.h"
 
 namespace throng::app {
 

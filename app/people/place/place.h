@@ -7,10 +7,11 @@
 
 #include <glm/mat4x3.hpp>
 
+#include "throng/render/scene_ground.h"
+#include "throng/render/scenery_data.h"
+
 #include "app/character/roles.h"
 #include "app/settings/settings.h"
-#include "engine/render/scene_ground.h"
-#include "engine/render/scenery_data.h"
 
 namespace throng::app {
 

@@ -2,7 +2,8 @@
 
 #include <cstddef>
 
-#include "engine/render/scenery_data.h"
+#include "throng/render/scenery_data.h"
+
 #include "engine/tracks/ground_plan.h"
 
 namespace throng::app {

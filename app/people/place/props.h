@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/scenery_data.h"
+
 #include "engine/base/result.h"
-#include "engine/render/scenery_data.h"
 
 namespace throng::app {
 

@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "throng/render/agent_look.h"
+
 #include "app/people/wardrobe/wardrobe.h"
 #include "engine/base/json/json.h"
 #include "engine/base/result.h"
-#include "engine/render/agent_look.h"
 
 namespace throng::app {
 

@@ -5,11 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "throng/render/agent_look.h"
+
 #include "app/people/crowd/character_look.h"
 #include "app/people/wardrobe/cast_rules.h"
 #include "app/people/wardrobe/wardrobe.h"
 #include "engine/base/random.h"
-#include "engine/render/agent_look.h"
 
 namespace throng::app {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/render/agent_look.h"
+#include "throng/render/agent_look.h"
 
 namespace throng::app {
 

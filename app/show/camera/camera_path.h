@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/camera.h"
+
 #include "app/settings/settings.h"
 #include "engine/base/result.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

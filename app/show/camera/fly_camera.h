@@ -5,9 +5,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/render/camera.h"
+
 #include "app/settings/settings.h"
 #include "app/show/camera/input.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

@@ -2,10 +2,11 @@
 
 #include <optional>
 
+#include "throng/render/crowd_draw.h"
+
 #include "app/show/figures/limiter.h"
 #include "app/show/figures/statistics.h"
 #include "app/show/figures/timeline_log.h"
-#include "engine/render/crowd_draw.h"
 
 namespace throng::app {
 

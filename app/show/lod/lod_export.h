@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/mesh_error_value.h"
+
 #include "app/character/source.h"
 #include "app/settings/settings.h"
 #include "engine/anim/lod/lod_choices.h"
-#include "engine/render/mesh/mesh_error_value.h"
 
 namespace throng::app {
 

@@ -11,7 +11,7 @@ namespace {
 constexpr auto cost_of_placed_feet =
     static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
 
-anim::LodForce lod_force(const LodInspection& inspection, std::optional<std::uint32_t> selected) {
+LodForce lod_force(const LodInspection& inspection, std::optional<std::uint32_t> selected) {
   if (inspection.force_selected_only && !selected) return {};
   return {.interval = inspection.forced_interval,
           .bone_level = inspection.forced_bone_level,

@@ -5,7 +5,7 @@
 
 #include "app/character/source.h"
 #include "app/settings/settings.h"
-#include "engine/crowd/crowd_view.h"
+#include "engine/crowd/system_view.h"
 
 namespace throng::app {
 

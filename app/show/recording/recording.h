@@ -5,11 +5,11 @@
 #include <variant>
 #include <vector>
 
+#include "throng/render/camera.h"
 #include "throng/ticks.h"
 
 #include "app/settings/settings.h"
 #include "app/show/request/request.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

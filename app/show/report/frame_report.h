@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/crowd_draw.h"
+
 #include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
@@ -30,7 +32,6 @@
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/crowd/mesh_choice.h"
 #include "engine/crowd/mesh_lods.h"
-#include "engine/render/crowd_draw.h"
 #include "engine/tracks/track_clock.h"
 
 namespace throng::app {

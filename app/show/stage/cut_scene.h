@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <span>
 
+#include "throng/render/camera.h"
+
 #include "app/character/source.h"
 #include "app/people/crowd/crowd.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/base/aligned_bytes.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

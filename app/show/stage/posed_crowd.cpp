@@ -35,13 +35,13 @@ struct PosedCrowd::Frame {
   AnimatedCrowd& animated;
   const SeenFrame& seen;
   const Tuning& tuning;
-  ViewFrame view;
+  SystemFrame view;
   anim::AnimationSystem& system = animated.system();
 };
 
 PosedCrowd::PosedCrowd(std::span<const CharacterSource> characters, render::PalettePageSource& pages,
                        std::uint64_t first_frame)
-    : CrowdView(viewed_characters(characters), pages, first_frame), characters_(characters) {}
+    : SystemView(viewed_characters(characters), pages, first_frame), characters_(characters) {}
 
 void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning, StageTimes& times) {
   StopWatch watch;
@@ -57,7 +57,7 @@ void PosedCrowd::pose(AnimatedCrowd& animated, const SeenFrame& seen, const Tuni
   if (tuning.lod.rule != LodRule::off) animated.details().take_back(visible);
   animated.details().hold_things(visible);
   add_fallen(frame);
-  CrowdView::pose(frame.system, frame.view);
+  SystemView::pose(frame.system, frame.view);
   animated.let_fallen_get_up();
   times.pose_ms = watch.lap();
 }
@@ -75,7 +75,7 @@ Camera PosedCrowd::seen_by(const SeenFrame& seen, const render::CameraView& view
   return camera;
 }
 
-ViewFrame PosedCrowd::view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const {
+SystemFrame PosedCrowd::view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const {
   const Crowd& crowd = animated.crowd();
   const render::CameraView view = render::view_of(seen.camera, seen.size.x / seen.size.y);
   return {.agents = placed_agents(crowd),

@@ -10,13 +10,14 @@
 
 #include <glm/vec2.hpp>
 
+#include "throng/render/camera.h"
+
 #include "app/people/measure/crowd_measures.h"
 #include "app/settings/settings.h"
 #include "app/show/stage/animated_crowd.h"
 #include "app/show/stage/kept_joints.h"
 #include "app/show/stage/stage_times.h"
-#include "engine/crowd/crowd_view.h"
-#include "engine/render/camera.h"
+#include "engine/crowd/system_view.h"
 
 namespace throng::app {
 
@@ -43,7 +44,7 @@ struct SeenFrame {
 };
 
 /// Shows the crowd of a stage. The demo sets the parts of a pose beyond clips, keeps joints and measures the crowd.
-class PosedCrowd : public CrowdView {
+class PosedCrowd : public SystemView {
  public:
   /// Asks `pages` for no page before the first pose. Counts frames on from `first_frame`. `characters` outlive this.
   PosedCrowd(std::span<const CharacterSource> characters, render::PalettePageSource& pages, std::uint64_t first_frame);
@@ -60,7 +61,7 @@ class PosedCrowd : public CrowdView {
   struct Frame;
 
   Camera seen_by(const SeenFrame& seen, const render::CameraView& view, const Tuning& tuning) const;
-  ViewFrame view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const;
+  SystemFrame view_frame(const AnimatedCrowd& animated, const SeenFrame& seen, const Tuning& tuning) const;
   void prepare(const Frame& frame, std::span<PoseRequest> updates);
   void place_feet(const Frame& frame, const PoseRequest& update, bool near_by) const;
   void add_fallen(const Frame& frame);

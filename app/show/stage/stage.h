@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "throng/render/camera.h"
+
 #include "app/settings/settings.h"
 #include "app/show/stage/animated_crowd.h"
 #include "app/show/stage/picking.h"
 #include "app/show/stage/posed_crowd.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

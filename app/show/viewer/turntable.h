@@ -2,9 +2,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/render/camera.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/input.h"
-#include "engine/render/camera.h"
 
 namespace throng::app {
 

@@ -5,13 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "throng/render/agent_look.h"
+#include "throng/render/crowd_draw.h"
+#include "throng/render/instance_record.h"
+
 #include "app/show/report/viewer_report.h"
 #include "app/show/viewer/turntable.h"
 #include "app/show/viewer/viewed_character.h"
 #include "engine/crowd/palette_slots.h"
-#include "engine/render/agent_look.h"
-#include "engine/render/crowd_draw.h"
-#include "engine/render/instance_record.h"
 
 namespace throng::app {
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "throng/render/crowd_draw.h"
+
 #include "app/people/crowd/track_steps.h"
 #include "app/settings/agent_colors.h"
 #include "app/settings/option_values.h"
 #include "app/window/panel/controls/numbers.h"
 #include "app/window/panel/controls/plots.h"
 #include "engine/base/text/joined.h"
-#include "engine/render/crowd_draw.h"
 
 namespace throng::app {
 namespace {

@@ -2,9 +2,10 @@
 #include <array>
 #include <string>
 
+#include "throng/render/crowd_draw.h"
+
 #include "app/window/panel/cards.h"
 #include "app/window/panel/picture_aids.h"
-#include "engine/render/crowd_draw.h"
 
 namespace throng::app {
 namespace {

@@ -9,6 +9,7 @@
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/character_data.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
+#include "engine/anim/survey/bone_lod.h"
 
 namespace throng {
 namespace {
@@ -151,6 +152,12 @@ int Character::level_count() const { return static_cast<int>(baked(data()).level
 std::uint32_t Character::palette_entries(int level) const {
   const auto& entries = baked(data()).level_entries;
   return level >= 0 && static_cast<std::size_t>(level) < entries.size() ? entries[static_cast<std::size_t>(level)] : 0;
+}
+
+std::vector<std::uint16_t> Character::entries_at_level(int level) const {
+  std::vector<std::vector<std::uint16_t>> levels = anim::entries_at_levels(baked(data()).skeleton);
+  const auto place = static_cast<std::size_t>(level);
+  return level < 0 || place >= levels.size() ? std::vector<std::uint16_t>() : std::move(levels[place]);
 }
 
 std::vector<std::array<float, 4>> Character::packing_frames() const {

@@ -28,6 +28,12 @@ Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_f
   return camera;
 }
 
+Camera camera_of(const Vec3& position, const Vec3& forward, const Mat4& clip_from_world, int pixels_tall) {
+  float numbers[16];
+  std::copy_n(&clip_from_world.columns[0][0], 16, numbers);
+  return camera_of(position, forward, numbers, pixels_tall);
+}
+
 // A frustum holds a ball that moves along the light if it holds the ball at either end.
 void include_casters(Camera& camera, const Vec3& to_light, float height) {
   constexpr float longest = 14.0F, of_height = 1.8F;  // metres: a person's shadow

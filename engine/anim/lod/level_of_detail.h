@@ -86,6 +86,7 @@ class LevelOfDetail {
   /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: it blends from the
   /// shown palette to the new one, over `look_ahead`.
   std::span<PoseRequest> updates() { return updates_; }
+  std::span<const PoseRequest> updates() const { return updates_; }
   /// Adds an agent of LodCrowd::left_out, with all bones and its present pose.
   PoseRequest& update_also(std::uint32_t agent);
   /// Changes an update whose palette cannot be blended to: it is shown at once, and the agent is due again in the next

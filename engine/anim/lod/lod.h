@@ -26,16 +26,6 @@ inline constexpr int longest_interval = 16;  ///< frames
 
 static_assert(std::tuple_size_v<decltype(LodRules::level_distances)> == max_bone_levels - 1);
 
-/// Overrules the rule, to show an interval or a level. Takes effect at an agent's next update.
-struct LodForce {
-  int interval = 0;     ///< frames, 1 to longest_interval; 0: the rule decides
-  int bone_level = -1;  ///< a higher level than the character's last means the last; -1: the rule decides
-  std::optional<std::uint32_t> agent = {};  ///< this agent alone; nothing: all agents
-
-  [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
-  friend bool operator==(const LodForce&, const LodForce&) = default;
-};
-
 /// A character, as far as the rule reads it: a sphere that holds every pose, its height and its bone levels. Lengths
 /// are multiplied by the agent's scale.
 struct LodCharacter {

@@ -3,10 +3,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "throng/render/image.h"
+
 #include "engine/base/result.h"
 #include "engine/render/frame/picture_tiles.h"
 #include "engine/render/gl/handles.h"
-#include "engine/render/image.h"
 
 namespace throng::render {
 

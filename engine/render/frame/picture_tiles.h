@@ -5,18 +5,12 @@
 
 #include <glm/vec2.hpp>
 
+#include "throng/render/crowd_draw.h"
+#include "throng/render/pixel_rect.h"
+
 #include "engine/base/result.h"
-#include "engine/render/crowd_draw.h"
 
 namespace throng::render {
-
-/// A rectangle of a picture, in pixels from its bottom left.
-struct PixelRect {
-  glm::ivec2 corner{0};
-  glm::ivec2 size{0};
-
-  friend bool operator==(const PixelRect&, const PixelRect&) = default;
-};
 
 /// Cuts a picture into tiles of one size, row by row from the bottom left. Tiles at the top and at the right may reach
 /// beyond the picture. Corners are even, because a device shades 2x2 pixels together, which must stay together.

@@ -2,10 +2,11 @@
 
 #include <glm/vec2.hpp>
 
+#include "throng/render/image.h"
+
 #include "engine/base/result.h"
 #include "engine/render/frame/image_target.h"
 #include "engine/render/frame/picture_tiles.h"
-#include "engine/render/image.h"
 
 namespace throng::render {
 

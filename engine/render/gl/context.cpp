@@ -1,4 +1,4 @@
-#include "engine/render/gl/context.h"
+#include "throng/render/context.h"
 
 #include <algorithm>
 #include <new>
@@ -6,6 +6,7 @@
 #include <glad/gl.h>
 
 #include "engine/render/gl/device_errors.h"
+#include "engine/render/gl/device_limits.h"
 
 namespace throng::render::gl {
 namespace {

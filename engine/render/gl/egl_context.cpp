@@ -10,8 +10,9 @@
 #include <EGL/eglext.h>
 #include <glad/gl.h>
 
+#include "throng/render/context.h"
+
 #include "engine/base/files/process.h"
-#include "engine/render/gl/context.h"
 #include "engine/render/gl/shared_library.h"
 
 namespace throng::render::gl {

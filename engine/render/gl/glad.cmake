@@ -7,5 +7,6 @@ if(NOT EXISTS ${glad_dir}/src/gl.c)
             --extensions GL_ARB_shader_draw_parameters,GL_KHR_debug --out-path ${glad_dir} c
     COMMAND_ERROR_IS_FATAL ANY)
 endif()
-add_library(throng_glad STATIC ${glad_dir}/src/gl.c)
+add_library(throng_glad OBJECT ${glad_dir}/src/gl.c)
+set_target_properties(throng_glad PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(throng_glad SYSTEM PUBLIC ${glad_dir}/include)

@@ -5,7 +5,8 @@
 
 #include <glad/gl.h>
 
-#include "engine/render/gl/context.h"
+#include "throng/render/context.h"
+
 #include "engine/render/gl/shared_library.h"
 
 namespace throng::render::gl {

@@ -4,7 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "engine/render/gl/context.h"
+#include "throng/render/context.h"
 
 namespace throng::render::gl {
 namespace {

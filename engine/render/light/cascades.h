@@ -9,7 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
 
 namespace throng::render {
 

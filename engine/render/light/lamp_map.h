@@ -6,9 +6,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "throng/render/scenery_data.h"
+
 #include "engine/render/gl/handles.h"
 #include "engine/render/light/shadow_uniforms.h"
-#include "engine/render/scenery_data.h"
 
 namespace throng::render {
 

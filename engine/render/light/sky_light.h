@@ -2,9 +2,10 @@
 
 #include <optional>
 
+#include "throng/render/scene_light.h"
+
 #include "engine/render/gl/handles.h"
 #include "engine/render/light/light_uniforms.h"
-#include "engine/render/scene_light.h"
 
 namespace throng::render {
 

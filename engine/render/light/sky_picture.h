@@ -6,8 +6,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "throng/render/scene_light.h"
+
 #include "engine/render/light/light_uniforms.h"
-#include "engine/render/scene_light.h"
 
 namespace throng::render {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
 
 namespace throng::render {
 

@@ -5,8 +5,9 @@
 #include <map>
 #include <vector>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/base/result.h"
-#include "engine/render/crowd_mesh_data.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/mesh/coverage.h"
 

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <span>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/base/result.h"
-#include "engine/render/crowd_mesh_data.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/mesh/material.h"
 #include "engine/render/mesh/surface.h"

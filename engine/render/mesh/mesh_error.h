@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "throng/render/mesh_error_value.h"
+
 #include "engine/render/mesh/cell_tree.h"
-#include "engine/render/mesh/mesh_error_value.h"
 #include "engine/render/mesh/surface_paint.h"
 #include "engine/render/mesh/surface_simplifier.h"
 

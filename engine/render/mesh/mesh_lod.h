@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/render/mesh/mesh_error.h"
 #include "engine/render/mesh/surface_simplifier.h"
 

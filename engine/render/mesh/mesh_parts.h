@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
 
 namespace throng::render {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
 
 namespace throng::render {
 

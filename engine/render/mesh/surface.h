@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/crowd_mesh_data.h"
-#include "engine/render/mesh/mesh_error_value.h"
+#include "throng/render/crowd_mesh_data.h"
+#include "throng/render/mesh_error_value.h"
 
 namespace throng::render {
 

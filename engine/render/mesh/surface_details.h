@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/render/mesh/surface.h"
 
 namespace throng::render {

@@ -9,7 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "engine/render/crowd_mesh_data.h"
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/render/mesh/surface.h"
 
 namespace throng::render {

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "throng/render/palette_page.h"
+
 #include "engine/render/gl/handles.h"
-#include "engine/render/palette/palette_page.h"
 
 namespace throng::render {
 

@@ -2,7 +2,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/frame/image_target.h"
 #include "engine/render/shader/shader_library.h"
 

@@ -4,7 +4,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/shader/shader_library.h"

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/light/cascades.h"
 
 namespace throng::render {

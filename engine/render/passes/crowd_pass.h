@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/indirect_draws.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
 
 namespace throng::render {
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/light/shadow_uniforms.h"
 #include "engine/render/shader/shader_library.h"
 

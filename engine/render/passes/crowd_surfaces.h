@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/passes/crowd_runs.h"
 #include "engine/render/passes/indirect_draws.h"

@@ -4,7 +4,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/shader/program_variants.h"
 
 namespace throng::render {

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/gl/handles.h"
 #include "engine/render/mesh/surface.h"
 

@@ -9,10 +9,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "throng/render/crowd_draw.h"
+#include "throng/render/label_picture.h"
+
 #include "engine/base/result.h"
-#include "engine/render/crowd_draw.h"
 #include "engine/render/gl/handles.h"
-#include "engine/render/label_picture.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/palette_buffer.h"
 #include "engine/render/passes/indirect_draws.h"

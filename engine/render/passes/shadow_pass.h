@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/render/light/cascades.h"
 #include "engine/render/light/shadow_uniforms.h"
 #include "engine/render/mesh/mesh.h"

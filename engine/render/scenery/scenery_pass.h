@@ -7,13 +7,14 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "throng/render/crowd_draw.h"
+#include "throng/render/scenery_data.h"
+
 #include "engine/base/result.h"
-#include "engine/render/crowd_draw.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/light/light_parts.h"
 #include "engine/render/passes/indirect_draws.h"
 #include "engine/render/scenery/selection.h"
-#include "engine/render/scenery_data.h"
 #include "engine/render/shader/program_variants.h"
 
 namespace throng::render {

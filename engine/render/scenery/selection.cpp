@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "engine/render/camera.h"
+#include "throng/render/camera.h"
 
 namespace throng::render {
 namespace {

@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "engine/render/crowd_draw.h"
-#include "engine/render/scenery_data.h"
+#include "throng/render/crowd_draw.h"
+#include "throng/render/scenery_data.h"
 
 namespace throng::render {
 

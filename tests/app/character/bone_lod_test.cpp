@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 #include "engine/anim/import/import.h"
@@ -178,7 +180,7 @@ TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
   for (const anim::StreamKind stream : {anim::StreamKind::sampled, anim::StreamKind::keyframe}) {
     const Tuning tuning{.scene = Scene::plaza,
                         .agents = 40,
-                        .lod = {.rule = LodRule::off, .bone_lod = false},
+                        .lod = {.rule = LodRule::off, .bone_lod = false, .smooth = true},
                         .system = {.pus = 1, .stream = stream}};
     const auto stage = open(tuning), as_it_was = open(tuning);
     ASSERT_TRUE(stage && as_it_was);
@@ -217,8 +219,8 @@ TEST_F(ReorderedStage, HasTheCharacterThatIsBakedInThatOrder) {
 }
 
 TEST_F(ReorderedStage, HasTheLevelsThatWereChosen) {
-  const auto stage =
-      open({.scene = Scene::grid, .agents = 100, .lod = {.rule = LodRule::distance}, .system = {.pus = 2}});
+  const auto stage = open(
+      {.scene = Scene::grid, .agents = 100, .lod = {.rule = LodRule::distance, .smooth = true}, .system = {.pus = 2}});
   ASSERT_TRUE(stage);
   pass(*stage, 10);
   ASSERT_TRUE(stage->set_bone_lod(0, arms_first(stage->characters().front().character->skeleton)));

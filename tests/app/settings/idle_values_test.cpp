@@ -15,6 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/character/built_in.h"
 #include "app/settings/choices.h"
 #include "app/settings/tuning_values.h"

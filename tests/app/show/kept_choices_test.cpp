@@ -82,7 +82,7 @@ TEST_F(LodExportOfAShow, FollowsEveryValueThatIsInForceAndNoOther) {
       {"mesh", [](Tuning& tuning) { tuning.mesh_lod = 1; }, {LodRule::off, LodRule::distance, LodRule::budget}},
       {"seed", [](Tuning& tuning) { tuning.seed = 5; }, {}}};
   for (const LodRule rule : {LodRule::off, LodRule::distance, LodRule::budget}) {
-    const Tuning before{.lod = {.rule = rule}};
+    const Tuning before{.lod = {.rule = rule, .smooth = true}};
     const std::string standard = with([&](Tuning& tuning) { tuning = before; });
     for (const Value& value : values) {
       const std::string changed = with([&](Tuning& tuning) { value.change(tuning = before); });

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/picture.h"
 #include "app/show/stage/stage.h"
@@ -39,7 +41,8 @@ CharacterSource morphing_pillar(float weight) {
 class PictureOfMorphs : public testing::Test {
  protected:
   void open(std::vector<CharacterSource> characters) {
-    const Tuning tuning{.scene = Scene::grid, .agents = 40, .lod = {.rule = LodRule::off}, .system = {.pus = 1}};
+    const Tuning tuning{
+        .scene = Scene::grid, .agents = 40, .lod = {.rule = LodRule::off, .smooth = true}, .system = {.pus = 1}};
     auto made = Stage::create(std::move(characters), tuning, pages_);
     ASSERT_TRUE(made);
     stage_ = std::move(*made);

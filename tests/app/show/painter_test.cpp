@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 #include "tests/counting/hot_path_counter.h"
@@ -114,7 +116,8 @@ class PictureInTiles : public testing::Test {
   }
 
   HeapPageSource pages_{std::size_t{1} << 20U};
-  Tuning tuning_{.scene = Scene::grid, .agents = agents, .lod = {.rule = LodRule::off}, .system = {.pus = 1}};
+  Tuning tuning_{
+      .scene = Scene::grid, .agents = agents, .lod = {.rule = LodRule::off, .smooth = true}, .system = {.pus = 1}};
   std::unique_ptr<Stage> stage_;
   render::Camera camera_ = camera_at({.x = 0, .y = 60, .z = 130, .yaw = 0, .pitch = -25});
 };

@@ -11,7 +11,7 @@ namespace throng::app::scene_lines_test {
 namespace {
 
 TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
-  Tuning tuning{.lod = {.rule = LodRule::distance, .full_rate_distance = 10, .interval_growth = 5}};
+  Tuning tuning{.lod = {.rule = LodRule::distance, .full_rate_distance = 10, .interval_growth = 5, .smooth = true}};
   tuning.lod.largest_interval = 4;
   const auto thresholds = interval_thresholds(tuning);
   ASSERT_EQ(thresholds.size(), 3U);

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/settings/agent_colors.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"

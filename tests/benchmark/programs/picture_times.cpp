@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "throng/heap_pages.h"
+
 #include "app/commands/bench/report.h"
 #include "app/commands/bench/rounds.h"
 #include "app/show/camera/fly_camera.h"

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "throng/heap_pages.h"
+
 #include "app/commands/bench/case.h"
 #include "app/files/exit_status.h"
 #include "app/show/camera/fly_camera.h"

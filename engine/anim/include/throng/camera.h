@@ -16,6 +16,7 @@ struct Camera {
 
 /// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1.
 Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall);
+Camera camera_of(const Vec3& position, const Vec3& forward, const Mat4& clip_from_world, int pixels_tall);
 
 /// Moves the planes of a camera outwards, so that agents outside are in view whose shadows may fall into the picture.
 /// `to_light` is a unit vector; `height` is the tallest agent's. A shadow that falls farther than eight times the

@@ -85,6 +85,9 @@ class Character {
   /// in the space of the palette, and the metres of one unit of a place. One for each entry of level 0; none if its
   /// palettes cannot be packed, and are matrices. They are a table of vec4 for the device, shared by all agents.
   std::vector<std::array<float, 4>> packing_frames() const;
+  /// Returns, for each entry of a palette, the entry that a vertex reads in a palette of a bone level: itself where the
+  /// bone is kept, else the entry of its nearest kept ancestor. A host that draws bone levels looks entries up in it.
+  std::vector<std::uint16_t> entries_at_level(int level) const;
   /// Returns the height of the standing character, in metres.
   double height() const;
   /// Returns the names of the data keys of all its clips. DataKey::name is an index.

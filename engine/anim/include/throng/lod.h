@@ -45,8 +45,6 @@ class Lod {
   struct State;
   bool is_gone(const char* call) const;
   void take_characters(const Crowd& crowd);
-  void take_agents(const Crowd& crowd, const LodFrame& frame);
-  void make_room(std::size_t numbers, const LodRules& rules);
 
   std::unique_ptr<State> state_;
 };

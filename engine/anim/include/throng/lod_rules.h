@@ -29,4 +29,14 @@ struct LodRules {
   friend bool operator==(const LodRules&, const LodRules&) = default;
 };
 
+/// Overrules the rule, to show an interval or a level. Takes effect at an agent's next update.
+struct LodForce {
+  int interval = 0;     ///< frames, 1 to 16; 0: the rule decides
+  int bone_level = -1;  ///< a higher level than the character's last means the last; -1: the rule decides
+  std::optional<std::uint32_t> agent = {};  ///< this agent alone; nothing: all agents
+
+  [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
+  friend bool operator==(const LodForce&, const LodForce&) = default;
+};
+
 }  // namespace throng

@@ -22,6 +22,11 @@ struct Quat {
   friend constexpr bool operator==(const Quat&, const Quat&) = default;
 };
 
+/// A matrix, column by column, as OpenGL has it.
+struct Mat4 {
+  float columns[4][4] = {{1.0F}, {0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F, 1.0F}};
+};
+
 /// The place of a thing of constant size: it is turned first, then moved.
 struct Place {
   Vec3 position{};

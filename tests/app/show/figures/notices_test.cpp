@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::app::notices_test {

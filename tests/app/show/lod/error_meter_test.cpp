@@ -11,6 +11,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/lod/tuned_view.h"
 #include "app/show/stage/stage.h"

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/character/cut_scene_models.h"
 #include "app/show/stage/stage.h"
 

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 #include "app/window/selection_reporter.h"
@@ -25,7 +27,7 @@ class PushedOnStage : public testing::Test {
  protected:
   explicit PushedOnStage(const Tuning& tuning = {.scene = Scene::plaza,
                                                  .agents = 12,
-                                                 .lod = {.rule = LodRule::distance},
+                                                 .lod = {.rule = LodRule::distance, .smooth = true},
                                                  .system = {.pus = 2}}) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));

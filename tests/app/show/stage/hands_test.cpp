@@ -90,7 +90,10 @@ TEST_F(StageInHands, TakenBackTheCrowdDoesTheSameAgain) {
 }
 
 TEST_F(StageInHands, TakenBackTwiceItStrikesTheSamePosesBothTimes) {
-  open({.scene = Scene::plaza, .agents = 12, .lod = {.rule = LodRule::off, .bone_lod = false}, .system = {.pus = 2}});
+  open({.scene = Scene::plaza,
+        .agents = 12,
+        .lod = {.rule = LodRule::off, .bone_lod = false, .smooth = true},
+        .system = {.pus = 2}});
   pass(40);
   StageMoment moment;
   stage_->animated().remember(moment);

@@ -22,7 +22,10 @@ constexpr int people = 12;
 class HeldArmsTest : public test::WatchedStage {
  protected:
   void SetUp() override {
-    open({.scene = Scene::plaza, .agents = people, .lod = {.rule = LodRule::off}, .system = {.pus = 2, .hash = true}});
+    open({.scene = Scene::plaza,
+          .agents = people,
+          .lod = {.rule = LodRule::off, .smooth = true},
+          .system = {.pus = 2, .hash = true}});
   }
 
   void give(HeldThing thing) { stage_->animated().give(std::vector<HeldThing>(people, thing)); }

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 

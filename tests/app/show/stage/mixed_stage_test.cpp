@@ -59,7 +59,7 @@ TEST_F(MixedStage, HasOnePoseHashHoweverItIsScheduled) {
 }
 
 TEST_F(MixedStage, SlotsAreAsLargeAsTheCharacterNeeds) {
-  open_mixed({.scene = Scene::grid, .agents = 60, .lod = {.rule = LodRule::budget, .bone_lod = false}});
+  open_mixed({.scene = Scene::grid, .agents = 60, .lod = {.rule = LodRule::budget, .bone_lod = false, .smooth = true}});
   pass(2);
   const auto slot_of = [&](std::uint8_t character) {
     return stage_->posed().shown().pose(first_of(character)).to.lines * render::palette_line_bytes;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 
@@ -19,9 +21,12 @@ struct OtherRolesOnAStage : testing::Test {
   std::unique_ptr<Stage> open(Scene scene, HeapPageSource& pages) const {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(mannequin, mannequin));
-    auto stage = Stage::create(
-        std::move(characters),
-        {.scene = scene, .agents = 60, .lod = {.rule = LodRule::off, .bone_lod = false}, .system = {.pus = 2}}, pages);
+    auto stage = Stage::create(std::move(characters),
+                               {.scene = scene,
+                                .agents = 60,
+                                .lod = {.rule = LodRule::off, .bone_lod = false, .smooth = true},
+                                .system = {.pus = 2}},
+                               pages);
     EXPECT_TRUE(stage);
     return std::move(*stage);
   }

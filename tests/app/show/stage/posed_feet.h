@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/stage/stage.h"
 #include "engine/anim/rig/limbs.h"
 

@@ -46,7 +46,7 @@ class RecordedHands : public TracksStage {
     begin(2);
   }
   void begin(int pus) {
-    open({.scene = Scene::tracks, .lod = {.rule = LodRule::off}, .system = {.pus = pus, .hash = true}});
+    open({.scene = Scene::tracks, .lod = {.rule = LodRule::off, .smooth = true}, .system = {.pus = pus, .hash = true}});
     EXPECT_TRUE(stage_->posed().keep_joints(stage_->animated().system()));
   }
   void give(HeldThing thing) {

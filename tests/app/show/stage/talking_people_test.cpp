@@ -39,7 +39,7 @@ class TalkingPeople : public TracksStage {
  protected:
   TalkingPeople()
       : TracksStage(some_people(), {.x = 2, .y = 2, .z = 6, .yaw = 0, .pitch = -10}, ticks_per_second / 30) {
-    open({.scene = Scene::tracks, .lod = {.rule = LodRule::off}, .system = {.pus = 1}});
+    open({.scene = Scene::tracks, .lod = {.rule = LodRule::off, .smooth = true}, .system = {.pus = 1}});
     const anim::Skeleton& skeleton = stage_->people().front().character->skeleton;
     const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
     head_entry_ = static_cast<std::size_t>(anim::joint_place(skeleton, head).entry);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/rewind.h"
 #include "app/show/stage/stage.h"

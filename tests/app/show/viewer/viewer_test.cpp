@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "throng/heap_pages.h"
+
 #include "app/show/stage/stage.h"
 
 namespace throng::app::viewer_test {

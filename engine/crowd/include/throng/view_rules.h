@@ -1,10 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-
-#include "engine/anim/lod/lod.h"
-#include "engine/anim/lod/lod_controller.h"
+#include "throng/lod_rules.h"
+#include "throng/standard.h"
 
 namespace throng {
 
@@ -24,7 +21,7 @@ struct MeshTolerance {
 };
 /// Returns the tolerance whose surface is off by `pixels` at most.
 inline MeshTolerance mesh_tolerance(float pixels) {
-  return {.surface = pixels, .face = std::min(pixels, most_face_error)};
+  return {.surface = pixels, .face = pixels < most_face_error ? pixels : most_face_error};
 }
 
 /// How the mesh LODs of the agents in view are chosen.
@@ -40,7 +37,7 @@ struct MeshRules {
 /// What decides how exactly a crowd is seen.
 struct ViewRules {
   LodRules lod{.smooth = true};
-  anim::LodForce force;
+  LodForce force;
   MeshRules meshes;
 
   friend bool operator==(const ViewRules&, const ViewRules&) = default;

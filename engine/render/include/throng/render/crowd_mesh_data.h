@@ -7,6 +7,8 @@
 
 #include <glm/mat4x3.hpp>
 
+#include "throng/render/crowd_batch.h"
+
 namespace throng::render {
 
 /// Hands a part of a character's surface to drawing, as plain data. All spans except `indices` describe the
@@ -96,9 +98,6 @@ inline constexpr std::size_t largest_mesh_lod_count = 7;
 struct BakedLodData {
   std::vector<MeshPartData> parts;
 };
-
-/// The first mesh LOD at which silhouettes take the place of the pieces that agents wear.
-inline constexpr std::size_t first_silhouette_lod = 4;
 
 /// A mesh of a piece at one level.
 struct PieceLevelData {

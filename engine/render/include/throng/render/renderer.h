@@ -10,35 +10,23 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/base/result.h"
-#include "engine/render/crowd_draw.h"
-#include "engine/render/crowd_mesh_data.h"
-#include "engine/render/frame/frame_data.h"
-#include "engine/render/frame/tiled_target.h"
-#include "engine/render/gl/context.h"
-#include "engine/render/image.h"
-#include "engine/render/label_picture.h"
-#include "engine/render/lens.h"
-#include "engine/render/light/lamp_map.h"
-#include "engine/render/light/sky_light.h"
-#include "engine/render/mesh/mesh.h"
-#include "engine/render/palette/frame_fences.h"
-#include "engine/render/palette/palette_buffer.h"
-#include "engine/render/passes/blend_pass.h"
-#include "engine/render/passes/bone_pass.h"
-#include "engine/render/passes/crowd_pass.h"
-#include "engine/render/passes/crowd_shade_pass.h"
-#include "engine/render/passes/ground_pass.h"
-#include "engine/render/passes/label_pass.h"
-#include "engine/render/passes/line_pass.h"
-#include "engine/render/passes/overlay_renderer.h"
-#include "engine/render/passes/shadow_pass.h"
-#include "engine/render/passes/split_pass.h"
-#include "engine/render/scenery/scenery_pass.h"
-#include "engine/render/scenery_data.h"
-#include "engine/render/shader/shader_library.h"
+#include "throng/render/context.h"
+#include "throng/render/crowd_draw.h"
+#include "throng/render/crowd_mesh_data.h"
+#include "throng/render/image.h"
+#include "throng/render/label_picture.h"
+#include "throng/render/lens.h"
+#include "throng/render/mesh_error_value.h"
+#include "throng/render/palette_page.h"
+#include "throng/render/pixel_rect.h"
+#include "throng/render/scenery_data.h"
+#include "throng/result.h"
+
+struct ImDrawData;
 
 namespace throng::render {
+
+class CrowdMesh;
 
 struct RendererOptions {
   std::filesystem::path data;  ///< folder that has `shaders`
@@ -55,10 +43,10 @@ using CharacterToLoad = std::variant<CrowdMeshData, std::size_t>;
 
 /// Draws pictures of a crowd: this is all that a program calls. It works on the thread on which `context` is current.
 ///
-///   slots.reclaim(renderer.fences().poll());         // before animation: frees slots
+///   ... renderer.completed_frame(newest) ...         // before animation: these frames' palettes can be written again
 ///   ... animation writes palettes ...
 ///   renderer.draw(frame);                            // scene into the renderer's own picture
-///   renderer.fences().insert(frame_number);
+///   renderer.end_frame(frame_number);
 ///   renderer.draw_overlay(*ImGui::GetDrawData());    // if there is one
 ///   renderer.present();  or  renderer.read_image();
 class Renderer {
@@ -66,6 +54,7 @@ class Renderer {
   /// `context` must outlive the renderer. Errors: the shaders are not there; the device or the machine's memory take no
   /// picture of that size, and the error names the largest that memory takes.
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
+  ~Renderer();
 
   /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. Errors: those of
   /// CrowdMesh::create, and of the shaders that morphs need, and that the device has no memory for them; then the
@@ -75,25 +64,30 @@ class Renderer {
   Status load_characters(std::span<const CharacterToLoad> characters);
 
   /// Gives the meshes of the loaded characters.
-  std::span<const CrowdMesh> meshes() const { return meshes_; }
+  std::span<const CrowdMesh> meshes() const;
+  /// Gives the mesh LODs of a loaded character.
+  MeshLodList mesh_lods(std::size_t character) const;
 
   /// Replaces the meshes of scenery, and removes all instances. Errors: the device has no memory for them.
-  Status load_scenery(std::span<const SceneryMeshData> meshes) { return scenery_.load(meshes); }
+  Status load_scenery(std::span<const SceneryMeshData> meshes);
   /// Replaces the instances of scenery. SceneryInstance::mesh is an index into these meshes.
-  void place_scenery(std::span<const SceneryInstance> instances) { scenery_.place(instances); }
+  void place_scenery(std::span<const SceneryInstance> instances);
   /// Replaces the lamps that shine there at night.
-  void place_lamps(std::span<const SceneryLamp> lamps) { lamps_.place(lamps); }
+  void place_lamps(std::span<const SceneryLamp> lamps);
 
   /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
-  PalettePageSource& palette_pages() { return palettes_; }
-
-  /// Binds pages for programs other than the renderer's own.
-  const PaletteBuffer& palettes() const { return palettes_; }
+  PalettePageSource& palette_pages();
+  /// Binds a palette page as storage block `binding`, for programs other than the renderer's own.
+  void bind_palette_page(std::uint32_t page, unsigned binding) const;
 
   /// Drops all pages, for a new PaletteSlots. Waits for the device.
   void reset_palette_pages();
 
-  FrameFences& fences() { return fences_; }
+  /// Notes that all draws of a frame, 1 or more, were called. A frame may be drawn again.
+  void end_frame(std::uint64_t frame);
+  /// Returns the newest frame up to `newest` that the device has finished reading. Frames without draws are finished.
+  /// Never waits.
+  std::uint64_t completed_frame(std::uint64_t newest);
 
   /// Draws shadow maps, crowd, scenery, ground, sky, bones and lines. Keeps nothing of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
@@ -114,7 +108,7 @@ class Renderer {
 
   /// Draws scenes into a part of the picture alone from now on, and gives the rest an sRGB colour, red in the lowest
   /// byte. A processor that draws has less to do then. Only a picture that is not tiled has a part.
-  void draw_only(const PixelRect& part, std::uint32_t around) { part_ = {part, around}; }
+  void draw_only(const PixelRect& part, std::uint32_t around);
 
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
@@ -124,7 +118,7 @@ class Renderer {
   void present();
 
   /// Reads the picture, with the overlay if it was drawn. The image is valid until the next one is drawn.
-  const Image& read_image() { return target_.read(); }
+  const Image& read_image();
 
   /// Waits until the device has done everything, which ends a timed frame. Errors: it failed at something since the
   /// last call, so the picture is not whole.
@@ -132,57 +126,19 @@ class Renderer {
 
   /// Changes the size of pictures. Errors: those of create(); then it is as it was.
   Status set_size(glm::ivec2 size);
-  glm::ivec2 size() const { return target_.size(); }
+  glm::ivec2 size() const;
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
-  Status reload_shaders() { return shaders_.reload(); }
+  Status reload_shaders();
   /// Returns whether a file of the shaders was saved since they were built last; see ShaderLibrary.
-  bool shaders_are_out_of_date() const { return shaders_.is_out_of_date(); }
+  bool shaders_are_out_of_date() const;
 
-  gl::Context& context() { return *context_; }
+  gl::Context& context();
 
  private:
-  struct DrawnPart {
-    PixelRect place;
-    std::uint32_t around;
-  };
-
-  Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
-
-  DrawCounts draw_light(const CrowdFrame& frame);
-  DrawCounts draw_tiles(const CrowdFrame& frame);
-  DrawCounts draw_through_lens(const CrowdFrame& frame, const Lens& lens);
-  void keep_to_part() const;
-  DrawCounts draw_scene(const CrowdFrame& frame);
-  DrawCounts draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels);
-  Status prepare_labels();
-
-  gl::Context* context_;
-  ShaderLibrary shaders_;
-  GroundPass ground_{shaders_};
-  CrowdPass crowd_{shaders_, context_->is_software() ? Calls::some : Calls::one};
-  ShadowPass shadows_{shaders_};
-  CrowdShadePass crowd_shade_{shaders_};
-  SceneryPass scenery_{shaders_};
-  BlendPass blend_{shaders_};
-  BonePass bones_{shaders_};
-  LinePass lines_{shaders_};
-  SplitPass split_{shaders_};
-  std::optional<LabelPass> labels_;  // none: no caller has asked for labels
-  std::optional<OverlayRenderer> overlay_;
-  TiledTarget target_;
-  RendererOptions options_;
-  FrameData frame_data_;
-  SkyLight sky_;
-  LampMap lamps_;
-  gl::Buffer shadow_uniforms_ = gl::create_buffer(nullptr, sizeof(ShadowUniforms), GL_DYNAMIC_STORAGE_BIT);
-  PaletteBuffer palettes_;
-  FrameFences fences_;
-  std::vector<CrowdMesh> meshes_;
-  std::uint32_t light_parts_ = 0;  // of the picture that is drawn
-  bool splits_ = false;            // two crowds are drawn into one picture
-  std::optional<DrawnPart> part_;  // none: all of the picture is drawn
-  std::optional<Error> trouble_;   // finish() returns it
+  struct Parts;
+  explicit Renderer(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace throng::render

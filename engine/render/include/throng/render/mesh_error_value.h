@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace throng::render {
@@ -12,6 +13,12 @@ struct MeshError {
   float face = 0.0F;     ///< on faces alone; the same where no face is known
 
   friend bool operator==(const MeshError&, const MeshError&) = default;
+};
+
+/// The meshes of a character, the full one first. The spans have one element a mesh.
+struct MeshLodList {
+  std::span<const MeshError> errors{};         ///< metres
+  std::span<const std::uint32_t> triangles{};  ///< in each
 };
 
 /// Returns the coarsest mesh LOD whose errors are at most `limits`, in the unit of the errors. The first errors are 0.

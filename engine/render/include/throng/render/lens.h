@@ -6,8 +6,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/render/crowd_draw.h"
-#include "engine/render/image.h"
+#include "throng/render/crowd_draw.h"
+#include "throng/render/image.h"
 
 namespace throng::render {
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "engine/render/crowd_draw.h"
+#include "throng/render/crowd_draw.h"
 
 namespace throng::render {
 

@@ -7,28 +7,14 @@
 #include <glm/vec3.hpp>
 
 #include "throng/host.h"
-
-#include "engine/render/agent_look.h"
-#include "engine/render/crowd_mesh_data.h"
-#include "engine/render/instance_record.h"
-#include "engine/render/scene_ground.h"
-#include "engine/render/scene_light.h"
+#include "throng/render/agent_look.h"
+#include "throng/render/crowd_batch.h"
+#include "throng/render/crowd_mesh_data.h"
+#include "throng/render/instance_record.h"
+#include "throng/render/scene_ground.h"
+#include "throng/render/scene_light.h"
 
 namespace throng::render {
-
-/// A run of CrowdFrame::drawn whose instances share a palette page and a character, and are drawn with the same piece
-/// of its mesh at the same mesh LOD.
-struct CrowdBatch {
-  std::uint32_t page = 0;
-  std::uint8_t character = 0;  ///< its index in the order of loading
-  std::uint8_t mesh_lod = 0;   ///< 0 is the full mesh
-  std::uint16_t piece = 0;     ///< of the character's mesh; 0 is all of it
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  /// The piece, a silhouette, is not seen. It casts the shadows of its instances where a shadow map is too coarse to
-  /// tell it from their pieces. If a run has such batches, all its agents with pieces are in one.
-  bool stands_in = false;
-};
 
 struct CameraView {
   glm::vec3 position{0.0F};

@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "throng/render/agent_look.h"
+#include "throng/render/crowd_draw.h"
+
 #include "engine/anim/agent/animation_system.h"
-#include "engine/crowd/crowd_view.h"
 #include "engine/crowd/morph_weights.h"
-#include "engine/render/agent_look.h"
-#include "engine/render/crowd_draw.h"
+#include "engine/crowd/system_view.h"
 
 namespace throng {
 
@@ -37,10 +38,10 @@ void for_each_worn(const render::Outfit& outfit, std::uint32_t mesh_lod, const a
 /// shows a run. The runs ascend by page, then by character, and the agents within a run. Where agents wear outfits,
 /// each piece that an agent of a run wears has a list of its wearers. The PUs of the system do all of it in tiles; the
 /// result is the same for any number of them. Memory is kept from frame to frame.
-class CrowdDraws {
+class SortedDraws {
  public:
   /// Sorts the agents. Exact poses are drawn with their full meshes.
-  void compose(const CrowdView& view, const anim::AnimationSystem& system, const DrawnAgents& drawn,
+  void compose(const SystemView& view, const anim::AnimationSystem& system, const DrawnAgents& drawn,
                Poses poses = Poses::shown);
 
   std::span<const render::InstanceRecord> instances() const { return std::span(records_).first(instance_count_); }

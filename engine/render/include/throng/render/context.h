@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -8,12 +9,19 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/base/result.h"
-#include "engine/render/gl/device_limits.h"
+#include "throng/result.h"
 
 struct GLFWwindow;
 
 namespace throng::render::gl {
+
+/// The largest sizes that a device takes, as it says itself.
+struct DeviceLimits {
+  glm::ivec2 target{0};           ///< pixels of a target: textures, renderbuffers and viewports hold it
+  int texture = 0;                ///< pixels of a side
+  int samples = 0;                ///< a pixel, of colours and of depths
+  std::size_t storage_block = 0;  ///< bytes
+};
 
 /// Collects the driver's messages in order (KHR_debug, severities above notification). A test fails if there is one.
 /// The driver may call from any thread, in the middle of its work: nothing is thrown, and where there is no memory a

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/result.h"
-#include "engine/render/png_text.h"
+#include "throng/render/png_text.h"
+#include "throng/result.h"
 
 namespace throng::render {
 

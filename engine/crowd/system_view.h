@@ -9,6 +9,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include "throng/view_rules.h"
+
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/lod/level_of_detail.h"
 #include "engine/crowd/error_meter.h"
@@ -18,13 +20,12 @@
 #include "engine/crowd/palette_slots.h"
 #include "engine/crowd/placed_agents.h"
 #include "engine/crowd/shown_poses.h"
-#include "engine/crowd/view_rules.h"
 #include "engine/crowd/viewed_character.h"
 
 namespace throng {
 
 /// How a crowd is seen in a frame. The spans have one element an agent.
-struct ViewFrame {
+struct SystemFrame {
   PlacedAgents agents;
   std::span<const int> clips = {};              ///< anim::LodCrowd::clips
   std::span<const std::uint8_t> left_out = {};  ///< anim::LodCrowd::left_out
@@ -45,10 +46,12 @@ struct ViewFrame {
 ///     choose(system, frame)            lists updates()
 ///     show(system, frame, update)      for each update of a visible agent: the slot of its palette
 ///     pose(system, frame)              the PUs write the palettes
-class CrowdView {
+class SystemView {
  public:
   /// Asks `pages`, which outlive the view, for no page before the first pose. Counts frames on from `first_frame`.
-  CrowdView(std::vector<ViewedCharacter> characters, render::PalettePageSource& pages, std::uint64_t first_frame = 0);
+  /// `more_sizes` lists bytes of palettes that characters may have later.
+  SystemView(std::vector<ViewedCharacter> characters, render::PalettePageSource& pages, std::uint64_t first_frame = 0,
+             std::span<const std::size_t> more_sizes = {});
 
   /// Begins figures and turns anew, as if just made; call reset() after it.
   void restart();
@@ -59,19 +62,24 @@ class CrowdView {
   /// Takes a character whose bones are in another order, or that has other levels; all its agents are posed at once.
   void take_character(std::size_t character, const ViewedCharacter& viewed);
 
+  /// Takes other characters, none of which has a larger palette than was announced. Forgets all that is known of those
+  /// before; call reset() after it.
+  void set_characters(std::vector<ViewedCharacter> characters);
+
   /// Finds the agents in view and their meshes, and lists the agents to be posed.
-  void choose(anim::AnimationSystem& system, const ViewFrame& frame);
+  void choose(anim::AnimationSystem& system, const SystemFrame& frame);
   /// Returns the list for pose(). The host may set PoseRequest::joints.
   std::span<PoseRequest> updates() { return lod_.updates(); }
+  std::span<const PoseRequest> updates() const { return lod_.updates(); }
   /// Asks the caches for the pose of an agent, for which show() is called soon.
   void prefetch_pose(std::uint32_t agent) const { shown_.prefetch_pose(agent); }
   /// Takes a slot for the pose of a visible agent. Returns whether the update, which looked ahead, must be of now
   /// instead: there is nothing on the new page that it could be blended from.
-  bool show(const anim::AnimationSystem& system, const ViewFrame& frame, PoseRequest& update);
-  /// Poses an agent of ViewFrame::left_out too, for the moment. Returns its update.
-  PoseRequest& show_also(const anim::AnimationSystem& system, const ViewFrame& frame, std::uint32_t agent);
+  bool show(const anim::AnimationSystem& system, const SystemFrame& frame, PoseRequest& update);
+  /// Poses an agent of SystemFrame::left_out too, for the moment. Returns its update.
+  PoseRequest& show_also(const anim::AnimationSystem& system, const SystemFrame& frame, std::uint32_t agent);
   /// Poses the listed agents, measures errors and settles level of detail.
-  void pose(anim::AnimationSystem& system, const ViewFrame& frame);
+  void pose(anim::AnimationSystem& system, const SystemFrame& frame);
 
   /// Poses all agents in view with all bones for the same moment. These are Poses::exact; they have slots of their own
   /// until the next choose(). Changes nothing that is shown. Costs as much as all agents in view at full rate.
@@ -97,7 +105,7 @@ class CrowdView {
 
  private:
   void learn_level_of_detail();
-  void measure(anim::AnimationSystem& system, const ViewFrame& frame);
+  void measure(anim::AnimationSystem& system, const SystemFrame& frame);
   void settle(const anim::AnimationSystem& system);
 
   std::vector<ViewedCharacter> characters_;

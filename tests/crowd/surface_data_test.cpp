@@ -1,13 +1,11 @@
-#include "app/character/material_data.h"
+#include "engine/crowd/surface_data.h"
 
-#include <array>
-#include <set>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace throng::app::material_data_test {
+namespace throng::surface_data_test {
 namespace {
 
 using testing::ElementsAre;
@@ -21,7 +19,7 @@ anim::SkinnedMesh mesh_of_two_coords() {
   return mesh;
 }
 
-TEST(MaterialData, GivesEachTextureTheCoordinatesThatItReads) {
+TEST(SurfaceData, GivesEachTextureTheCoordinatesThatItReads) {
   anim::Material material;
   material.base_color_texture = {.image = 0, .coords = 0};
   material.normal_texture = {.image = 1, .coords = 0};
@@ -35,7 +33,7 @@ TEST(MaterialData, GivesEachTextureTheCoordinatesThatItReads) {
   EXPECT_THAT(part.tangents, ElementsAre(1.0F, 0.0F, 0.0F, -1.0F));
 }
 
-TEST(MaterialData, LetsAnyTextureLeadWithoutABaseColorTexture) {
+TEST(SurfaceData, LetsAnyTextureLeadWithoutABaseColorTexture) {
   anim::Material material;
   material.normal_texture = {.image = 0, .coords = 1};
   const anim::SkinnedMesh mesh = mesh_of_two_coords();
@@ -44,22 +42,7 @@ TEST(MaterialData, LetsAnyTextureLeadWithoutABaseColorTexture) {
   EXPECT_THAT(part.normal_coords, IsEmpty());
 }
 
-TEST(MaterialData, HasAllChannelsOfTheWardrobe) {
-  auto file = import_to_draw(THRONG_SOURCE_DIR "/assets/wardrobe.glb");
-  ASSERT_TRUE(file) << file.error().message;
-  std::array<std::set<std::size_t>, 5> widths;  // floats a vertex
-  anim::visit_surfaces(file->models.front(), [&](const std::vector<anim::SkinnedMesh>& meshes) {
-    for (const anim::SkinnedMesh& mesh : meshes) {
-      const render::MeshPartData part = part_data(mesh, {});
-      const std::array channels{part.shapes, part.hair, part.faces, part.trims, part.texture_coords};
-      for (std::size_t i = 0; i < channels.size(); ++i) widths[i].insert(channels[i].size() / mesh.positions.size());
-    }
-  });
-  EXPECT_THAT(widths,
-              ElementsAre(ElementsAre(3), ElementsAre(0, 2), ElementsAre(0, 4), ElementsAre(0, 1), ElementsAre(0, 2)));
-}
-
-TEST(MaterialData, TellsDrawingAllThatLightReads) {
+TEST(SurfaceData, TellsDrawingAllThatLightReads) {
   anim::Material material;
   material.metallic = 0.25F;
   material.roughness = 0.5F;
@@ -68,7 +51,10 @@ TEST(MaterialData, TellsDrawingAllThatLightReads) {
   material.metallic_roughness_texture = {.image = 1, .wrap_u = anim::Wrap::clamp};
   material.normal_texture.image = 2;
   material.occlusion_texture.image = 3;
-  const render::MaterialData data = material_data(material);
+  render::CrowdMeshData drawn;
+  add_materials({&material, 1}, {}, drawn);
+  ASSERT_EQ(drawn.materials.size(), 1U);
+  const render::MaterialData& data = drawn.materials.front();
   EXPECT_EQ(data.metallic, 0.25F);
   EXPECT_EQ(data.roughness, 0.5F);
   EXPECT_EQ(data.normal_scale, 2.0F);
@@ -80,4 +66,4 @@ TEST(MaterialData, TellsDrawingAllThatLightReads) {
 }
 
 }  // namespace
-}  // namespace throng::app::material_data_test
+}  // namespace throng::surface_data_test

@@ -1,4 +1,4 @@
-#include "engine/crowd/crowd_draws.h"
+#include "engine/crowd/sorted_draws.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,8 +16,8 @@ constexpr std::size_t runs_a_line = 64 / sizeof(std::uint32_t);  // of the cache
 }  // namespace
 
 /// All that the tiles of one frame share.
-struct CrowdDraws::Frame {
-  const CrowdView& view;
+struct SortedDraws::Frame {
+  const SystemView& view;
   const anim::AnimationSystem& system;
   const DrawnAgents& drawn;
   Poses poses;
@@ -80,8 +80,8 @@ struct CrowdDraws::Frame {
   }
 };
 
-void CrowdDraws::compose(const CrowdView& view, const anim::AnimationSystem& system, const DrawnAgents& drawn,
-                         Poses poses) {
+void SortedDraws::compose(const SystemView& view, const anim::AnimationSystem& system, const DrawnAgents& drawn,
+                          Poses poses) {
   Frame frame{view, system, drawn, poses};
   make_room(drawn);
   frame.stand_ins = all_have_silhouettes_ && drawn.silhouettes_cast;
@@ -96,7 +96,7 @@ void CrowdDraws::compose(const CrowdView& view, const anim::AnimationSystem& sys
 }
 
 // There is room for the whole crowd from its first picture on, so that nothing is allocated when more come into view.
-void CrowdDraws::make_room(const DrawnAgents& drawn) {
+void SortedDraws::make_room(const DrawnAgents& drawn) {
   const std::size_t agents = drawn.agents.positions.size();
   look_at_outfits(drawn);
   if (choices_.size() >= agents) return;
@@ -104,7 +104,7 @@ void CrowdDraws::make_room(const DrawnAgents& drawn) {
   records_.resize(agents);
 }
 
-void CrowdDraws::look_at_outfits(const DrawnAgents& drawn) {
+void SortedDraws::look_at_outfits(const DrawnAgents& drawn) {
   if (drawn.outfits_number == outfits_number_) return;
   outfits_number_ = drawn.outfits_number;
   std::size_t most_drawn = 0;
@@ -124,7 +124,7 @@ void CrowdDraws::look_at_outfits(const DrawnAgents& drawn) {
 }
 
 // All tiles together count no more runs than there are agents. They count on cache lines of their own.
-std::span<CrowdDraws::Tile> CrowdDraws::cut_into_tiles(const Frame& frame) {
+std::span<SortedDraws::Tile> SortedDraws::cut_into_tiles(const Frame& frame) {
   const std::size_t agents = frame.visible.size();
   const std::size_t line = (frame.runs / runs_a_line + 2) * runs_a_line;
   const auto jobs = static_cast<std::size_t>(frame.system.options().pus);
@@ -143,7 +143,7 @@ std::span<CrowdDraws::Tile> CrowdDraws::cut_into_tiles(const Frame& frame) {
   return tiles;
 }
 
-void CrowdDraws::choose_runs(const Frame& frame, Tile& tile) {
+void SortedDraws::choose_runs(const Frame& frame, Tile& tile) {
   tile.morphs.clear();
   if (wears_outfits()) std::fill_n(tile.lists, std::size_t{frame.runs} * pieces_, 0U);
   for (std::size_t at = tile.first; at < tile.end; ++at) {
@@ -162,7 +162,7 @@ void CrowdDraws::choose_runs(const Frame& frame, Tile& tile) {
 }
 
 // The tiles follow each other within a run, so that the sort is stable, and equal frames give equal pictures.
-void CrowdDraws::begin_runs(const Frame& frame, std::span<Tile> tiles) {
+void SortedDraws::begin_runs(const Frame& frame, std::span<Tile> tiles) {
   runs_.clear();
   std::uint32_t next = 0;
   for (std::uint32_t run = 0; run < frame.runs; ++run) {
@@ -179,7 +179,7 @@ void CrowdDraws::begin_runs(const Frame& frame, std::span<Tile> tiles) {
   if (weights_.size() < weight_count_) weights_.resize(weight_count_);
 }
 
-void CrowdDraws::begin_lists(const Frame& frame, std::span<Tile> tiles) {
+void SortedDraws::begin_lists(const Frame& frame, std::span<Tile> tiles) {
   lists_.clear();
   std::uint32_t next = 0;
   for (const render::CrowdBatch& batch : wears_outfits() ? std::span(runs_) : std::span<render::CrowdBatch>()) {
@@ -198,7 +198,7 @@ void CrowdDraws::begin_lists(const Frame& frame, std::span<Tile> tiles) {
   drawn_count_ = next;
 }
 
-void CrowdDraws::write_records(const Frame& frame, Tile& tile) {
+void SortedDraws::write_records(const Frame& frame, Tile& tile) {
   std::ranges::copy(tile.morphs.all(), weights_.begin() + static_cast<std::ptrdiff_t>(tile.first_weight));
   for (std::size_t at = tile.first; at < tile.end; ++at) {
     const auto [run, weights] = choices_[at];

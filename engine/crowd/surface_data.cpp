@@ -1,11 +1,17 @@
-#include "app/character/material_data.h"
+#include "engine/crowd/surface_data.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace throng::app {
+#include "engine/anim/asset/skeleton.h"
+#include "engine/anim/kernel/palette/hierarchy.h"
+#include "engine/anim/rig/rig_map.h"
+#include "engine/anim/survey/bone_lod.h"
+
+namespace throng {
 namespace {
 
 template <typename Float, typename Vector>
@@ -37,11 +43,6 @@ render::TextureData texture_data(const anim::Texture& texture) {
 
 }  // namespace
 
-Result<anim::ImportedFile> import_to_draw(const std::string& path, import::ImportOptions options) {
-  options.channels = {{"_SHAPE", 3}, {"_HAIR", 2}, {"_FACE", 4}, {"_TRIM", 1}};
-  return import::import_file(path, options);
-}
-
 render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
   const anim::Texture& leading = leading_texture(material);
   const auto own_coords = [&](const anim::Texture& texture) {
@@ -67,6 +68,8 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Materi
           .material = mesh.material};
 }
 
+namespace {
+
 render::MaterialData material_data(const anim::Material& material) {
   const glm::vec4& color = material.base_color;
   const glm::vec3& emission = material.emission;
@@ -87,10 +90,27 @@ render::MaterialData material_data(const anim::Material& material) {
           .alpha_cutoff = material.alpha_cutoff};
 }
 
-std::vector<render::MorphDeltaData> morph_deltas(const anim::Model& model) {
+}  // namespace
+
+void add_materials(std::span<const anim::Material> materials, std::span<const anim::Image> images,
+                   render::CrowdMeshData& data) {
+  for (const anim::Material& material : materials) data.materials.push_back(material_data(material));
+  for (const anim::Image& image : images) {
+    data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
+  }
+}
+
+void add_palette_data(const anim::Skeleton& skeleton, render::CrowdMeshData& data) {
+  data.entry_at_level = anim::entries_at_levels(skeleton);
+  for (const anim::PackingFrame& frame : anim::packing_frames(skeleton)) {
+    data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
+  }
+}
+
+std::vector<render::MorphDeltaData> morph_deltas(std::span<const anim::SkinnedMesh> meshes) {
   std::vector<render::MorphDeltaData> deltas;
   std::uint32_t first = 0;  // vertex of the mesh
-  for (const anim::SkinnedMesh& mesh : model.meshes) {
+  for (const anim::SkinnedMesh& mesh : meshes) {
     for (const anim::MorphDelta& delta : mesh.morph_deltas) {
       deltas.push_back({.vertex = first + delta.vertex,
                         .morph = delta.morph,
@@ -102,4 +122,34 @@ std::vector<render::MorphDeltaData> morph_deltas(const anim::Model& model) {
   return deltas;
 }
 
-}  // namespace throng::app
+std::vector<std::uint8_t> face_entries(const anim::Skeleton& skeleton) {
+  const int head = anim::find_rig(skeleton).at(anim::BodyRole::head);
+  if (head < 0) return {};
+  std::vector<std::uint8_t> of_head, entries;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const bool follows = parent >= 0 && of_head[static_cast<std::size_t>(parent)] != 0;
+    of_head.push_back(bone == head || follows ? 1 : 0);
+  }
+  for (const anim::PaletteEntry& entry : skeleton.palette) {
+    entries.push_back(of_head[static_cast<std::size_t>(entry.bone)]);
+  }
+  return entries;
+}
+
+std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
+  std::vector<render::BoneEndData> ends;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const anim::JointPlace places[] = {anim::joint_place(skeleton, bone),
+                                       anim::joint_place(skeleton, std::max(parent, 0))};
+    if (parent < 0 || places[0].entry < 0 || places[1].entry < 0) continue;
+    for (const anim::JointPlace& place : places) {
+      const glm::vec3 position(place.position);
+      ends.push_back({{position.x, position.y, position.z}, static_cast<std::uint16_t>(place.entry)});
+    }
+  }
+  return ends;
+}
+
+}  // namespace throng

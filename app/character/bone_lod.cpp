@@ -43,8 +43,8 @@ Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {
 }
 
 Status check_levels(std::span<const int> counts, int bones) {
-  if (counts.empty() || counts.size() > anim::max_bone_levels) {
-    return Error{"there must be 1 to " + std::to_string(anim::max_bone_levels) + " levels"};
+  if (counts.empty() || counts.size() > max_bone_levels) {
+    return Error{"there must be 1 to " + std::to_string(max_bone_levels) + " levels"};
   }
   if (counts.front() != bones) return Error{"level 0 must keep all " + std::to_string(bones) + " bones"};
   for (std::size_t level = 1; level < counts.size(); ++level) {

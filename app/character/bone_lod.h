@@ -23,7 +23,7 @@ std::vector<std::string> bone_keys(const anim::Skeleton& skeleton);
 /// Returns the indices of bones by their keys. Errors: the skeleton does not have a key; the error names the first.
 Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton);
 
-/// Checks that every bone comes once and after its parent, and that there are 1 to anim::max_bone_levels levels: the
+/// Checks that every bone comes once and after its parent, and that there are 1 to max_bone_levels levels: the
 /// first with all bones, each further one with fewer, none empty. Errors name the first bone or level that breaks this.
 Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
 

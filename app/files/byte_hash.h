@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 
 namespace throng::app {
 
@@ -17,12 +17,12 @@ class ByteHash {
     for (const char byte : bytes) {
       word_ |= std::uint64_t{static_cast<unsigned char>(byte)} << count_ % 8 * 8;
       if (++count_ % 8 != 0) continue;
-      hash_ = anim::chain_hash(hash_, word_);
+      hash_ = chain_hash(hash_, word_);
       word_ = 0;
     }
   }
 
-  std::uint64_t value() const { return anim::chain_hash(anim::chain_hash(hash_, word_), count_); }
+  std::uint64_t value() const { return chain_hash(chain_hash(hash_, word_), count_); }
 
  private:
   std::uint64_t hash_ = 0;

@@ -10,7 +10,7 @@
 #include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/stage/stage.h"
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 #include "engine/base/text/joined.h"
 #include "engine/base/text/size_text.h"
 
@@ -31,7 +31,7 @@ VideoFormat format_of(const DemoOptions& options) {
   return {options.width, options.height, options.output.frames_per_second.value_or(of_run)};
 }
 
-int picture_writers() { return std::clamp(anim::usable_cores() / 2, 1, most_picture_writers); }
+int picture_writers() { return std::clamp(usable_cores() / 2, 1, most_picture_writers); }
 
 }  // namespace
 

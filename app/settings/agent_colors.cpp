@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/anim/lod/lod.h"
+#include "throng/lod_rules.h"
+
 #include "engine/base/srgb.h"
 
 namespace throng::app {
@@ -41,7 +42,7 @@ std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
 std::uint32_t interval_color(int frames) { return fine_step_color(frames - 1); }
 
-std::uint32_t bone_level_color(int level) { return step_color(level, anim::max_bone_levels); }
+std::uint32_t bone_level_color(int level) { return step_color(level, max_bone_levels); }
 std::uint32_t mesh_lod_color(int lod) { return fine_step_color(lod); }
 
 float error_limit(int step) { return std::ldexp(first_error_limit, step); }

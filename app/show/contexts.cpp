@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/files/memory_check.h"
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 #include "engine/base/files/free_memory.h"
 #include "engine/base/files/process.h"
 #include "engine/base/result.h"
@@ -60,7 +60,7 @@ constexpr int most_driver_threads = 16;
 /// Mesa's llvmpipe reserves this much: its libraries, and a stack and a heap for each thread.
 std::uint64_t address_space_of_driver() {
   constexpr std::uint64_t libraries = 900 * mebibyte, thread = 150 * mebibyte;
-  return libraries + static_cast<std::uint64_t>(std::min(anim::usable_cores(), most_driver_threads)) * thread;
+  return libraries + static_cast<std::uint64_t>(std::min(usable_cores(), most_driver_threads)) * thread;
 }
 
 /// Returns whether so many threads run at once.
@@ -94,7 +94,7 @@ Status check_room_to_draw() {
 void spare_driver_threads() {
   constexpr int for_each_core = 3, others = 2;  // to shade, to compute, and a PU; to compile and to write a cache
   if (std::getenv("LP_NUM_THREADS") != nullptr) return;
-  if (run_at_once(for_each_core * std::min(anim::usable_cores(), most_driver_threads) + others)) return;
+  if (run_at_once(for_each_core * std::min(usable_cores(), most_driver_threads) + others)) return;
   set_variable("LP_NUM_THREADS", "0");
 }
 

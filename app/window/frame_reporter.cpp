@@ -11,7 +11,7 @@
 #include "app/window/character_reporter.h"
 #include "app/window/selection_reporter.h"
 #include "app/window/window_camera.h"
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 
 namespace throng::app {
 namespace {
@@ -124,7 +124,7 @@ void FrameReporter::describe_device(const Show& show) {
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
-  report_.hardware_threads = anim::usable_cores();
+  report_.hardware_threads = usable_cores();
 }
 
 void FrameReporter::describe_character(const Show& show, std::uint32_t character) {

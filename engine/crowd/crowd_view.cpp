@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "engine/anim/api/crowd_parts.h"
+#include "engine/anim/api/taken_agents.h"
 #include "engine/anim/base/misuse.h"
-#include "engine/anim/door/crowd_parts.h"
-#include "engine/anim/door/taken_agents.h"
 #include "engine/base/glm_numbers.h"
 #include "engine/crowd/sorted_draws.h"
 #include "engine/crowd/system_view.h"

@@ -7,9 +7,9 @@
 
 #include "throng/crowd.h"
 
+#include "engine/anim/api/character_data.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/transform.h"
-#include "engine/anim/door/character_data.h"
 #include "engine/crowd/surface_data.h"
 
 namespace throng {

@@ -8,8 +8,8 @@
 #include "throng/render/instance_record.h"
 
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/lod/level_of_detail.h"
+#include "engine/base/compiler.h"
 #include "engine/base/gathered.h"
 #include "engine/crowd/palette_slots.h"
 
@@ -60,7 +60,7 @@ class ShownPoses {
   /// Gives back the slots of agents that are not in view any more. `jobs` run at once.
   void hide_unseen(const anim::LevelOfDetail& lod, std::uint64_t last_frame, Executor& executor, int jobs);
   /// Asks the caches for the pose of an agent, for which show() is called soon.
-  THRONG_ALWAYS_INLINE void prefetch_pose(std::uint32_t agent) const { anim::prefetch(&poses_[agent]); }
+  THRONG_ALWAYS_INLINE void prefetch_pose(std::uint32_t agent) const { prefetch(&poses_[agent]); }
 
   /// Returns the memory of a slot for a new pose of a visible agent. The shader blends to it from the pose shown so
   /// far. A pose of `now` is shown at once. A pose of an agent that must move to another page is shown at once too;

@@ -10,9 +10,9 @@
 
 #include "throng/heap_pages.h"
 
+#include "engine/anim/api/character_data.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/door/character_data.h"
 #include "tests/anim/agent/heard_misuses.h"
 
 namespace throng::crowd_view_test {

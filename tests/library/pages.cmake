@@ -1,4 +1,4 @@
-# Makes the pages of the door of SOURCE in FOLDER. A warning of doxygen is an error.
+# Makes the pages of the public headers of SOURCE in FOLDER. A warning of doxygen is an error.
 file(MAKE_DIRECTORY ${FOLDER})
 file(WRITE ${FOLDER}/Doxyfile "@INCLUDE = ${SOURCE}/engine/anim/include/throng/Doxyfile\nOUTPUT_DIRECTORY = ${FOLDER}\n")
 execute_process(COMMAND ${DOXYGEN} ${FOLDER}/Doxyfile WORKING_DIRECTORY ${SOURCE} ERROR_VARIABLE said RESULT_VARIABLE status)

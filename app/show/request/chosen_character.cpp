@@ -12,7 +12,7 @@
 #include "app/files/byte_hash.h"
 #include "app/settings/choices.h"
 #include "app/settings/option_values.h"
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 #include "engine/base/json/json_object.h"
 #include "engine/base/text/plain_text.h"
 
@@ -22,7 +22,7 @@ namespace {
 std::uint64_t chained(std::uint64_t hash, std::string_view text) {
   ByteHash bytes;
   bytes.add(text);
-  return anim::chain_hash(hash, bytes.value());
+  return chain_hash(hash, bytes.value());
 }
 
 // A sum of hashes, so that the order does not matter.
@@ -40,7 +40,7 @@ std::string fingerprint(const CharacterSource& source) {
   std::uint64_t hash = hash_of_bones(source.character->skeleton);
   for (const std::string& name : source.clip_names) hash = chained(hash, name);
   for (const anim::BakedClip& clip : source.character->clips) {
-    hash = anim::chain_hash(hash, static_cast<std::uint64_t>(clip.duration.count()));
+    hash = chain_hash(hash, static_cast<std::uint64_t>(clip.duration.count()));
   }
   return hex_string(hash);
 }

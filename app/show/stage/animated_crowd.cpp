@@ -3,12 +3,12 @@
 #include "app/character/cut_scene_models.h"
 #include "app/people/wardrobe/dressed_crowd.h"
 #include "engine/anim/asset/skeleton_order.h"
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 
 namespace throng::app {
 
 anim::SystemOptions on_this_machine(anim::SystemOptions options) {
-  if (options.pus == 0) options.pus = anim::usable_cores();
+  if (options.pus == 0) options.pus = usable_cores();
   return options;
 }
 

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 
 namespace throng::app {
 namespace {
@@ -27,8 +27,7 @@ void EventSums::add_events(const anim::AnimationSystem& system, Ticks before) {
       if (event.weight <= least_weight) return;
       ++events_;
       const std::uint64_t what = std::uint64_t{event.name} << 32U | event.clip;
-      hashes_[agent] =
-          anim::chain_hash(anim::chain_hash(hashes_[agent], what), static_cast<std::uint64_t>(event.time.count()));
+      hashes_[agent] = chain_hash(chain_hash(hashes_[agent], what), static_cast<std::uint64_t>(event.time.count()));
     });
   }
 }
@@ -37,14 +36,14 @@ void EventSums::add_places(const Crowd& crowd) {
   for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
     const glm::vec3& at = crowd.positions()[agent];
     const Heading& heading = crowd.headings()[agent];
-    place_hash_ = anim::chain_hash(place_hash_, bits_of(at.x, at.z) ^ anim::mix_bits(bits_of(at.y, 0.0F)));
-    place_hash_ = anim::chain_hash(place_hash_, bits_of(heading.cosine, heading.sine));
+    place_hash_ = chain_hash(place_hash_, bits_of(at.x, at.z) ^ mix_bits(bits_of(at.y, 0.0F)));
+    place_hash_ = chain_hash(place_hash_, bits_of(heading.cosine, heading.sine));
   }
 }
 
 std::uint64_t EventSums::event_hash() const {
   std::uint64_t hash = 0;
-  for (const std::uint64_t of_agent : hashes_) hash = anim::chain_hash(hash, of_agent);
+  for (const std::uint64_t of_agent : hashes_) hash = chain_hash(hash, of_agent);
   return hash;
 }
 

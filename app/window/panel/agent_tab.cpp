@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "throng/lod_rules.h"
+
 #include "app/people/crowd/habits.h"
 #include "app/settings/choices.h"
 #include "app/window/panel/cards.h"
 #include "app/window/panel/controls/plots.h"
 #include "app/window/panel/tabs.h"
-#include "engine/anim/lod/lod.h"
 #include "engine/base/text/size_text.h"
 
 namespace throng::app {
@@ -122,8 +123,7 @@ void show_history(const TabContext& context, const SelectionReport& selected) {
   const float step = plot.width() / static_cast<float>(history_shown), levels = theme.px(6);
   float x = plot.to.x - step * static_cast<float>(selected.history.size());
   for (const LodOfFrame& moment : selected.history) {
-    const float tall =
-        (plot.height() - levels - theme.px(2)) * static_cast<float>(moment.interval) / anim::longest_interval;
+    const float tall = (plot.height() - levels - theme.px(2)) * static_cast<float>(moment.interval) / longest_interval;
     if (moment.visible) {
       draw.AddRectFilled({x, plot.to.y - levels - tall}, {x + step, plot.to.y - levels},
                          colour::interval(moment.interval));

@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "engine/anim/agent/wind_back.h"
-#include "engine/anim/base/compiler.h"
+#include "engine/base/compiler.h"
 
 namespace throng::anim {
 namespace {

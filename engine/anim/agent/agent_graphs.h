@@ -10,9 +10,9 @@
 
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/post_process.h"
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/type_tag.h"
 #include "engine/anim/run/program/program_table.h"
+#include "engine/base/compiler.h"
 #include "engine/base/result.h"
 
 namespace throng::anim {

@@ -6,10 +6,10 @@
 #include <new>
 
 #include "engine/anim/agent/wind_back.h"
-#include "engine/anim/base/hash.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/base/room.h"
 #include "engine/anim/run/program/stream_reads.h"
+#include "engine/base/hash.h"
 
 namespace throng::anim {
 namespace {

@@ -9,13 +9,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "throng/lod_rules.h"
+
 #include "engine/anim/asset/body_role.h"
 #include "engine/anim/base/transform.h"
 
 namespace throng::anim {
-
-/// The most levels of detail by bones (paper 3.2). Level 0 has every bone.
-inline constexpr int max_bone_levels = 4;
 
 struct Bone {
   std::string name;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 
 namespace throng::anim {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "engine/anim/base/compiler.h"
+#include "engine/base/compiler.h"
 
 #if defined(THRONG_HAS_ADDRESS_SANITIZER)
 #include <sanitizer/asan_interface.h>

@@ -4,8 +4,8 @@
 #include <new>
 
 #include "engine/anim/asset/data_keys.h"
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/entity/entity_run.h"
+#include "engine/base/compiler.h"
 
 namespace throng::anim {
 namespace {

@@ -22,10 +22,6 @@
 /// other inputs alone.
 namespace throng::anim {
 
-inline constexpr int longest_interval = 16;  ///< frames
-
-static_assert(std::tuple_size_v<decltype(LodRules::level_distances)> == max_bone_levels - 1);
-
 /// A character, as far as the rule reads it: a sphere that holds every pose, its height and its bone levels. Lengths
 /// are multiplied by the agent's scale.
 struct LodCharacter {

@@ -20,9 +20,9 @@
 #include <glm/vec4.hpp>
 
 #include "engine/anim/base/aligned_bytes.h"
-#include "engine/anim/base/hash.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/pack/sections.h"
+#include "engine/base/hash.h"
 
 namespace throng::pack {
 
@@ -231,7 +231,7 @@ class PackLayout {
   }
   /// Counts a size that a form depends on and that no member has.
   void note(char kind, std::size_t size) {
-    hash_ = anim::chain_hash(hash_, std::uint64_t{static_cast<unsigned char>(kind)} << 56U | size);
+    hash_ = chain_hash(hash_, std::uint64_t{static_cast<unsigned char>(kind)} << 56U | size);
   }
 
   std::uint64_t hash() const { return hash_; }

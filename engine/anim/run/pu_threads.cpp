@@ -9,9 +9,9 @@
 #include <unistd.h>
 #endif
 
-#include "engine/anim/base/compiler.h"
-#include "engine/anim/base/cores.h"
 #include "engine/anim/base/sleep.h"
+#include "engine/base/compiler.h"
+#include "engine/base/files/cores.h"
 
 namespace throng::anim {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 
 namespace throng::anim::elementary_test {
 namespace {

@@ -17,7 +17,7 @@
 #include "app/show/camera/scenes.h"
 #include "app/show/picture.h"
 #include "app/show/stage/stage.h"
-#include "engine/anim/base/cores.h"
+#include "engine/base/files/cores.h"
 #include "engine/render/passes/casters.h"
 #include "tests/benchmark/programs/program.h"
 
@@ -160,7 +160,7 @@ Result<Json> measure_crowd(int agents, int pus, int frames) {
 Result<BenchReport> measure_pictures(const BenchOptions& options) {
   std::vector<Json> rows;
   for (const int agents : options.agents) {
-    const int pus = options.pus.front() > 0 ? options.pus.front() : anim::usable_cores();
+    const int pus = options.pus.front() > 0 ? options.pus.front() : usable_cores();
     auto row = measure_crowd(agents, pus, options.frames);
     if (!row) return row.error();
     rows.push_back(std::move(*row));

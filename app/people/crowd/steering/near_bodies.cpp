@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/anim/kernel/targets.h"
-// After targets.h, which says what Highway compiles for.
+#include "engine/base/simd_targets.h"
+// After simd_targets.h, which says what Highway compiles for.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "app/people/crowd/steering/near_bodies.cpp"

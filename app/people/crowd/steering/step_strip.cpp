@@ -4,8 +4,8 @@
 #include <cassert>
 #include <limits>
 
-#include "engine/anim/kernel/targets.h"
-// After targets.h, which says what Highway compiles for.
+#include "engine/base/simd_targets.h"
+// After simd_targets.h, which says what Highway compiles for.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "app/people/crowd/steering/step_strip.cpp"

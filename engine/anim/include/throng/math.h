@@ -1,7 +1,7 @@
 #pragma once
 
-/// The numbers of the door. They are plain structs, so that a host casts its own vectors to them and needs no other
-/// library. Right-handed, +Y up, characters face +Z, metres.
+/// The numbers of the public headers. They are plain structs, so that a host casts its own vectors to them and needs no
+/// other library. Right-handed, +Y up, characters face +Z, metres.
 namespace throng {
 
 struct Vec3 {

@@ -8,10 +8,10 @@
 #include <cassert>
 #include <cstddef>
 
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/guard.h"
 #include "engine/anim/kernel/lanes/copy_blocks.h"
 #include "engine/anim/kernel/lanes/lanes-inl.h"
+#include "engine/base/compiler.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {

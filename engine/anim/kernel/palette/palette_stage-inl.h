@@ -9,10 +9,10 @@
 #include <cstring>
 #include <type_traits>
 
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/kernel/lanes/transpose-inl.h"
 #include "engine/anim/kernel/palette/model_palette.h"
 #include "engine/anim/kernel/palette/palette_hash.h"
+#include "engine/base/compiler.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -139,7 +139,7 @@ class PaletteStage {
   HWY_INLINE void prefetch(int part) const {
     for (int character = part; character < packet_.characters; character += entries) {
       const float* line = group_lines_[character];
-      for (int at = 0; at < group_stride; at += line_floats) anim::prefetch(line + at);
+      for (int at = 0; at < group_stride; at += line_floats) prefetch(line + at);
     }
   }
 

@@ -8,9 +8,9 @@
 #include <cassert>
 #include <cstddef>
 
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/palette/write_lines.h"
+#include "engine/base/compiler.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {

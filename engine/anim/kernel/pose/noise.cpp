@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 
 namespace throng::anim {
 

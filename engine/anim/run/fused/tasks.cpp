@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/run/fused/advance.h"
 #include "engine/anim/run/fused/pose_strip.h"
+#include "engine/base/compiler.h"
 
 namespace throng::anim {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-#include "engine/anim/base/hash.h"
+#include "engine/base/hash.h"
 
 namespace throng::anim {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/anim/base/compiler.h"
+#include "engine/base/compiler.h"
 
 namespace throng::anim {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/room.h"
 #include "engine/anim/run/program/task_content.h"
 #include "engine/anim/run/store/schedule.h"
+#include "engine/base/compiler.h"
 
 namespace throng::anim {
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/base/hash.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/base/hash.h"
 #include "tests/anim/kernel/pose/random_packet.h"
 #include "tests/anim/kernel/validity.h"
 

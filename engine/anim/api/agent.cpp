@@ -1,0 +1,164 @@
+#include "throng/agent.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "throng/state_machine.h"
+
+#include "engine/anim/agent/blend_space_2d_channel.h"
+#include "engine/anim/agent/blend_space_channel.h"
+#include "engine/anim/agent/channel/slot_channel.h"
+#include "engine/anim/agent/channel/state_machine_channel.h"
+#include "engine/anim/agent/cross_fade_channel.h"
+#include "engine/anim/api/convert.h"
+#include "engine/anim/api/crowd_parts.h"
+#include "engine/anim/api/machine_data.h"
+#include "engine/anim/base/misuse.h"
+
+namespace throng {
+namespace {
+
+anim::PlayRequest request_of(const Play& play) {
+  anim::PlayRequest request{.clip = detail::number_of(play.clip),
+                            .fade = play.fade,
+                            .speed = play.speed,
+                            .start = play.start,
+                            .loop = play.loop,
+                            .mask = detail::number_of(play.mask)};
+  if (play.absolute_root) {
+    request.absolute_root = {.position = glm::dvec3(to_glm(play.absolute_root->position)),
+                             .rotation = to_glm(play.absolute_root->rotation)};
+  }
+  return request;
+}
+
+anim::LayerSettings settings_of(const Layer& layer) {
+  return {.weight = layer.weight, .mask = detail::number_of(layer.mask)};
+}
+
+/// Returns why an agent cannot play one of these points, as CrowdParts::fault_of does.
+template <typename Point>
+const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<const Point> points) {
+  for (const Point& point : points) {
+    if (const char* const fault = crowd.fault_of(agent, point.clip); fault != nullptr) return fault;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool Agent::exists() const { return crowd_->system->agent(id_).exists(); }
+CharacterId Agent::character() const { return crowd_->system->agent(id_).character_id(); }
+
+bool Agent::play(const Play& request) const {
+  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play", fault});
+  if (!crowd_->system->agent(id_).play(request_of(request))) return false;
+  crowd_->note_clip(id_, request.clip);
+  return true;
+}
+
+bool Agent::play(ChannelId channel, const Play& request) const {
+  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play", fault});
+  return crowd_->system->agent(id_).play(channel, request_of(request));
+}
+
+bool Agent::set_speed(double speed) const { return crowd_->system->agent(id_).set_speed(speed); }
+
+Result<ChannelId> Agent::add_clips(const Layer& layer) const {
+  return crowd_->system->agent(id_).add_channel(std::make_unique<anim::CrossFadeChannel>(), settings_of(layer));
+}
+
+Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const {
+  if (space.points.empty()) return anim::refuse({"Agent::add", "a blend space has at least one point"});
+  if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
+    return anim::refuse({"Agent::add", fault});
+  std::vector<anim::BlendPoint> points;
+  for (const BlendPoint& point : space.points) {
+    points.push_back({.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = point.pace});
+  }
+  auto channel = std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed);
+  Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  if (added) crowd_->note_clip(id_, space.points.back().clip);
+  return added;
+}
+
+Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) const {
+  if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
+    return anim::refuse({"Agent::add", fault});
+  const anim::Agent agent = crowd_->system->agent(id_);
+  std::vector<anim::BlendPoint2d> points;
+  for (const BlendPoint2d& point : space.points) {
+    points.push_back({.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = point.pace});
+  }
+  const auto clip_count = static_cast<int>(agent.character().clips.size());
+  auto plane = anim::BlendSpace2d::create(std::move(points), space.meaning, clip_count);
+  if (!plane) return plane.error();
+  auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
+  Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  if (added) crowd_->note_clip(id_, space.points.front().clip);
+  return added;
+}
+
+Result<ChannelId> Agent::add(const StateMachine& machine, const Layer& layer) const {
+  if (!machine) return anim::refuse({"Agent::add", "the state machine is empty"});
+  for (const ClipId clip : machine.data()->clips) {
+    if (const char* const fault = crowd_->fault_of(id_, clip); fault != nullptr)
+      return anim::refuse({"Agent::add", fault});
+  }
+  auto channel = std::make_unique<anim::StateMachineChannel>(machine.data()->machine);
+  return crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+}
+
+Result<ChannelId> Agent::add_slot(const Layer& layer) const {
+  return crowd_->system->agent(id_).add_channel(std::make_unique<anim::SlotChannel>(), settings_of(layer));
+}
+
+bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
+  anim::Agent agent = crowd_->system->agent(id_);
+  const auto* const own = agent.channel<anim::SlotChannel>(slot);
+  if (own == nullptr) return anim::report_misuse({"Agent::play_once", "the agent has no slot of this id"});
+  if (const char* const fault = crowd_->fault_of(id_, shot.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play_once", fault});
+  const anim::OneShot request{.clip = detail::number_of(shot.clip),
+                              .fade_in = shot.fade_in,
+                              .fade_out = shot.fade_out,
+                              .speed = shot.speed,
+                              .queued = shot.queued};
+  const Status played = agent.change<anim::SlotChannel>(
+      slot, [&](auto& channel) { channel.play(request); }, "Agent::play_once");
+  if (played) return own->took_all();
+  static_cast<void>(agent.change<anim::SlotChannel>(slot, [](auto& channel) { channel.stop(); }));
+  return false;
+}
+
+bool Agent::is_playing(ChannelId slot) const {
+  const anim::Agent agent = crowd_->system->agent(id_);
+  const auto* const own = agent.channel<anim::SlotChannel>(slot);
+  if (own == nullptr) return anim::report_misuse({"Agent::is_playing", "the agent has no slot of this id"});
+  return own->is_playing(crowd_->system->clock());
+}
+
+bool Agent::set_parameter(ChannelId channel, float parameter) const {
+  const auto set = [parameter](anim::BlendSpaceChannel& space) { space.set_parameter(parameter); };
+  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set, "Agent::set_parameter").has_value();
+}
+
+bool Agent::set_parameters(ChannelId channel, float x, float y) const {
+  const auto set = [x, y](anim::BlendSpace2dChannel& space) { space.set_place({x, y}); };
+  return crowd_->system->agent(id_)
+      .change<anim::BlendSpace2dChannel>(channel, set, "Agent::set_parameters")
+      .has_value();
+}
+
+bool Agent::set_weight(ChannelId channel, float weight, Ticks fade) const {
+  return crowd_->system->agent(id_).set_channel_weight(channel, weight, fade);
+}
+
+bool Agent::remove(ChannelId channel) const { return crowd_->system->agent(id_).remove_channel(channel); }
+Processes Agent::processes() const { return {*crowd_, id_}; }
+Motion Agent::motion() const { return {*crowd_, id_}; }
+
+}  // namespace throng

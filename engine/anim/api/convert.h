@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "throng/ids.h"
+
+#include "engine/anim/bake/character.h"
+#include "engine/anim/kernel/limb/joint_chain.h"
+#include "engine/base/glm_numbers.h"
+
+/// Converts public values to the library's, and back.
+namespace throng::detail {
+
+inline anim::JointMotion to_joint(const Place& place) {
+  return {.rotation = to_glm(place.rotation), .position = to_glm(place.position)};
+}
+inline Place from_joint(const anim::JointMotion& joint) {
+  return {.position = from_glm(joint.position), .rotation = from_glm(joint.rotation)};
+}
+
+/// Returns the id of a clip that the character has.
+inline ClipId id_of(const anim::Character& character, std::uint32_t clip) {
+  return {.number = clip, .generation = character.clips[clip].generation};
+}
+/// Returns the number of a clip or mask as the library counts it: -1 for none.
+inline int number_of(ClipId clip) { return static_cast<int>(clip.number); }
+inline int number_of(MaskId mask) { return static_cast<int>(mask.number); }
+static_assert(static_cast<int>(no_number) == -1);
+
+}  // namespace throng::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "throng/crowd.h"
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/api/character_data.h"
+#include "engine/anim/api/own_kinds.h"
+
+namespace throng::detail {
+
+// The reasons why a call with such an id is refused.
+inline constexpr const char* no_agent = "an agent of this id is not in the crowd";
+inline constexpr const char* no_character = "a character of this id is not in the crowd";
+inline constexpr const char* was_moved_from = "it was moved from";
+
+/// Notes of each agent, by number, which level of detail reads.
+struct AgentNotes {
+  std::vector<std::uint8_t> characters;  // [agent]
+  std::vector<int> clips;                // [agent] the clip that it was asked for last; -1: none
+};
+
+/// A character of a crowd, and the kinds of entities that its agents' processes have made need of.
+struct CrowdCharacter {
+  Character character;
+  std::unique_ptr<OwnKinds> kinds;
+};
+
+/// The inside of a Crowd: an AnimationSystem, and what the public calls keep beside it.
+struct CrowdParts {
+  std::vector<CrowdCharacter>
+      characters;  // [number] an empty one where no character has the number. They outlive the system.
+  std::unique_ptr<anim::AnimationSystem> system;
+  AgentNotes notes;
+  std::vector<anim::ExactPose> exact;   // scratch of a look
+  std::vector<anim::Transform> locals;  // the same
+  std::uint64_t version = 0;            // another one, of all crowds, whenever characters come or go
+
+  /// Returns the character of an agent; null, after a report, if the agent is gone.
+  CrowdCharacter* character_of(AgentId agent, const char* call);
+  /// Returns why an agent cannot play the clip of an id that it could once play, in one sentence; else null. Every
+  /// request for a clip asks it first. The system checks everything else.
+  const char* fault_of(AgentId agent, ClipId clip) const;
+  /// Notes which clip an agent plays.
+  void note_clip(AgentId agent, ClipId clip) {
+    if (agent.number < notes.clips.size()) notes.clips[agent.number] = static_cast<int>(clip.number);
+  }
+};
+
+/// Returns the baked part of a character as a system takes it.
+inline std::shared_ptr<const anim::Character> baked_of(const Character& character) { return character.data()->baked; }
+
+}  // namespace throng::detail

@@ -1,0 +1,76 @@
+#include "throng/agent.h"
+
+#include "engine/anim/api/convert.h"
+#include "engine/anim/api/crowd_parts.h"
+#include "engine/anim/base/misuse.h"
+
+namespace throng {
+namespace {
+
+constexpr Ticks longest_way = 60 * ticks_per_second;  // a clip may play 32,767 times as fast as it was made
+
+anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
+  return std::as_const(*crowd.system).agent(agent).motion();
+}
+
+// Public enumerators have the numbers of the library's own.
+static_assert(static_cast<int>(KeyChoice::heaviest) == static_cast<int>(anim::KeyChoice::heaviest));
+static_assert(static_cast<int>(KeyChoice::all) == static_cast<int>(anim::KeyChoice::all));
+
+/// Returns whether both times are within a day of the clock; else reports a misuse.
+bool are_near(const detail::CrowdParts& crowd, Ticks from, Ticks to, const char* call) {
+  constexpr Ticks day = 24 * 3600 * ticks_per_second;
+  const Ticks now = crowd.system->clock();
+  const auto is_near = [&](Ticks time) { return time >= now - day && time <= now + day; };
+  if (is_near(from) && is_near(to)) return true;
+  return anim::report_misuse({call, "times are within a day of the clock"});
+}
+
+}  // namespace
+
+RootMotion Motion::displacement(Ticks from, Ticks to) const {
+  if (!are_near(*crowd_, from, to, "Motion::displacement")) return {};
+  const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
+  return {.displacement = from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
+}
+
+float Motion::curve(std::uint32_t name) const {
+  const anim::AgentView agent = std::as_const(*crowd_->system).agent(agent_);
+  if (agent.exists() && name < agent.character().curve_names.size())
+    return agent.motion().curve(name, crowd_->system->clock());
+  return static_cast<float>(
+      anim::report_misuse({"Motion::curve", "the agent has no curve of this name, an index of curve_names"}));
+}
+
+std::optional<Place> Motion::absolute_root() const {
+  const auto root = motion_of(*crowd_, agent_).absolute_root(crowd_->system->clock());
+  if (!root) return std::nullopt;
+  return Place{.position = from_glm(glm::vec3(root->position)), .rotation = from_glm(root->rotation)};
+}
+
+void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
+                        void* context) const {
+  constexpr const char* call = "Motion::for_each_key";
+  if (!are_near(*crowd_, from, to, call)) return;
+  if (to - from > longest_way) {
+    anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
+    return;
+  }
+  const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
+  const auto tell = [&](const anim::DataKeyEvent& key) {
+    visit(context,
+          {.name = key.name, .clip = detail::id_of(character, key.clip), .time = key.time, .weight = key.weight});
+  };
+  motion_of(*crowd_, agent_).for_each_data_key(from, to, tell, static_cast<anim::KeyChoice>(choice));
+}
+
+void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
+  if (!are_near(*crowd_, from, to, "Motion::for_each_end")) return;
+  const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
+  const auto tell = [&](const anim::ClipEnd& end) {
+    visit(context, {.clip = detail::id_of(character, end.clip), .time = end.time, .weight = end.weight});
+  };
+  motion_of(*crowd_, agent_).for_each_end(from, to, tell);
+}
+
+}  // namespace throng

@@ -1,0 +1,223 @@
+// What changes an agent's final pose, and what its motion tells.
+
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/heard_misuses.h"
+#include "tests/api/api_crowd.h"
+
+namespace throng::processes_test {
+namespace {
+
+using anim::HeardMisuses;
+using api_test::ApiCrowd;
+using api_test::mannequin;
+
+float distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+ApiCrowd idling(std::uint32_t agents = 1) {
+  ApiCrowd crowd(agents);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    crowd.agent(agent).play({.clip = mannequin().find_clip("idle")});
+  }
+  return crowd;
+}
+
+TEST(ApiProcesses, AHandReachesWhereASocketSaysThatItIs) {
+  ApiCrowd crowd = idling();
+  const Agent agent = crowd.agent(0);
+  const auto reach = agent.add(Reach{.limb = Limb::right_arm});
+  const auto socket = agent.add(Socket{.bone = *mannequin().find_bone("hand.R")});
+  ASSERT_TRUE(reach);
+  ASSERT_TRUE(socket);
+  crowd.step();
+  Vec3 target = agent.processes().socket(*socket).position;
+  target.y += 0.2F;
+  EXPECT_TRUE(agent.processes().reach(*reach, target));
+  EXPECT_TRUE(agent.processes().set_weight(*reach, 1.0F));
+  crowd.step(2);
+  EXPECT_LT(distance(agent.processes().socket(*socket).position, target), 0.01F);
+}
+
+TEST(ApiJoints, AreWhereSocketsSay) {
+  ApiCrowd crowd = idling();
+  const int hand = *mannequin().find_bone("hand.R");
+  const auto socket = crowd.agent(0).add(Socket{.bone = hand});
+  ASSERT_TRUE(socket);
+  ASSERT_TRUE(crowd->write_joints(0, {.bones = {&hand, 1}}));
+  ASSERT_EQ(crowd->joint_bytes(0), 32U);
+  struct alignas(32) Joint {
+    Quat rotation;
+    Vec3 position;
+    float scale;
+  } joint;
+  const PoseRequest request{.agent = crowd.agent(0).id(), .joints = reinterpret_cast<std::byte*>(&joint)};
+  crowd->advance(ticks_per_second / 7);
+  crowd->update({&request, 1});
+  EXPECT_LT(distance(joint.position, crowd.agent(0).processes().socket(*socket).position), 1e-4F);
+  const int beyond = 1000;
+  EXPECT_FALSE(crowd->write_joints(0, {.bones = {&beyond, 1}}));
+  EXPECT_FALSE(crowd->write_joints(0, {.skin = 99}));
+}
+
+TEST(ApiJoints, OfASkinArePalettesInItsOrder) {
+  ApiCrowd crowd = idling();
+  ASSERT_TRUE(crowd->write_joints(0, {.skin = 0, .format = JointFormat::matrices_4x4}));
+  EXPECT_EQ(crowd->joint_bytes(0) % 64, 0U);
+  EXPECT_GT(crowd->joint_bytes(0), std::size_t{64} * 50);
+}
+
+TEST(ApiJoints, LocalTransformsAreThoseOfEachBone) {
+  const HeardMisuses heard;
+  ApiCrowd crowd = idling();
+  crowd.step();
+  std::vector<LocalTransform> locals(static_cast<std::size_t>(mannequin().bone_count()));
+  ASSERT_TRUE(crowd->local_pose(crowd.agent(0).id(), locals));
+  for (const LocalTransform& local : locals) {
+    EXPECT_NEAR(
+        std::hypot(std::hypot(local.rotation.x, local.rotation.y), std::hypot(local.rotation.z, local.rotation.w)),
+        1.0F, 1e-4F);
+    EXPECT_EQ(local.scale, (Vec3{1.0F, 1.0F, 1.0F}));
+  }
+  EXPECT_FALSE(crowd->local_pose(crowd.agent(0).id(), std::span(locals).first(3)));
+}
+
+TEST(ApiProcesses, AHeadTurnsTowardsWhatItLooksAt) {
+  ApiCrowd crowd = idling(2);
+  const auto gaze = crowd.agent(1).add(LookAt{.smooth_seconds = 0.0F});
+  ASSERT_TRUE(gaze);
+  const int head = *mannequin().find_bone("head");
+  EXPECT_TRUE(crowd.agent(1).processes().look_at(*gaze, {3.0F, 1.6F, 3.0F}));
+  crowd.step(3);
+  const auto entry = std::size_t{12} * static_cast<std::size_t>(head);
+  // The third column of a rotation is where the head's +Z, its face, points to.
+  const float ahead = crowd.palette({.number = 0})[entry + 2];
+  const float aside = crowd.palette({.number = 1})[entry + 2];
+  EXPECT_GT(aside, ahead + 0.4F) << "half a right angle to the left";
+  EXPECT_TRUE(crowd.agent(1).processes().look_away(*gaze, {}));
+}
+
+TEST(ApiProcesses, ARagdollLiesDownWhenItIsPushed) {
+  ApiCrowd crowd = idling();
+  const auto fall = crowd.agent(0).add(Ragdoll{});
+  const auto socket = crowd.agent(0).add(Socket{.bone = *mannequin().find_bone("head")});
+  ASSERT_TRUE(fall && socket);
+  crowd.step();
+  const float standing = crowd.agent(0).processes().socket(*socket).position.y;
+  EXPECT_FALSE(crowd.agent(0).processes().is_down(*fall));
+  EXPECT_TRUE(crowd.agent(0).processes().push(*fall, {0.0F, 0.0F, 120.0F}, {0.0F, 1.3F, 0.0F}));
+  crowd.step(120);
+  EXPECT_TRUE(crowd.agent(0).processes().is_down(*fall));
+  EXPECT_LT(crowd.agent(0).processes().socket(*socket).position.y, 0.5F * standing);
+}
+
+TEST(ApiProcesses, AStepOfTheHostsOwnChangesThePoseAndRemembers) {
+  struct Memory {
+    std::int64_t ticks;
+  };
+  const auto run = [](const StepJob& job) {
+    reinterpret_cast<Memory*>(job.memory)->ticks += job.delta.count();
+    const float half = 0.25F * static_cast<float>(to_seconds(Ticks{reinterpret_cast<Memory*>(job.memory)->ticks}));
+    job.pose.set_rotation(0, {0.0F, std::sin(half), 0.0F, std::cos(half)});
+    job.pose.set_rotation(5000, {});  // a bone that there is not
+  };
+  ApiCrowd crowd = idling(2);
+  const auto step = crowd->add_step(0, {.name = "turn", .memory_bytes = sizeof(Memory), .run = run});
+  ASSERT_TRUE(step);
+  ASSERT_TRUE(crowd.agent(1).add(*step));
+  const auto socket = crowd.agent(1).add(Socket{.bone = 0});
+  ASSERT_TRUE(socket);
+  crowd.step(120);
+  const Quat turned = crowd.agent(1).processes().socket(*socket).rotation;
+  EXPECT_NEAR(2.0F * std::atan2(std::abs(turned.y), turned.w), 1.0F, 0.05F) << "half a radian a second for two";
+}
+
+TEST(ApiProcesses, RefuseWhatTheyAreNot) {
+  const HeardMisuses heard;
+  ApiCrowd crowd = idling();
+  const auto gaze = crowd.agent(0).add(LookAt{});
+  ASSERT_TRUE(gaze);
+  EXPECT_FALSE(crowd.agent(0).processes().reach(*gaze, {}));
+  EXPECT_FALSE(crowd.agent(0).processes().set_weight({7}, 1.0F));
+  EXPECT_FALSE(crowd.agent(0).add(StepId{.character = 0, .number = 3}));
+  EXPECT_FALSE(crowd.agent(0).add(ChainReach{.first = "no", .last = "bones"}));
+  EXPECT_FALSE(crowd.agent(0).add(Socket{.bone = -1}));
+  EXPECT_FALSE(crowd->add_step(0, {.name = "nothing"}));
+  EXPECT_FALSE(crowd.agent(0).processes().look_at(*gaze, {NAN, 0.0F, 0.0F}) && heard.all().empty());
+  EXPECT_EQ(crowd.agent(0).processes().socket(*gaze).position, Vec3{});
+  crowd.step(3);
+}
+
+TEST(ApiProcesses, OfWhoPlaysNothingAreNowhere) {
+  ApiCrowd crowd(1);
+  const auto feet = crowd.agent(0).add(FootPlacement{});
+  const auto socket = crowd.agent(0).add(Socket{.bone = 3});
+  ASSERT_TRUE(feet && socket);
+  EXPECT_EQ(crowd.agent(0).processes().ankle(*feet, 0), Vec3{});
+  EXPECT_EQ(crowd.agent(0).processes().socket(*socket).position, Vec3{});
+}
+
+TEST(ApiMotion, OfABlendSpaceMovesAtItsParameter) {
+  ApiCrowd crowd(1);
+  const ClipId walk = mannequin().find_clip("walk");
+  const auto speed = static_cast<float>(mannequin().clip(walk).ground_speed);
+  const BlendPoint points[] = {{.clip = mannequin().find_clip("idle")}, {.clip = walk, .parameter = speed}};
+  const auto gaits = crowd.agent(0).add(BlendSpace{.points = points});
+  ASSERT_TRUE(gaits);
+  EXPECT_TRUE(crowd.agent(0).set_parameter(*gaits, 0.5F * speed));
+  crowd.step(60);
+  const Ticks before = crowd->clock();
+  crowd.step(60);
+  const RootMotion moved = crowd.agent(0).motion().displacement(before, crowd->clock());
+  EXPECT_NEAR(moved.displacement.z, 0.5F * speed, 0.02F);
+}
+
+TEST(ApiMotion, OfAClipThatLoopsForTenYearsIsThatOfTheFirstSecond) {
+  ApiCrowd crowd(1);
+  crowd.agent(0).play({.clip = mannequin().find_clip("walk")});
+  crowd.step();
+  const auto second = [&] {
+    const Ticks before = crowd->clock();
+    crowd.step(60);
+    int keys = 0;
+    crowd.agent(0).motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++keys; });
+    return std::pair(crowd.agent(0).motion().displacement(before, crowd->clock()).displacement.z, keys);
+  };
+  const auto [moved, keys] = second();
+  // Whole loops a day, so that the feet stand where they stood.
+  const Ticks loop = mannequin().clip(mannequin().find_clip("walk")).duration;
+  const Ticks day = 24 * 3600 * ticks_per_second / loop * loop;
+  crowd->advance(loop - 60 * (ticks_per_second / 60) % loop);
+  for (int number = 0; number < 3650; ++number) {
+    crowd->advance(day - ticks_per_second / 60);
+    crowd.step();
+  }
+  const auto [later, later_keys] = second();
+  EXPECT_NEAR(later, moved, 1e-4F);
+  EXPECT_EQ(later_keys, keys);
+}
+
+TEST(ApiMotion, TellsEachKeyOnceAndWhenAClipEnds) {
+  ApiCrowd crowd(1);
+  crowd.agent(0).play({.clip = mannequin().find_clip("walk")});
+  const double seconds = to_seconds(mannequin().clip(mannequin().find_clip("walk")).duration);
+  int steps = 0, ends = 0;
+  for (int frame = 0; frame < 600; ++frame) {
+    const Ticks before = crowd->clock();
+    crowd->advance(ticks_per_second / 60);
+    crowd.agent(0).motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++steps; });
+  }
+  EXPECT_NEAR(steps, 2.0 * 10.0 / seconds, 2.0);
+  crowd.agent(0).play({.clip = mannequin().find_clip("wave"), .loop = false});
+  for (int frame = 0; frame < 600; ++frame) {
+    const Ticks before = crowd->clock();
+    crowd->advance(ticks_per_second / 60);
+    crowd.agent(0).motion().for_each_end(before, crowd->clock(), [&](const ClipEnd&) { ++ends; });
+  }
+  EXPECT_EQ(ends, 1);
+}
+
+}  // namespace
+}  // namespace throng::processes_test

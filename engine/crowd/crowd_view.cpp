@@ -138,7 +138,7 @@ std::span<PoseRequest> CrowdView::choose(Crowd& crowd, const ViewFrame& frame) {
     s.view->reset(s.agents.room(), frame.rules.lod);
   }
   s.agents.take(crowd, {frame.positions, frame.scales}, chooses);
-  for (const std::uint32_t number : s.agents.newcomers()) s.view->level_of_detail().make_due(number);
+  s.agents.tell(crowd, s.view->level_of_detail());
   std::ranges::copy(frame.headings.first(std::min<std::size_t>(frame.headings.size(), s.headings.size())),
                     s.headings.begin());
   const anim::LodCrowd taken = s.agents.agents();

@@ -52,6 +52,16 @@ TEST(ApiLod, PosesWhoIsFarOffMoreSeldom) {
   }
 }
 
+TEST(ApiLod, PosesAnAgentFarOffAtOnceThatIsAskedForAClip) {
+  Row row(200);
+  row.frame.rules.rule = LodRule::distance;
+  row.posed(20);
+  for (int again = 0; again < 8; ++again) {
+    row.crowd.agent(199).play({.clip = {1}, .fade = to_ticks(0.25)});
+    EXPECT_EQ(row.posed(1)[199], 1) << again;
+  }
+}
+
 TEST(ApiLod, KeepsUpWithAgentsThatComeAndGo) {
   Row row(10);
   row.posed(3);

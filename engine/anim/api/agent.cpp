@@ -55,14 +55,16 @@ bool Agent::play(const Play& request) const {
   if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
     return anim::report_misuse({"Agent::play", fault});
   if (!crowd_->system->agent(id_).play(request_of(request))) return false;
-  crowd_->note_clip(id_, request.clip);
+  crowd_->note_clip(id_, request.clip, request.fade);
   return true;
 }
 
 bool Agent::play(ChannelId channel, const Play& request) const {
   if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
     return anim::report_misuse({"Agent::play", fault});
-  return crowd_->system->agent(id_).play(channel, request_of(request));
+  if (!crowd_->system->agent(id_).play(channel, request_of(request))) return false;
+  crowd_->note_request(id_, request.fade);
+  return true;
 }
 
 bool Agent::set_speed(double speed) const { return crowd_->system->agent(id_).set_speed(speed); }
@@ -129,6 +131,7 @@ bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
                               .queued = shot.queued};
   const Status played = agent.change<anim::SlotChannel>(
       slot, [&](auto& channel) { channel.play(request); }, "Agent::play_once");
+  if (played) crowd_->note_request(id_, shot.fade_in);
   if (played) return own->took_all();
   static_cast<void>(agent.change<anim::SlotChannel>(slot, [](auto& channel) { channel.stop(); }));
   return false;

@@ -71,6 +71,8 @@ void note(detail::CrowdParts& parts, std::span<const AgentId> added, CharacterId
   if (parts.notes.clips.size() < numbers) {
     parts.notes.clips.resize(numbers, -1);
     parts.notes.characters.resize(numbers, 0);
+    parts.notes.fades_until.resize(numbers);
+    parts.notes.requests.resize(numbers, 0);
   }
   for (const AgentId agent : added) {
     parts.notes.clips[agent.number] = -1;

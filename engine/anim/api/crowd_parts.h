@@ -21,6 +21,8 @@ inline constexpr const char* was_moved_from = "it was moved from";
 struct AgentNotes {
   std::vector<std::uint8_t> characters;  // [agent]
   std::vector<int> clips;                // [agent] the clip that it was asked for last; -1: none
+  std::vector<Ticks> fades_until;        // [agent] the end of the fade that was asked for last
+  std::vector<std::uint32_t> requests;   // [agent] counts requests for clips
 };
 
 /// A character of a crowd, and the kinds of entities that its agents' processes have made need of.
@@ -45,8 +47,15 @@ struct CrowdParts {
   /// request for a clip asks it first. The system checks everything else.
   const char* fault_of(AgentId agent, ClipId clip) const;
   /// Notes which clip an agent plays.
-  void note_clip(AgentId agent, ClipId clip) {
+  void note_clip(AgentId agent, ClipId clip, Ticks fade = {}) {
     if (agent.number < notes.clips.size()) notes.clips[agent.number] = static_cast<int>(clip.number);
+    note_request(agent, fade);
+  }
+  /// Notes that an agent was asked for a clip, so that level of detail shows it in the next frame.
+  void note_request(AgentId agent, Ticks fade) {
+    if (agent.number >= notes.requests.size()) return;
+    notes.fades_until[agent.number] = system->clock() + fade;
+    ++notes.requests[agent.number];
   }
 };
 

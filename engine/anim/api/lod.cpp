@@ -69,7 +69,7 @@ std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
   if (s.agents.make_room(crowd.number_limit())) s.lod.reset(s.agents.room(), frame.rules);
   if (s.agents.room() == 0) return {};
   s.agents.take(crowd, {frame.positions, frame.scales}, selects);
-  for (const std::uint32_t number : s.agents.newcomers()) s.lod.make_due(number);
+  s.agents.tell(crowd, s.lod);
   anim::AnimationSystem& system = *crowd.parts().system;
   s.lod.select(s.agents.agents(),
                {.camera = frame.camera, .rules = frame.rules, .now = crowd.clock(), .frame_step = frame.frame_step},

@@ -69,7 +69,9 @@ bool TakenAgents::make_room(std::size_t numbers) {
   clips_.resize(more, -1);
   is_absent_.resize(more, 1);
   generations_.resize(more, whichever);
+  requests_.resize(more, 0);
   newcomers_.reserve(more);
+  asked_.reserve(more);
   return true;
 }
 
@@ -77,6 +79,7 @@ void TakenAgents::take(const Crowd& crowd, const SaidAgents& said, const char* c
   const AgentNotes& notes = crowd.parts().notes;
   std::ranges::fill(is_absent_, std::uint8_t{1});
   newcomers_.clear();
+  asked_.clear();
   for (const AgentId agent : crowd.agents()) {
     const std::uint32_t number = agent.number;
     const float scale = said.scales.empty() ? 1.0F : said.scales[number];
@@ -89,7 +92,22 @@ void TakenAgents::take(const Crowd& crowd, const SaidAgents& said, const char* c
     scales_[number] = scale;
     characters_[number] = notes.characters[number];
     clips_[number] = notes.clips[number];
-    if (std::exchange(generations_[number], agent.generation) != agent.generation) newcomers_.push_back(number);
+    const bool is_asked = std::exchange(requests_[number], notes.requests[number]) != notes.requests[number];
+    if (std::exchange(generations_[number], agent.generation) != agent.generation) {
+      newcomers_.push_back(number);
+    } else if (is_asked) {
+      asked_.push_back(number);
+    }
+  }
+}
+
+void TakenAgents::tell(const Crowd& crowd, anim::LevelOfDetail& lod) const {
+  const CrowdParts& parts = crowd.parts();
+  for (const std::uint32_t number : newcomers_) lod.make_due(number);
+  for (const std::uint32_t number : asked_) {
+    // A pose that cannot be wound back stands ahead, and is shown first.
+    if (std::as_const(*parts.system).agent(number).can_wind_back()) lod.make_due(number);
+    lod.change_clip(number, parts.notes.fades_until[number]);
   }
 }
 

@@ -45,8 +45,9 @@ class TakenAgents {
     return {
         .positions = positions_, .scales = scales_, .character_of = characters_, .clips = clips_, .absent = is_absent_};
   }
-  /// Returns the numbers of the agents that were not there when agents were taken before.
-  std::span<const std::uint32_t> newcomers() const { return newcomers_; }
+  /// Makes the agents due that came, or were asked for clips, since agents were taken before. An agent that goes over
+  /// to another clip may show less error until then.
+  void tell(const Crowd& crowd, anim::LevelOfDetail& lod) const;
 
  private:
   std::vector<glm::vec3> positions_;  // [number, up to the room]
@@ -55,7 +56,8 @@ class TakenAgents {
   std::vector<int> clips_;
   std::vector<std::uint8_t> is_absent_;
   std::vector<std::uint32_t> generations_;  // [number] of the agent that was seen last
-  std::vector<std::uint32_t> newcomers_;
+  std::vector<std::uint32_t> requests_;     // [number] AgentNotes::requests
+  std::vector<std::uint32_t> newcomers_, asked_;
 };
 
 }  // namespace throng::detail

@@ -36,7 +36,8 @@ class Lod {
   std::span<PoseRequest> requests();
   /// Learns the cost of the update.
   void settle(const Crowd& crowd);
-  /// Makes an agent due in the next frame: after a request that must be seen at once.
+  /// Makes an agent due in the next frame, as a request for a clip does by itself: after another request that must be
+  /// seen at once.
   void make_due(AgentId agent);
   /// Returns whether the agent was in view in the last selection.
   bool is_visible(AgentId agent) const;

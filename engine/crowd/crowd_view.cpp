@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/api/taken_agents.h"
 #include "engine/anim/base/misuse.h"
@@ -15,6 +17,7 @@ namespace throng {
 namespace {
 
 constexpr const char* chooses = "CrowdView::choose";
+constexpr std::uint64_t frames_without_completion = 64;  // more than any device lags behind
 constexpr std::size_t most_mesh_lods = render::largest_mesh_lod_count;
 
 /// Returns sizes for the palettes of characters that come later: each is a quarter larger than the last, up to that of
@@ -55,6 +58,7 @@ const char* fault_of(const ViewFrame& frame, std::size_t numbers) {
 
 struct CrowdView::State {
   struct ToldMeshes {
+    CharacterId character;
     std::vector<render::MeshError> errors;  // metres; the full mesh first
     std::vector<std::uint32_t> triangles;
   };
@@ -103,7 +107,7 @@ Status CrowdView::set_mesh_lods(CharacterId character, const render::MeshLodList
   if (errors.size() != triangles.size() || errors.empty() || errors.size() > most_mesh_lods) {
     return anim::refuse({call, "a character has 1 to 7 meshes, each with an error and a number of triangles"});
   }
-  state_->meshes[character.number] = {{errors.begin(), errors.end()}, {triangles.begin(), triangles.end()}};
+  state_->meshes[character.number] = {character, {errors.begin(), errors.end()}, {triangles.begin(), triangles.end()}};
   if (state_->view) state_->set_meshes();
   return Done{};
 }
@@ -118,6 +122,7 @@ void CrowdView::take_characters(const Crowd& crowd) {
   } else {
     s.view->set_characters(viewed_characters(parts));
   }
+  std::erase_if(s.meshes, [&](const auto& told) { return !parts.system->characters().has(told.second.character); });
   s.set_meshes();
   s.view->reset(s.agents.room(), s.frame.rules.lod);
 }
@@ -146,12 +151,16 @@ std::span<PoseRequest> CrowdView::choose(Crowd& crowd, const ViewFrame& frame) {
              .clips = taken.clips,
              .absent = taken.absent,
              .rules = frame.rules,
+             .sampling = frame.projection == Mat4{} ? ErrorSampling::off : ErrorSampling::some,
              .camera = frame.camera,
              .view = to_glm(frame.view),
              .projection = to_glm(frame.projection),
              .size = {frame.width, frame.height},
              .step = frame.frame_step,
              .completed = frame.completed};
+  if (frame.completed == 0 && s.view->frame() == frames_without_completion) {
+    anim::report_misuse({chooses, "ViewFrame::completed has stayed 0, so no memory of palettes is written again"});
+  }
   s.view->choose(*parts.system, s.frame);
   s.has_chosen = true;
   for (PoseRequest& request : s.view->updates()) request.agent = parts.system->id(request.agent.number);
@@ -224,7 +233,7 @@ ViewFigures CrowdView::figures() const {
           .triangles = view.mesh_choice().figures().triangles,
           .error_p50 = error.p50,
           .error_p99 = error.p99,
-          .error_max = error.max,
+          .error_max = std::max(error.max, error.p99),  // percentiles look further back where samples are few
           .error_samples = error.samples,
           .out_of_memory = view.shown().out_of_memory()};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "throng/render/crowd_mesh_data.h"
+
 #include "engine/base/run_jobs.h"
 
 namespace throng {

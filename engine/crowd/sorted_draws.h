@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "throng/render/agent_look.h"
-#include "throng/render/crowd_draw.h"
+#include "throng/render/crowd_batch.h"
+#include "throng/render/instance_record.h"
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/crowd/morph_weights.h"

@@ -39,6 +39,7 @@ struct CrowdViewTest : testing::Test {
     seen.camera.forward = {0.0F, 0.0F, 1.0F};
     seen.camera.frustum = {{{0.0F, 0.0F, 1.0F, 0.0F}}};  // all before the camera
     seen.rules.lod.rule = LodRule::distance;
+    seen.projection.columns[3][3] = 0.0F, seen.projection.columns[2][3] = 1.0F;  // the depth divides
     return seen;
   }
   void pass(int frames = 1) {
@@ -154,12 +155,39 @@ TEST_F(CrowdViewTest, WritesNoPaletteAnewThatAFrameInFlightMayRead) {
   }
 }
 
+TEST_F(CrowdViewTest, SaysThatMemoryGrowsIfNoFrameIsEverCompleted) {
+  add(1);
+  const anim::HeardMisuses heard;
+  for (int i = 0; i < 100; ++i) {
+    crowd.advance(frame_time);
+    ViewFrame seen = frame();
+    seen.completed = 0;
+    view.choose(crowd, seen);
+    view.pose(crowd);
+  }
+  EXPECT_EQ(heard.all(), (std::vector<std::string>{"CrowdView::choose: ViewFrame::completed has stayed 0, so no memory "
+                                                   "of palettes is written again"}));
+}
+
 TEST_F(CrowdViewTest, MeasuresTheErrorOfWhatIsShown) {
   add(200);
   pass(60);
   EXPECT_GT(view.figures().error_samples, 100U);
   EXPECT_GT(view.figures().error_max, 0.0F);
+  EXPECT_LE(view.figures().error_p99, view.figures().error_max);
   EXPECT_EQ(view.figures().agents_in_view, 200U);
+}
+
+TEST_F(CrowdViewTest, MeasuresNoErrorWithoutTheMatricesOfThePicture) {
+  add(200);
+  for (int i = 0; i < 60; ++i) {
+    crowd.advance(frame_time);
+    ViewFrame seen = frame();
+    seen.projection = {};
+    view.choose(crowd, seen);
+    view.pose(crowd);
+  }
+  EXPECT_EQ(view.figures().error_samples, 0U);
 }
 
 TEST_F(CrowdViewTest, SaysWhatIsWrongWithACall) {

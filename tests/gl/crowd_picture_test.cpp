@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/render/light/shadow_uniforms.h"
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
 #include "tests/gl/picture_tolerance.h"
@@ -65,6 +66,16 @@ TEST_F(CrowdPicture, HasNewLooksOnlyWithANewNumber) {
   frame.looks_number = new_looks_number();
   crowd().renderer().draw(frame);
   EXPECT_FALSE(looks_the_same(*measure_difference(meant(), crowd().renderer().read_image())));
+}
+
+TEST_F(CrowdPicture, ShowsPlainAgentsWithoutLooks) {
+  std::ranges::fill(crowd().looks, plain_look());
+  const Image plain = crowd().picture();
+  CrowdFrame without = crowd().frame();
+  without.looks = {};
+  without.looks_number = 0;
+  crowd().renderer().draw(without);
+  EXPECT_EQ(measure_difference(plain, crowd().renderer().read_image())->worst_block, 0.0);
 }
 
 TEST_F(CrowdPicture, ShowsNoShadeOnWhatATintColours) {

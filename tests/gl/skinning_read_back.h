@@ -8,6 +8,10 @@
 
 #include "throng/render/renderer.h"
 
+#include "engine/render/frame/image_target.h"
+#include "engine/render/gl/handles.h"
+#include "engine/render/shader/shader_library.h"
+
 namespace throng::render::test {
 
 /// A vertex as the crowd's vertex shader computes it.

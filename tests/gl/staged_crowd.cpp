@@ -85,10 +85,10 @@ void StagedCrowd::retune(const Tuning& tuning) {
 }
 
 void StagedCrowd::pass_frame() {
-  if (stage_->posed().frame() > 0) renderer_->fences().insert(stage_->posed().frame());
+  if (stage_->posed().frame() > 0) renderer_->end_frame(stage_->posed().frame());
   stage_->move(frame_step);
   reference_->advance(frame_step);
-  stage_->pose(camera_, width, height, frame_step, renderer_->fences().poll());
+  stage_->pose(camera_, width, height, frame_step, renderer_->completed_frame(stage_->posed().frame()));
   note_moments();
   picture_.compose(*stage_);
   instances_.assign(picture_.instances().begin(), picture_.instances().end());

@@ -11,6 +11,7 @@
 
 #include "app/show/show.h"
 #include "app/window/demo.h"
+#include "engine/render/frame/tiled_target.h"
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
 #include "tests/gl/small_picture.h"

@@ -11,7 +11,7 @@ namespace {
 std::string in_tree(const std::string& included) {
   if (!included.starts_with("throng/")) return included;
   static const std::set<std::string> of_crowd{"throng/crowd_view.h", "throng/heading.h", "throng/heap_pages.h",
-                                              "throng/mesh_data.h", "throng/view_rules.h"};
+                                              "throng/drawing.h", "throng/view_rules.h"};
   if (of_crowd.contains(included)) return "engine/crowd/include/" + included;
   return (included.starts_with("throng/render/") ? "engine/render/include/" : "engine/anim/include/") + included;
 }

@@ -15,7 +15,6 @@ int main(int argument_count, char** arguments) {
   Crowd& crowd = *created;
   const std::span<const AgentId> agents = crowd.add_agents(1000);
   for (const AgentId id : agents) crowd.agent(id).play({.clip = {id.number % character.clip_count()}});
-  crowd.agent(agents[0]).play({.clip = {0}, .fade = to_ticks(0.25)});  // eases in over a quarter of a second
 
   // A palette an agent, each on cache lines of its own, as far apart as they are written fastest.
   struct alignas(64) Line {
@@ -25,9 +24,8 @@ int main(int argument_count, char** arguments) {
   std::vector<Line> palettes(lines * crowd.number_limit());
 
   std::vector<PoseRequest> requests;
-  for (const AgentId id : agents) {
+  for (const AgentId id : agents)
     requests.push_back({.agent = id, .palette = reinterpret_cast<std::byte*>(&palettes[id.number * lines])});
-  }
   for (int number = 0; number < 60; ++number) {
     crowd.advance(ticks_per_second / 60);
     crowd.update(requests);  // returns when every palette is written

@@ -1,7 +1,6 @@
 // A thousand people in the sun, drawn by throng::render without a display. Far people are posed more seldom, blended in
 // between, and have fewer triangles.
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -9,7 +8,7 @@
 #include <vector>
 
 #include "throng/crowd_view.h"
-#include "throng/mesh_data.h"
+#include "throng/drawing.h"
 #include "throng/render/camera.h"
 #include "throng/render/renderer.h"
 #include "throng/throng.h"
@@ -20,7 +19,6 @@ namespace {
 
 constexpr std::uint32_t people = 1000;
 constexpr Ticks frame_time = ticks_per_second / 60;
-constexpr float width = 1280.0F, height = 720.0F;
 
 /// Returns what a call made, or ends the program with its error.
 template <typename Value>
@@ -67,7 +65,7 @@ int main(int count, char** arguments) {
   if (count != 4) return std::fprintf(stderr, "usage: drawn_crowd MODEL FOLDER_OF_SHADERS PICTURE.png\n"), 2;
   const Character person = made(load(arguments[1], {.keep_meshes = true})).characters.front();
   const auto context = made(render::gl::make_egl_context({.force_software = true}));
-  const auto renderer = made(render::Renderer::create(*context, {.data = arguments[2], .size = {width, height}}));
+  const auto renderer = made(render::Renderer::create(*context, {.data = arguments[2], .size = {640, 360}}));
   const render::CrowdMeshData surface = made(mesh_data(person));
   made(renderer->load_characters({&surface, 1}));
 
@@ -82,14 +80,9 @@ int main(int count, char** arguments) {
     crowd.agent(agent).play({.clip = walk, .start = person.clip(walk).duration * (agent.number * 37 % 100) / 100});
   }
 
-  const render::Camera eye{.position = {0.0F, 2.4F, 8.0F}, .pitch = -0.1F};
-  const render::CameraView seen = render::view_of(eye, width / height);
+  const render::CameraView eye = render::view_of({.position = {0.0F, 2.4F, 8.0F}, .pitch = -0.1F}, 16.0F / 9.0F);
   ViewFrame frame{.positions = all.positions, .headings = all.headings, .frame_step = frame_time};
-  frame.view = std::bit_cast<Mat4>(seen.view);
-  frame.projection = std::bit_cast<Mat4>(seen.projection);
-  frame.width = width, frame.height = height;
-  frame.camera = camera_of(std::bit_cast<Vec3>(eye.position), std::bit_cast<Vec3>(render::forward(eye)),
-                           std::bit_cast<Mat4>(seen.projection * seen.view), static_cast<int>(height));
+  look_from(frame, eye, renderer->size());
   for (int i = 0; i < 60; ++i) {
     crowd.advance(frame_time);
     for (const AgentId agent : crowd.agents()) {
@@ -100,12 +93,10 @@ int main(int count, char** arguments) {
     view.pose(crowd);
   }
   const CrowdDraws draws = view.draws(crowd);  // a window draws each frame; this picture is of the last
-  renderer->draw({.camera = seen,
-                  .instances = draws.instances,
-                  .batches = draws.batches,
-                  .now = draws.now,
-                  .looks = all.looks,
-                  .looks_number = render::new_looks_number()});
+  render::CrowdFrame drawn = crowd_frame(eye, draws);
+  drawn.looks = all.looks;
+  drawn.looks_number = render::new_looks_number();
+  renderer->draw(drawn);
   renderer->end_frame(view.frame());
   made(renderer->finish());
   made(write_png(renderer->read_image(), arguments[3]));

@@ -32,7 +32,7 @@ int main(int count, char** arguments) {
     positions.push_back(
         {2.0F * static_cast<float>(agent.number % 25), 0.0F, 2.0F * static_cast<float>(agent.number / 25)});
   }
-  ViewFrame frame{.positions = positions, .frame_step = ticks_per_second / 60};
+  ViewFrame frame{.positions = positions, .frame_step = ticks_per_second / 60};  // with matrices it measures errors
   frame.camera = {.position = {25.0F, 1.7F, -4.0F}, .forward = {0.0F, 0.0F, 1.0F}, .pixels_per_unit = 770.0F};
   CrowdDraws draws;
   for (int i = 0; i < 60; ++i) {

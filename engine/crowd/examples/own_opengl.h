@@ -14,7 +14,7 @@
 #include <GL/glcorearb.h>
 #include <png.h>
 
-inline constexpr int width = 1280, height = 720;
+inline constexpr int width = 640, height = 360;
 
 /// The shaders of own_opengl.cpp. An instance names its two palettes; the vertex shader blends what they show.
 inline constexpr const char* vertex_shader = R"(#version 450

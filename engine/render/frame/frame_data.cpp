@@ -1,5 +1,6 @@
 #include "engine/render/frame/frame_data.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <numeric>
@@ -40,10 +41,24 @@ void FrameData::upload_view(const CrowdFrame& frame) {
 }
 
 void FrameData::upload_looks(const CrowdFrame& frame) {
-  assert(frame.instances.empty() || frame.looks_number != 0);
-  if (frame.looks_number != looks_number_) looks_.upload(frame.looks);
-  looks_number_ = frame.looks_number;
+  if (frame.looks.empty()) {
+    upload_plain_looks(frame.instances);
+  } else if (frame.looks_number != looks_number_) {
+    assert(frame.looks_number != 0);
+    looks_.upload(frame.looks);
+    looks_number_ = frame.looks_number;
+    plain_looks_ = 0;
+  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, looks_binding, looks_.id());
+}
+
+void FrameData::upload_plain_looks(std::span<const InstanceRecord> instances) {
+  std::size_t needed = 0;
+  for (const InstanceRecord& record : instances) needed = std::max<std::size_t>(needed, record.agent + 1U);
+  if (needed <= plain_looks_) return;
+  plain_looks_ = std::bit_ceil(needed);
+  looks_.upload(std::vector<AgentLook>(plain_looks_, plain_look()));
+  looks_number_ = 0;
 }
 
 void FrameData::upload_drawn(const CrowdFrame& frame) {

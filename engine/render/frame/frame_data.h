@@ -83,6 +83,7 @@ class FrameData {
   static constexpr std::size_t frames_in_flight = 3;
 
   void upload_looks(const CrowdFrame& frame);
+  void upload_plain_looks(std::span<const InstanceRecord> instances);
   void upload_drawn(const CrowdFrame& frame);
 
   gl::Buffer uniforms_ = gl::create_buffer(nullptr, sizeof(FrameUniforms), GL_DYNAMIC_STORAGE_BIT);
@@ -94,6 +95,7 @@ class FrameData {
   bool draws_lists_ = false;
   gl::GrowingBuffer<AgentLook> looks_;
   std::uint64_t looks_number_ = 0;  // of the looks that were copied last; 0: none were
+  std::size_t plain_looks_ = 0;     // that were copied last; 0: those of a frame were
   std::size_t turn_ = 0;
 };
 

@@ -20,7 +20,9 @@ std::optional<std::string> included_file(const std::string& line) {
 Status append_file(const std::filesystem::path& folder, const std::string& name, ShaderSource& source) {
   constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   auto text = read_text(folder / name, "a shader", most_bytes);
-  if (!text) return Error{"shader " + (folder / name).string() + ": " + text.error().message + "; check --data"};
+  if (!text)
+    return Error{"shader " + (folder / name).string() + ": " + text.error().message +
+                 "; --data, or RendererOptions::data, names the folder that has shaders/"};
   std::istringstream input(std::move(*text));
   const std::size_t file = source.files.size();
   source.files.push_back(name);

@@ -14,7 +14,8 @@ struct Camera {
   float pixels_per_unit = 1000.0F;                ///< pixels that a metre covers at a distance of a metre
 };
 
-/// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1.
+/// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1. With z from
+/// 0 to 1, reversed or not, it has no far plane.
 Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall);
 Camera camera_of(const Vec3& position, const Vec3& forward, const Mat4& clip_from_world, int pixels_tall);
 

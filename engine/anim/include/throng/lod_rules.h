@@ -17,7 +17,7 @@ enum class LodRule : unsigned char {
 /// the centre of the agent's bounds. An agent exactly at a distance counts as beyond it.
 struct LodRules {
   LodRule rule = LodRule::budget;
-  float error_pixels = 1.0F;  ///< budget: 99% of shown errors stay below it; 0: no limit
+  float error_pixels = 1.0F;  ///< budget: 99% of shown errors of poses stay below it; 0: no limit
   double budget_milliseconds =
       0.0;  ///< budget: of all PUs, a frame; agents that come into view are exempt; 0: no limit
   float full_rate_distance = 12.0F;  ///< distance: metres up to which agents are posed every frame

@@ -25,7 +25,16 @@ struct Quat {
 /// A matrix, column by column, as OpenGL has it.
 struct Mat4 {
   float columns[4][4] = {{1.0F}, {0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F, 1.0F}};
+
+  friend constexpr bool operator==(const Mat4&, const Mat4&) = default;
 };
+
+/// Returns the matrix of 16 numbers, column by column.
+inline Mat4 to_mat4(const float* columns) {
+  Mat4 matrix;
+  for (int i = 0; i < 16; ++i) matrix.columns[i / 4][i % 4] = columns[i];
+  return matrix;
+}
 
 /// The place of a thing of constant size: it is turned first, then moved.
 struct Place {

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Throng: thousands of skinned characters, each in a pose of its own. This is all that a game includes.
+/// Throng: thousands of skinned characters, each in a pose of its own. This is all that a game includes for
+/// poses; to draw them with throng::crowd and throng::render it includes crowd_view.h, drawing.h and render/renderer.h.
 ///
 ///     auto file = throng::load("man.glb");                           a character, with its clips
 ///     auto crowd = throng::Crowd::create(file->characters.front());  thousands of agents that play it

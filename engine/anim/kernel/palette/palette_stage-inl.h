@@ -139,7 +139,7 @@ class PaletteStage {
   HWY_INLINE void prefetch(int part) const {
     for (int character = part; character < packet_.characters; character += entries) {
       const float* line = group_lines_[character];
-      for (int at = 0; at < group_stride; at += line_floats) prefetch(line + at);
+      for (int at = 0; at < group_stride; at += line_floats) throng::prefetch(line + at);
     }
   }
 

@@ -24,12 +24,14 @@ struct ViewFrame {
   std::span<const Heading> headings{};  ///< empty: all face +Z
   std::span<const float> scales{};      ///< empty: all 1
   Camera camera{};                      ///< decides who is in view; see include_casters
-  Mat4 view{}, projection{};            ///< of the picture: errors are measured through them
+  Mat4 view{}, projection{};            ///< of the picture; identities: no error is measured
   float width = 1280.0F;                ///< of the picture, pixels
   float height = 720.0F;
   ViewRules rules{};
-  Ticks frame_step{};           ///< the time since the frame before; 0: time stands still
-  std::uint64_t completed = 0;  ///< the newest CrowdView::frame() that the device has finished reading
+  Ticks frame_step{};  ///< the time since the frame before; 0: time stands still
+  std::uint64_t completed =
+      0;  ///< the newest CrowdView::frame() that the device has finished reading: memory of palettes
+          ///< that were shown up to then is written again. It rises, or memory grows without end
 };
 
 /// What agents wear. A character's mesh has pieces; an agent is drawn with the pieces of its outfit.
@@ -54,7 +56,7 @@ struct ViewFigures {
   std::uint32_t agents_in_view = 0;
   std::uint32_t agents_posed = 0;  ///< of the last frame
   std::uint64_t triangles = 0;     ///< of the agents in view; 0: no mesh LODs were set
-  float error_p50 = 0.0F;          ///< error of poses and meshes, of the agents that were measured
+  float error_p50 = 0.0F;          ///< error of poses and meshes together, of the agents that were measured
   float error_p99 = 0.0F;
   float error_max = 0.0F;
   std::uint32_t error_samples = 0;
@@ -81,8 +83,8 @@ class CrowdView {
   CrowdView(CrowdView&&) noexcept;
   CrowdView& operator=(CrowdView&&) noexcept;
 
-  /// Sets the meshes of a character. Without them all its agents have mesh LOD 0. Errors: the spans differ in length,
-  /// or have none or more than 7 elements.
+  /// Sets the meshes of a character, as long as the crowd has it. Without them all its agents have mesh LOD 0. Errors:
+  /// the spans differ in length, or have none or more than 7 elements.
   Result<Done> set_mesh_lods(CharacterId character, const render::MeshLodList& meshes);
 
   /// Chooses what is seen, and lists the agents to be posed. The span is valid until the next call.
@@ -92,7 +94,8 @@ class CrowdView {
   /// Sorts the agents in view. The spans are valid until the next call.
   CrowdDraws draws(const Crowd& crowd, const WornOutfits& worn = {});
 
-  /// Makes an agent due in the next frame: after a request that must be seen at once.
+  /// Makes an agent due in the next frame, as a request for a clip does by itself: after another request that must be
+  /// seen at once.
   void make_due(AgentId agent);
   /// Returns whether the agent was in view in the last choice.
   bool is_visible(AgentId agent) const;

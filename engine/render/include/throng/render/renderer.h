@@ -56,7 +56,8 @@ class Renderer {
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
   ~Renderer();
 
-  /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. Errors: those of
+  /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. For characters of a
+  /// crowd throng::mesh_data gives the data. Errors: those of
   /// CrowdMesh::create, and of the shaders that morphs need, and that the device has no memory for them; then the
   /// former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
@@ -83,7 +84,8 @@ class Renderer {
   /// Drops all pages, for a new PaletteSlots. Waits for the device.
   void reset_palette_pages();
 
-  /// Notes that all draws of a frame, 1 or more, were called. A frame may be drawn again.
+  /// Notes that all draws of a frame, 1 or more, were called. A frame may be drawn again. A frame that is not drawn
+  /// needs no call.
   void end_frame(std::uint64_t frame);
   /// Returns the newest frame up to `newest` that the device has finished reading. Frames without draws are finished.
   /// Never waits.

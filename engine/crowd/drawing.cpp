@@ -1,4 +1,4 @@
-#include "throng/mesh_data.h"
+#include "throng/drawing.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/transform.h"
+#include "engine/base/glm_numbers.h"
 #include "engine/crowd/surface_data.h"
 
 namespace throng {
@@ -75,6 +76,26 @@ Result<render::CrowdMeshData> mesh_data(const Character& character) {
   data.bone_ends = bone_ends(skeleton);
   data.poses = posed_palettes(character);
   return data;
+}
+
+void look_from(ViewFrame& frame, const render::CameraView& eye, glm::ivec2 size) {
+  const glm::mat4 clip_from_world = eye.projection * eye.view;
+  const glm::vec3 forward(-eye.view[0][2], -eye.view[1][2], -eye.view[2][2]);
+  frame.view = to_mat4(&eye.view[0][0]);
+  frame.projection = to_mat4(&eye.projection[0][0]);
+  frame.width = static_cast<float>(size.x);
+  frame.height = static_cast<float>(size.y);
+  frame.camera = camera_of(from_glm(eye.position), from_glm(forward), to_mat4(&clip_from_world[0][0]), size.y);
+}
+
+render::CrowdFrame crowd_frame(const render::CameraView& eye, const CrowdDraws& draws) {
+  return {.camera = eye,
+          .instances = draws.instances,
+          .batches = draws.batches,
+          .now = draws.now,
+          .morph_weights = draws.morph_weights,
+          .drawn = draws.drawn,
+          .runs = draws.runs};
 }
 
 }  // namespace throng

@@ -1,4 +1,4 @@
-// Repeats the layout of engine/render/agent_look.h: 88 bytes, scalars only, so that std430 adds no gaps. Include
+// Repeats the layout of throng/render/agent_look.h: 88 bytes, scalars only, so that std430 adds no gaps. Include
 // instance_record.glsl before it.
 struct AgentLook {
   uint tints[9];

@@ -1,4 +1,4 @@
-// Repeats the layout of engine/render/instance_record.h: 60 bytes, scalars only, so that std430 adds no gaps.
+// Repeats the layout of throng/render/instance_record.h: 60 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;

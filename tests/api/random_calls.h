@@ -9,9 +9,9 @@
 
 namespace throng::api_test {
 
-/// Calls the public functions at random: any function in any order, with ids of who is gone, numbers that are none,
-/// NaN, and the ends of every range. The same seed makes the same calls. Pointers alone are good, since no library can
-/// check them.
+/// Calls the public functions at random: any function in any order, with ids of agents that are gone, numbers that are
+/// none, NaN, and the ends of every range. The same seed makes the same calls. Pointers alone are good, since no
+/// library can check them.
 class RandomCalls {
  public:
   RandomCalls(const Character& character, std::uint32_t seed);

@@ -38,7 +38,7 @@ struct CrowdParts {
   std::unique_ptr<anim::AnimationSystem> system;
   AgentNotes notes;
   std::vector<anim::ExactPose> exact;   // scratch of a look
-  std::vector<anim::Transform> locals;  // the same
+  std::vector<anim::Transform> locals;  // scratch of a look
   std::uint64_t version = 0;            // another one, of all crowds, whenever characters come or go
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.

@@ -1,5 +1,4 @@
-// The crowd of drawn_crowd.cpp in a renderer of one's own: plain OpenGL 4.5, with throng::crowd alone. Without a
-// display.
+// A thousand people in a renderer of one's own, without a display: plain OpenGL 4.5, with throng::crowd alone.
 #include "own_opengl.h"
 
 #include <bit>

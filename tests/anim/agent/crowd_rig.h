@@ -17,12 +17,12 @@ inline constexpr Ticks frame_ticks = ticks_per_second / 60;
 /// Returns a synthetic character of 40 bones and 5 clips, whose lengths differ.
 std::shared_ptr<const Character> test_character();
 
-/// A crowd of one character. All agents are updated each frame at full detail.
 /// Returns a palette as PoseRequest takes it.
 inline std::byte* memory_of(const PaletteMatrix* palette) {
   return PaletteDestination(const_cast<PaletteMatrix*>(palette)).memory();
 }
 
+/// A crowd of one character. All agents are updated each frame at full detail.
 struct CrowdRig {
   explicit CrowdRig(const SystemOptions& options = {}, std::uint32_t agents = 1);
 

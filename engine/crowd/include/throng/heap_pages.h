@@ -14,7 +14,6 @@ class HeapPageSource final : public render::PalettePageSource {
   /// Frees every page. The view that had them must be gone.
   void drop_pages() { pages_.clear(); }
   std::size_t page_count() const { return pages_.size(); }
-  std::size_t page_bytes() const { return page_bytes_; }
   /// Returns the memory of a page, CrowdBatch::page.
   const std::byte* memory(std::size_t page) const { return pages_[page][0].bytes; }
 

@@ -61,7 +61,7 @@ struct CrowdFrame {
   bool crowd_shade = true;        ///< bodies keep the light of the sky from each other and from the ground
   WeighedEntries weighed = {};    ///< each vertex shows as a colour how much it follows these; none: no vertex does
   std::span<const AgentLook> looks = {};  ///< [agent]; empty: all have plain_look()
-  std::uint64_t looks_number = 0;  ///< of these looks alone (new_looks_number); the same: they are not copied anew
+  std::uint64_t looks_number = 0;         ///< of these looks alone (new_looks_number); looks are copied when it changes
   /// Has the indices of the instances of each batch, in ascending order; empty: batches are runs of `instances`.
   std::span<const std::uint32_t> drawn = {};
   /// Has the runs of `instances` that share a page and a character; read where `drawn` is not empty.

@@ -50,7 +50,7 @@ std::vector<int> to_be_repeated(const anim::Character& character, const std::vec
 
 double gait_speed(const CharacterSource& source, Role gait) {
   const int clip = source.roles.clip(gait);
-  return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
+  return clip == no_clip ? 0.0 : source.character->clips[static_cast<std::size_t>(clip)].ground_speed;
 }
 
 // A clip that goes another way than its role says does not count as that gait.

@@ -15,6 +15,7 @@
 #include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/anim/pack/pack.h"
 #include "tests/anim/agent/heard_misuses.h"
+#include "tests/anim/bake/walker_in_place.h"
 #include "tests/api/api_crowd.h"
 #include "tests/own_folder.h"
 
@@ -132,10 +133,10 @@ TEST(ApiCharacter, OfAFileThatTakesMoreMemoryThanItMayIsNone) {
   EXPECT_THAT(file.error().message, HasSubstr("mannequin.glb: the file needs "));
 }
 
-/// Writes a pack of a small character, and returns its path.
-std::string small_pack() {
+/// Writes a pack of a model, and returns its path.
+std::string pack_of(const anim::Model& model) {
   pack::FileToPack file{.name = "small", .file = {}, .characters = {}};
-  file.file.models = {anim::synthetic_model(5, 1)};
+  file.file.models = {model};
   auto baked = std::make_shared<const anim::Character>(anim::bake_character(file.file.models.front()));
   file.characters.push_back({.name = "small", .prepared = {}, .character = std::move(baked), .surface = {}});
   const std::vector<std::byte> bytes = pack::write_pack({&file, 1});
@@ -146,7 +147,7 @@ std::string small_pack() {
 }
 
 TEST(ApiCharacter, OfAPackThatWasCopiedPlaysOnWhenTheFileIsCut) {
-  const std::string path = small_pack();
+  const std::string path = pack_of(anim::synthetic_model(5, 1));
   const auto file = load(path, {.copy_pack = true});
   ASSERT_TRUE(file) << file.error().message;
   std::filesystem::resize_file(path, 0);  // a mapping of it would end the program
@@ -156,6 +157,28 @@ TEST(ApiCharacter, OfAPackThatWasCopiedPlaysOnWhenTheFileIsCut) {
   crowd->agent(request.agent).play({.clip = {0}});
   crowd->update({&request, 1});
   EXPECT_EQ(crowd->debug().posed_agents(), 1U);
+}
+
+/// Returns how far an agent goes ahead in a second of the first clip.
+float way_in_a_second(const Character& character) {
+  Crowd crowd = std::move(*Crowd::create(character));
+  const Agent agent = crowd.agent(crowd.add_agent());
+  agent.play({.clip = {0}});
+  crowd.advance(ticks_per_second);
+  return agent.motion().displacement(Ticks{}, ticks_per_second).displacement.z;
+}
+
+TEST(ApiCharacter, WalksInPlaceWithANoteOrMovesItsAgentsIfThatIsAskedFor) {
+  const std::string path = pack_of(anim::walker_in_place(1.4F));
+  const auto in_place = load(path);
+  ASSERT_TRUE(in_place) << in_place.error().message;
+  EXPECT_EQ(way_in_a_second(in_place->characters.front()), 0.0F);
+  EXPECT_NEAR(in_place->characters.front().clip({0}).ground_speed, 1.4, 0.02);
+  EXPECT_THAT(in_place->notes, testing::ElementsAre(HasSubstr("LoadOptions::walk_in_place lets them: clip (1.4")));
+  const auto travels = load(path, {.walk_in_place = true});
+  ASSERT_TRUE(travels) << travels.error().message;
+  EXPECT_NEAR(way_in_a_second(travels->characters.front()), 1.4F, 0.02F);
+  EXPECT_THAT(travels->notes, testing::IsEmpty());
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ ClipStreams streams_of(const Character& character, int index) {
           .data_keys = clip.data_keys,
           .curves = clip.curves.empty() ? nullptr : &clip.curves,
           .morphs = clip.morphs.empty() ? nullptr : &clip.morphs,
-          .ground_speed = ground_speed(character, index)};
+          .ground_speed = clip.ground_speed};
 }
 
 std::vector<ClipStreams> all_streams_of(const Character& character) {

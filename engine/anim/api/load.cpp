@@ -1,9 +1,12 @@
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/base/text/plain_text.h"
 
 #if defined(THRONG_HAS_IMPORT)
 #include "engine/anim/import/import.h"
@@ -15,13 +18,36 @@
 namespace throng {
 namespace {
 
+/// Names the clips that walk in place, with their speeds; nothing if no clip does.
+std::string walks_in_place(const anim::Character& character) {
+  std::string named;
+  for (const anim::BakedClip& clip : character.clips) {
+    if (clip.ground_speed == 0.0 || !clip.root_motion.keys.empty()) continue;
+    char speed[48];
+    std::snprintf(speed, sizeof speed, " (%.2f m/s)", clip.ground_speed);
+    named += (named.empty() ? "" : ", ") + plain_text(clip.name) + speed;
+  }
+  return named;
+}
+
+[[maybe_unused]] void add_character(anim::Model model, anim::Character baked, const LoadOptions& options,
+                                    LoadedFile& into) {
+  if (options.walk_in_place) {
+    anim::travel_by_steps(baked);
+  } else if (const std::string named = walks_in_place(baked); !named.empty()) {
+    into.notes.push_back("clips that walk in place move no agent; LoadOptions::walk_in_place lets them: " + named);
+  }
+  into.characters.push_back(detail::make_character(std::move(model), std::move(baked), options.keep_meshes));
+}
+
 #if defined(THRONG_HAS_PACK)
-Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, bool keep_meshes, LoadedFile& into) {
+Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, const LoadOptions& options,
+                  LoadedFile& into) {
   Result<pack::BakedModel> baked = pack.baked(file, model);
   if (!baked) return baked.error();
   Result<anim::Model> from = pack.model(file, model, *baked);
   if (!from) return from.error();
-  into.characters.push_back(detail::make_character(std::move(*from), std::move(baked->character), keep_meshes));
+  add_character(std::move(*from), std::move(baked->character), options, into);
   return Done{};
 }
 
@@ -32,7 +58,7 @@ Result<LoadedFile> load_pack(const std::string& path, const LoadOptions& options
   LoadedFile loaded;
   for (std::size_t file = 0; file < pack->file_count(); ++file) {
     for (std::size_t model = 0; model < pack->names(file).size(); ++model) {
-      const Status added = load_model(*pack, file, model, options.keep_meshes, loaded);
+      const Status added = load_model(*pack, file, model, options, loaded);
       if (!added) return added.error();
     }
   }
@@ -55,7 +81,7 @@ Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options
     anim::place_model(model, placed.placement);
     if (!placed.is_plain) loaded.notes.push_back(placed.reasons);
     anim::Character baked = anim::bake_character(model);
-    loaded.characters.push_back(detail::make_character(std::move(model), std::move(baked), options.keep_meshes));
+    add_character(std::move(model), std::move(baked), options, loaded);
   }
   return loaded;
 }

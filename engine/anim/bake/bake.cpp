@@ -35,6 +35,8 @@ constexpr double surface_error = 0.0002;  // metres: the bound of sampled stream
 constexpr double still_share = 0.2;       // of the bound: for tracks that hardly move
 constexpr double hopeless_step = 4.0;     // times the bound: no sampled stream comes near to such a step
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
+constexpr double gait_gap = 0.1;          // metres: a gait whose last pose is farther off was never meant to repeat
+constexpr double least_way = 1.0;         // metres: a clip that goes so far walks, even if it does not repeat
 
 void add_note(BakedClip& baked, const std::string& note) { baked.note += (baked.note.empty() ? "" : "; ") + note; }
 
@@ -70,19 +72,30 @@ class PoseDistance {
 };
 
 /// Finds out whether a clip loops. A clip whose last key stands one step before its first looks like a loop, but would
-/// hitch at the seam, so a note says that it does not loop. `grid` is given for clips that move smoothly.
-void find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
-  if (baked.duration == Ticks{}) return;
-  const double limit = closing_error * source.proxy.height / tall_person;
+/// hitch at the seam, so a note says that it does not loop. `grid` is given for clips that move smoothly. Returns
+/// whether the clip repeats one movement, with or without a hitch at its seam.
+bool find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
+  if (baked.duration == Ticks{}) return false;
+  const double size = source.proxy.height / tall_person;
   PoseDistance distance(source);
   const double gap = distance.between(Ticks{}, baked.duration);
-  baked.loops = gap <= limit;
-  if (baked.loops || !grid || grid->step() > baked.duration) return;
+  baked.loops = gap <= closing_error * size;
+  if (baked.loops || !grid || grid->step() > baked.duration) return gap <= gait_gap * size;
   const double first_step = distance.between(Ticks{}, grid->step());
   const double last_step = distance.between(baked.duration - grid->step(), baked.duration);
-  if (gap < 1.5 * std::max(first_step, last_step)) {
-    add_note(baked, "does not loop: its last key stands one step before its first");
+  const bool hitches = gap < 1.5 * std::max(first_step, last_step);
+  if (hitches) add_note(baked, "does not loop: its last key stands one step before its first");
+  return hitches || gap <= gait_gap * size;
+}
+
+/// Returns BakedClip::ground_speed. `repeats` is what find_loop() returned.
+double ground_speed_of(const BakedClip& baked, const SampleSource& source, bool repeats) {
+  if (baked.duration == Ticks{}) return 0.0;
+  if (baked.root_motion.keys.empty()) {
+    return repeats ? stance_speed(source.skeleton, baked.keyframe(), source.proxy.height) : 0.0;
   }
+  const bool goes_far = glm::length(baked.loop_displacement) >= least_way * source.proxy.height / tall_person;
+  return repeats || goes_far ? travel_speed(baked.root_motion) : 0.0;
 }
 
 std::string in_millimetres(double metres) {
@@ -133,13 +146,11 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   baked.root_motion = std::move(placed.root_motion);
   baked.loop_displacement = whole_motion(baked.root_motion).translation;
   baked.keyframe_block = pack_keyframe_stream(state);
-  if (baked.loop_displacement == glm::dvec3(0.0)) {
-    baked.stance_speed = stance_speed(skeleton, baked.keyframe(), proxy.height);
-  }
 
   const glm::dvec3 travel = straight_travel(baked.root_motion);
   const SampleSource source{skeleton, proxy, baked.keyframe(), travel, baked.error_bound - baked.keyframe_error, steps};
-  find_loop(baked, source, steps.empty() ? grid : std::nullopt);
+  const bool repeats = find_loop(baked, source, steps.empty() ? grid : std::nullopt);
+  baked.ground_speed = ground_speed_of(baked, source, repeats);
   bake_sampled_stream(baked, source, state, grid, keys.empty() ? Ticks{} : keys.back());
   return baked;
 }

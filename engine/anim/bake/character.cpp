@@ -23,22 +23,10 @@ const char* fault_of(const Character& character) {
   return std::ranges::all_of(character.clips, &BakedClip::is_empty) ? "the character has no clips" : nullptr;
 }
 
-double ground_speed(const Character& character, int clip) {
+glm::dvec2 ground_velocity(const Character& character, int clip) {
   assert(clip >= 0 && clip < static_cast<int>(character.clips.size()));
   const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
-  if (baked.duration <= Ticks{}) return 0.0;
-  if (baked.root_motion.keys.empty()) return baked.stance_speed;
-  const RootVelocity velocity = root_velocity(baked.root_motion, 0);
-  const double speed = glm::length(glm::dvec2(velocity.linear.x, velocity.linear.z));
-  constexpr double least_arc = 0.25;  // metres a second: a body that turns on the spot shifts its weight
-  if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
-  const double travel = glm::length(glm::dvec2(baked.loop_displacement.x, baked.loop_displacement.z));
-  return travel / to_seconds(baked.duration);
-}
-
-glm::dvec2 ground_velocity(const Character& character, int clip) {
-  const double speed = ground_speed(character, clip);
-  const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
+  const double speed = baked.ground_speed;
   glm::dvec2 way(0.0);
   if (speed == 0.0) return way;
   if (baked.root_motion.keys.empty()) {
@@ -49,6 +37,16 @@ glm::dvec2 ground_velocity(const Character& character, int clip) {
   }
   const double length = glm::length(way);
   return length > 0.0 ? way * (speed / length) : glm::dvec2(0.0, speed);
+}
+
+void travel_by_steps(Character& character) {
+  for (std::size_t clip = 0; clip < character.clips.size(); ++clip) {
+    BakedClip& baked = character.clips[clip];
+    if (baked.ground_speed == 0.0 || !baked.root_motion.keys.empty()) continue;
+    const glm::dvec2 way = ground_velocity(character, static_cast<int>(clip)) * to_seconds(baked.duration);
+    baked.root_motion = straight_root_curve(baked.duration, {way.x, 0.0, way.y});
+    baked.loop_displacement = whole_motion(baked.root_motion).translation;
+  }
 }
 
 }  // namespace throng::anim

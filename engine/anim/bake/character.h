@@ -41,7 +41,7 @@ struct BakedClip {
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   UserCurves curves = {};             ///< numbers for game play; no pose depends on them
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
-  double stance_speed = 0.0;          ///< metres a second of the foot that stands; 0: no strides, or the clip travels
+  double ground_speed = 0.0;          ///< metres a second at which feet do not slide; 0: the clip is no gait
   AlignedBytes keyframe_block;
   double keyframe_error = 0.0;  ///< metres by which still tracks and a turn taken out move the surface at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
@@ -99,13 +99,13 @@ Character bake_character(const Model& model, const BakeOptions& options = {});
 /// keys of `model` that keep_surveyed_keys keeps.
 Character reorder_character(const Character& character, const Model& model, const BoneOrder& order);
 
-/// Returns the speed, in metres a second, at which the ground must pass under a character that plays `clip`, so that
-/// its feet do not slide. It is the speed of the clip's root motion, else of the foot that stands; 0 for clips that
-/// stay where they are.
-double ground_speed(const Character& character, int clip);
-
-/// Returns that speed with its direction at the clip's start: metres a second along x, to the left of a character
-/// that faces +Z, and along z. A clip in place goes against its standing foot, which is measured anew with each call.
+/// Returns BakedClip::ground_speed with its direction at the clip's start: metres a second along x, to the left of a
+/// character that faces +Z, and along z. A clip in place goes against its standing foot, which is measured anew with
+/// each call.
 glm::dvec2 ground_velocity(const Character& character, int clip);
+
+/// Gives each gait that walks in place the root motion of its ground speed, straight in the direction of its steps. Its
+/// poses stay as they are. reorder_character() would take this motion out of them, so it is called before.
+void travel_by_steps(Character& character);
 
 }  // namespace throng::anim

@@ -60,4 +60,13 @@ double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, doub
   return glm::length(stance_velocity(sample_stride(skeleton, stream, height)));
 }
 
+double travel_speed(const RootCurve& curve) {
+  const RootVelocity velocity = root_velocity(curve, 0);
+  const double speed = glm::length(glm::dvec2(velocity.linear.x, velocity.linear.z));
+  constexpr double least_arc = 0.25;  // metres a second: a body that turns on the spot shifts its weight
+  if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
+  const glm::dvec3 travel = whole_motion(curve).translation;
+  return glm::length(glm::dvec2(travel.x, travel.z)) / to_seconds(curve.duration);
+}
+
 }  // namespace throng::anim

@@ -15,7 +15,7 @@ BakedClip without_streams(const BakedClip& clip) {
           .data_keys = clip.data_keys,
           .curves = clip.curves,
           .morphs = clip.morphs,
-          .stance_speed = clip.stance_speed,
+          .ground_speed = clip.ground_speed,
           .keyframe_block = {},
           .keyframe_error = clip.keyframe_error,
           .sampled_block = {},

@@ -15,6 +15,14 @@ constexpr double least_stride = 0.06;   // metres over the ground: a foot stride
 constexpr double stance_height = 0.05;  // metres above the lowest place of any foot: higher joints are in flight
 constexpr double agreement = 0.5;       // a velocity within this share of a typical one agrees with it
 
+/// Returns the height up to which a joint may be a foot: feet rest low, and hands that swing lower than feet do not.
+double highest_foot(const Skeleton& skeleton) {
+  constexpr double share = 0.2;  // of the way from the lowest joint to the highest, in the rest pose
+  const auto [lowest, highest] =
+      std::ranges::minmax(skeleton.references, {}, [](const ReferenceFrame& reference) { return reference.origin.y; });
+  return lowest.origin.y + share * (highest.origin.y - lowest.origin.y);
+}
+
 bool strides(const Stride& stride, std::size_t joint) {
   const glm::dvec3 start = stride.at(0, joint);
   return std::ranges::any_of(stride.joints, [&](const std::vector<glm::dvec3>& joints) {
@@ -52,8 +60,9 @@ Stride sample_stride(const Skeleton& skeleton, const KeyframeStream& stream, dou
     std::vector<glm::dvec3>& joints = stride.joints.emplace_back();
     for (const BoneFrame& frame : frames) joints.push_back(frame.origin);
   }
+  const double highest = highest_foot(skeleton);
   for (std::size_t joint = 0; joint < frames.size(); ++joint) {
-    if (strides(stride, joint)) stride.feet.push_back(joint);
+    if (skeleton.references[joint].origin.y <= highest && strides(stride, joint)) stride.feet.push_back(joint);
   }
   for (std::size_t i = 0; i < stride_instants && !stride.feet.empty(); ++i) {
     stride.ground = std::min(stride.ground, stride.at(i, stride.lowest(i, stride.feet)).y);

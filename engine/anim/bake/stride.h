@@ -17,10 +17,10 @@ inline constexpr std::size_t stride_instants = 96;
 /// The places of a clip's joints at even steps through it, and the joints that may be feet.
 struct Stride {
   std::vector<std::vector<glm::dvec3>> joints;  ///< [0..stride_instants][bone], model space
-  std::vector<std::size_t> feet;                ///< bones that go to and fro over the ground, not only up and down
-  double step = 0.0;                            ///< seconds between instants
-  double size = 1.0;                            ///< the character's height over 1.8 m
-  double ground = 0.0;                          ///< metres, the least height of any foot
+  std::vector<std::size_t> feet;  ///< bones that rest low, and go to and fro over the ground, not only up and down
+  double step = 0.0;              ///< seconds between instants
+  double size = 1.0;              ///< the character's height over 1.8 m
+  double ground = 0.0;            ///< metres, the least height of any foot
 
   const glm::dvec3& at(std::size_t instant, std::size_t joint) const { return joints[instant][joint]; }
   std::size_t lowest(std::size_t instant, std::span<const std::size_t> among) const;

@@ -63,7 +63,7 @@ constexpr std::size_t block_after(std::size_t size) {
 }
 
 /// Raise it when the meaning of bytes changes while their layout stays.
-inline constexpr std::uint32_t pack_version = 4;
+inline constexpr std::uint32_t pack_version = 5;
 
 /// Returns the XXH3 of bytes that follow others, whose checksum `before` is.
 std::uint64_t checksum_of(std::span<const std::byte> bytes, std::uint64_t before);

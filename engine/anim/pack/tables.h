@@ -117,7 +117,7 @@ void describe(Archive& archive, T& clip) {
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.curves, clip.morphs, clip.stance_speed, clip.note);
+          clip.curves, clip.morphs, clip.ground_speed, clip.note);
 }
 
 inline auto members(anim::BoneLodRow& row) { return std::tie(row.bone, row.error_metres, row.level); }

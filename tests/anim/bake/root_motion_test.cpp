@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "engine/anim/bake/surface.h"
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/asset/clip_fixtures.h"
+#include "tests/anim/bake/walker_in_place.h"
 
 namespace throng::anim::root_motion_test {
 namespace {
@@ -170,45 +172,70 @@ TEST(RootMotionOf, AStepTrackStaysInThePose) {
 TEST(GroundSpeed, IsThatOfTheRootMotion) {
   const Character character =
       bake_character(striding_model(synthetic_model(20, 1), 0, sampled_track(stride, 30.0, 60)));
-  EXPECT_NEAR(ground_speed(character, 0), glm::length(travel) / duration, 1e-5);
+  EXPECT_NEAR(character.clips.front().ground_speed, glm::length(travel) / duration, 1e-5);
 }
 
-TEST(GroundSpeed, OfAStandingClipIsNone) { EXPECT_EQ(ground_speed(bake_character(synthetic_model(62, 1)), 0), 0.0); }
-
-/// Hips at 1 m and two feet that slide back at `speed` for half a cycle and swing forward in the other half.
-Model walker_in_place(float speed) {
-  Model model = synthetic_model(1, 1);
-  Skeleton& skeleton = model.skeleton;
-  skeleton.bones.front().rest = {.translation = {0.0F, 1.0F, 0.0F}};
-  skeleton.references.front() = {.origin = {0.0, 1.0, 0.0}};
-  Clip clip;
-  clip.duration = 1.0;
-  for (int foot = 0; foot < 2; ++foot) {
-    skeleton.bones.push_back({.name = "foot", .parent = 0, .rest = {}});
-    skeleton.references.push_back({.origin = {0.0, 0.1, 0.0}});
-    skeleton.palette.push_back({.bone = foot + 1});
-    BoneTracks tracks;
-    tracks.bone = foot + 1;
-    tracks.translation = sampled_track(
-        [&](float time) {
-          const float cycle = std::fmod(time + 0.5F * static_cast<float>(foot), 1.0F);
-          const bool stands = cycle < 0.5F;
-          const float z = stands ? speed * (0.25F - cycle) : speed * (cycle - 0.75F);
-          return glm::vec3(foot == 0 ? 0.1F : -0.1F,
-                           stands ? -0.9F : -0.9F + 0.4F * std::min(cycle - 0.5F, 1.0F - cycle), z);
-        },
-        30.0, 30);
-    clip.tracks.push_back(tracks);
-  }
-  skeleton.level_bone_counts = {3};
-  model.clips.assign(1, clip);
-  return model;
+TEST(GroundSpeed, OfAStandingClipIsNone) {
+  EXPECT_EQ(bake_character(synthetic_model(62, 1)).clips.front().ground_speed, 0.0);
 }
 
 TEST(GroundSpeed, OfAWalkInPlaceIsThatOfTheStandingFoot) {
   for (const float speed : {0.8F, 1.4F, 3.0F}) {
-    EXPECT_NEAR(ground_speed(bake_character(walker_in_place(speed)), 0), static_cast<double>(speed), 0.02) << speed;
+    EXPECT_NEAR(bake_character(walker_in_place(speed)).clips.front().ground_speed, static_cast<double>(speed), 0.02)
+        << speed;
   }
+}
+
+TEST(GroundSpeed, OfAClipThatEndsInAnotherPoseIsNone) {
+  Model model = walker_in_place(1.4F);
+  for (BoneTracks& foot : model.clips.front().tracks) {
+    const auto last = foot.translation.values.size() - 1;
+    for (std::size_t key = 0; key <= last; ++key) {
+      foot.translation.values[key].z -= 0.8F * static_cast<float>(key) / static_cast<float>(last);
+    }
+  }
+  EXPECT_EQ(bake_character(model).clips.front().ground_speed, 0.0) << "as of a person who sits down";
+}
+
+TEST(GroundSpeed, OfAWalkWhoseHandsSwingLowerThanItsFeetIsThatOfTheFeet) {
+  Model model = walker_in_place(1.4F);
+  Skeleton& skeleton = model.skeleton;
+  skeleton.bones.push_back({.name = "hand", .parent = 0, .rest = {}});
+  skeleton.references.push_back({.origin = {0.0, 0.8, 0.0}});
+  skeleton.palette.push_back({.bone = 3});
+  skeleton.level_bone_counts = {4};
+  const auto swing = [](float time) {
+    return glm::vec3(0.3F, -1.1F, 0.6F * std::sin(2.0F * std::numbers::pi_v<float> * time));
+  };
+  BoneTracks hand;
+  hand.bone = 3;
+  hand.translation = sampled_track(swing, 30.0, 30);
+  model.clips.front().tracks.push_back(hand);
+  EXPECT_NEAR(bake_character(model).clips.front().ground_speed, 1.4, 0.02);
+}
+
+TEST(TravelBySteps, MovesAWalkInPlaceForwardAndLeavesItsPoses) {
+  const Character in_place = bake_character(walker_in_place(1.4F));
+  Character travels = bake_character(walker_in_place(1.4F));
+  travel_by_steps(travels);
+  const BakedClip& walk = travels.clips.front();
+  EXPECT_NEAR(walk.loop_displacement.x, 0.0, 1e-3);
+  EXPECT_NEAR(walk.loop_displacement.z, 1.4, 0.02);
+  EXPECT_EQ(walk.loop_displacement, whole_motion(walk.root_motion).translation);
+  EXPECT_EQ(walk.ground_speed, in_place.clips.front().ground_speed);
+  EXPECT_EQ(
+      std::memcmp(walk.keyframe_block.get(), in_place.clips.front().keyframe_block.get(), walk.keyframe().total_size),
+      0);
+}
+
+TEST(TravelBySteps, LeavesClipsThatTravelOrStand) {
+  Character strides = bake_character(striding_model(synthetic_model(20, 1), 0, sampled_track(stride, 30.0, 60)));
+  const glm::dvec3 before = strides.clips.front().loop_displacement;
+  travel_by_steps(strides);
+  EXPECT_EQ(strides.clips.front().loop_displacement, before);
+  Character stands = bake_character(synthetic_model(62, 1));
+  travel_by_steps(stands);
+  EXPECT_TRUE(stands.clips.front().root_motion.keys.empty());
 }
 
 std::vector<std::pair<std::string, double>> named_data_keys(const Character& character) {

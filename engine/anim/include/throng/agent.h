@@ -147,6 +147,8 @@ class Motion {
  public:
   Motion(const detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
 
+  /// Returns how the root motion of the clips moves the agent. A clip that walks in place has none, unless it was
+  /// loaded with LoadOptions::walk_in_place.
   RootMotion displacement(Ticks from, Ticks to) const;
   /// Returns the value of a curve of its clips now; `name` is an index of Character::curve_names. It is blended by the
   /// weights of the clips; a clip without the curve counts as 0.

@@ -53,7 +53,9 @@ struct BlendPoint {
 struct BlendSpace {
   std::span<const BlendPoint> points{};  ///< at least one; parameters ascend
   float parameter = 0.0F;
-  bool is_ground_speed = true;  ///< metres a second: the root moves at the parameter, so that feet do not slide
+  /// Metres a second: the root moves at the parameter, so that feet do not slide. Clips without root motion move no
+  /// root (LoadOptions::walk_in_place).
+  bool is_ground_speed = true;
 };
 
 /// A clip, and the place in the plane at which it is played alone.

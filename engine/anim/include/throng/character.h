@@ -16,8 +16,10 @@ struct CharacterData;
 struct ClipInfo {
   std::string_view name{};
   Ticks duration{};
-  bool loops = false;         ///< its first and last poses agree
-  double ground_speed = 0.0;  ///< metres a second at which feet do not slide; 0: it stays where it is
+  bool loops = false;  ///< its first and last poses agree
+  /// Metres a second at which feet do not slide; 0: the clip is no gait. A clip that walks in place has a speed too,
+  /// but moves no agent: see LoadOptions::walk_in_place.
+  double ground_speed = 0.0;
 };
 
 /// A part of a character's surface, for a renderer of one's own. Spans have one element a vertex, and live as long as
@@ -112,6 +114,9 @@ struct LoadOptions {
   double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
   bool strict = false;       ///< refuses files that need repairs
   bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
+  /// Lets clips that walk in place move their agents, at ClipInfo::ground_speed in the direction of their steps.
+  /// Without it Motion::displacement is 0 for them, and LoadedFile::notes names them.
+  bool walk_in_place = false;
   /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and besides 1 GB of pixels,
   /// to which larger images are scaled down.
   std::uint64_t memory_limit = 0;
@@ -120,7 +125,8 @@ struct LoadOptions {
   bool copy_pack = false;
 };
 
-/// The characters of a file. `notes` says in sentences what was repaired and how the model was placed.
+/// The characters of a file. `notes` says in sentences what was repaired, how the model was placed and which clips walk
+/// in place.
 struct LoadedFile {
   std::vector<Character> characters;  ///< at least one, the largest first
   std::vector<std::string> notes;

@@ -205,5 +205,38 @@ TEST(ApiC, MovesMeetsKeysAndIsPutBack) {
   throng_snapshot_free(start);
 }
 
+TEST(ApiC, TakesRequestsToManyAgentsInOneCall) {
+  CCrowd many(3), alone(3);
+  const std::uint32_t clips[] = {throng_character_find_clip(many.character, "idle"),
+                                 throng_character_find_clip(many.character, "walk")};
+  const float speeds[] = {0.0F, 1.35F};
+  std::vector<throng_parameter_request> walks;
+  std::vector<throng_gaze_request> gazes;
+  for (CCrowd* crowd : {&many, &alone}) {
+    for (const throng_id agent : crowd->ids) {
+      const std::uint32_t channel = throng_agent_add_blend_space(crowd->crowd, agent, clips, speeds, 2, 1);
+      const std::uint32_t gaze = throng_agent_add_look_at(crowd->crowd, agent);
+      if (crowd == &many) {
+        walks.push_back({.agent = agent, .channel = channel, .x = 1.0F, .y = 0.0F});
+        gazes.push_back({.agent = agent, .process = gaze, .target = {1.0F, 1.5F, 2.0F}, .fade = 0.2F});
+      } else {
+        const float target[] = {1.0F, 1.5F, 2.0F};
+        EXPECT_EQ(throng_agent_set_parameter(crowd->crowd, agent, channel, 1.0F), 0);
+        EXPECT_EQ(throng_agent_look_at(crowd->crowd, agent, gaze, target, 0.2F), 0);
+      }
+    }
+  }
+  EXPECT_EQ(throng_crowd_set_parameters(many.crowd, walks.data(), 3), 0);
+  EXPECT_EQ(throng_crowd_look_at(many.crowd, gazes.data(), 3), 0);
+  for (CCrowd* crowd : {&many, &alone}) crowd->step(60);
+  EXPECT_EQ(throng_crowd_pose_hash(many.crowd), throng_crowd_pose_hash(alone.crowd));
+  throng_root_motion ways[3];
+  ASSERT_EQ(throng_crowd_displacements(many.crowd, 0.0, 1.0, many.ids.data(), 3, ways), 0);
+  for (const throng_root_motion& way : ways) EXPECT_NEAR(way.displacement[2], 1.0F, 0.02F);
+  const throng_speed_request speed{.agent = many.ids[0], .speed = 2.0F};
+  EXPECT_NE(throng_crowd_set_speeds(many.crowd, &speed, 1), 0) << "its first channel plays no clip";
+  EXPECT_STRNE(throng_last_error(), "");
+}
+
 }  // namespace
 }  // namespace throng::c_test

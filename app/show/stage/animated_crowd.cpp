@@ -128,7 +128,7 @@ void AnimatedCrowd::move(Ticks delta) {
 void AnimatedCrowd::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
   const std::size_t movers = crowd_->walkers().count() + crowd_->marchers().count();
-  const auto pick = [&](std::size_t i, anim::AgentSpeed& listed) {
+  const auto pick = [&](std::size_t i, SpeedRequest& listed) {
     const auto agent = static_cast<std::uint32_t>(i);
     if (speeds[agent] == played_speeds_[agent] || crowd_->minds().clips()[agent] == no_clip || holds_clip(agent))
       return false;
@@ -136,7 +136,7 @@ void AnimatedCrowd::match_playback() {
     played_speeds_[agent] = speeds[agent];
     return true;
   };
-  set_speeds(*system_, new_speeds_.gather(movers, system_->executor(), system_->options().pus, pick));
+  system_->many().set_speeds(new_speeds_.gather(movers, system_->executor(), system_->options().pus, pick));
 }
 
 void AnimatedCrowd::play(std::uint32_t agent, int clip, Ticks fade, double start_phase) {

@@ -133,9 +133,9 @@ class AnimatedCrowd {
   std::unique_ptr<BodyDetails> details_;
   std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
-  std::unique_ptr<CutScene> cut_scene_;    // null in the other scenes
-  std::vector<float> played_speeds_;       // of each agent's clip, as the system was told
-  Gathered<anim::AgentSpeed> new_speeds_;  // of this frame
+  std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
+  std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
+  Gathered<SpeedRequest> new_speeds_;    // of this frame
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };

@@ -66,19 +66,20 @@ bool ArmChannel::update(const anim::EntityBuilder& build) {
 void ArmChannel::keep_step(const anim::EntityBuilder& build) const {
   // The channel below may have changed its graph in this update. Then lie_over() names the new one in the next.
   if (!below_.valid() || !build.pools().alive(below_)) return;
+  auto& own = build.as<anim::Player>(player_);
   if (const anim::Handle gait = player_in(build, below_, clip_.step_clip); gait.valid()) {
-    build.set_speed(player_, static_cast<double>(build.as<anim::Player>(gait).speed) / whole_speed);
-    build.seek(player_, build.position(gait));
+    const auto& walking = build.as<anim::Player>(gait);
+    build.set_speed(own, static_cast<double>(walking.speed) / whole_speed);
+    build.seek(own, build.position(walking));
     return;
   }
-  const auto& own = build.as<anim::Player>(player_);
   if (own.speed == 0) return;
   // The beginning lies within a sixteenth of the clip behind: it has just been passed.
   const anim::FineTicks whole = build.clip(clip_.clip).duration * anim::fine_ticks_per_tick;
-  const anim::FineTicks place = ((build.position(player_) % whole) + whole) % whole;
+  const anim::FineTicks place = ((build.position(own) % whole) + whole) % whole;
   if (place > whole / 16) return;
-  build.set_speed(player_, 0.0);
-  build.seek(player_, 0);
+  build.set_speed(own, 0.0);
+  build.seek(own, 0);
 }
 
 void ArmChannel::visit_handles(const std::function<void(anim::Handle&)>& visit) {

@@ -29,10 +29,11 @@ class MixWriter {
     const double cycle = moment_.step.cycles - std::floor(moment_.step.cycles);
     const anim::FineTicks length = ticks_of(reference.clip) * anim::fine_ticks_per_tick;
     const auto at = std::min(static_cast<anim::FineTicks>(cycle * static_cast<double>(length)), length - 1);
-    const anim::MarkerMap::Place place = in_step.at(at);
-    const double speed = place.rate * cycles_per_second * to_seconds(ticks_of(reference.clip)) * moment_.rate;
-    add(gait.clip, weight, place.position, speed, anim::StepVoice::follows);
-    return static_cast<double>(place.position) / static_cast<double>(ticks_of(gait.clip) * anim::fine_ticks_per_tick);
+    const anim::MarkerMap::Way way = in_step.way(at);
+    const anim::FineTicks position = way.position(at);
+    const double speed = way.rate * cycles_per_second * to_seconds(ticks_of(reference.clip)) * moment_.rate;
+    add(gait.clip, weight, position, speed, anim::StepVoice::follows);
+    return static_cast<double>(position) / static_cast<double>(ticks_of(gait.clip) * anim::fine_ticks_per_tick);
   }
 
   void add_rest(int rest, float weight) {

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/show/stage/lent_processes.h"
-#include "engine/anim/agent/look_at_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 
 namespace throng::app {
 

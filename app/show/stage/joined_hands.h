@@ -14,7 +14,7 @@
 #include "app/show/stage/held_arms.h"
 #include "app/show/stage/lent_processes.h"
 #include "engine/anim/agent/character_rigs.h"
-#include "engine/anim/agent/reach_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 
 namespace throng::app {
 

@@ -109,13 +109,12 @@ bool Agent::set_speed(double speed) {
   return fault == nullptr || turn.report(fault);
 }
 
-/// Returns why it cannot. Agents may be set at once on several threads.
 const char* Agent::try_set_speed(double speed) const {
   if (!exists()) return no_agent;
   if (!is_speed(speed)) return not_a_speed;
   const Handle player = newest_player(graphs(), index());
   if (!player.valid() || !pools().alive(player)) return "the agent's first channel plays no clip";
-  builder().set_speed(player, speed);
+  builder().set_speed(pools().as<Player>(player), speed);
   return nullptr;
 }
 
@@ -157,11 +156,13 @@ bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
   return true;
 }
 
-Status Agent::channel_changed(const char* call) {
+Status Agent::channel_changed(ChannelId channel, const char* call) {
   const Turn turn(system_->turn, call);
   if (!turn) return Turn::refusal();
+  const std::optional<std::size_t> place = graphs().place(index(), channel);
+  if (!place) return turn.refuse(no_channel);
   if (!builder().has_room()) return turn.refuse(too_many_entities);
-  return system_->pus.update_channels(system_->population, number());
+  return system_->pus.update_channel(system_->population, number(), *place);
 }
 
 Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {
@@ -200,7 +201,12 @@ Status Agent::process_changed(ProcessId process, const char* call) {
   const std::optional<std::size_t> place = graphs().place(index(), process);
   if (!place) return turn.refuse(no_process);
   if (!builder().has_room()) return turn.refuse(too_many_entities);
-  Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), *place); });
+  Status changed = settle([&] {
+    const EntityBuilder build = builder();
+    PostProcess& own_process = *own_graphs().post_process(index(), *place).part;
+    const bool is_done = own_graphs().update_alone(build, index(), own_process, AgentGraphs::Entities::may_change);
+    return is_done ? Status(Done{}) : own_graphs().rebuild(build, index());
+  });
   if (changed) return changed;
   own_graphs().post_process(index(), *place).part->destroy_entities(builder());
   [[maybe_unused]] const Status rebuilt = own_graphs().rebuild(builder(), index());

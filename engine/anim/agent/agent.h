@@ -15,14 +15,6 @@
 
 namespace throng::anim {
 
-class AnimationSystem;
-
-/// The speed, as a multiple of the clip's own, at which an agent plays from now on.
-struct AgentSpeed {
-  AgentId agent;
-  float speed = 1.0F;
-};
-
 /// A view of one agent of an AnimationSystem, to read from. It is as cheap to copy as a pointer. When the agent is
 /// gone, it shows an agent that has nothing and plays nothing.
 class AgentView {
@@ -130,7 +122,6 @@ class Agent : public AgentView {
   /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
   /// Changes the speed of the last requested clip from now on, without a jump. The first channel is as for play().
-  /// set_speeds() sets the speeds of many agents.
   bool set_speed(double speed);
 
   /// Lays a channel over the agent's channels. Errors: it is null, or not valid for this character; the agent's
@@ -144,14 +135,15 @@ class Agent : public AgentView {
   /// Sets how much a channel, but not the first, covers the channels before it, 0 to 1. The weight moves there evenly
   /// in `fade`, from where it is.
   bool set_channel_weight(ChannelId channel, float weight, Ticks fade = {});
-  /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto& channel) {
-  /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
+  /// Sets parameters of a channel, which alone is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto&
+  /// channel) { channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another
+  /// type.
   template <typename Derived, typename Change>
   Status change(ChannelId channel, Change&& change_parameters, const char* call = "Agent::change") {
     auto* const found = as<Derived, Channel>(own(channel));
     if (found == nullptr) return refuse({call, "the agent has no channel of this id and type"});
     std::forward<Change>(change_parameters)(*found);
-    return channel_changed(call);
+    return channel_changed(channel, call);
   }
 
   /// Adds a process, which changes the pose after the processes before it. Errors: those of add_channel.
@@ -181,10 +173,34 @@ class Agent : public AgentView {
     return process_changed(process, call);
   }
 
+  // Calls of many agents at once (many_requests.h) make these on several threads, each for another agent.
+
+  /// Does set_speed(), and returns why it cannot, in one sentence; null if it can.
+  const char* try_set_speed(double speed) const;
+  /// Says what became of a change of a part that may keep its entities.
+  enum class Changed : std::uint8_t { done, needs_entities, no_such_part };
+  /// Does change() if the channel keeps its entities. If it needs others, its parameters are set, and change() is to be
+  /// called again.
+  template <typename Derived, typename Change>
+  Changed change_in_place(ChannelId channel, const Change& change_parameters) const {
+    return change_in_place<Derived>(own(channel), change_parameters);
+  }
+  template <typename Derived, typename Change>
+  Changed change_in_place(ProcessId process, const Change& change_parameters) const {
+    return change_in_place<Derived>(own(process), change_parameters);
+  }
+
  private:
-  friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AgentGraphs& own_graphs() const { return system_->population.character_of(number()).agents; }
   EntityBuilder builder() const { return system_->population.builder(number()); }
+  template <typename Derived, typename Part, typename Change>
+  Changed change_in_place(const OwnedPart<Part>* part, const Change& change_parameters) const {
+    Derived* const found = as<Derived, Part>(part);
+    if (found == nullptr) return Changed::no_such_part;
+    change_parameters(*found);
+    const bool done = own_graphs().update_alone(builder(), index(), *found, AgentGraphs::Entities::stay);
+    return done ? Changed::done : Changed::needs_entities;
+  }
   template <typename Change>
   Status settle(Change&& change_graph) {
     return system_->pus.settle(system_->population, number(), std::forward<Change>(change_graph));
@@ -195,8 +211,7 @@ class Agent : public AgentView {
   CrossFadeChannel* first_channel() const;
   bool play(CrossFadeChannel& channel, const PlayRequest& request);
   const char* fault_of(const PlayRequest& request) const;
-  const char* try_set_speed(double speed) const;
-  Status channel_changed(const char* call);
+  Status channel_changed(ChannelId channel, const char* call);
   Status process_changed(ProcessId process, const char* call);
 
   SystemParts* system_;

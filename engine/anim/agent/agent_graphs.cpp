@@ -94,7 +94,7 @@ Status AgentGraphs::add_channel(const EntityBuilder& build, std::uint32_t agent,
   owner.layers.push_back({.own = {.part = std::move(channel), .type = type, .id = owner.channels_given++},
                           .settings = settings,
                           .blender = {}});
-  return update(build, agent);
+  return update(build, agent) ? Status(Done{}) : rebuild(build, agent);
 }
 
 Status AgentGraphs::add_post_process(const EntityBuilder& build, std::uint32_t agent,
@@ -156,20 +156,13 @@ void AgentGraphs::end_fade(const EntityBuilder& build, Layer& layer) {
   if (layer.blender.valid()) write_weight(build, layer);
 }
 
-Status AgentGraphs::update(const EntityBuilder& build, std::uint32_t agent) {
+bool AgentGraphs::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = graphs_[agent].empty();
   for (Layer& layer : agents_[agent].layers) end_fade(build, layer);
   for (const Layer& layer : agents_[agent].layers) changed = layer.own.part->update(build) || changed;
   for (const OwnedProcess& process : agents_[agent].processes) changed = process.part->update(build) || changed;
-  if (changed) return rebuild(build, agent);
-  find_next_update(agent);
-  return Done{};
-}
-
-Status AgentGraphs::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place) {
-  if (agents_[agent].processes[place].part->update(build)) return rebuild(build, agent);
-  find_next_update(agent);
-  return Done{};
+  if (!changed) find_next_update(agent);
+  return !changed;
 }
 
 void AgentGraphs::find_next_update(std::uint32_t agent) {

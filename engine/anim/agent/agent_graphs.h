@@ -83,16 +83,24 @@ class AgentGraphs {
                           TypeTag type);
   /// Takes a process without its entities, so that another agent can have it.
   std::unique_ptr<PostProcess> take_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
-  /// Updates one process alone.
-  Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   /// Moves the weight of a channel evenly from where it is, so that it arrives after `fade`.
   void set_weight(const EntityBuilder& build, std::uint32_t agent, std::size_t channel, float weight, Ticks fade);
 
-  /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
-  /// graph with a cycle; then the agent keeps its graph if all entities of it are still alive, or else has none.
-  Status update(const EntityBuilder& build, std::uint32_t agent);
-  /// Rebuilds the graph. Call it after a channel was changed from outside; or after an update whose graph has no room,
-  /// to cut what channels fade by themselves.
+  /// Updates every channel and post process. Returns whether it is done: if not, the graph must be rebuilt.
+  bool update(const EntityBuilder& build, std::uint32_t agent);
+  enum class Entities : unsigned char { may_change, stay };
+  /// Does update() for one part of the agent alone. Where entities stay, a part that needs others is not updated, and
+  /// threads call it at once, each for another agent.
+  template <typename Part>
+  bool update_alone(const EntityBuilder& build, std::uint32_t agent, Part& part, Entities entities) {
+    if (entities == Entities::stay && graphs_[agent].empty()) return false;
+    const bool keeps = entities == Entities::stay ? part.update_in_place(build) : !part.update(build);
+    if (keeps) find_next_update(agent);
+    return keeps && !graphs_[agent].empty();
+  }
+  /// Rebuilds the graph after a part has changed; or, where that graph has no room, cuts what channels fade by
+  /// themselves. Errors: the parts made a graph with a cycle; then the agent keeps its graph if all entities of it are
+  /// still alive, or else has none.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent, Fades fades = Fades::go_on);
   /// Compiles all graphs anew. Call it when layouts of entities have changed.
   void recompile();

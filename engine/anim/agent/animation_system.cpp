@@ -1,10 +1,7 @@
 #include "engine/anim/agent/animation_system.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
-
-#include "engine/base/run_jobs.h"
 
 namespace throng::anim {
 namespace {
@@ -111,22 +108,6 @@ AgentId AnimationSystem::id(std::uint32_t number) const {
 bool AnimationSystem::can_run(const Turn& turn) const {
   const char* const fault = parts_.pus.fault();
   return fault == nullptr || turn.report(fault);
-}
-
-bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds) {
-  const Turn turn(system.parts_.turn, "set_speeds");
-  if (!turn) return false;
-  constexpr std::size_t speeds_worth_a_job = 256;
-  std::atomic<const char*> fault{nullptr};
-  run_ranges(system.executor(), speeds.size(), speeds_worth_a_job, system.options().pus,
-             [&](std::size_t first, std::size_t end) {
-               for (const AgentSpeed& each : speeds.subspan(first, end - first)) {
-                 const char* const refused =
-                     Agent(system.parts_, each.agent).try_set_speed(static_cast<double>(each.speed));
-                 if (refused != nullptr) fault.store(refused, std::memory_order_relaxed);
-               }
-             });
-  return fault.load() == nullptr || turn.report(fault.load());
 }
 
 void AnimationSystem::advance(Ticks delta) {

@@ -7,6 +7,7 @@
 #include "engine/anim/agent/agent.h"
 #include "engine/anim/agent/characters.h"
 #include "engine/anim/agent/figures.h"
+#include "engine/anim/agent/many_requests.h"
 #include "engine/anim/agent/system_options.h"
 #include "engine/anim/agent/system_parts.h"
 #include "engine/base/result.h"
@@ -18,9 +19,10 @@ namespace throng::anim {
 class SystemSnapshot;
 
 /// A crowd of agents, mostly of one character, of several if they are added (the façade, paper 2.1.2). One thread calls
-/// it; the PUs are inside. A call that breaks its contract is reported (base/misuse.h) and ignored. It has three parts:
+/// it; the PUs are inside. A call that breaks its contract is reported (base/misuse.h) and ignored. It has four parts:
 ///     characters()      what agents are, and what they share; set it up at load time
 ///     agent(id)         one agent: takes requests, and tells how it moves
+///     many()            the same for many agents at a time, on all PUs
 ///     figures()         what updates did, and what they took
 /// A frame comes after the requests:
 ///     advance(dt)       moves the clock of every agent, updated or not
@@ -99,9 +101,10 @@ class AnimationSystem {
   bool restart();
 
   Figures figures() const { return Figures(parts_); }
+  /// Takes requests to many agents at a time.
+  ManyRequests many() { return ManyRequests(parts_); }
 
  private:
-  friend bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
   AnimationSystem() = default;
   bool can_run(const Turn& turn) const;
   bool add(std::uint32_t count, CharacterId character, const Turn& turn);
@@ -110,9 +113,5 @@ class AnimationSystem {
   SystemParts parts_;
   Characters characters_{parts_};
 };
-
-/// Does what Agent::set_speed does for many agents, each once, on all PUs. Agents that cannot play at their speed are
-/// left out; false: there were some, and one of them was reported.
-bool set_speeds(AnimationSystem& system, std::span<const AgentSpeed> speeds);
 
 }  // namespace throng::anim

@@ -1,7 +1,6 @@
 #include "engine/anim/agent/blend_space_2d_channel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -80,16 +79,20 @@ double BlendSpace2dChannel::cycles_per_second(const EntityBuilder& build, std::s
   return speed / stride;
 }
 
-bool BlendSpace2dChannel::update(const EntityBuilder& build) {
+PlayingPoints BlendSpace2dChannel::shown(const EntityBuilder& build) const {
   const BlendPlane::Shares shares = space_->plane().shares(place_);
-  std::array<PlayingPoint, InStepPlayers::most> points;
-  std::ranges::transform(shares.all(), points.begin(), [&](const BlendPlane::Share& share) {
+  PlayingPoints shown{.count = shares.count};
+  std::ranges::transform(shares.all(), shown.of.begin(), [&](const BlendPlane::Share& share) {
     const BlendPoint2d& point = space_->point(share.point);
     return PlayingPoint{
         .point = share.point, .clip = point.clip, .weight = share.weight, .is_gait = is_gait(build, point)};
   });
-  const std::span<const PlayingPoint> playing(points.data(), shares.count);
-  return players_.play(build, playing, cycles_per_second(build, playing));
+  shown.cycles_per_second = cycles_per_second(build, shown.all());
+  return shown;
 }
+
+bool BlendSpace2dChannel::update(const EntityBuilder& build) { return players_.play(build, shown(build)); }
+
+bool BlendSpace2dChannel::update_in_place(const EntityBuilder& build) { return players_.play_on(build, shown(build)); }
 
 }  // namespace throng::anim

@@ -16,6 +16,8 @@ struct BlendPoint2d {
   int clip = 0;
   glm::vec2 place{0.0F};
   Pace pace = Pace::automatic;
+
+  friend bool operator==(const BlendPoint2d&, const BlendPoint2d&) = default;
 };
 
 /// The points of a blend space in a plane, which any number of agents share.
@@ -57,6 +59,7 @@ class BlendSpace2dChannel final : public Channel {
   const char* fault(const EntityBuilder& build) const override;
   Handle state() const override { return players_.state(); }
   bool update(const EntityBuilder& build) override;
+  bool update_in_place(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }
   void visit_handles(const std::function<void(Handle&)>& visit) override { players_.visit_handles(visit); }
   void destroy_entities(const EntityBuilder& build) override { players_.destroy_entities(build); }
@@ -64,6 +67,7 @@ class BlendSpace2dChannel final : public Channel {
 
  private:
   bool is_gait(const EntityBuilder& build, const BlendPoint2d& point) const;
+  PlayingPoints shown(const EntityBuilder& build) const;
   double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
 
   std::shared_ptr<const BlendSpace2d> space_;

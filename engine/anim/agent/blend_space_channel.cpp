@@ -1,7 +1,6 @@
 #include "engine/anim/agent/blend_space_channel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/anim/base/misuse.h"
@@ -58,13 +57,16 @@ double BlendSpaceChannel::cycles_per_second(const EntityBuilder& build, std::spa
              : sum.own_cycles_per_second();
 }
 
-bool BlendSpaceChannel::update(const EntityBuilder& build) {
+PlayingPoints BlendSpaceChannel::shown(const EntityBuilder& build) const {
   const auto [lower, fraction] = place();
-  const bool two = fraction > 0.0F;
-  const std::array<PlayingPoint, 2> points{playing(build, lower, 1.0F - fraction),
-                                           playing(build, two ? lower + 1 : lower, fraction)};
-  const std::span<const PlayingPoint> shown(points.data(), two ? 2U : 1U);
-  return players_.play(build, shown, cycles_per_second(build, shown));
+  PlayingPoints shown{.of = {playing(build, lower, 1.0F - fraction)}, .count = 1};
+  if (fraction > 0.0F) shown.of[shown.count++] = playing(build, lower + 1, fraction);
+  shown.cycles_per_second = cycles_per_second(build, shown.all());
+  return shown;
 }
+
+bool BlendSpaceChannel::update(const EntityBuilder& build) { return players_.play(build, shown(build)); }
+
+bool BlendSpaceChannel::update_in_place(const EntityBuilder& build) { return players_.play_on(build, shown(build)); }
 
 }  // namespace throng::anim

@@ -16,6 +16,8 @@ struct BlendPoint {
   int clip = 0;
   float parameter = 0.0F;
   Pace pace = Pace::automatic;
+
+  friend bool operator==(const BlendPoint&, const BlendPoint&) = default;
 };
 
 /// Plays looping clips along one parameter, such as idle, walk, jog and run by speed. It blends the two neighbours of
@@ -46,6 +48,7 @@ class BlendSpaceChannel final : public Channel {
   const char* fault(const EntityBuilder& build) const override;
   Handle state() const override { return players_.state(); }
   bool update(const EntityBuilder& build) override;
+  bool update_in_place(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }
   void visit_handles(const std::function<void(Handle&)>& visit) override { players_.visit_handles(visit); }
   void destroy_entities(const EntityBuilder& build) override { players_.destroy_entities(build); }
@@ -57,6 +60,7 @@ class BlendSpaceChannel final : public Channel {
     float fraction;     ///< the way towards the next point, 0 to below 1
   };
   Place place() const;
+  PlayingPoints shown(const EntityBuilder& build) const;
   PlayingPoint playing(const EntityBuilder& build, std::size_t point, float weight) const;
   double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
 

@@ -34,6 +34,10 @@ class Channel {
   /// after next_update().
   virtual bool update(const EntityBuilder& build) = 0;
 
+  /// Does what update() does if that makes, destroys and connects no entity; else does nothing, and returns false.
+  /// Threads call it at once, each for another agent.
+  virtual bool update_in_place(const EntityBuilder&) { return false; }
+
   /// Returns the time of the clock at which update() must be called again by itself, or never.
   virtual Ticks next_update() const { return never; }
 

@@ -83,7 +83,7 @@ Handle EntityBuilder::player(const PlayerStart& start) const {
   player.speed = fixed_point(start.speed);
   player.flags = start.loop ? Player::looping : 0;
   player.bone_selection = start.bone_selection;
-  seek(handle, start.start * fine_ticks_per_tick);
+  seek(player, start.start * fine_ticks_per_tick);
   if (start.absolute_root) place(player.state, *start.absolute_root);
   return handle;
 }
@@ -113,12 +113,12 @@ Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) con
   return handle;
 }
 
-void EntityBuilder::seek(Handle player, FineTicks position) const {
-  as<Player>(player).position = position + distance(lead(), as<Player>(player).speed);
+void EntityBuilder::seek(Player& player, FineTicks position) const {
+  player.position = position + distance(lead(), player.speed);
 }
 
-FineTicks EntityBuilder::position(Handle player) const {
-  return as<Player>(player).position - distance(lead(), as<Player>(player).speed);
+FineTicks EntityBuilder::position(const Player& player) const {
+  return player.position - distance(lead(), player.speed);
 }
 
 Ticks EntityBuilder::length_of(Handle player) const {
@@ -128,17 +128,16 @@ Ticks EntityBuilder::length_of(Handle player) const {
   return Ticks{(way + speed - 1) / speed};
 }
 
-void EntityBuilder::set_speed(Handle player, double speed) const {
+void EntityBuilder::set_speed(Player& player, double speed) const {
   if (!is_speed(speed)) {
     report_misuse({"EntityBuilder::set_speed", not_a_speed});
     return;
   }
-  auto& own = as<Player>(player);
-  FineTicks at = own.position - distance(lead(), own.speed);
-  const bool looping = (own.flags & Player::looping) != 0;
-  if (!looping) at = std::clamp(at, FineTicks{0}, clips_[own.clip].duration * fine_ticks_per_tick);
-  own.speed = fixed_point(speed);
-  own.position = at + distance(lead(), own.speed);
+  FineTicks at = position(player);
+  const bool looping = (player.flags & Player::looping) != 0;
+  if (!looping) at = std::clamp(at, FineTicks{0}, clips_[player.clip].duration * fine_ticks_per_tick);
+  player.speed = fixed_point(speed);
+  seek(player, at);
 }
 
 }  // namespace throng::anim

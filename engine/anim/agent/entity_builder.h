@@ -100,16 +100,18 @@ class EntityBuilder {
   /// Makes a blender that stands still at `fraction`.
   Handle hold(Handle from, Handle to, float fraction, int mask = EaseBlender::no_mask) const;
 
+  // A caller that changes a player several times resolves it once, by as<Player>().
+
   /// Moves a player so that it is at `position` at the clock.
-  void seek(Handle player, FineTicks position) const;
+  void seek(Player& player, FineTicks position) const;
   /// Returns the position of a player at the clock, wherever it stands. It may lie outside of the clip, whole loops
   /// away.
-  FineTicks position(Handle player) const;
+  FineTicks position(const Player& player) const;
   /// Returns how long a player, which does not stand still, takes from one end of its clip to the other.
   Ticks length_of(Handle player) const;
   /// Sets the speed of a player from the clock on. Position and time go on without a jump; a player that holds an end
   /// goes on from there.
-  void set_speed(Handle player, double speed) const;
+  void set_speed(Player& player, double speed) const;
 
   void destroy(Handle entity) const {
     if (is_alive(entity)) pools_->destroy(entity);

@@ -111,13 +111,27 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
   scheduler_->reserve(population.numbers().number_limit());
 }
 
-Status FittedScheduler::update_channels(Population& population, std::uint32_t agent) {
+template <typename Update>
+Status FittedScheduler::update_parts(Population& population, std::uint32_t agent, Update&& update) {
   AgentGraphs& graphs = population.character_of(agent).agents;
   const std::uint32_t index = population.numbers().member(agent).index;
   const EntityBuilder build = population.builder(agent);
-  Status updated = settle(population, agent, [&] { return graphs.update(build, index); });
+  const bool is_done = update(graphs, build, index);
+  Status updated = settle(population, agent, [&] { return is_done ? Status(Done{}) : graphs.rebuild(build, index); });
   if (updated) return updated;
   return settle(population, agent, [&] { return graphs.rebuild(build, index, AgentGraphs::Fades::are_cut); });
+}
+
+Status FittedScheduler::update_channels(Population& population, std::uint32_t agent) {
+  return update_parts(population, agent, [](AgentGraphs& graphs, const EntityBuilder& build, std::uint32_t index) {
+    return graphs.update(build, index);
+  });
+}
+
+Status FittedScheduler::update_channel(Population& population, std::uint32_t agent, std::size_t place) {
+  return update_parts(population, agent, [&](AgentGraphs& graphs, const EntityBuilder& build, std::uint32_t index) {
+    return graphs.update_alone(build, index, *graphs.channel(index, place).part, AgentGraphs::Entities::may_change);
+  });
 }
 
 void FittedScheduler::update_due_channels(Population& population, std::uint32_t character) {

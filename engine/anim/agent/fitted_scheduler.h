@@ -41,8 +41,10 @@ class FittedScheduler {
     Status changed = change_graph();
     return changed ? fit(population, agent) : changed;
   }
-  /// Updates the channels of an agent. If there is no room for their fades, it is shown without them.
+  /// Updates the channels of an agent, or the channel at a place. If there is no room for their fades, the agent is
+  /// shown without them.
   Status update_channels(Population& population, std::uint32_t agent);
+  Status update_channel(Population& population, std::uint32_t agent, std::size_t place);
   /// Updates the channels of a character's agents that are due by the clock, posed or not.
   void update_due_channels(Population& population, std::uint32_t character);
   /// Returns what all graphs ask of the stores.
@@ -64,6 +66,8 @@ class FittedScheduler {
   Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
 
  private:
+  template <typename Update>
+  Status update_parts(Population& population, std::uint32_t agent, Update&& update);
   LocalStoreDemand demand(const Population& population, const SystemOptions& options) const;
   Status fit(const Population& population, std::uint32_t agent);
   void make_scheduler(const Population& population, const LocalStorePlan& plan, std::size_t store_bytes);

@@ -44,7 +44,8 @@ bool update_shared(const Population& population, CharacterAgents& character) {
   for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
     if (shared.next_update(graph) > population.clock()) continue;
     [[maybe_unused]] const Handle root = shared.graph(graph).root();
-    [[maybe_unused]] const Status updated = shared.update(population.shared_builder(character, graph), graph);
+    const EntityBuilder build = population.shared_builder(character, graph);
+    [[maybe_unused]] const Status updated = shared.update(build, graph) ? Status(Done{}) : shared.rebuild(build, graph);
     assert(updated && shared.graph(graph).root() == root && "a shared channel changed to another state");
     changed = true;
   }

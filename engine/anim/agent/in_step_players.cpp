@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "engine/anim/asset/marker_map.h"
 #include "engine/anim/entity/mixer.h"
 
 namespace throng::anim {
@@ -21,9 +20,9 @@ MarkedClip marked(const EntityBuilder& build, int clip) {
 
 FineTicks length_of(const EntityBuilder& build, int clip) { return marked(build, clip).duration * fine_ticks_per_tick; }
 
-/// Returns the ticks until a position leaves [begin, end) at that speed, which is not 0.
-Ticks ticks_until_left(FineTicks position, const MarkerMap::Place& place, FineTicks speed) {
-  const FineTicks left = speed > 0 ? place.end - position : position - place.begin + 1;
+/// Returns the ticks until a position leaves a way at that speed, which is not 0.
+Ticks ticks_until_left(FineTicks position, const MarkerMap::Way& way, FineTicks speed) {
+  const FineTicks left = speed > 0 ? way.end - position : position - way.begin + 1;
   return Ticks{(left + std::abs(speed) - 1) / std::abs(speed)};
 }
 
@@ -66,17 +65,20 @@ bool BlendedPlayers::blend(const EntityBuilder& build, std::span<const float> we
     auto& blender = build.as<EaseBlender>(blend_);
     blender.from = players_[0];
     blender.to = players_[1];
-    blender.fraction = weights[1];
   } else if (count_ > 2) {
     if (!blend_.valid()) blend_ = build.create(EntityPools::mixers);
     auto& mixer = build.as<Mixer>(blend_);
-    auto& mixed = build.private_as<MixerSources>(blend_);
     mixer.source_count = static_cast<std::uint32_t>(count_);
     std::ranges::fill(mixer.masks, EaseBlender::no_mask);
-    std::copy_n(players_.begin(), count_, mixed.sources);
-    std::copy_n(weights.begin(), count_, mixed.weights);
+    std::copy_n(players_.begin(), count_, build.private_as<MixerSources>(blend_).sources);
   }
+  weigh(build, weights);
   return blend_ != before;
+}
+
+void BlendedPlayers::weigh(const EntityBuilder& build, std::span<const float> weights) const {
+  if (count_ == 2) build.as<EaseBlender>(blend_).fraction = weights[1];
+  if (count_ > 2) std::copy_n(weights.begin(), count_, build.private_as<MixerSources>(blend_).weights);
 }
 
 void BlendedPlayers::visit_handles(const std::function<void(Handle&)>& visit) {
@@ -98,17 +100,17 @@ void StrideSum::add(const EntityBuilder& build, const PlayingPoint& gait, double
   metres_a_cycle += share * speed * seconds;
 }
 
-InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build) const {
+InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build, const Players& players) const {
   if (leader_ == no_player) return {};
   const int clip = points_[leader_].clip;
   const FineTicks length = length_of(build, clip);
-  const FineTicks position = build.position(players_.player(leader_));
+  const FineTicks position = build.position(*players[leader_]);
   return {.clip = clip, .position = position - whole_loops(position, length) * length};
 }
 
 double InStepPlayers::phase(const EntityBuilder& build) const {
   if (leader_ == no_player) return 0.0;
-  const Stride now = stride(build);
+  const Stride now = stride(build, players(build));
   return static_cast<double>(now.position) / static_cast<double>(length_of(build, now.clip));
 }
 
@@ -135,53 +137,73 @@ std::size_t InStepPlayers::choose_leader() const {
   return best;
 }
 
-bool InStepPlayers::play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second) {
-  assert(!points.empty() && points.size() <= most);
-  const Stride before = stride(build);
-  const bool changed = take_players(build, points);
-  keep_step(build, before, cycles_per_second);
-  std::array<float, most> weights{};
-  std::ranges::transform(points, weights.begin(), &PlayingPoint::weight);
-  return players_.blend(build, weights) || changed;
+InStepPlayers::Players InStepPlayers::players(const EntityBuilder& build) const {
+  Players players{};
+  for (std::size_t i = 0; i < count_; ++i) players[i] = &build.as<Player>(players_.player(i));
+  return players;
 }
 
-void InStepPlayers::keep_step(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
+bool InStepPlayers::play_on(const EntityBuilder& build, const PlayingPoints& points) {
+  const auto playing = std::span(points_).first(count_);
+  if (!std::ranges::equal(points.all(), playing, {}, &PlayingPoint::point, &PlayingPoint::point)) return false;
+  const Players own = players(build);
+  const Stride before = stride(build, own);
+  std::ranges::copy(points.all(), points_.begin());
+  keep_step(build, own, before, points.cycles_per_second);
+  players_.weigh(build, points.weights());
+  return true;
+}
+
+bool InStepPlayers::play(const EntityBuilder& build, const PlayingPoints& points) {
+  assert(points.count > 0);
+  const Stride before = stride(build, players(build));
+  const bool changed = take_players(build, points.all());
+  keep_step(build, players(build), before, points.cycles_per_second);
+  return players_.blend(build, points.weights()) || changed;
+}
+
+void InStepPlayers::keep_step(const EntityBuilder& build, const Players& players, const Stride& before,
+                              double cycles_per_second) {
   next_update_ = never;
   for (std::size_t i = 0; i < count_; ++i) {
-    build.as<Player>(players_.player(i)).flags &= ~(Player::leads_step | Player::in_step);
-    if (!points_[i].is_gait) build.set_speed(players_.player(i), 1.0);
+    players[i]->flags &= ~(Player::leads_step | Player::in_step);
+    if (!points_[i].is_gait) build.set_speed(*players[i], 1.0);
   }
   const std::size_t old_leader = leader_;
   leader_ = choose_leader();
   if (leader_ == no_player) return;
-  lead(build, old_leader == leader_ ? Stride{} : before, cycles_per_second);
-  const Stride now = stride(build);
+  lead(build, *players[leader_], old_leader == leader_ ? Stride{} : before, cycles_per_second);
+  const Stride now = stride(build, players);
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i != leader_ && points_[i].is_gait) follow(build, i, now);
+    if (i != leader_ && points_[i].is_gait) follow(build, players, i, now);
   }
 }
 
 // Without a stride of `before` the leader goes on where it stands.
-void InStepPlayers::lead(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
-  const Handle leader = players_.player(leader_);
+void InStepPlayers::lead(const EntityBuilder& build, Player& leader, const Stride& before,
+                         double cycles_per_second) const {
   const MarkedClip clip = marked(build, points_[leader_].clip);
   build.set_speed(leader, std::clamp(cycles_per_second * to_seconds(clip.duration), -fastest, fastest));
   if (before.clip < 0) return;
-  build.seek(leader, MarkerMap(marked(build, before.clip), clip).at(before.position).position);
+  build.seek(leader, MarkerMap(marked(build, before.clip), clip).way(before.position).position(before.position));
 }
 
-void InStepPlayers::follow(const EntityBuilder& build, std::size_t place, const Stride& leader) {
-  const MarkerMap map(marked(build, leader.clip), marked(build, points_[place].clip));
-  const MarkerMap::Place at = map.at(leader.position);
-  const Handle player = players_.player(place);
-  auto& leading = build.as<Player>(players_.player(leader_));
-  build.set_speed(player, std::clamp(at.rate * static_cast<double>(leading.speed) / 65536.0, -fastest, fastest));
-  build.seek(player, at.position);
+void InStepPlayers::follow(const EntityBuilder& build, const Players& players, std::size_t place,
+                           const Stride& leader) {
+  const int clip = points_[place].clip;
+  Step& step = steps_[place];
+  if (step.leader != leader.clip || step.clip != clip || !step.way.holds(leader.position)) {
+    const MarkerMap map(marked(build, leader.clip), marked(build, clip));
+    step = {.leader = leader.clip, .clip = clip, .way = map.way(leader.position)};
+  }
+  Player &leading = *players[leader_], &player = *players[place];
+  build.set_speed(player, std::clamp(step.way.rate * static_cast<double>(leading.speed) / 65536.0, -fastest, fastest));
+  build.seek(player, step.way.position(leader.position));
   Ticks wait = in_step_for;
-  if (map.has_markers()) {
+  if (step.way.has_markers) {
     leading.flags |= Player::leads_step;
-    build.as<Player>(player).flags |= Player::in_step;
-    if (leading.speed != 0) wait = std::min(wait, ticks_until_left(leader.position, at, leading.speed));
+    player.flags |= Player::in_step;
+    if (leading.speed != 0) wait = std::min(wait, ticks_until_left(leader.position, step.way, leading.speed));
   }
   next_update_ = std::min(next_update_, build.now() + wait);
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/anim/agent/channel.h"
+#include "engine/anim/asset/marker_map.h"
 
 namespace throng::anim {
 
@@ -15,6 +16,19 @@ struct PlayingPoint {
   int clip = 0;
   float weight = 1.0F;  ///< above 0
   bool is_gait = true;  ///< it keeps step with the other gaits; else it plays at its own rate
+};
+
+/// The points of a blend space that play at a time, and the pace of their gaits.
+struct PlayingPoints {
+  static constexpr std::size_t most = 3;
+
+  std::array<PlayingPoint, most> of{};  ///< their weights add up to 1
+  std::size_t count = 0;                ///< at least 1
+  double cycles_per_second = 0.0;       ///< that all gaits make
+
+  std::span<const PlayingPoint> all() const& { return {of.data(), count}; }
+  std::span<const PlayingPoint> all() && = delete;  ///< a loop over them would outlive them
+  std::array<float, most> weights() const { return {of[0].weight, of[1].weight, of[2].weight}; }
 };
 
 /// Sums up the strides of the gaits that play, from which their common pace follows.
@@ -49,6 +63,8 @@ class BlendedPlayers {
   /// Blends the players, by one weight each. Of two weights, which add up to 1, it reads the second. Returns whether
   /// another entity blends them.
   bool blend(const EntityBuilder& build, std::span<const float> weights);
+  /// Sets the weights alone, after a call of blend() for the same players.
+  void weigh(const EntityBuilder& build, std::span<const float> weights) const;
 
   Handle player(std::size_t place) const { return players_[place]; }
   /// Returns the entity whose pose is the blend.
@@ -71,11 +87,14 @@ class BlendedPlayers {
 /// rate and keep their place as long as they have a weight.
 class InStepPlayers {
  public:
-  static constexpr std::size_t most = 3;
+  static constexpr std::size_t most = PlayingPoints::most;
 
-  /// Plays `points`, 1 to `most`, from the clock on. Their weights add up to 1. All gaits make `cycles_per_second`.
-  /// Returns whether state(), or an entity that it reads, is another than before.
-  bool play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second);
+  /// Plays these points from the clock on. Returns whether state(), or an entity that it reads, is another than before.
+  bool play(const EntityBuilder& build, const PlayingPoints& points);
+
+  /// Does what play() does if the points are those that play already, in this order; else does nothing, and returns
+  /// false. It makes and destroys no entity.
+  bool play_on(const EntityBuilder& build, const PlayingPoints& points);
 
   Handle state() const { return players_.state(); }
   /// Returns the phase of the leader at the clock, 0 to below 1; 0 where no gait plays.
@@ -97,15 +116,25 @@ class InStepPlayers {
     int clip = -1;           ///< -1: no gait plays
     FineTicks position = 0;  ///< 0 to below the clip's duration
   };
-  Stride stride(const EntityBuilder& build) const;
+  /// How a follower is led until a foot comes down. It is kept, since markers are slow to match.
+  struct Step {
+    int leader = -1;  ///< the clip of the leader; -1: none was matched
+    int clip = -1;    ///< of the follower
+    MarkerMap::Way way;
+  };
+  /// The players of points_. They are resolved once a call.
+  using Players = std::array<Player*, most>;
+  Players players(const EntityBuilder& build) const;
+  Stride stride(const EntityBuilder& build, const Players& players) const;
   bool take_players(const EntityBuilder& build, std::span<const PlayingPoint> points);
   std::size_t choose_leader() const;
-  void keep_step(const EntityBuilder& build, const Stride& before, double cycles_per_second);
-  void lead(const EntityBuilder& build, const Stride& before, double cycles_per_second);
-  void follow(const EntityBuilder& build, std::size_t place, const Stride& leader);
+  void keep_step(const EntityBuilder& build, const Players& players, const Stride& before, double cycles_per_second);
+  void lead(const EntityBuilder& build, Player& leader, const Stride& before, double cycles_per_second) const;
+  void follow(const EntityBuilder& build, const Players& players, std::size_t place, const Stride& leader);
 
   BlendedPlayers players_;  // of points_
   std::array<PlayingPoint, most> points_{};
+  std::array<Step, most> steps_{};  // of points_ that follow
   std::size_t count_ = 0;
   std::size_t leader_ = no_player;
   Ticks next_update_ = never;

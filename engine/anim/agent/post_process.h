@@ -26,6 +26,9 @@ class PostProcess {
   /// Brings its entities up to date with its parameters. Returns whether attach() must be called again. It is called
   /// when a parameter was set through `Agent::change_process`, and at or after next_update().
   virtual bool update(const EntityBuilder&) { return false; }
+  /// Does what update() does if that makes, destroys and connects no entity; else does nothing, and returns false.
+  /// Threads call it at once, each for another agent.
+  virtual bool update_in_place(const EntityBuilder&) { return false; }
   /// Returns the time of the clock at which update() must be called again by itself, or never.
   virtual Ticks next_update() const { return never; }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <vector>
 
 #include "engine/anim/agent/exact_poser.h"
 #include "engine/anim/agent/fitted_scheduler.h"
@@ -38,12 +40,20 @@ class Turn {
   bool has_it_;
 };
 
+/// The memory of a call that takes requests to many agents (many_requests.h).
+struct ManyScratch {
+  std::vector<std::uint32_t> calls;  // [agent] the last call that named the agent
+  std::uint32_t call = 0;            // the number of the present call
+  std::vector<std::uint8_t> waits;   // [request] it is taken after the others, in the caller's thread
+};
+
 /// The inside of an AnimationSystem. The system, its characters, its agents and its figures work on it.
 struct SystemParts {
   Population population;
   FittedScheduler pus;
   FrameWork frame;
   ExactPoser exact;
+  ManyScratch many;
   mutable std::atomic<bool> turn{false};  ///< some call changes the system; see Turn
 };
 

@@ -35,6 +35,7 @@ class WeightedProcess : public OneEntityProcess<Entity> {
     if (this->entity().valid()) bring(build, this->entity());
     return false;
   }
+  bool update_in_place(const EntityBuilder& build) final { return !update(build); }
 
  protected:
   WeightedProcess(EntityPools::Kind kind, float weight) : OneEntityProcess<Entity>(kind), weight_(weight) {}
@@ -65,30 +66,5 @@ class WeightedProcess : public OneEntityProcess<Entity> {
 
 /// The reason why a placement is refused.
 inline constexpr const char* not_a_placement = "a placement is of finite metres and a unit quaternion";
-
-/// A weighted process whose entity has a `target`: a place in metres in the character's model space.
-template <typename Entity>
-class TargetedProcess : public WeightedProcess<Entity> {
- public:
-  /// Sets the target at once, from the next update on. A caller that wants a slow change moves it slowly.
-  void set_target(const glm::vec3& target, const char* call = "Processes::reach") {
-    if (all_finite(target)) {
-      target_ = target;
-    } else {
-      report_misuse({call, "a target is of finite numbers"});
-    }
-  }
-
- protected:
-  TargetedProcess(EntityPools::Kind kind, const glm::vec3& target)
-      : WeightedProcess<Entity>(kind, 0.0F), target_(target) {}
-
- private:
-  void write(const EntityBuilder& build, Handle entity) const final {
-    for (int axis = 0; axis < 3; ++axis) build.as<Entity>(entity).target[axis] = target_[axis];
-  }
-
-  glm::vec3 target_;
-};
 
 }  // namespace throng::anim

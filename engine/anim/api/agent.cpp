@@ -1,5 +1,6 @@
 #include "throng/agent.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/api/machine_data.h"
 #include "engine/anim/base/misuse.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng {
 namespace {
@@ -81,7 +83,11 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
   for (const BlendPoint& point : space.points) {
     points.push_back({.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = point.pace});
   }
-  auto channel = std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed);
+  auto& shared = crowd_->spaces.line;
+  if (shared == nullptr || *shared != points) {
+    shared = std::make_shared<const std::vector<anim::BlendPoint>>(std::move(points));
+  }
+  auto channel = std::make_unique<anim::BlendSpaceChannel>(shared, space.parameter, space.is_ground_speed);
   Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
   if (added) crowd_->note_clip(id_, space.points.back().clip);
   return added;
@@ -96,9 +102,13 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
     points.push_back({.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = point.pace});
   }
   const auto clip_count = static_cast<int>(agent.character().clips.size());
-  auto plane = anim::BlendSpace2d::create(std::move(points), space.meaning, clip_count);
-  if (!plane) return plane.error();
-  auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
+  auto& shared = crowd_->spaces.plane;
+  if (shared == nullptr || shared->meaning() != space.meaning || !std::ranges::equal(shared->all(), points)) {
+    auto plane = anim::BlendSpace2d::create(std::move(points), space.meaning, clip_count);
+    if (!plane) return plane.error();
+    shared = std::move(*plane);
+  }
+  auto channel = std::make_unique<anim::BlendSpace2dChannel>(shared, glm::vec2(space.x, space.y));
   Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
   if (added) crowd_->note_clip(id_, space.points.front().clip);
   return added;

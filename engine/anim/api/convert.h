@@ -5,18 +5,9 @@
 #include "throng/ids.h"
 
 #include "engine/anim/bake/character.h"
-#include "engine/anim/kernel/limb/joint_chain.h"
-#include "engine/base/glm_numbers.h"
 
-/// Converts public values to the library's, and back.
+/// Converts ids of clips and masks to the library's numbers, and back.
 namespace throng::detail {
-
-inline anim::JointMotion to_joint(const Place& place) {
-  return {.rotation = to_glm(place.rotation), .position = to_glm(place.position)};
-}
-inline Place from_joint(const anim::JointMotion& joint) {
-  return {.position = from_glm(joint.position), .rotation = from_glm(joint.rotation)};
-}
 
 /// Returns the id of a clip that the character has.
 inline ClipId id_of(const anim::Character& character, std::uint32_t clip) {

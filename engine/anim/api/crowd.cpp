@@ -5,7 +5,6 @@
 
 #include "throng/debug.h"
 
-#include "engine/anim/api/convert.h"
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/joint_list.h"
@@ -13,6 +12,7 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng {
 
@@ -262,6 +262,11 @@ bool Crowd::remove_agent(AgentId agent) {
 Agent Crowd::agent(AgentId agent) {
   is_gone("Crowd::agent");
   return {parts(), agent};
+}
+
+ManyAgents Crowd::many() {
+  is_gone("Crowd::many");
+  return ManyAgents(parts());
 }
 
 std::span<const AgentId> Crowd::agents() const {

@@ -7,6 +7,7 @@
 #include "throng/crowd.h"
 
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/api/own_kinds.h"
 
@@ -31,21 +32,33 @@ struct CrowdCharacter {
   std::unique_ptr<OwnKinds> kinds;
 };
 
+/// The points of the blend spaces that agents were given last. The next agents share them if theirs are equal.
+struct LastSpaces {
+  std::shared_ptr<const std::vector<anim::BlendPoint>> line;
+  std::shared_ptr<const anim::BlendSpace2d> plane;
+};
+
 /// The inside of a Crowd: an AnimationSystem, and what the public calls keep beside it.
 struct CrowdParts {
   std::vector<CrowdCharacter>
       characters;  // [number] an empty one where no character has the number. They outlive the system.
   std::unique_ptr<anim::AnimationSystem> system;
   AgentNotes notes;
-  std::vector<anim::ExactPose> exact;   // scratch of a look
-  std::vector<anim::Transform> locals;  // scratch of a look
-  std::uint64_t version = 0;            // another one, of all crowds, whenever characters come or go
+  LastSpaces spaces;
+  std::vector<anim::ExactPose> exact;       // scratch of a look
+  std::vector<anim::Transform> locals;      // scratch of a look
+  std::vector<std::vector<AgentKey>> keys;  // [run of agents] of ManyAgents::keys; the first has all of them
+  std::uint64_t version = 0;                // another one, of all crowds, whenever characters come or go
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.
   CrowdCharacter* character_of(AgentId agent, const char* call);
   /// Returns why an agent cannot play the clip of an id that it could once play, in one sentence; else null. Every
   /// request for a clip asks it first. The system checks everything else.
   const char* fault_of(AgentId agent, ClipId clip) const;
+  /// Returns whether both times are within a day of the clock; else reports a misuse.
+  bool are_near(Ticks from, Ticks to, const char* call) const;
+  /// Returns whether keys may be asked for between these times: are_near(), and a minute at most.
+  bool is_asked_in_time(Ticks from, Ticks to, const char* call) const;
   /// Notes which clip an agent plays.
   void note_clip(AgentId agent, ClipId clip, Ticks fade = {}) {
     if (agent.number < notes.clips.size()) notes.clips[agent.number] = static_cast<int>(clip.number);

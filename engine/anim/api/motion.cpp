@@ -3,6 +3,7 @@
 #include "engine/anim/api/convert.h"
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/base/misuse.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng {
 namespace {
@@ -17,19 +18,23 @@ anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
 static_assert(static_cast<int>(KeyChoice::heaviest) == static_cast<int>(anim::KeyChoice::heaviest));
 static_assert(static_cast<int>(KeyChoice::all) == static_cast<int>(anim::KeyChoice::all));
 
-/// Returns whether both times are within a day of the clock; else reports a misuse.
-bool are_near(const detail::CrowdParts& crowd, Ticks from, Ticks to, const char* call) {
+}  // namespace
+
+bool detail::CrowdParts::are_near(Ticks from, Ticks to, const char* call) const {
   constexpr Ticks day = 24 * 3600 * ticks_per_second;
-  const Ticks now = crowd.system->clock();
+  const Ticks now = system->clock();
   const auto is_near = [&](Ticks time) { return time >= now - day && time <= now + day; };
   if (is_near(from) && is_near(to)) return true;
   return anim::report_misuse({call, "times are within a day of the clock"});
 }
 
-}  // namespace
+bool detail::CrowdParts::is_asked_in_time(Ticks from, Ticks to, const char* call) const {
+  if (!are_near(from, to, call)) return false;
+  return to - from <= longest_way || anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
+}
 
 RootMotion Motion::displacement(Ticks from, Ticks to) const {
-  if (!are_near(*crowd_, from, to, "Motion::displacement")) return {};
+  if (!crowd_->are_near(from, to, "Motion::displacement")) return {};
   const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
   return {.displacement = from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
 }
@@ -51,11 +56,7 @@ std::optional<Place> Motion::absolute_root() const {
 void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
                         void* context) const {
   constexpr const char* call = "Motion::for_each_key";
-  if (!are_near(*crowd_, from, to, call)) return;
-  if (to - from > longest_way) {
-    anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
-    return;
-  }
+  if (!crowd_->is_asked_in_time(from, to, call)) return;
   const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
   const auto tell = [&](const anim::DataKeyEvent& key) {
     visit(context,
@@ -65,7 +66,7 @@ void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(vo
 }
 
 void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
-  if (!are_near(*crowd_, from, to, "Motion::for_each_end")) return;
+  if (!crowd_->are_near(from, to, "Motion::for_each_end")) return;
   const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
   const auto tell = [&](const anim::ClipEnd& end) {
     visit(context, {.clip = detail::id_of(character, end.clip), .time = end.time, .weight = end.weight});

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "engine/anim/api/convert.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/entity/chain_reach_entity.h"
 #include "engine/anim/entity/spring_bones_entity.h"
+#include "engine/anim/kernel/limb/joint_place.h"
+#include "engine/base/glm_numbers.h"
 #include "engine/base/text/plain_text.h"
 
 namespace throng::detail {
@@ -129,7 +130,8 @@ Result<OwnKinds::Place> OwnKinds::socket(const Socket& settings) {
   if (settings.bone < 0 || settings.bone >= skeleton().bone_count()) {
     return Error{skeleton().name + ": a socket is at a bone, 0 to " + std::to_string(skeleton().bone_count() - 1)};
   }
-  const Result<anim::SocketPlace> made = anim::make_socket_place(skeleton(), settings.bone, to_joint(settings.offset));
+  const Result<anim::SocketPlace> made =
+      anim::make_socket_place(skeleton(), settings.bone, anim::to_joint(settings.offset));
   if (!made) return made.error();
   if (!socket_kind_) {
     socket_kind_ = anim::socket_kind(sockets_);

@@ -1,18 +1,19 @@
 #include <memory>
 
 #include "throng/agent.h"
+#include "throng/many.h"
 
-#include "engine/anim/agent/chain_reach_process.h"
 #include "engine/anim/agent/foot_placement_process.h"
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/ragdoll_process.h"
-#include "engine/anim/agent/reach_process.h"
 #include "engine/anim/agent/socket_process.h"
 #include "engine/anim/agent/spring_bones_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "engine/anim/api/convert.h"
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/api/step_process.h"
+#include "engine/anim/kernel/limb/joint_place.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng {
 namespace {
@@ -143,8 +144,8 @@ bool Processes::set_weight(ProcessId process, float weight, Ticks fade) const {
 }
 
 bool Processes::look_at(ProcessId gaze, const Vec3& target, Ticks fade) const {
-  const auto look = [&](anim::LookAtProcess& own) { own.look_at(to_glm(target), fade); };
-  return change<anim::LookAtProcess>(*crowd_, agent_, gaze, "Processes::look_at", look);
+  const GazeRequest request{.agent = agent_, .gaze = gaze, .target = target, .fade = fade};
+  return crowd_->system->many().look_at({&request, 1}, "Processes::look_at");
 }
 
 bool Processes::look_away(ProcessId gaze, Ticks fade) const {
@@ -153,26 +154,18 @@ bool Processes::look_away(ProcessId gaze, Ticks fade) const {
 }
 
 bool Processes::reach(ProcessId limb, const Vec3& target) const {
-  const auto set = [&](auto& own) { own.set_target(to_glm(target)); };
-  return change<anim::ReachProcess, anim::ChainReachProcess>(*crowd_, agent_, limb, "Processes::reach", set);
+  const ReachRequest request{.agent = agent_, .limb = limb, .target = target};
+  return crowd_->system->many().reach({&request, 1}, "Processes::reach");
 }
 
 bool Processes::set_placement(ProcessId process, const Place& model_in_world) const {
-  const auto set = [&](auto& own) { own.set_placement(detail::to_joint(model_in_world)); };
-  return change<anim::FootPlacementProcess, anim::SpringBonesProcess>(*crowd_, agent_, process,
-                                                                      "Processes::set_placement", set);
+  const PlacementRequest request{.agent = agent_, .process = process, .model_in_world = model_in_world};
+  return crowd_->system->many().set_placements({&request, 1}, "Processes::set_placement");
 }
 
 bool Processes::set_ground(ProcessId feet, int leg, const Vec3& point, const Vec3& normal) const {
-  const anim::Footing plane{.place = to_glm(point), .normal = to_glm(normal)};
-  const auto set = [&](anim::FootPlacementProcess& own) {
-    if (leg == -1) {
-      own.set_ground(plane);
-    } else {
-      own.set_ground(leg, plane);
-    }
-  };
-  return change<anim::FootPlacementProcess>(*crowd_, agent_, feet, "Processes::set_ground", set);
+  const GroundRequest request{.agent = agent_, .feet = feet, .leg = leg, .point = point, .normal = normal};
+  return crowd_->system->many().set_grounds({&request, 1}, "Processes::set_ground");
 }
 
 Vec3 Processes::ankle(ProcessId feet, int leg) const {
@@ -197,7 +190,7 @@ bool Processes::is_down(ProcessId ragdoll) const {
 
 Place Processes::socket(ProcessId socket) const {
   const auto* const own = find<anim::SocketProcess>(*crowd_, agent_, socket, "Processes::socket");
-  return own == nullptr ? Place{} : detail::from_joint(own->motion(pools_of(*crowd_, agent_)));
+  return own == nullptr ? Place{} : anim::from_joint(own->motion(pools_of(*crowd_, agent_)));
 }
 
 }  // namespace throng

@@ -1,7 +1,7 @@
 #include "engine/anim/api/step_process.h"
 
-#include "engine/anim/api/convert.h"
 #include "engine/anim/entity/entity_run.h"
+#include "engine/base/glm_numbers.h"
 
 namespace throng {
 namespace {

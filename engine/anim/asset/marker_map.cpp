@@ -87,25 +87,31 @@ MarkerMap::MarkerMap(const MarkedClip& leader, const MarkedClip& follower)
   for (std::size_t i = 0; i < count_; ++i) follower_[i] = b.positions[(i + turn) % count_];
 }
 
-MarkerMap::Place MarkerMap::at(FineTicks leader) const {
+MarkerMap::Way MarkerMap::way(FineTicks leader) const {
   assert(0 <= leader && leader < leader_length_);
   const auto after = std::upper_bound(leader_.begin(), leader_.begin() + static_cast<std::ptrdiff_t>(count_), leader);
   const bool before_first = after == leader_.begin();
   const std::size_t next = static_cast<std::size_t>(after - leader_.begin()) % count_;
   const std::size_t last = (next + count_ - 1) % count_;
-  Place place{.begin = leader_[last], .end = leader_[next]};
+  Way way{.begin = leader_[last],
+          .end = leader_[next],
+          .from = follower_[last],
+          .length = wrapped(follower_[next] - follower_[last] - 1, follower_length_) + 1,  // a whole loop of one marker
+          .loop = follower_length_,
+          .has_markers = has_markers_};
   if (before_first) {
-    place.begin -= leader_length_;
+    way.begin -= leader_length_;
   } else if (next == 0) {
-    place.end += leader_length_;
+    way.end += leader_length_;
   }
-  // A whole loop where there is one marker, else less.
-  const FineTicks way = wrapped(follower_[next] - follower_[last] - 1, follower_length_) + 1;
-  place.rate = static_cast<double>(way) / static_cast<double>(place.end - place.begin);
-  // Rounded down and held before the next marker, so that both clips have met the same markers.
-  const auto gone = static_cast<FineTicks>(static_cast<double>(leader - place.begin) * place.rate);
-  place.position = wrapped(follower_[last] + std::min(gone, way - 1), follower_length_);
-  return place;
+  way.rate = static_cast<double>(way.length) / static_cast<double>(way.end - way.begin);
+  return way;
+}
+
+// Rounded down and held before the next marker, so that both clips have met the same markers.
+FineTicks MarkerMap::Way::position(FineTicks leader) const {
+  const auto gone = static_cast<FineTicks>(static_cast<double>(leader - begin) * rate);
+  return wrapped(from + std::min(gone, length - 1), loop);
 }
 
 }  // namespace throng::anim

@@ -27,15 +27,23 @@ class MarkerMap {
 
   bool has_markers() const { return has_markers_; }
 
-  /// A place of the follower. The leader moves from `begin` to `end`, both unwrapped, while the map stays linear.
-  struct Place {
-    FineTicks position = 0;  ///< of the follower, 0 to below its duration
-    double rate = 1.0;       ///< of the follower, in its own time for each unit of the leader's
-    FineTicks begin = 0;     ///< at most the leader's position
-    FineTicks end = 0;       ///< above it
+  /// The way from one marker to the next, where the map is linear. A caller keeps it for as long as holds() says.
+  struct Way {
+    FineTicks begin = 0;   ///< of the leader, unwrapped
+    FineTicks end = 0;     ///< above `begin`; as far away at most as the leader is long
+    double rate = 1.0;     ///< of the follower, in its own time for each unit of the leader's
+    FineTicks from = 0;    ///< of the follower, where the leader is at `begin`
+    FineTicks length = 0;  ///< of the follower's way
+    FineTicks loop = 1;    ///< of the follower
+    bool has_markers = false;
+
+    /// `leader` is a position from 0 to below the leader's duration.
+    bool holds(FineTicks leader) const { return begin <= leader && leader < end; }
+    /// Returns the position of the follower, 0 to below its duration, where this way holds the leader.
+    FineTicks position(FineTicks leader) const;
   };
-  /// `leader` is a position from 0 to below the leader's duration.
-  Place at(FineTicks leader) const;
+  /// Returns the way that holds a position of the leader, from 0 to below its duration.
+  Way way(FineTicks leader) const;
 
  private:
   FineTicks leader_length_;

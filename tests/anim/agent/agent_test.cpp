@@ -76,14 +76,14 @@ void ask_for_much(CrowdRig& crowd) {
 TEST(Agent, IsSetWithManyOthersAsAlone) {
   constexpr std::uint32_t agents = 600;
   CrowdRig together({.pus = 2}, agents), alone({}, agents);
-  std::vector<AgentSpeed> speeds;
+  std::vector<SpeedRequest> speeds;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     speeds.push_back({.agent = {agent}, .speed = 0.5F + static_cast<float>(agent % 7) / 4.0F});
     for (CrowdRig* crowd : {&together, &alone}) (*crowd)->agent(agent).play({.clip = static_cast<int>(agent % 5)});
   }
   for (CrowdRig* crowd : {&together, &alone}) ask_for_much(*crowd);
-  EXPECT_TRUE(set_speeds(*together, speeds));
-  for (const AgentSpeed& each : speeds) alone->agent(each.agent).set_speed(static_cast<double>(each.speed));
+  EXPECT_TRUE(together->many().set_speeds(speeds));
+  for (const SpeedRequest& each : speeds) alone->agent(each.agent).set_speed(static_cast<double>(each.speed));
   for (CrowdRig* crowd : {&together, &alone}) crowd->step(40);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     ASSERT_TRUE(together.bones_unlike(alone, agent).empty()) << "agent " << agent;
@@ -95,8 +95,8 @@ TEST(Agent, IsLeftOutOfManyIfItCannotPlayAtASpeed) {
   CrowdRig crowd({}, 3);
   crowd->agent(0).play({.clip = 0});
   crowd->agent(2).play({.clip = 0});
-  const std::array speeds{AgentSpeed{{0}, 0.0F}, AgentSpeed{{1}, 0.0F}, AgentSpeed{{2}, 1e9F}};
-  EXPECT_FALSE(set_speeds(*crowd, speeds));
+  const std::array speeds{SpeedRequest{{0}, 0.0F}, SpeedRequest{{1}, 0.0F}, SpeedRequest{{2}, 1e9F}};
+  EXPECT_FALSE(crowd->many().set_speeds(speeds));
   EXPECT_EQ(HeardMisuses::all().size(), 1U);
   crowd->agent(1).play({.clip = 0});
   crowd.step(2);

@@ -1,10 +1,10 @@
-#include "engine/anim/agent/chain_reach_process.h"
 
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "engine/anim/agent/targeted_processes.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/agent/person_crowd.h"
 

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/character_rigs.h"
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/one_entity_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/base/elementary.h"
 #include "engine/anim/entity/entity_run.h"

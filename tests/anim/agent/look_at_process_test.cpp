@@ -1,11 +1,9 @@
-#include "engine/anim/agent/look_at_process.h"
-
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/anim/agent/reach_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "tests/anim/agent/person_crowd.h"
 
 namespace throng::anim::look_at_process_test {

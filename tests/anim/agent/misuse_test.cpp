@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/blend_space_channel.h"
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/simple_channel.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/crowd_rig.h"

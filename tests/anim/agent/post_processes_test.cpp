@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/foot_placement_process.h"
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/ragdoll_process.h"
-#include "engine/anim/agent/reach_process.h"
 #include "engine/anim/agent/system_snapshot.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "tests/anim/agent/person_crowd.h"
 
 namespace throng::anim::post_processes_test {

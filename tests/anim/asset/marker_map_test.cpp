@@ -19,29 +19,31 @@ struct Clip {
 const Clip walk{.keys = {{Ticks{100}, left}, {Ticks{600}, right}}};
 const Clip run{.keys = {{Ticks{50}, right}, {Ticks{250}, left}}, .duration = Ticks{500}};
 
+FineTicks position(const MarkerMap& map, FineTicks leader) { return map.way(leader).position(leader); }
+
 TEST(MarkerMap, LeadsFromMarkerToMarker) {
   const MarkerMap map(walk.marked(), run.marked());
   ASSERT_TRUE(map.has_markers());
-  EXPECT_EQ(map.at(100 * fine).position, 250 * fine) << "left";
-  EXPECT_EQ(map.at(600 * fine).position, 50 * fine) << "right";
-  EXPECT_EQ(map.at(350 * fine).position, 400 * fine) << "half the way from left to right, which is 300 over the seam";
-  EXPECT_EQ(map.at(850 * fine).position, 150 * fine) << "half the way from right to left, which is 200";
-  EXPECT_EQ(map.at(50 * fine).position, 230 * fine) << "nine tenths of that way";
+  EXPECT_EQ(position(map, 100 * fine), 250 * fine) << "left";
+  EXPECT_EQ(position(map, 600 * fine), 50 * fine) << "right";
+  EXPECT_EQ(position(map, 350 * fine), 400 * fine) << "half the way from left to right, which is 300 over the seam";
+  EXPECT_EQ(position(map, 850 * fine), 150 * fine) << "half the way from right to left, which is 200";
+  EXPECT_EQ(position(map, 50 * fine), 230 * fine) << "nine tenths of that way";
 }
 
 TEST(MarkerMap, SaysHowLongItStaysLinear) {
   const MarkerMap map(walk.marked(), run.marked());
-  const MarkerMap::Place place = map.at(50 * fine);
-  EXPECT_EQ(place.begin, -400 * fine);
-  EXPECT_EQ(place.end, 100 * fine);
-  EXPECT_DOUBLE_EQ(place.rate, 0.4);
+  const MarkerMap::Way way = map.way(50 * fine);
+  EXPECT_EQ(way.begin, -400 * fine);
+  EXPECT_EQ(way.end, 100 * fine);
+  EXPECT_DOUBLE_EQ(way.rate, 0.4);
 }
 
 TEST(MarkerMap, NeverComesToAMarkerBeforeTheLeaderDoes) {
   const Clip odd{.keys = {{Ticks{33}, left}, {Ticks{701}, right}}, .duration = Ticks{997}};
   const MarkerMap map(walk.marked(), odd.marked());
   for (const FineTicks marker : {100, 600}) {
-    const FineTicks before = map.at(marker * fine - 1).position, there = map.at(marker * fine).position;
+    const FineTicks before = position(map, marker * fine - 1), there = position(map, marker * fine);
     EXPECT_LT(before, there);
     EXPECT_EQ(there, (marker == 100 ? 33 : 701) * fine);
   }
@@ -52,21 +54,21 @@ TEST(MarkerMap, LeavesKeysOutThatOnlyOneClipHas) {
   clapping.keys.insert(clapping.keys.begin() + 1, DataKey{Ticks{100}, clap});
   const MarkerMap map(walk.marked(), clapping.marked());
   ASSERT_TRUE(map.has_markers());
-  EXPECT_EQ(map.at(600 * fine).position, 50 * fine);
+  EXPECT_EQ(position(map, 600 * fine), 50 * fine);
 }
 
 TEST(MarkerMap, OfOneMarkerShiftsTheWholeLoop) {
   const Clip once{.keys = {{Ticks{100}, left}}}, other{.keys = {{Ticks{300}, left}}, .duration = Ticks{2000}};
   const MarkerMap map(once.marked(), other.marked());
   ASSERT_TRUE(map.has_markers());
-  EXPECT_EQ(map.at(100 * fine).position, 300 * fine);
-  EXPECT_EQ(map.at(600 * fine).position, 1300 * fine);
+  EXPECT_EQ(position(map, 100 * fine), 300 * fine);
+  EXPECT_EQ(position(map, 600 * fine), 1300 * fine);
 }
 
 TEST(MarkerMap, ShiftsAsLittleAsItCanWhereSeveralStepsFit) {
   const Clip four{.keys = {{Ticks{0}, left}, {Ticks{250}, right}, {Ticks{500}, left}, {Ticks{750}, right}}};
   const Clip late{.keys = {{Ticks{20}, left}, {Ticks{270}, right}, {Ticks{520}, left}, {Ticks{770}, right}}};
-  EXPECT_EQ(MarkerMap(four.marked(), late.marked()).at(500 * fine).position, 520 * fine);
+  EXPECT_EQ(position(MarkerMap(four.marked(), late.marked()), 500 * fine), 520 * fine);
 }
 
 TEST(MarkerMap, GoesByThePhaseWhereMarkersAreUnlikeOrNone) {
@@ -77,7 +79,7 @@ TEST(MarkerMap, GoesByThePhaseWhereMarkersAreUnlikeOrNone) {
   for (const Clip* other : {&none, &gallop, &at_once, &at_the_seam}) {
     const MarkerMap map(walk.marked(), other->marked());
     EXPECT_FALSE(map.has_markers());
-    EXPECT_EQ(map.at(500 * fine).position, other->duration.count() * fine / 2);
+    EXPECT_EQ(position(map, 500 * fine), other->duration.count() * fine / 2);
   }
 }
 

@@ -9,8 +9,8 @@
 
 #include "app/character/source.h"
 #include "engine/anim/agent/character_rigs.h"
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/simple_channel.h"
+#include "engine/anim/agent/targeted_processes.h"
 
 namespace throng::app::agent_layers_test {
 namespace {

@@ -18,7 +18,7 @@
 #include "app/commands/bench/rounds.h"
 #include "app/show/figures/statistics.h"
 #include "engine/anim/agent/character_rigs.h"
-#include "engine/anim/agent/look_at_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 #include "tests/benchmark/programs/least_squares.h"
 #include "tests/benchmark/programs/program.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
+#include "engine/anim/agent/targeted_processes.h"
 
 namespace throng::app {
 namespace {

@@ -62,10 +62,10 @@ bool ClipMixChannel::update(const EntityBuilder& build) {
 
 void ClipMixChannel::place_players(const EntityBuilder& build) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    const Handle player = players_.player(i);
+    auto& player = build.as<Player>(players_.player(i));
     build.set_speed(player, clips_[i].speed);
     build.seek(player, clips_[i].position);
-    speak(build.as<Player>(player), clips_[i].voice);
+    speak(player, clips_[i].voice);
   }
 }
 

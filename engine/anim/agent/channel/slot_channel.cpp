@@ -88,8 +88,8 @@ void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks 
   constexpr Ticks at_once{1};  // a blender of no time has eased before it begins
   const Ticks fade_in = std::max(shot.fade_in, at_once);
   const Handle player = build.player(start_of(build, shot));
-  const auto& own = build.as<Player>(player);
-  build.seek(player, build.position(player) - distance(begins - build.now(), own.speed));
+  auto& own = build.as<Player>(player);
+  build.seek(own, build.position(own) - distance(begins - build.now(), own.speed));
   OneShotTree::Shot& added = tree_.shots[tree_.count++];
   added = {.begins = begins,
            .ends = begins + build.length_of(player),

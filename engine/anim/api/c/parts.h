@@ -28,6 +28,7 @@ struct throng_machine {
 struct throng_crowd {
   throng::Crowd own;
   std::vector<throng::PoseRequest> requests = {};
+  std::vector<throng::GazeRequest> gazes = {};
 };
 
 struct throng_snapshot {

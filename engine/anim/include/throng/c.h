@@ -65,6 +65,30 @@ typedef struct throng_pose_request {
   float* palette; /* 12 floats an entry, throng_crowd_palette_bytes, aligned to 16; null: it is not drawn */
 } throng_pose_request;
 
+/* Requests to many agents at a time. */
+typedef struct throng_speed_request {
+  throng_id agent;
+  float speed; /* multiple of the clip's own speed */
+} throng_speed_request;
+typedef struct throng_parameter_request {
+  throng_id agent;
+  uint32_t channel; /* a blend space */
+  float x;
+  float y; /* of a plane */
+} throng_parameter_request;
+typedef struct throng_gaze_request {
+  throng_id agent;
+  uint32_t process; /* throng_agent_add_look_at */
+  float target[3];  /* metres, in model space */
+  float fade;       /* seconds */
+} throng_gaze_request;
+
+/* The way of an agent, in its own space at the start. */
+typedef struct throng_root_motion {
+  float displacement[3]; /* metres */
+  float turn;            /* radians; to the left is positive */
+} throng_root_motion;
+
 /* A data key that an agent has met. */
 typedef struct throng_key {
   uint32_t name; /* see throng_character_key_name */
@@ -159,6 +183,14 @@ THRONG_C int throng_agent_displacement(const throng_crowd* crowd, throng_id agen
 /* Writes up to `most` keys met in [from, to), and returns how many there were. */
 THRONG_C uint32_t throng_agent_keys(const throng_crowd* crowd, throng_id agent, double from, double to,
                                     throng_key* keys, uint32_t most);
+
+/* Many agents at a time, on all PUs. A request that cannot be met is left out: then a call returns 1. */
+THRONG_C int throng_crowd_set_speeds(throng_crowd* crowd, const throng_speed_request* requests, uint32_t count);
+THRONG_C int throng_crowd_set_parameters(throng_crowd* crowd, const throng_parameter_request* requests, uint32_t count);
+THRONG_C int throng_crowd_look_at(throng_crowd* crowd, const throng_gaze_request* requests, uint32_t count);
+/* Writes what throng_agent_displacement says of each agent. */
+THRONG_C int throng_crowd_displacements(const throng_crowd* crowd, double from, double to, const throng_id* agents,
+                                        uint32_t count, throng_root_motion* motions);
 
 /* Snapshots. */
 THRONG_C throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd);

@@ -5,6 +5,7 @@
 #include "throng/formats.h"
 #include "throng/host.h"
 #include "throng/ids.h"
+#include "throng/many.h"
 #include "throng/pose_request.h"
 #include "throng/result.h"
 #include "throng/standard.h"
@@ -101,6 +102,8 @@ class Crowd {
   std::span<const AgentId> add_agents(std::uint32_t count, CharacterId character = 0);
   bool remove_agent(AgentId agent);
   Agent agent(AgentId agent);
+  /// Takes requests to many agents at a time.
+  ManyAgents many();
   /// Returns all agents, in the order in which they were added.
   std::span<const AgentId> agents() const;
   /// Returns a number above all agents' numbers, for arrays that have a place for each.

@@ -22,6 +22,7 @@
 #include "throng/host.h"
 #include "throng/ids.h"
 #include "throng/lod.h"
+#include "throng/many.h"
 #include "throng/math.h"
 #include "throng/processes.h"
 #include "throng/result.h"

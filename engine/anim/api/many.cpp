@@ -1,0 +1,79 @@
+#include "throng/many.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "engine/anim/agent/socket_process.h"
+#include "engine/anim/api/crowd_parts.h"
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/kernel/limb/joint_place.h"
+
+namespace throng {
+namespace {
+
+constexpr const char* no_room = "there is no room for the answer of each agent";
+
+}  // namespace
+
+bool ManyAgents::set_speeds(std::span<const SpeedRequest> requests) const {
+  return crowd_->system->many().set_speeds(requests);
+}
+bool ManyAgents::set_parameters(std::span<const ParameterRequest> requests) const {
+  return crowd_->system->many().set_parameters(requests);
+}
+bool ManyAgents::look_at(std::span<const GazeRequest> requests) const {
+  return crowd_->system->many().look_at(requests);
+}
+bool ManyAgents::reach(std::span<const ReachRequest> requests) const { return crowd_->system->many().reach(requests); }
+bool ManyAgents::set_placements(std::span<const PlacementRequest> requests) const {
+  return crowd_->system->many().set_placements(requests);
+}
+bool ManyAgents::set_grounds(std::span<const GroundRequest> requests) const {
+  return crowd_->system->many().set_grounds(requests);
+}
+
+bool ManyAgents::displacements(Ticks from, Ticks to, std::span<const AgentId> agents,
+                               std::span<RootMotion> into) const {
+  constexpr const char* call = "ManyAgents::displacements";
+  if (into.size() < agents.size()) return anim::report_misuse({call, no_room});
+  if (!crowd_->are_near(from, to, call)) return false;
+  crowd_->system->many().read(agents.size(),
+                              [&](std::size_t i) { into[i] = Motion(*crowd_, agents[i]).displacement(from, to); });
+  return true;
+}
+
+// Each job lists the keys of a run of agents, so that the whole list has their order.
+std::span<const AgentKey> ManyAgents::keys(Ticks from, Ticks to, std::span<const AgentId> agents,
+                                           KeyChoice choice) const {
+  if (!crowd_->is_asked_in_time(from, to, "ManyAgents::keys")) return {};
+  std::vector<std::vector<AgentKey>>& runs = crowd_->keys;
+  const auto pus = static_cast<std::size_t>(crowd_->system->options().pus);
+  runs.resize(std::max(runs.size(), pus));
+  for (std::vector<AgentKey>& run : runs) run.clear();
+  crowd_->system->many().read_runs(agents.size(), [&](std::size_t run, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      Motion(*crowd_, agents[i])
+          .for_each_key(
+              from, to, [&](const DataKey& key) { runs[run].push_back({.agent = agents[i], .key = key}); }, choice);
+    }
+  });
+  for (std::size_t run = 1; run < runs.size(); ++run) {
+    runs.front().insert(runs.front().end(), runs[run].begin(), runs[run].end());
+  }
+  return runs.front();
+}
+
+bool ManyAgents::sockets(std::span<const ProcessOf> sockets, std::span<Place> into) const {
+  constexpr const char* call = "ManyAgents::sockets";
+  if (into.size() < sockets.size()) return anim::report_misuse({call, no_room});
+  std::atomic<bool> all{true};
+  crowd_->system->many().read(sockets.size(), [&](std::size_t i) {
+    const anim::AgentView agent = std::as_const(*crowd_->system).agent(sockets[i].agent);
+    const auto* const own = agent.post_process<anim::SocketProcess>(sockets[i].process);
+    into[i] = own == nullptr ? Place{} : anim::from_joint(own->motion(agent.pools()));
+    if (own == nullptr) all.store(false, std::memory_order_relaxed);
+  });
+  return all.load() || anim::report_misuse({call, "an agent has no socket of this id"});
+}
+
+}  // namespace throng

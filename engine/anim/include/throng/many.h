@@ -1,0 +1,97 @@
+#pragma once
+
+#include "throng/agent.h"
+#include "throng/ids.h"
+#include "throng/math.h"
+#include "throng/processes.h"
+#include "throng/standard.h"
+#include "throng/ticks.h"
+
+/// Requests to many agents at a time. A call does what one call for each element does, in order, on all PUs of the
+/// crowd: it costs a fraction of them.
+namespace throng {
+
+/// Agent::set_speed
+struct SpeedRequest {
+  AgentId agent{};
+  float speed = 1.0F;  ///< multiple of the clip's own
+};
+
+/// Agent::set_parameter of a blend space, which reads x alone; set_parameters of a plane
+struct ParameterRequest {
+  AgentId agent{};
+  ChannelId channel{};
+  float x = 0.0F;
+  float y = 0.0F;
+};
+
+/// Processes::look_at
+struct GazeRequest {
+  AgentId agent{};
+  ProcessId gaze{};
+  Vec3 target{};
+  Ticks fade{};
+};
+
+/// Processes::reach
+struct ReachRequest {
+  AgentId agent{};
+  ProcessId limb{};
+  Vec3 target{};
+};
+
+/// Processes::set_placement of feet or springs
+struct PlacementRequest {
+  AgentId agent{};
+  ProcessId process{};
+  Place model_in_world{};
+};
+
+/// Processes::set_ground
+struct GroundRequest {
+  AgentId agent{};
+  ProcessId feet{};
+  int leg = -1;  ///< -1: all
+  Vec3 point{};
+  Vec3 normal{0.0F, 1.0F, 0.0F};
+};
+
+/// A data key, and the agent that met it.
+struct AgentKey {
+  AgentId agent{};
+  DataKey key{};
+};
+
+/// A process of an agent, such as a socket.
+struct ProcessOf {
+  AgentId agent{};
+  ProcessId process{};
+};
+
+/// Takes requests to many agents at a time, and tells how they move. Requests and answers are the caller's memory. A
+/// request that cannot be met is left out: the call then returns false, and reports one such request as a misuse
+/// (host.h). An agent may come several times; it is fastest to name each once in a call.
+class ManyAgents {
+ public:
+  explicit ManyAgents(detail::CrowdParts& crowd) : crowd_(&crowd) {}
+
+  bool set_speeds(std::span<const SpeedRequest> requests) const;
+  bool set_parameters(std::span<const ParameterRequest> requests) const;
+  bool look_at(std::span<const GazeRequest> requests) const;
+  bool reach(std::span<const ReachRequest> requests) const;
+  bool set_placements(std::span<const PlacementRequest> requests) const;
+  bool set_grounds(std::span<const GroundRequest> requests) const;
+
+  /// Writes Motion::displacement of each agent. `into` has an element for each.
+  bool displacements(Ticks from, Ticks to, std::span<const AgentId> agents, std::span<RootMotion> into) const;
+  /// Returns what Motion::for_each_key visits, agent after agent. The span is valid until the next call.
+  std::span<const AgentKey> keys(Ticks from, Ticks to, std::span<const AgentId> agents,
+                                 KeyChoice choice = KeyChoice::felt) const;
+  /// Writes Processes::socket of each. `into` has an element for each.
+  bool sockets(std::span<const ProcessOf> sockets, std::span<Place> into) const;
+
+ private:
+  detail::CrowdParts* crowd_;
+};
+
+}  // namespace throng

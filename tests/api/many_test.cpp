@@ -1,0 +1,159 @@
+// Requests to many agents at a time.
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/heard_misuses.h"
+#include "tests/api/api_crowd.h"
+
+namespace throng::many_test {
+namespace {
+
+using anim::HeardMisuses;
+using api_test::ApiCrowd;
+using api_test::mannequin;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::uint32_t agents = 700;  // more than one job
+
+/// A crowd whose agents walk in a blend space, look, and stand on a ground.
+struct Walkers {
+  ApiCrowd crowd;
+  std::vector<ChannelId> gaits;
+  std::vector<ProcessId> gazes, feet, sockets;
+
+  explicit Walkers(int pus) : crowd(agents, {.pus = pus}) {
+    std::vector<BlendPoint> points{{.clip = mannequin().find_clip("idle")}};
+    for (const char* gait : {"walk", "jog", "run"}) {
+      const ClipId clip = mannequin().find_clip(gait);
+      points.push_back({.clip = clip, .parameter = static_cast<float>(mannequin().clip(clip).ground_speed)});
+    }
+    for (std::uint32_t agent = 0; agent < agents; ++agent) {
+      const Agent own = crowd.agent(agent);
+      gaits.push_back(*own.add(BlendSpace{.points = points, .parameter = 0.1F * static_cast<float>(agent % 37)}));
+      gazes.push_back(*own.add(LookAt{}));
+      feet.push_back(*own.add(FootPlacement{}));
+      sockets.push_back(*own.add(Socket{.bone = 5}));
+    }
+    crowd.step(3);
+  }
+};
+
+float speed_of(std::uint32_t agent, int frame) {
+  return 0.09F * static_cast<float>((agent * 7 + static_cast<std::uint32_t>(frame) * 5) % 43);
+}
+Vec3 target_of(std::uint32_t agent, int frame) {
+  return {0.1F * static_cast<float>(agent % 9), 1.5F, 2.0F - 0.1F * static_cast<float>(frame)};
+}
+Place place_of(std::uint32_t agent, int frame) {
+  return {.position = {static_cast<float>(agent), 0.0F, 0.02F * static_cast<float>(frame)}};
+}
+Vec3 ground_of(std::uint32_t agent) { return {static_cast<float>(agent), 0.01F * static_cast<float>(agent % 5), 0.0F}; }
+
+TEST(ManyAgents, ArePosedAsIfEachWereAskedAlone) {
+  Walkers together(2), alone(1);
+  std::vector<ParameterRequest> speeds;
+  std::vector<GazeRequest> gazes;
+  std::vector<PlacementRequest> places;
+  std::vector<GroundRequest> grounds;
+  for (int frame = 0; frame < 30; ++frame) {
+    speeds.clear(), gazes.clear(), places.clear(), grounds.clear();
+    for (std::uint32_t agent = 0; agent < agents; ++agent) {
+      const Agent own = alone.crowd.agent(agent);
+      own.set_parameter(alone.gaits[agent], speed_of(agent, frame));
+      own.processes().look_at(alone.gazes[agent], target_of(agent, frame), ticks_per_second / 5);
+      own.processes().set_placement(alone.feet[agent], place_of(agent, frame));
+      own.processes().set_ground(alone.feet[agent], -1, ground_of(agent), {0.0F, 1.0F, 0.0F});
+      speeds.push_back({.agent = {agent}, .channel = together.gaits[agent], .x = speed_of(agent, frame)});
+      gazes.push_back({.agent = {agent},
+                       .gaze = together.gazes[agent],
+                       .target = target_of(agent, frame),
+                       .fade = ticks_per_second / 5});
+      places.push_back({.agent = {agent}, .process = together.feet[agent], .model_in_world = place_of(agent, frame)});
+      grounds.push_back({.agent = {agent}, .feet = together.feet[agent], .point = ground_of(agent)});
+    }
+    const ManyAgents many = together.crowd->many();
+    EXPECT_TRUE(many.set_parameters(speeds) && many.look_at(gazes));
+    EXPECT_TRUE(many.set_placements(places) && many.set_grounds(grounds));
+    together.crowd.step();
+    alone.crowd.step();
+    ASSERT_EQ(together.crowd.hash(), alone.crowd.hash()) << "frame " << frame;
+  }
+}
+
+TEST(ManyAgents, TakeTheLastOfTwoRequestsToAnAgent) {
+  Walkers twice(2), once(1);
+  const std::array both{ParameterRequest{{3}, twice.gaits[3], 3.4F}, ParameterRequest{{3}, twice.gaits[3], 0.3F}};
+  EXPECT_TRUE(twice.crowd->many().set_parameters(both));
+  for (const float speed : {3.4F, 0.3F}) once.crowd.agent(3).set_parameter(once.gaits[3], speed);
+  twice.crowd.step();
+  once.crowd.step();
+  EXPECT_EQ(twice.crowd.hash(), once.crowd.hash());
+}
+
+TEST(ManyAgents, LeaveOutWhatCannotBeMetAndReportItOnce) {
+  const HeardMisuses heard;
+  Walkers some(2), good(1);
+  some.crowd->remove_agent({1});
+  good.crowd->remove_agent({1});
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::array requests{ParameterRequest{{0}, some.gaits[0], 2.0F}, ParameterRequest{{1}, some.gaits[1], 2.0F},
+                            ParameterRequest{{2}, some.gaits[2], nan}, ParameterRequest{{3}, ChannelId{77}, 2.0F},
+                            ParameterRequest{{agents + 5}, some.gaits[0], 2.0F}};
+  EXPECT_FALSE(some.crowd->many().set_parameters(requests));
+  ASSERT_EQ(HeardMisuses::all().size(), 1U);
+  EXPECT_THAT(HeardMisuses::all().front(), HasSubstr("ManyAgents::set_parameters"));
+  good.crowd.agent(0).set_parameter(good.gaits[0], 2.0F);
+  some.crowd.step();
+  good.crowd.step();
+  EXPECT_EQ(some.crowd.hash(), good.crowd.hash());
+}
+
+TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
+  Walkers walkers(2);
+  const Ticks before = walkers.crowd->clock();
+  walkers.crowd.step(40);
+  const Ticks now = walkers.crowd->clock();
+  const std::vector<AgentId> all(walkers.crowd->agents().begin(), walkers.crowd->agents().end());
+  std::vector<RootMotion> ways(agents);
+  std::vector<Place> places(agents);
+  std::vector<ProcessOf> sockets;
+  for (const AgentId agent : all) sockets.push_back({.agent = agent, .process = walkers.sockets[agent.number]});
+  ASSERT_TRUE(walkers.crowd->many().displacements(before, now, all, ways));
+  ASSERT_TRUE(walkers.crowd->many().sockets(sockets, places));
+  const auto keys = walkers.crowd->many().keys(before, now, all);
+  ASSERT_GT(keys.size(), agents / 2);
+  std::size_t next = 0;
+  for (const AgentId agent : all) {
+    const Agent own = walkers.crowd->agent(agent);
+    EXPECT_EQ(own.motion().displacement(before, now).displacement, ways[agent.number].displacement);
+    EXPECT_EQ(own.processes().socket(walkers.sockets[agent.number]).position, places[agent.number].position);
+    own.motion().for_each_key(before, now, [&](const DataKey& key) {
+      ASSERT_LT(next, keys.size());
+      EXPECT_EQ(keys[next].agent, agent);
+      EXPECT_EQ(keys[next++].key.time, key.time);
+    });
+  }
+  EXPECT_EQ(next, keys.size());
+}
+
+TEST(ManyAgents, RefuseAnswersWithoutRoomAndSocketsThatThereAreNot) {
+  const HeardMisuses heard;
+  Walkers walkers(1);
+  const std::array ids{AgentId{0}, AgentId{1}};
+  std::array<RootMotion, 1> short_of_one;
+  EXPECT_FALSE(walkers.crowd->many().displacements({}, {}, ids, short_of_one));
+  const ProcessOf gaze{.agent = {0}, .process = walkers.gazes[0]};
+  std::array<Place, 1> place;
+  EXPECT_FALSE(walkers.crowd->many().sockets({&gaze, 1}, place));
+  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("ManyAgents::displacements: there is no room"),
+                                               HasSubstr("ManyAgents::sockets: an agent has no socket")));
+}
+
+}  // namespace
+}  // namespace throng::many_test

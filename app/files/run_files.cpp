@@ -39,7 +39,7 @@ std::vector<fs::path> files_named_by(const fs::path& model) {
   const auto text = read_text(model, "a .gltf", most_json_bytes);
   const auto json = text ? parse_json(*text) : text.error();
   if (!json) return files;
-  const import::ModelFiles beside(model);
+  const import::ModelFiles beside({.path = model});
   std::vector<std::string> repairs;
   for (const char* const kind : {"buffers", "images"}) {
     for (const Json& each : (*json)[kind].elements()) {

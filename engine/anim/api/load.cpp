@@ -5,6 +5,7 @@
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/base/text/plain_text.h"
 
@@ -51,9 +52,7 @@ Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, c
   return Done{};
 }
 
-Result<LoadedFile> load_pack(const std::string& path, const LoadOptions& options) {
-  const auto bytes = options.copy_pack ? pack::PackBytes::copied : pack::PackBytes::mapped;
-  const Result<pack::Pack> pack = pack::Pack::open(path, bytes);
+Result<LoadedFile> load_pack(const Result<pack::Pack>& pack, const LoadOptions& options) {
   if (!pack) return pack.error();
   LoadedFile loaded;
   for (std::size_t file = 0; file < pack->file_count(); ++file) {
@@ -67,9 +66,9 @@ Result<LoadedFile> load_pack(const std::string& path, const LoadOptions& options
 #endif
 
 #if defined(THRONG_HAS_IMPORT)
-Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options) {
+Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options, std::span<const FileInMemory> files) {
   Result<anim::ImportedFile> file =
-      import::import_file(path, {.strict = options.strict, .memory_limit = options.memory_limit});
+      import::import_file(path, {.strict = options.strict, .memory_limit = options.memory_limit, .files = files});
   if (!file) return file.error();
   anim::face_forward(*file);
   LoadedFile loaded{.characters = {}, .notes = std::move(file->repairs)};
@@ -85,21 +84,43 @@ Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options
   }
   return loaded;
 }
+#else
+Error no_gltf(const std::string& path) {
+  return Error{path + ": this build of the library reads no glTF; bake the file to a pack with `throng bake`"};
+}
 #endif
+
+Status check(const std::string& path, const LoadOptions& options) {
+  if (options.scale >= 0.0 && options.scale < 1e9) return Done{};
+  return Error{plain_text(path) + ": LoadOptions::scale is metres a unit, above 0, or 0 for a guess"};
+}
 
 }  // namespace
 
 Result<LoadedFile> load(const std::string& path, const LoadOptions& options) {
-  if (!(options.scale >= 0.0 && options.scale < 1e9)) {
-    return Error{path + ": LoadOptions::scale is metres a unit, above 0, or 0 for a guess"};
-  }
+  if (const Status valid = check(path, options); !valid) return valid.error();
 #if defined(THRONG_HAS_PACK)
-  if (pack::is_pack(path)) return load_pack(path, options);
+  const auto bytes = options.copy_pack ? pack::PackBytes::copied : pack::PackBytes::mapped;
+  if (pack::is_pack(path)) return load_pack(pack::Pack::open(path, bytes), options);
 #endif
 #if defined(THRONG_HAS_IMPORT)
-  return load_gltf(path, options);
+  return load_gltf(path, options, {});
 #else
-  return Error{path + ": this build of the library reads no glTF; bake the file to a pack with `throng bake`"};
+  return no_gltf(path);
+#endif
+}
+
+Result<LoadedFile> load(std::span<const FileInMemory> files, const LoadOptions& options) {
+  if (files.empty()) return anim::refuse({"load", "there is no file: the first is the model"});
+  const std::string name(files.front().name);
+  if (const Status valid = check(name, options); !valid) return valid.error();
+#if defined(THRONG_HAS_PACK)
+  if (pack::is_pack(files.front())) return load_pack(pack::Pack::open(files.front()), options);
+#endif
+#if defined(THRONG_HAS_IMPORT)
+  return load_gltf(name, options, files);
+#else
+  return no_gltf(name);
 #endif
 }
 

@@ -197,20 +197,25 @@ void charge_json(std::string_view text, MemoryAccount& memory) {
   memory.charge(tree - std::min(tree, memory.json_allowance(text.size())), "its JSON");
 }
 
-std::vector<std::byte> read_model(const std::filesystem::path& path, MemoryAccount& memory) {
+std::vector<std::byte> read_model(const ModelSource& source, MemoryAccount& memory) {
+  if (!source.files.empty()) {
+    const std::span<const std::byte> bytes = source.files.front().bytes;
+    memory.add_file(bytes.size(), "the file");
+    return {bytes.begin(), bytes.end()};
+  }
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(source.path, error);
   if (!error) memory.add_file(size, "the file");
-  return read_file(path);
+  return read_file(source.path);
 }
 
 }  // namespace
 
-Document load_document(const std::filesystem::path& path, bool strict, MemoryAccount& memory) {
+Document load_document(const ModelSource& source, MemoryAccount& memory) {
   Document document;
   document.memory = &memory;
-  document.file = read_model(path, memory);
-  const FileParts parts = split_file(document.file, path);
+  document.file = read_model(source, memory);
+  const FileParts parts = split_file(document.file, source.path);
   const std::uint64_t before = memory.held();
   charge_json(parts.json, memory);
   const std::uint64_t tree = memory.held() - before;
@@ -223,7 +228,7 @@ Document load_document(const std::filesystem::path& path, bool strict, MemoryAcc
   check_required_extensions(json_document, document.repairs);
   repair_json(json_document, document.repairs);
 
-  document.files = ModelFiles(path, strict);
+  document.files = ModelFiles(source);
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.curves = take_curves(json_document);

@@ -65,8 +65,8 @@ struct Document {
   void charge_repairs();
 };
 
-/// Reads and checks the file; `strict` as ModelFiles has it. `memory` must outlive the document. Throws Refusal.
-Document load_document(const std::filesystem::path& path, bool strict, MemoryAccount& memory);
+/// Reads and checks a model. `memory` and the files in memory outlive the document. Throws Refusal.
+Document load_document(const ModelSource& source, MemoryAccount& memory);
 
 /// Returns `node 3 "Hips"`, for messages; the name only as far as a line shows it.
 std::string label(const std::string& type, std::size_t index, const std::string& name);

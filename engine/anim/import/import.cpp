@@ -68,7 +68,7 @@ std::size_t vertex_count(const anim::Model& model) {
 
 anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options, bool skin_of_nodes) {
   MemoryAccount memory(options.memory_limit);
-  Document document = load_document(path, options.strict, memory);
+  Document document = load_document({.path = path, .files = options.files, .strict = options.strict}, memory);
   document.channels = options.channels;
   const NodeTree tree = build_node_tree(document);
   std::vector<Animation> animations = read_animations(document, tree);

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+
+#include "throng/character.h"
 
 #include "engine/anim/asset/model.h"
 #include "engine/base/result.h"
@@ -12,6 +15,7 @@ namespace throng::import {
 struct ImportOptions {
   bool strict = false;             ///< refuses repairs and omissions, and links that lead out of the model's folder
   std::uint64_t memory_limit = 0;  ///< bytes that it may hold at a time; 0: as memory/memory_account.h says
+  std::span<const FileInMemory> files{};  ///< the model and what it names, in place of files of the disk; or empty
   std::map<std::string, int> channels{};  ///< attributes to carry (anim::VertexChannel), with their components, 1 to 4
 };
 

@@ -166,6 +166,16 @@ std::optional<Found> find_by_reading(const std::vector<fs::path>& folders, const
   return std::nullopt;
 }
 
+/// Finds the file in memory that a uri names by one of its readings.
+std::optional<Found> find_in_memory(std::span<const FileInMemory> files, const std::vector<Reading>& readings) {
+  for (const Reading& reading : readings) {
+    const std::string name = fs::path(reading.name).lexically_normal().generic_string();
+    const auto found = std::ranges::find(files, name, &FileInMemory::name);
+    if (found != files.end()) return Found{{}, std::string(found->name), reading.oddity};
+  }
+  return std::nullopt;
+}
+
 /// Names the thing in the place of the file.
 [[noreturn]] void refuse_missing(const std::vector<fs::path>& folders, const std::string& name) {
   for (const fs::path& folder : folders) {
@@ -182,12 +192,13 @@ std::optional<Found> find_by_reading(const std::vector<fs::path>& folders, const
 
 }  // namespace
 
-ModelFiles::ModelFiles(const fs::path& model, bool strict) : strict_(strict) {
-  const fs::path folder = model.parent_path();
+ModelFiles::ModelFiles(const ModelSource& source) : files_(source.files), strict_(source.strict) {
+  if (!files_.empty()) return;
+  const fs::path folder = source.path.parent_path();
   folders_.push_back(folder.empty() ? fs::path(".") : folder);
   std::error_code error;
-  if (strict || !fs::is_symlink(fs::symlink_status(model, error))) return;
-  const fs::path target = fs::canonical(model, error);
+  if (strict_ || !fs::is_symlink(fs::symlink_status(source.path, error))) return;
+  const fs::path target = fs::canonical(source.path, error);
   if (!error) folders_.push_back(target.parent_path());
 }
 
@@ -196,12 +207,16 @@ fs::path ModelFiles::find(std::string_view uri, const std::string& object, std::
   check_uri(uri);
   std::vector<Reading> readings = readings_of(uri);
   for (const Reading& reading : readings) check_name(reading.name, in_quotes(uri));
-  const auto found = find_by_reading(folders_, readings);
+  const auto found = files_.empty() ? find_by_reading(folders_, readings) : find_in_memory(files_, readings);
+  if (!found && !files_.empty()) {
+    throw Refusal("no file in memory is named " + in_quotes(readings.front().name) + "; give it with the model");
+  }
   if (!found) refuse_missing(folders_, readings.front().name);
-  if (strict_ && leaves(found->folder, found->file)) {
+  if (strict_ && files_.empty() && leaves(found->folder, found->file)) {
     throw Refusal("its uri " + in_quotes(uri) + " leaves the model's folder by a link; copy the file there");
   }
   if (!found->oddity.empty()) repairs.push_back(object + ": its uri " + in_quotes(uri) + " " + found->oddity);
+  if (!files_.empty()) return found->file;
   std::error_code error;
   const fs::path file = fs::canonical(found->file, error);
   return error ? found->file : file;
@@ -215,14 +230,16 @@ std::vector<std::byte> ModelFiles::read(std::string_view uri, const fs::path& fi
     memory.release(uri.size() * 2 - bytes.size());
     return bytes;
   }
+  const auto given = std::ranges::find(files_, file.generic_string(), &FileInMemory::name);
+  const bool is_given = given != files_.end();
   std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
+  const std::uintmax_t size = is_given ? given->bytes.size() : fs::file_size(file, error);
   if (!error && counted_.insert(file).second) {
     memory.add_file(size, object);
   } else if (!error) {
     memory.charge(size, object);
   }
-  return read_file(file);
+  return is_given ? std::vector<std::byte>(given->bytes.begin(), given->bytes.end()) : read_file(file);
 }
 
 }  // namespace throng::import

@@ -102,6 +102,8 @@ Result<MappedFile> copy_file(const std::filesystem::path& path, std::string_view
   return MappedFile{.bytes = {copy->get(), *read}, .owner = copy};
 }
 
+bool is_pack(std::string_view name, std::string_view start) { return name.ends_with(".pack") || begins_a_pack(start); }
+
 }  // namespace
 
 std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
@@ -124,13 +126,26 @@ bool is_pack(const std::string& path) {
   std::array<char, 8> start{};
   auto file = InputFile::open(path);
   if (!file || !file->read(std::as_writable_bytes(std::span(start)))) return false;
-  return path.ends_with(".pack") || begins_a_pack({start.data(), start.size()});
+  return is_pack(path, {start.data(), start.size()});
+}
+
+bool is_pack(const FileInMemory& file) {
+  return is_pack(file.name, {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
 }
 
 Result<Pack> Pack::open(const std::string& path, PackBytes bytes) {
+  return of_bytes(path, (bytes == PackBytes::mapped ? map_file : copy_file)(path, "a .pack"));
+}
+
+Result<Pack> Pack::open(const FileInMemory& file) {
+  const auto copy = std::make_shared<anim::AlignedBytes>(anim::allocate_aligned(file.bytes.size()));
+  std::ranges::copy(file.bytes, copy->get());
+  return of_bytes(std::string(file.name), MappedFile{.bytes = {copy->get(), file.bytes.size()}, .owner = copy});
+}
+
+Result<Pack> Pack::of_bytes(const std::string& path, Result<MappedFile> taken) {
   Pack pack(plain_text(path));
   const auto refused = [&](const Error& why) { return Error{pack.path_ + ": " + why.message}; };
-  auto taken = (bytes == PackBytes::mapped ? map_file : copy_file)(path, "a .pack");
   if (!taken) return refused(taken.error());
   const auto sections = check_sections(taken->bytes, layout_of_tables());
   if (!sections) return refused(sections.error());

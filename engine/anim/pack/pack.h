@@ -9,11 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "throng/character.h"
+
 #include "engine/anim/asset/model.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/pack/sections.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/base/files/input_file.h"
 #include "engine/base/result.h"
 
 namespace throng::pack {
@@ -55,6 +58,7 @@ Result<std::uint64_t> fingerprint_of(std::span<const std::string> files);
 
 /// Says whether a file is a pack, by its first bytes, or by its name that ends in ".pack". An unreadable file is none.
 bool is_pack(const std::string& path);
+bool is_pack(const FileInMemory& file);
 
 /// Says where the bytes of a pack lie while it is used.
 enum class PackBytes : unsigned char {
@@ -70,6 +74,8 @@ class Pack {
   /// or damaged, or another version or another machine made it. A pack is trusted as a program is: a pack that was made
   /// to deceive, with a checksum that fits, is not found out.
   static Result<Pack> open(const std::string& path, PackBytes bytes = PackBytes::mapped);
+  /// Opens a copy of a pack in memory.
+  static Result<Pack> open(const FileInMemory& file);
 
   std::size_t file_count() const { return files_.size(); }
   const std::string& file_name(std::size_t file) const { return files_[file].name; }
@@ -104,6 +110,7 @@ class Pack {
   };
 
   explicit Pack(std::string path) : path_(std::move(path)) {}
+  static Result<Pack> of_bytes(const std::string& path, Result<MappedFile> bytes);
   std::span<const std::byte> section(SectionKind kind, std::size_t file, std::size_t model) const;
   template <typename... Values>
   Status read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const;

@@ -13,6 +13,13 @@ void tell_c(const Misuse& misuse) {
   if (hook_of_c != nullptr) hook_of_c(misuse.call, misuse.reason);
 }
 
+/// Returns a file of C; null, with the error kept, if there is none.
+throng_file* file_of(Result<LoadedFile> loaded) {
+  if (loaded) return make<throng_file>(std::move(*loaded));
+  fail(loaded.error().message);
+  return nullptr;
+}
+
 }  // namespace
 
 int fail(std::string why) {
@@ -35,10 +42,13 @@ void throng_set_misuse_hook(throng_misuse_hook hook) {
 
 throng_file* throng_load(const char* path, double metres_a_unit) {
   if (is_missing("throng_load", path)) return nullptr;
-  Result<LoadedFile> loaded = load(path, {.scale = metres_a_unit});
-  if (loaded) return make<throng_file>(std::move(*loaded));
-  fail(loaded.error().message);
-  return nullptr;
+  return file_of(load(path, {.scale = metres_a_unit}));
+}
+
+throng_file* throng_load_bytes(const char* name, const void* bytes, size_t size, double metres_a_unit) {
+  if (is_missing("throng_load_bytes", name, bytes)) return nullptr;
+  const FileInMemory file{.name = name, .bytes = {static_cast<const std::byte*>(bytes), size}};
+  return file_of(load({&file, 1}, {.scale = metres_a_unit}));
 }
 
 void throng_file_free(throng_file* file) { delete file; }

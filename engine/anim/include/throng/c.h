@@ -108,6 +108,8 @@ THRONG_C void throng_set_misuse_hook(throng_misuse_hook hook);
 
 /* Files and characters. A character may outlive the file, and is freed by itself. `metres_a_unit` 0: guessed. */
 THRONG_C throng_file* throng_load(const char* path, double metres_a_unit);
+/* Does the same for a .glb or a pack in memory, whose bytes are copied. `name` is for messages. */
+THRONG_C throng_file* throng_load_bytes(const char* name, const void* bytes, size_t size, double metres_a_unit);
 THRONG_C void throng_file_free(throng_file* file);
 THRONG_C uint32_t throng_file_character_count(const throng_file* file);
 THRONG_C throng_character* throng_file_character(const throng_file* file, uint32_t index);

@@ -138,4 +138,14 @@ struct LoadedFile {
 /// Errors: one sentence with the file, the object and what to do; also if the library was built without glTF or packs.
 Result<LoadedFile> load(const std::string& path, const LoadOptions& options = {});
 
+/// A file that a host holds in memory: of an archive, a network, or the assets of a mobile app.
+struct FileInMemory {
+  std::string_view name{};  ///< as the model names it in its uris; of the model itself, for messages
+  std::span<const std::byte> bytes{};
+};
+
+/// Does load() for files in memory, and reads no other: the first is the model or pack, the others are what it names,
+/// such as buffers and images. All bytes are copied, and may go when it returns.
+Result<LoadedFile> load(std::span<const FileInMemory> files, const LoadOptions& options = {});
+
 }  // namespace throng

@@ -108,7 +108,9 @@ void RandomCalls::begin_again() {
 void RandomCalls::call() {
   ++calls_;
   if (known_agents_.size() > 200) known_agents_.erase(known_agents_.begin(), known_agents_.begin() + 100);
-  switch (below(9)) {
+  switch (below(10)) {
+    case 9:
+      return call_many();
     case 8:
       return call_clips();
     case 0:

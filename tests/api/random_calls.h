@@ -57,6 +57,7 @@ class RandomCalls {
   void call_machine();
   void add_process();
   void call_process();
+  void call_many();
   void call_motion();
   void call_lod();
   void begin_again();

@@ -186,15 +186,26 @@ TEST(GroundSpeed, OfAWalkInPlaceIsThatOfTheStandingFoot) {
   }
 }
 
-TEST(GroundSpeed, OfAClipThatEndsInAnotherPoseIsNone) {
+/// Returns the walk with feet that end so many metres behind where they began.
+Model walker_that_ends_behind(float metres) {
   Model model = walker_in_place(1.4F);
   for (BoneTracks& foot : model.clips.front().tracks) {
-    const auto last = foot.translation.values.size() - 1;
-    for (std::size_t key = 0; key <= last; ++key) {
-      foot.translation.values[key].z -= 0.8F * static_cast<float>(key) / static_cast<float>(last);
+    const auto last = static_cast<float>(foot.translation.values.size() - 1);
+    for (std::size_t key = 0; key < foot.translation.values.size(); ++key) {
+      foot.translation.values[key].z -= metres * static_cast<float>(key) / last;
     }
   }
-  EXPECT_EQ(bake_character(model).clips.front().ground_speed, 0.0) << "as of a person who sits down";
+  return model;
+}
+
+TEST(GroundSpeed, OfAClipThatEndsInAnotherPoseIsNone) {
+  EXPECT_EQ(bake_character(walker_that_ends_behind(0.8F)).clips.front().ground_speed, 0.0) << "a person who sits down";
+}
+
+TEST(GroundSpeed, OfAWalkThatHardlyLoopsIsThatOfTheStandingFootToo) {
+  const Character character = bake_character(walker_that_ends_behind(0.03F));
+  EXPECT_FALSE(character.clips.front().loops);
+  EXPECT_NEAR(character.clips.front().ground_speed, 1.43, 0.02);
 }
 
 TEST(GroundSpeed, OfAWalkWhoseHandsSwingLowerThanItsFeetIsThatOfTheFeet) {

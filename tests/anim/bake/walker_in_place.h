@@ -17,7 +17,8 @@ inline Model walker_in_place(float speed) {
   Clip clip{.name = "clip", .tracks = {}};
   clip.duration = 1.0;
   for (int foot = 0; foot < 2; ++foot) {
-    skeleton.bones.push_back({.name = "foot", .parent = 0, .rest = {}});
+    const float aside = foot == 0 ? 0.1F : -0.1F;
+    skeleton.bones.push_back({.name = "foot", .parent = 0, .rest = {.translation = {aside, -0.9F, 0.0F}}});
     skeleton.references.push_back({.origin = {0.0, 0.1, 0.0}});
     skeleton.palette.push_back({.bone = foot + 1});
     BoneTracks tracks;
@@ -28,8 +29,7 @@ inline Model walker_in_place(float speed) {
       const bool stands = cycle < 0.5F;
       const float lift = stands ? 0.0F : 0.4F * std::min(cycle - 0.5F, 1.0F - cycle);
       tracks.translation.times.push_back(time);
-      tracks.translation.values.emplace_back(foot == 0 ? 0.1F : -0.1F, lift - 0.9F,
-                                             speed * (stands ? 0.25F - cycle : cycle - 0.75F));
+      tracks.translation.values.emplace_back(aside, lift - 0.9F, speed * (stands ? 0.25F - cycle : cycle - 0.75F));
     }
     clip.tracks.push_back(tracks);
   }

@@ -7,17 +7,16 @@
 #include "throng/standard.h"
 #include "throng/ticks.h"
 
-/// Requests to many agents at a time. A call does what one call for each element does, in order, on all PUs of the
-/// crowd: it costs a fraction of them.
+/// Requests to many agents at a time. A call does what one call for each element does, on all PUs of the crowd.
 namespace throng {
 
-/// Agent::set_speed
+/// A request as Agent::set_speed takes it.
 struct SpeedRequest {
   AgentId agent{};
   float speed = 1.0F;  ///< multiple of the clip's own
 };
 
-/// Agent::set_parameter of a blend space, which reads x alone; set_parameters of a plane
+/// A request as Agent::set_parameter takes it, which reads x alone; of a plane, as set_parameters takes it.
 struct ParameterRequest {
   AgentId agent{};
   ChannelId channel{};
@@ -25,7 +24,7 @@ struct ParameterRequest {
   float y = 0.0F;
 };
 
-/// Processes::look_at
+/// A request as Processes::look_at takes it.
 struct GazeRequest {
   AgentId agent{};
   ProcessId gaze{};
@@ -33,21 +32,21 @@ struct GazeRequest {
   Ticks fade{};
 };
 
-/// Processes::reach
+/// A request as Processes::reach takes it.
 struct ReachRequest {
   AgentId agent{};
   ProcessId limb{};
   Vec3 target{};
 };
 
-/// Processes::set_placement of feet or springs
+/// A request as Processes::set_placement takes it.
 struct PlacementRequest {
   AgentId agent{};
   ProcessId process{};
   Place model_in_world{};
 };
 
-/// Processes::set_ground
+/// A request as Processes::set_ground takes it.
 struct GroundRequest {
   AgentId agent{};
   ProcessId feet{};

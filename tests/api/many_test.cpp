@@ -123,6 +123,7 @@ TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
   std::vector<RootMotion> ways(agents);
   std::vector<Place> places(agents);
   std::vector<ProcessOf> sockets;
+  sockets.reserve(agents);
   for (const AgentId agent : all) sockets.push_back({.agent = agent, .process = walkers.sockets[agent.number]});
   ASSERT_TRUE(walkers.crowd->many().displacements(before, now, all, ways));
   ASSERT_TRUE(walkers.crowd->many().sockets(sockets, places));

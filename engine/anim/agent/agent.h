@@ -195,7 +195,7 @@ class Agent : public AgentView {
   EntityBuilder builder() const { return system_->population.builder(number()); }
   template <typename Derived, typename Part, typename Change>
   Changed change_in_place(const OwnedPart<Part>* part, const Change& change_parameters) const {
-    Derived* const found = as<Derived, Part>(part);
+    auto* const found = as<Derived, Part>(part);
     if (found == nullptr) return Changed::no_such_part;
     change_parameters(*found);
     const bool done = own_graphs().update_alone(builder(), index(), *found, AgentGraphs::Entities::stay);

@@ -10,7 +10,8 @@ namespace {
 /// Returns structs of C as those of C++, which have the same layout.
 template <typename Cpp, typename C>
 std::span<Cpp> as(C* structs, uint32_t count) {
-  static_assert(sizeof(Cpp) == sizeof(C) && alignof(Cpp) == alignof(C));
+  static_assert(sizeof(Cpp) == sizeof(C));
+  static_assert(alignof(Cpp) == alignof(C));
   return {reinterpret_cast<Cpp*>(structs), count};
 }
 

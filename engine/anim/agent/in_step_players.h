@@ -92,8 +92,8 @@ class InStepPlayers {
   /// Plays these points from the clock on. Returns whether state(), or an entity that it reads, is another than before.
   bool play(const EntityBuilder& build, const PlayingPoints& points);
 
-  /// Does what play() does if the points are those that play already, in this order; else does nothing, and returns
-  /// false. It makes and destroys no entity.
+  /// Does what play() does if exactly these points play already, in this order; else does nothing, and returns false.
+  /// Makes and destroys no entity.
   bool play_on(const EntityBuilder& build, const PlayingPoints& points);
 
   Handle state() const { return players_.state(); }

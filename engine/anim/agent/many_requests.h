@@ -17,7 +17,7 @@ namespace throng::anim {
 /// of `call`.
 ///
 ///     1. all requests     on all PUs, where the agent keeps its entities, and no request before names it
-///     2. the other ones   in the caller's thread, in their order
+///     2. the remaining    in the caller's thread, in their order
 class ManyRequests {
  public:
   explicit ManyRequests(SystemParts& system) : system_(&system) {}

@@ -44,7 +44,7 @@ class Turn {
 struct ManyScratch {
   std::vector<std::uint32_t> calls;  // [agent] the last call that named the agent
   std::uint32_t call = 0;            // the number of the present call
-  std::vector<std::uint8_t> waits;   // [request] it is taken after the others, in the caller's thread
+  std::vector<std::uint8_t> waits;   // [request] the caller's thread takes it, after the PUs
 };
 
 /// The inside of an AnimationSystem. The system, its characters, its agents and its figures work on it.

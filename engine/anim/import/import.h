@@ -21,7 +21,7 @@ struct ImportOptions {
 
 /// Reads a .glb or .gltf (glTF 2.0) and checks everything before it is used. The error is one sentence with the file,
 /// the object and what to do.
-/// Reads files only below the model's own folder, and where symbolic links in it lead.
+/// Reads files only below the model's own folder, and where symbolic links in it lead; with ImportOptions::files, none.
 /// Names and messages are plain text (plain_text.h), whatever the file holds.
 /// Never throws, crashes or hangs on any input. More memory than 64 MB and four times the files is refused before
 /// it is taken. Images may hold 1 GB besides, into which they are scaled down, and JSON 256 MB

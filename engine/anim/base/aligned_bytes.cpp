@@ -34,12 +34,17 @@ void AlignedDelete::operator()(std::byte* bytes) const {
   giver.release(bytes, size, alignment, giver.context);
 }
 
-AlignedBytes allocate_aligned(std::size_t size) {
+AlignedBytes allocate_unset(std::size_t size) {
   const bool huge = size >= worth_huge_pages;
   const std::size_t alignment = huge ? huge_page_bytes : block_alignment;
   const std::size_t allocated = round_up(size, alignment);
   AlignedBytes bytes = given(allocated, alignment);
   if (huge) ask_for_huge_pages(bytes.get(), allocated);
+  return bytes;
+}
+
+AlignedBytes allocate_aligned(std::size_t size) {
+  AlignedBytes bytes = allocate_unset(size);
   if (size > 0) std::memset(bytes.get(), 0, size);
   return bytes;
 }

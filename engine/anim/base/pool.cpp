@@ -15,7 +15,7 @@ Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
 void Pool::grow_to(std::size_t slabs) {
   if (slabs <= slabs_.size()) return;
   const std::size_t count = slabs - slabs_.size();
-  memory_.push_back(allocate_aligned(count * slab_bytes()));
+  memory_.push_back(allocate_unset(count * slab_bytes()));  // blocks that no agent has had take no memory
   for (std::size_t i = 0; i < count; ++i) slabs_.push_back(memory_.back().get() + i * slab_bytes());
   while (tables_.slab_count() < slabs_.size()) tables_.add_slab();
 }
@@ -45,6 +45,7 @@ void Pool::resize_blocks(std::size_t block_size, const std::function<void(const 
   grow_to(old_slabs.size());
   for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();
        place = tables_.first_owned(place + 1)) {
+    std::memset(block_at(place), 0, block_size_);
     convert(old_slabs[place / blocks_per_slab] + place % blocks_per_slab * old_size, block_at(place));
   }
 }

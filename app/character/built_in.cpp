@@ -169,6 +169,7 @@ Result<pack::FileToPack> built_in_to_pack(const BuiltInFiles& files) {
   Status dressed = add_parts(imported->models.front(), source->name, files.wardrobe);
   if (!dressed) return dressed.error();
   pack::FileToPack file{.name = "mannequin", .file = std::move(*imported), .characters = {}, .made_of = *fingerprint};
+  file.with_keys = true;
   file.characters.push_back(
       {.name = source->cast.front(),
        .prepared = {std::move(source->placement), {}},

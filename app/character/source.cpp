@@ -43,14 +43,16 @@ float size_of_body(const CharacterRoles& roles) {
 
 // A file may keep its bind pose as a clip. Clips that end where they began can repeat in place.
 std::vector<int> to_be_repeated(const anim::Character& character, const std::vector<int>& clips) {
-  const auto moves = [](const anim::BakedClip& clip) { return clip.keyframe().track_count > 0; };
+  const auto moves = [](const anim::BakedClip& clip) {
+    return clip.keyframe() != nullptr ? clip.keyframe()->track_count > 0 : clip.sampled()->row_count > 1;
+  };
   const auto loops = [](const anim::BakedClip& clip) { return clip.loops; };
   return preferably(character, preferably(character, clips, moves), loops);
 }
 
 double gait_speed(const CharacterSource& source, Role gait) {
   const int clip = source.roles.clip(gait);
-  return clip == no_clip ? 0.0 : source.character->clips[static_cast<std::size_t>(clip)].ground_speed;
+  return clip == no_clip ? 0.0 : source.character->clips[static_cast<std::size_t>(clip)].ground_speed();
 }
 
 // A clip that goes another way than its role says does not count as that gait.
@@ -58,7 +60,7 @@ glm::dvec2 gait_velocity(const CharacterSource& source, Role gait) {
   constexpr double same_way = 0.7;  // the cosine of 45 degrees
   const int clip = source.roles.clip(gait);
   if (clip == no_clip) return glm::dvec2(0.0);
-  const glm::dvec2 velocity = anim::ground_velocity(*source.character, clip);
+  const glm::dvec2 velocity = source.character->clips[static_cast<std::size_t>(clip)].ground_velocity;
   const glm::dvec2 way = way_of(gait);
   return glm::dot(velocity, way) > same_way * glm::length(velocity) ? velocity : glm::dvec2(0.0);
 }

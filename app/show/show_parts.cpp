@@ -20,6 +20,7 @@ std::string notice_of(const ShowParts& show) {
   add_line(notice, local_store_notice(stage.system()));
   add_line(notice, palette_notice(stage.posed().shown()));
   add_line(notice, palette_format_notice(stage.system(), stage.people()));
+  add_line(notice, stream_notice(stage.system(), stage.people()));
   return notice;
 }
 

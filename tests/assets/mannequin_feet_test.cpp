@@ -101,7 +101,7 @@ TEST_F(MannequinFeet, KeepTheHipsWithinTwoCentimetresInABlendSpace) {
   std::vector<anim::BlendPoint> gaits{{idle, 0.0F}};
   for (const int clip : {walk, jog, run}) {
     gaits.push_back(
-        {clip, static_cast<float>(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].ground_speed)});
+        {clip, static_cast<float>(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].ground_speed())});
   }
   std::vector<float> speeds(pairs);
   for (std::size_t pair = 0; pair < pairs; ++pair) {

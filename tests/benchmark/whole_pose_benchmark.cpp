@@ -189,9 +189,9 @@ void keyframe_player(benchmark::State& state) {
   Ticks time{};
   for ([[maybe_unused]] const auto& round : state) {
     time = (time + ticks_per_second / 60) % clip.duration;
-    advance_keyframes(clip.keyframe(), time, cursor, {interpolations.get(), size});
+    advance_keyframes(*clip.keyframe(), time, cursor, {interpolations.get(), size});
     for (int packet = 0; packet < packets_for(bones); ++packet) {
-      evaluate_keyframes(clip.keyframe(), time, {interpolations.get(), size}, packet,
+      evaluate_keyframes(*clip.keyframe(), time, {interpolations.get(), size}, packet,
                          {pose.packet(packet), person.packet_floats});
     }
   }

@@ -26,6 +26,7 @@ Status write_pack_of(const std::filesystem::path& file, int bones, int clips) {
   pack::FileToPack packed;
   packed.name = "crowd";
   packed.file.file = "crowd.glb";
+  packed.with_keys = true;
   packed.file.models = {anim::synthetic_model(bones, clips, 1, 8)};
   pack::CharacterToPack& character = packed.characters.emplace_back();
   character.name = "only";

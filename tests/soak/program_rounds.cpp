@@ -116,13 +116,13 @@ Fault ProgramRounds::record_and_replay(const RoundPlace& place, Random& random) 
   return {};
 }
 
-// A crowd from a pack plays as one from the files that the pack is made of.
+// A crowd from a pack with keys plays as one from the files that the pack is made of.
 Fault ProgramRounds::play_a_pack(const RoundPlace& place, Random& random) {
   Words models;
   for (std::uint32_t left = 1 + random.below(3); left > 0; --left) models.push_back(any_model(*models_, random));
   Words bake = {"bake"};
   bake.insert(bake.end(), models.begin(), models.end());
-  bake.insert(bake.end(), {"-o", "town.pack"});
+  bake.insert(bake.end(), {"--keep-keys", "-o", "town.pack"});
   ProgramRun run;
   if (Fault fault = this->run(bake, place, run, false)) return fault;
   ++counts_["packs"];

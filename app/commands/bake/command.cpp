@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "app/files/exit_status.h"
 #include "app/show/figures/notices.h"
 #include "engine/anim/asset/placement.h"
+#include "engine/anim/bake/clip_set.h"
 #include "engine/anim/pack/pack.h"
 #include "engine/base/files/output_file.h"
 #include "engine/base/text/joined.h"
@@ -39,6 +41,12 @@ Status add_clips(const std::string& path, const BakeOptions& options, std::size_
   return Done{};
 }
 
+std::shared_ptr<const anim::Character> without_spare_keys(const std::shared_ptr<const anim::Character>& character) {
+  anim::Character lean = anim::lend_character(character);
+  anim::keep_played_streams(lean);
+  return std::make_shared<const anim::Character>(std::move(lean));
+}
+
 Result<pack::CharacterToPack> bake_model(const std::string& path, const BakeOptions& options,
                                          const anim::ImportedFile& file, std::size_t model) {
   const BoneLodFile kept(path);
@@ -48,10 +56,11 @@ Result<pack::CharacterToPack> bake_model(const std::string& path, const BakeOpti
   auto source = make_character(baked, model,
                                {.path = path, .name = {}, .kept = &kept, .placement = options.placement, .clips = {}});
   if (!source) return source.error();
-  pack::CharacterToPack character{.name = {},
-                                  .prepared = {std::move(source->placement), std::move(*order)},
-                                  .character = source->character,
-                                  .surface = {}};
+  pack::CharacterToPack character{
+      .name = {},
+      .prepared = {std::move(source->placement), std::move(*order)},
+      .character = options.keep_keys ? source->character : without_spare_keys(source->character),
+      .surface = {}};
   if (source->has_surface()) {
     character.surface = render::pack_surface(render::view_of(render::build_surface(mesh_data(*source))));
   }
@@ -78,6 +87,7 @@ Result<pack::FileToPack> bake_file(const std::string& path, const BakeOptions& o
   auto file = read_model_file(path, options.reading);
   if (!file) return file.error();
   pack::FileToPack packed{.name = {}, .file = std::move(*file), .characters = {}};
+  packed.with_keys = options.keep_keys;
   const std::vector<std::string> names = names_of(packed.file);
   if (Status added = add_clips(path, options, names.size(), packed.file); !added) return added.error();
   for (std::size_t model = 0; model < names.size(); ++model) {
@@ -97,7 +107,8 @@ struct PackSizes {
     for (const pack::CharacterToPack& packed : file.characters) {
       surfaces += packed.surface.size();
       for (const anim::BakedClip& clip : packed.character->clips) {
-        streams += clip.keyframe().total_size + (clip.sampled() == nullptr ? 0 : clip.sampled()->total_size);
+        if (clip.keyframe() != nullptr) streams += clip.keyframe()->total_size;
+        if (clip.sampled() != nullptr) streams += clip.sampled()->total_size;
       }
     }
     for (const anim::Model& model : file.file.models) {

@@ -14,6 +14,7 @@ struct BakeOptions {
   bool built_in = false;                ///< bakes the built-in character with its wardrobe, and no models
   std::string data;                     ///< folder of assets; empty: the usual ones
   std::string pack;                     ///< the file to write
+  bool keep_keys = false;               ///< packs the keys of the models too
   bool remove_parts = false;            ///< remove remains of killed runs beside the file to write
   std::vector<std::string> clips_from;  ///< files whose clips every model plays too
   anim::PlacementChoice placement;

@@ -111,6 +111,9 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
       ->required(std::ranges::find(arguments, "--built-in") == arguments.end())
       ->group("Model");
   reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
+  CLI::Option* const keys =
+      reader.flag("--keep-keys", options.keep_keys,
+                  "Keep the models' keys, which take most of the file: for pose, inspect, other sizes and clips");
   reader.parts_remover(options.remove_parts);
   clips_from(reader, options.clips_from);
   reading(reader, options.reading);
@@ -122,6 +125,7 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
   for (const char* other : {"MODEL", "--clips-from", "--strict", "--memory-limit", "--scale", "--up", "--ground"}) {
     built_in->excludes(other);
   }
+  built_in->excludes(keys);
   reader.value("--data", "DIR", "Folder of assets for --built-in", existing_folder(options.data))
       ->needs(built_in)
       ->group("Model");

@@ -73,7 +73,7 @@ Json clips_json(const anim::Model& model) {
     clips.push_back({{"animation", clip.animation},
                      {"bones_animated", clip.tracks.size()},
                      {"duration_s", clip.duration},
-                     {"keyframe_bytes", baked.clips[i].keyframe().total_size},
+                     {"keyframe_bytes", baked.clips[i].keyframe()->total_size},
                      {"name", clip.name},
                      {"note", baked.clips[i].note},
                      {"sampled_stream", sampled_json(baked.clips[i])},

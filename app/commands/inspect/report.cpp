@@ -233,7 +233,7 @@ std::string model_text(const InspectedModel& inspected) {
 }  // namespace
 
 std::uint32_t bytes_played(const anim::BakedClip& clip) {
-  return clip.sampled() != nullptr ? clip.sampled()->total_size : clip.keyframe().total_size;
+  return clip.sampled() != nullptr ? clip.sampled()->total_size : clip.keyframe()->total_size;
 }
 
 std::string inspection_text(const anim::ImportedFile& file, std::span<const InspectedModel> models) {

@@ -158,6 +158,18 @@ std::string palette_format_notice(const anim::AnimationSystem& system, std::span
   return "Palettes stay float of " + names + ": packed ones hold rigid skeletons only.";
 }
 
+std::string stream_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
+  if (system.options().stream != anim::StreamKind::keyframe) return {};
+  const auto lacks_keys = [](const anim::BakedClip& clip) { return !clip.is_empty() && clip.keyframe() == nullptr; };
+  std::string names;
+  for (const CharacterSource& character : characters) {
+    if (!std::ranges::any_of(character.character->clips, lacks_keys)) continue;
+    names += (names.empty() ? "" : ", ") + character.name;
+  }
+  if (names.empty()) return {};
+  return names + ": played from rows, because the pack has no keys; throng bake --keep-keys packs them.";
+}
+
 void add_line(std::string& lines, const std::string& sentence) {
   if (sentence.empty()) return;
   if (!lines.empty()) lines += '\n';

@@ -48,6 +48,9 @@ std::string palette_notice(const ShownPoses& shown);
 /// Names the characters whose palettes stay float although packed ones were asked for.
 std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters);
 
+/// Names the characters that play from rows although keys were asked for.
+std::string stream_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters);
+
 /// Adds `sentence` on a line of its own; an empty one adds no line.
 void add_line(std::string& lines, const std::string& sentence);
 

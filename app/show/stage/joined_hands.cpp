@@ -117,8 +117,8 @@ JoinedHands::Arm JoinedHands::arm_of(std::size_t character, Role role) const {
   const auto& bones = role == Role::lead ? limbs.left_arm : limbs.right_arm;
   const auto limb = rigs_[character]->limb(role == Role::lead ? Limb::left_arm : Limb::right_arm);
   if (clip == no_clip || !bones || !limb) return {};
-  const anim::Stride stride = anim::sample_stride(
-      skeleton, source.character->clips[static_cast<std::size_t>(clip)].keyframe(), source.character->height);
+  const anim::Stride stride =
+      anim::sample_stride(skeleton, source.character->clips[static_cast<std::size_t>(clip)], source.character->height);
   const auto place = [&](int bone) { return mean_of(stride, static_cast<std::size_t>(bone)); };
   Arm arm{.limb = *limb,
           .length = 0.0F,

@@ -55,7 +55,7 @@ Stances::Stances(const anim::Character& character, const StridePlane& plane) : o
   for (std::size_t point = 0; point < of_.size(); ++point) {
     const GaitPoint& gait = plane.points()[point].gait;
     if (!gait.is_gait) continue;
-    const anim::Stride stride = anim::sample_stride(character.skeleton, clip_of(point).keyframe(), character.height);
+    const anim::Stride stride = anim::sample_stride(character.skeleton, clip_of(point), character.height);
     for (std::size_t leg = 0; leg < person_legs; ++leg) {
       if (!legs[leg]) continue;
       const int ball = legs[leg]->tip >= 0 ? legs[leg]->tip : legs[leg]->end;

@@ -16,14 +16,14 @@ namespace {
 ClipStreams streams_of(const Character& character, int index) {
   const BakedClip& clip = character.clips[static_cast<std::size_t>(index)];
   if (clip.is_empty()) return {};
-  return {.keyframe = &clip.keyframe(),
+  return {.keyframe = clip.keyframe(),
           .sampled = clip.sampled(),
           .duration = clip.duration,
           .root_motion = clip.root_motion.keys.empty() ? nullptr : &clip.root_motion,
           .data_keys = clip.data_keys,
           .curves = clip.curves.empty() ? nullptr : &clip.curves,
           .morphs = clip.morphs.empty() ? nullptr : &clip.morphs,
-          .ground_speed = clip.ground_speed};
+          .ground_speed = clip.ground_speed()};
 }
 
 std::vector<ClipStreams> all_streams_of(const Character& character) {
@@ -35,8 +35,9 @@ std::vector<ClipStreams> all_streams_of(const Character& character) {
 }
 
 bool keeps_clip(const Character& before, const Character& after, std::size_t place) {
-  const std::byte* const then = place < after.clips.size() ? after.clips[place].keyframe_block.get() : nullptr;
-  return then == before.clips[place].keyframe_block.get();
+  static const BakedClip none;
+  const BakedClip& then = place < after.clips.size() ? after.clips[place] : none;
+  return then.keyframe() == before.clips[place].keyframe() && then.sampled() == before.clips[place].sampled();
 }
 
 std::string in_words(std::size_t count) {
@@ -288,8 +289,9 @@ LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAge
     if (one->skeleton().bone_count() <= most_bones) continue;
     most_bones = one->skeleton().bone_count();
     demand.skeleton = one->skeleton().name;
-    demand.falls_back = std::ranges::any_of(
-        one->clips, [](const ClipStreams& clip) { return !clip.is_empty() && clip.sampled == nullptr; });
+    demand.plays_keys = std::ranges::any_of(one->clips, [&](const ClipStreams& clip) {
+      return !clip.is_empty() && clip.played(stream) == StreamKind::keyframe;
+    });
   }
   return demand;
 }

@@ -52,7 +52,7 @@ std::byte* EntityBuilder::nowhere() {
 }
 
 EntityPools::Kind EntityBuilder::player_kind(std::uint32_t clip) const {
-  const bool sampled = about_.stream == StreamKind::sampled && clips_[clip].sampled != nullptr;
+  const bool sampled = clips_[clip].played(about_.stream) == StreamKind::sampled;
   return sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
 }
 

@@ -86,7 +86,7 @@ ClipInfo Character::clip(ClipId clip) const {
   if (!has(clip)) return {};
   const anim::Character& character = baked(data());
   const anim::BakedClip& own = character.clips[clip.number];
-  return {.name = own.name, .duration = own.duration, .loops = own.loops, .ground_speed = own.ground_speed};
+  return {.name = own.name, .duration = own.duration, .loops = own.loops, .ground_speed = own.ground_speed()};
 }
 
 ClipId Character::find_clip(std::string_view name) const {

@@ -23,9 +23,9 @@ namespace {
 std::string walks_in_place(const anim::Character& character) {
   std::string named;
   for (const anim::BakedClip& clip : character.clips) {
-    if (clip.ground_speed == 0.0 || !clip.root_motion.keys.empty()) continue;
+    if (clip.ground_speed() == 0.0 || !clip.root_motion.keys.empty()) continue;
     char speed[48];
-    std::snprintf(speed, sizeof speed, " (%.2f m/s)", clip.ground_speed);
+    std::snprintf(speed, sizeof speed, " (%.2f m/s)", clip.ground_speed());
     named += (named.empty() ? "" : ", ") + plain_text(clip.name) + speed;
   }
   return named;
@@ -38,6 +38,7 @@ std::string walks_in_place(const anim::Character& character) {
   } else if (const std::string named = walks_in_place(baked); !named.empty()) {
     into.notes.push_back("clips that walk in place move no agent; LoadOptions::walk_in_place lets them: " + named);
   }
+  if (!options.keep_keys) anim::keep_played_streams(baked);
   into.characters.push_back(detail::make_character(std::move(model), std::move(baked), options.keep_meshes));
 }
 

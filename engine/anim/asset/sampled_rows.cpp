@@ -2,8 +2,80 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 namespace throng::anim {
+namespace {
+
+/// Reads one component of a packet after the other out of a row.
+class RowReader {
+ public:
+  RowReader(const SampledStream& stream, int row) : stream_(stream), row_(stream.row(row)) {}
+
+  /// Writes float [components][16]; lanes without a bone are the identity.
+  void read(int packet, float* out) const {
+    const SampledPacket& of = stream_.packets()[packet];
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      for (int axis = 0; axis < 4; ++axis) out[axis * packet_bones + bone] = rotation(of, axis, bone);
+      for (int axis = 0; axis < 3; ++axis) {
+        out[(4 + axis) * packet_bones + bone] = in_quad(of, of.position_offset, of.position_range, axis, bone);
+        if (stream_.components == rigid_components) continue;
+        out[(7 + axis) * packet_bones + bone] = in_quad(of, of.scale_offset, of.scale_range, axis, bone);
+      }
+    }
+  }
+
+ private:
+  float quantised(std::int32_t offset, int lane) const {
+    std::int16_t value = 0;
+    std::memcpy(&value, row_ + offset + static_cast<std::ptrdiff_t>(lane) * 2, sizeof value);
+    return static_cast<float>(value);
+  }
+  float rotation(const SampledPacket& of, int axis, int bone) const {
+    if (of.rotation_offset < 0) return of.at<PacketRotations>(of.rotation_constants).lanes[axis][bone];
+    if (bone >= of.lanes) return axis == 3 ? 1.0F : 0.0F;
+    return quantised(of.rotation_offset, rotation_lane(of.lanes, axis, bone)) / quantised_one;
+  }
+  float in_quad(const SampledPacket& of, const std::int32_t (&offsets)[packet_quads],
+                const std::int32_t (&ranges)[packet_quads], int axis, int bone) const {
+    const int quad = bone / quad_bones, lane = lane_in_quad(axis, bone);
+    const float* const base = &of.at<float>(ranges[quad]);  // a constant quad has no steps behind it
+    if (offsets[quad] < 0) return base[lane];
+    return base[lane] + base[quad_lanes + lane] / row_weight_unit * quantised(offsets[quad], lane);
+  }
+
+  const SampledStream& stream_;
+  const std::byte* row_;
+};
+
+}  // namespace
+
+SampledRows rows_of(const SampledStream& stream) {
+  SampledRows rows{.bone_count = stream.bone_count,
+                   .components = stream.components,
+                   .first_row = stream.first_row,
+                   .step = Ticks{stream.step_ticks},
+                   .row_count = stream.row_count,
+                   .gaps = gaps_of(stream),
+                   .rows = {}};
+  rows.rows.resize(rows.floats_in_row() * static_cast<std::size_t>(rows.row_count));
+  const std::size_t packet_floats = static_cast<std::size_t>(rows.components) * packet_bones;
+  float* out = rows.rows.data();
+  for (int row = 0; row < rows.row_count; ++row) {
+    for (int packet = 0; packet < stream.packet_count(); ++packet, out += packet_floats) {
+      RowReader(stream, row).read(packet, out);
+    }
+  }
+  return rows;
+}
+
+std::vector<std::uint8_t> gaps_of(const SampledStream& stream) {
+  std::vector<std::uint8_t> gaps;
+  for (int step = 0; step < stream.step_count; step += gaps.back()) {
+    gaps.push_back(static_cast<std::uint8_t>(stream.steps()[step].steps()));
+  }
+  return gaps;
+}
 
 AlignedRows::AlignedRows(const SampledRows& rows)
     : shape_(rows), values_(rows.rows), packets_(packets_for(rows.bone_count)) {

@@ -88,14 +88,15 @@ bool find_loop(BakedClip& baked, const SampleSource& source, const std::optional
   return hitches || gap <= gait_gap * size;
 }
 
-/// Returns BakedClip::ground_speed. `repeats` is what find_loop() returned.
-double ground_speed_of(const BakedClip& baked, const SampleSource& source, bool repeats) {
-  if (baked.duration == Ticks{}) return 0.0;
+/// Returns BakedClip::ground_velocity. `repeats` is what find_loop() returned.
+glm::dvec2 ground_velocity_of(const BakedClip& baked, const SampleSource& source, bool repeats) {
+  constexpr glm::dvec2 none(0.0);
+  if (baked.duration == Ticks{}) return none;
   if (baked.root_motion.keys.empty()) {
-    return repeats ? stance_speed(source.skeleton, baked.keyframe(), source.proxy.height) : 0.0;
+    return repeats ? -stance_velocity(sample_stride(source.skeleton, baked, source.proxy.height)) : none;
   }
   const bool goes_far = glm::length(baked.loop_displacement) >= least_way * source.proxy.height / tall_person;
-  return repeats || goes_far ? travel_speed(baked.root_motion) : 0.0;
+  return repeats || goes_far ? travel_velocity(baked.root_motion) : none;
 }
 
 std::string in_millimetres(double metres) {
@@ -148,9 +149,10 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   baked.keyframe_block = pack_keyframe_stream(state);
 
   const glm::dvec3 travel = straight_travel(baked.root_motion);
-  const SampleSource source{skeleton, proxy, baked.keyframe(), travel, baked.error_bound - baked.keyframe_error, steps};
+  const SampleSource source{skeleton, proxy, *baked.keyframe(), travel, baked.error_bound - baked.keyframe_error,
+                            steps};
   const bool repeats = find_loop(baked, source, steps.empty() ? grid : std::nullopt);
-  baked.ground_speed = ground_speed_of(baked, source, repeats);
+  baked.ground_velocity = ground_velocity_of(baked, source, repeats);
   bake_sampled_stream(baked, source, state, grid, keys.empty() ? Ticks{} : keys.back());
   return baked;
 }
@@ -166,7 +168,7 @@ double reach_of(const BoundsSurvey& room, const Skeleton& skeleton, const Surfac
 std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked,
                                        const BakeOptions& options) {
   if (clip.data_keys.empty() && baked.loops) {
-    return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+    return find_footsteps(character.skeleton, baked, character.height);
   }
   std::vector<NamedDataKey> keys = clip.data_keys;
   for (NamedDataKey& key : keys) key.time -= options.as_in_the_file ? 0.0 : clip.start;

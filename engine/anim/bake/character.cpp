@@ -1,11 +1,6 @@
 #include "engine/anim/bake/character.h"
 
 #include <algorithm>
-#include <cassert>
-
-#include <glm/geometric.hpp>
-
-#include "engine/anim/bake/ground_speed.h"
 
 namespace throng::anim {
 
@@ -23,27 +18,16 @@ const char* fault_of(const Character& character) {
   return std::ranges::all_of(character.clips, &BakedClip::is_empty) ? "the character has no clips" : nullptr;
 }
 
-glm::dvec2 ground_velocity(const Character& character, int clip) {
-  assert(clip >= 0 && clip < static_cast<int>(character.clips.size()));
-  const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
-  const double speed = baked.ground_speed;
-  glm::dvec2 way(0.0);
-  if (speed == 0.0) return way;
-  if (baked.root_motion.keys.empty()) {
-    way = -stance_velocity(sample_stride(character.skeleton, baked.keyframe(), character.height));
-  } else {
-    const glm::dvec3 travels = root_velocity(baked.root_motion, 0).linear;
-    way = {travels.x, travels.z};
+void keep_played_streams(Character& character) {
+  for (BakedClip& clip : character.clips) {
+    if (clip.sampled_block != nullptr) clip.keyframe_block.reset();
   }
-  const double length = glm::length(way);
-  return length > 0.0 ? way * (speed / length) : glm::dvec2(0.0, speed);
 }
 
 void travel_by_steps(Character& character) {
-  for (std::size_t clip = 0; clip < character.clips.size(); ++clip) {
-    BakedClip& baked = character.clips[clip];
-    if (baked.ground_speed == 0.0 || !baked.root_motion.keys.empty()) continue;
-    const glm::dvec2 way = ground_velocity(character, static_cast<int>(clip)) * to_seconds(baked.duration);
+  for (BakedClip& baked : character.clips) {
+    if (baked.ground_speed() == 0.0 || !baked.root_motion.keys.empty()) continue;
+    const glm::dvec2 way = baked.ground_velocity * to_seconds(baked.duration);
     baked.root_motion = straight_root_curve(baked.duration, {way.x, 0.0, way.y});
     baked.loop_displacement = whole_motion(baked.root_motion).translation;
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -30,8 +31,8 @@
 
 namespace throng::anim {
 
-/// A clip that is ready to play: both streams, and the results of baking. Without streams it is an empty place: a clip
-/// was there, and another one may come (bake/clip_set.h).
+/// A clip that is ready to play: its streams, and the results of baking. It has one stream at least. Without streams it
+/// is an empty place: a clip was there, and another one may come (bake/clip_set.h).
 struct BakedClip {
   std::string name;
   Ticks duration{};
@@ -41,8 +42,10 @@ struct BakedClip {
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   UserCurves curves = {};             ///< numbers for game play; no pose depends on them
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
-  double ground_speed = 0.0;          ///< metres a second at which feet do not slide; 0: the clip is no gait
-  AlignedBytes keyframe_block;
+  /// Metres a second along x, to the left of a character that faces +Z, and along z, as the clip begins: its feet do
+  /// not slide at that speed. A gait in place goes against its standing foot. 0: the clip is no gait.
+  glm::dvec2 ground_velocity{0.0};
+  AlignedBytes keyframe_block;  ///< null: it was let go (keep_played_streams), and the clip plays from `sampled_block`
   double keyframe_error = 0.0;  ///< metres by which still tracks and a turn taken out move the surface at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
   double sampled_rate = 0.0;    ///< Hz
@@ -53,9 +56,9 @@ struct BakedClip {
   std::uint32_t generation = 0;             ///< of its place: it grows when a clip leaves the place
   std::shared_ptr<const void> lender = {};  ///< keeps lent streams; null: this clip or Character::lender does
 
-  bool is_empty() const { return keyframe_block == nullptr; }
-  /// Returns the keyframe stream, which every clip has.
-  const KeyframeStream& keyframe() const { return *reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
+  bool is_empty() const { return keyframe_block == nullptr && sampled_block == nullptr; }
+  double ground_speed() const { return glm::length(ground_velocity); }
+  const KeyframeStream* keyframe() const { return reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
   const SampledStream* sampled() const { return reinterpret_cast<const SampledStream*>(sampled_block.get()); }
 };
 
@@ -99,10 +102,9 @@ Character bake_character(const Model& model, const BakeOptions& options = {});
 /// keys of `model` that keep_surveyed_keys keeps.
 Character reorder_character(const Character& character, const Model& model, const BoneOrder& order);
 
-/// Returns BakedClip::ground_speed with its direction at the clip's start: metres a second along x, to the left of a
-/// character that faces +Z, and along z. A clip in place goes against its standing foot, which is measured anew with
-/// each call.
-glm::dvec2 ground_velocity(const Character& character, int clip);
+/// Frees the keyframe streams of clips that have a sampled stream. Agents play sampled streams, unless
+/// SystemOptions::stream asks for keys. Other orders of the bones then come from the rows, which are rounded once more.
+void keep_played_streams(Character& character);
 
 /// Gives each gait that walks in place the root motion of its ground speed, straight in the direction of its steps. Its
 /// poses stay as they are. reorder_character() would take this motion out of them, so it is called before.

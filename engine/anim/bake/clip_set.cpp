@@ -30,29 +30,9 @@ std::optional<Error> fault_in(const std::shared_ptr<const Character>& character)
 BakedClip lend_clip(const BakedClip& clip, const Owner& owner) {
   BakedClip lent = without_streams(clip);
   if (clip.is_empty()) return lent;
-  lent.keyframe_block = lend_aligned(clip.keyframe_block.get());
-  lent.sampled_block = lend_aligned(clip.sampled_block.get());
+  if (clip.keyframe_block != nullptr) lent.keyframe_block = lend_aligned(clip.keyframe_block.get());
+  if (clip.sampled_block != nullptr) lent.sampled_block = lend_aligned(clip.sampled_block.get());
   lent.lender = clip.lender == nullptr ? owner : clip.lender;
-  return lent;
-}
-
-/// Returns the same character, whose clips have the streams that `from` has.
-Character lend_character(const std::shared_ptr<const Character>& from) {
-  Character lent{.skeleton = from->skeleton,
-                 .hierarchy = from->hierarchy,
-                 .clips = {},
-                 .data_key_names = from->data_key_names,
-                 .curve_names = from->curve_names,
-                 .height = from->height,
-                 .bone_lod = from->bone_lod,
-                 .skip_errors = from->skip_errors,
-                 .bounds = from->bounds,
-                 .morph_bones = from->morph_bones,
-                 .morph_reach = from->morph_reach,
-                 .surface_points = from->surface_points,
-                 .level_entries = from->level_entries};
-  lent.skip_errors.resize(from->clips.size(), no_skip_error);
-  for (const BakedClip& clip : from->clips) lent.clips.push_back(lend_clip(clip, from));
   return lent;
 }
 
@@ -176,6 +156,25 @@ class ClipUnion {
 };
 
 }  // namespace
+
+Character lend_character(const std::shared_ptr<const Character>& from) {
+  Character lent{.skeleton = from->skeleton,
+                 .hierarchy = from->hierarchy,
+                 .clips = {},
+                 .data_key_names = from->data_key_names,
+                 .curve_names = from->curve_names,
+                 .height = from->height,
+                 .bone_lod = from->bone_lod,
+                 .skip_errors = from->skip_errors,
+                 .bounds = from->bounds,
+                 .morph_bones = from->morph_bones,
+                 .morph_reach = from->morph_reach,
+                 .surface_points = from->surface_points,
+                 .level_entries = from->level_entries};
+  lent.skip_errors.resize(from->clips.size(), no_skip_error);
+  for (const BakedClip& clip : from->clips) lent.clips.push_back(lend_clip(clip, from));
+  return lent;
+}
 
 Result<Character> with_clips(const std::shared_ptr<const Character>& base, std::shared_ptr<const Character> more) {
   for (const auto& one : {base, more}) {

@@ -87,8 +87,8 @@ bool take_turns(const std::vector<Footstep>& steps) {
 
 }  // namespace
 
-std::vector<NamedDataKey> find_footsteps(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
-  const Stride stride = sample_stride(skeleton, stream, height);
+std::vector<NamedDataKey> find_footsteps(const Skeleton& skeleton, const BakedClip& clip, double height) {
+  const Stride stride = sample_stride(skeleton, clip, height);
   const glm::dvec2 typical = stance_velocity(stride);
   if (typical == glm::dvec2(0.0)) return {};
   std::vector<Footstep> steps;

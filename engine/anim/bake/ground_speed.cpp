@@ -56,17 +56,13 @@ glm::dvec2 stance_velocity(const Stride& stride) {
   return share < least_agreeing ? none : typical;
 }
 
-double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
-  return glm::length(stance_velocity(sample_stride(skeleton, stream, height)));
-}
-
-double travel_speed(const RootCurve& curve) {
-  const RootVelocity velocity = root_velocity(curve, 0);
-  const double speed = glm::length(glm::dvec2(velocity.linear.x, velocity.linear.z));
+glm::dvec2 travel_velocity(const RootCurve& curve) {
+  const RootVelocity start = root_velocity(curve, 0);
+  const glm::dvec2 velocity(start.linear.x, start.linear.z);
   constexpr double least_arc = 0.25;  // metres a second: a body that turns on the spot shifts its weight
-  if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
+  if (start.yaw != 0.0) return glm::length(velocity) < least_arc ? glm::dvec2(0.0) : velocity;
   const glm::dvec3 travel = whole_motion(curve).translation;
-  return glm::length(glm::dvec2(travel.x, travel.z)) / to_seconds(curve.duration);
+  return glm::dvec2(travel.x, travel.z) / to_seconds(curve.duration);
 }
 
 }  // namespace throng::anim

@@ -2,9 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/root_curve.h"
-#include "engine/anim/asset/skeleton.h"
 #include "engine/anim/bake/stride.h"
 
 namespace throng::anim {
@@ -14,11 +12,8 @@ namespace throng::anim {
 /// samples do not agree (idle, gestures).
 glm::dvec2 stance_velocity(const Stride& stride);
 
-/// Returns the length of that velocity.
-double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height);
-
-/// Returns the speed over the ground, in metres a second, of a clip that travels: along the arc if it turns. It is 0
-/// for a body that turns on the spot.
-double travel_speed(const RootCurve& curve);
+/// Returns the velocity over the ground at the start of a clip that travels, in metres a second along x and z. Its
+/// length is the speed along the arc if the clip turns, and 0 for a body that turns on the spot.
+glm::dvec2 travel_velocity(const RootCurve& curve);
 
 }  // namespace throng::anim

@@ -1,5 +1,8 @@
 #include "engine/anim/bake/reorder.h"
 
+#include <cstddef>
+
+#include "engine/anim/asset/encode_rows.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/sampled.h"
@@ -15,7 +18,7 @@ BakedClip without_streams(const BakedClip& clip) {
           .data_keys = clip.data_keys,
           .curves = clip.curves,
           .morphs = clip.morphs,
-          .ground_speed = clip.ground_speed,
+          .ground_velocity = clip.ground_velocity,
           .keyframe_block = {},
           .keyframe_error = clip.keyframe_error,
           .sampled_block = {},
@@ -27,15 +30,43 @@ BakedClip without_streams(const BakedClip& clip) {
           .generation = clip.generation};
 }
 
+namespace {
+
+/// Returns the rows in another order of the bones. They are rounded once more where a lane changes its form: a packet
+/// without motion keeps floats where others have int16.
+AlignedBytes reorder_rows(const SampledStream& stream, std::span<const int> places) {
+  const SampledRows from = rows_of(stream);
+  SampledRows to = from;
+  const std::size_t packet_floats = static_cast<std::size_t>(from.components) * packet_bones;
+  const auto lane_of = [&](int bone) {
+    return static_cast<std::size_t>(bone / packet_bones) * packet_floats +
+           static_cast<std::size_t>(bone % packet_bones);
+  };
+  for (std::size_t row = 0; row < from.rows.size(); row += from.floats_in_row()) {
+    for (int bone = 0; bone < from.bone_count; ++bone) {
+      const std::size_t source = row + lane_of(bone);
+      const std::size_t target = row + lane_of(places[static_cast<std::size_t>(bone)]);
+      for (std::size_t i = 0; i < packet_floats; i += packet_bones) to.rows[target + i] = from.rows[source + i];
+    }
+  }
+  return encode_rows(to, stream.duration);
+}
+
+}  // namespace
+
 // Notes, errors, loops, root motion and data keys stay. They come from the largest distance over all points of the
 // surface, from the roots and from the lowest joints, which are the same in any order.
 BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::span<const int> places) {
   BakedClip reordered = without_streams(clip);
   if (clip.is_empty()) return reordered;
-  reordered.keyframe_block = reorder_keyframe_stream(clip.keyframe(), places);
+  if (clip.keyframe() == nullptr) {
+    reordered.sampled_block = reorder_rows(*clip.sampled(), places);
+    return reordered;
+  }
+  reordered.keyframe_block = reorder_keyframe_stream(*clip.keyframe(), places);
   if (clip.sampled() == nullptr) return reordered;
   const SurfaceProxy unused;
-  const SampleSource source{skeleton, unused, reordered.keyframe(), straight_travel(clip.root_motion),
+  const SampleSource source{skeleton, unused, *reordered.keyframe(), straight_travel(clip.root_motion),
                             clip.error_bound - clip.keyframe_error};
   reordered.sampled_block = sample_as(source, *clip.sampled(), clip.sampled_rounding);
   return reordered;

@@ -116,14 +116,6 @@ SampledBake encode(const SampleSource& source, SampledRows& rows) {
   return bake;
 }
 
-std::vector<std::uint8_t> gaps_of(const SampledStream& stream) {
-  std::vector<std::uint8_t> gaps;
-  for (int step = 0; step < stream.step_count; step += gaps.back()) {
-    gaps.push_back(static_cast<std::uint8_t>(stream.steps()[step].steps()));
-  }
-  return gaps;
-}
-
 /// Parts of the error bound that thinning may use, tried in this order: instants that it skips may err a little more.
 constexpr double shares_of_bound[] = {0.98, 0.9, 0.75};
 

@@ -52,7 +52,7 @@ class MovingSurface {
       : skeleton_(skeleton), proxy_(proxy), clip_(clip), frames_(skeleton.bones.size()) {}
 
   void fill(Stretch& stretch, Ticks start) {
-    ExactPoses poses(clip_.keyframe());
+    ExactPoses poses(*clip_.keyframe());
     const bool repeats = clip_.loops && clip_.duration > Ticks{};
     for (int index = 0; index < frames_a_stretch; ++index) {
       const Ticks time = start + to_ticks(index / frames_a_second);

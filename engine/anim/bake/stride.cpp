@@ -46,16 +46,16 @@ glm::dvec2 Stride::velocity(std::size_t instant, std::size_t joint) const {
   return {moved.x / step, moved.z / step};
 }
 
-Stride sample_stride(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
+Stride sample_stride(const Skeleton& skeleton, const BakedClip& clip, double height) {
   Stride stride{.joints = {},
                 .feet = {},
-                .step = to_seconds(stream.duration) / static_cast<double>(stride_instants),
+                .step = to_seconds(clip.duration) / static_cast<double>(stride_instants),
                 .size = height / tall_person,
                 .ground = std::numeric_limits<double>::infinity()};
-  ExactPoses poses(stream);
+  ClipPoses poses(clip.keyframe(), clip.sampled());
   std::vector<BoneFrame> frames(skeleton.bones.size());
   for (std::size_t i = 0; i <= stride_instants; ++i) {
-    const Ticks time = stream.duration * static_cast<std::int64_t>(i) / static_cast<std::int64_t>(stride_instants);
+    const Ticks time = clip.duration * static_cast<std::int64_t>(i) / static_cast<std::int64_t>(stride_instants);
     compute_frames(skeleton, poses.at(time), frames);
     std::vector<glm::dvec3>& joints = stride.joints.emplace_back();
     for (const BoneFrame& frame : frames) joints.push_back(frame.origin);

@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/bake/character.h"
 
 namespace throng::anim {
 
@@ -29,7 +29,7 @@ struct Stride {
   /// Returns metres a second over the ground, x and z, until the next instant; `instant` is not the last.
   glm::dvec2 velocity(std::size_t instant, std::size_t joint) const;
 };
-Stride sample_stride(const Skeleton& skeleton, const KeyframeStream& stream, double height);
+Stride sample_stride(const Skeleton& skeleton, const BakedClip& clip, double height);
 
 /// Says whether a foot that moves at `velocity` over the ground stands, where standing feet move at about `typical`.
 bool agrees(const glm::dvec2& velocity, const glm::dvec2& typical);

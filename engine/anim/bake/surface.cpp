@@ -163,4 +163,12 @@ std::span<const float> SampledPoses::at(const SamplePoint& point) {
   return {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)};
 }
 
+ClipPoses::ClipPoses(const KeyframeStream* keys, const SampledStream* rows) : stream_(rows) {
+  if (keys != nullptr) {
+    keys_.emplace(*keys);
+  } else {
+    rows_.emplace(*rows);
+  }
+}
+
 }  // namespace throng::anim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,19 @@ class SampledPoses {
  private:
   const SampledStream& stream_;
   AlignedBytes pose_;
+};
+
+/// Poses a clip, one time after the other: from its keys where it keeps them, else from its rows. One is not null.
+class ClipPoses {
+ public:
+  ClipPoses(const KeyframeStream* keys, const SampledStream* rows);
+  /// Returns the whole pose at `time`, valid until the next call.
+  std::span<const float> at(Ticks time) { return keys_ ? keys_->at(time) : rows_->at(locate(*stream_, time)); }
+
+ private:
+  std::optional<ExactPoses> keys_;
+  std::optional<SampledPoses> rows_;
+  const SampledStream* stream_;
 };
 
 }  // namespace throng::anim

@@ -30,7 +30,7 @@ std::uint64_t layout_of_tables() {
     anim::Model model;
     std::vector<anim::Clip> clips;
     const BakedModel baked;
-    layout(file, model, clips, baked.prepared, baked.character);
+    layout(file, model, clips, baked.prepared, baked.ragdoll, baked.character);
     layout.note('t', anim::packet_bones);
     layout.note('e', sizeof(anim::KeyEvent));
     layout.note('p', sizeof(anim::SampledPacket));
@@ -81,13 +81,13 @@ void add_file(const FileToPack& packed, std::size_t file, Tables& tables) {
   tables.add(SectionKind::file, file, 0, packed.name, models, names, packed.made_of, packed.file);
   for (std::size_t i = 0; i < packed.characters.size(); ++i) {
     const CharacterToPack& character = packed.characters[i];
-    tables.add(SectionKind::character, file, i, character.prepared, *character.character);
+    tables.add(SectionKind::character, file, i, character.prepared, character.ragdoll, *character.character);
     tables.add(SectionKind::surveyed_keys, file, i, with_surveyed_keys(packed.file.models[i]));
     tables.add_bytes(SectionKind::surface, file, i, character.surface);
   }
   for (std::size_t i = 0; i < packed.file.models.size(); ++i) {
     tables.add(SectionKind::model, file, i, packed.file.models[i]);
-    tables.add(SectionKind::clips, file, i, packed.file.models[i].clips);
+    if (packed.with_keys) tables.add(SectionKind::clips, file, i, packed.file.models[i].clips);
   }
 }
 
@@ -189,7 +189,7 @@ Error Pack::damaged() const { return {path_ + ": it is damaged: its tables do no
 
 Result<BakedModel> Pack::baked(std::size_t file, std::size_t model) const {
   BakedModel baked;
-  const Status taken = read(SectionKind::character, file, model, baked.prepared, baked.character);
+  const Status taken = read(SectionKind::character, file, model, baked.prepared, baked.ragdoll, baked.character);
   if (!taken) return taken.error();
   baked.character.lender = lender_;
   return baked;
@@ -218,6 +218,11 @@ std::span<const std::byte> Pack::surface(std::size_t file, std::size_t model) co
 }
 
 Result<anim::ImportedFile> Pack::imported(std::size_t file) const {
+  if (section(SectionKind::clips, file, 0).empty()) {
+    return Error{path_ +
+                 ": it has no keys of its model, which this needs: bake it with `throng bake --keep-keys`, or " +
+                 "use the model that it was baked from"};
+  }
   anim::ImportedFile imported = files_[file].header;
   for (std::size_t i = 0; i < files_[file].models; ++i) {
     anim::Model& model = imported.models.emplace_back();

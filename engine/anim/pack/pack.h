@@ -15,6 +15,7 @@
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/pack/sections.h"
+#include "engine/anim/rig/ragdoll_rig.h"
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/base/files/input_file.h"
 #include "engine/base/result.h"
@@ -31,6 +32,7 @@ struct Preparation {
 /// Holds a character that was baked from a model.
 struct BakedModel {
   Preparation prepared;
+  std::optional<anim::RagdollRig> ragdoll;  ///< empty: it is built of the model
   anim::Character character;
 };
 
@@ -39,15 +41,17 @@ struct CharacterToPack {
   std::string name;
   Preparation prepared;
   std::shared_ptr<const anim::Character> character;
-  std::vector<std::byte> surface;  ///< for the device, in the renderer's form; or empty
+  std::vector<std::byte> surface;                ///< for the device, in the renderer's form; or empty
+  std::optional<anim::RagdollRig> ragdoll = {};  ///< of a model that is packed without the surface it was built of
 };
 
-/// Holds a file that a pack is to have whole, and the characters that were baked from the first of its models.
+/// Holds a file that a pack is to have, and the characters that were baked from the first of its models.
 struct FileToPack {
   std::string name;                         ///< by which the pack names it
   anim::ImportedFile file;                  ///< at least one model
   std::vector<CharacterToPack> characters;  ///< 1 to file.models.size()
   std::uint64_t made_of = 0;                ///< what fingerprint_of() says of its sources; 0: not asked for
+  bool with_keys = false;                   ///< packs all keys of its clips too, which Pack::imported needs
 };
 
 /// Returns the image of a pack. The same input gives the same bytes.
@@ -88,14 +92,14 @@ class Pack {
   Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
   /// Returns a baked character, with the changes of its model.
   Result<BakedModel> baked(std::size_t file, std::size_t model) const;
-  /// Returns the model that a character was baked from: with its size, its place and its order of bones, and those keys
-  /// alone that anim::keep_surveyed_keys keeps. Its texels lie in the pack.
+  /// Returns the model that a character was baked from: with its size, its place and its order of bones. Of its keys it
+  /// has those that anim::keep_surveyed_keys keeps, if its clips have any. Its texels lie in the pack.
   Result<anim::Model> model(std::size_t file, std::size_t model, const BakedModel& baked) const;
   /// Returns the surface that was packed with a character, which `lender()` keeps; empty if there is none.
   std::span<const std::byte> surface(std::size_t file, std::size_t model) const;
   const std::shared_ptr<const void>& lender() const { return lender_; }
 
-  /// Returns a file as import made it, with all models and all keys.
+  /// Returns a file as import made it, with all models and all keys. The error says that it was packed without them.
   Result<anim::ImportedFile> imported(std::size_t file) const;
   /// Returns the same without its models.
   const anim::ImportedFile& header(std::size_t file) const { return files_[file].header; }

@@ -15,7 +15,7 @@ namespace throng::pack {
 enum class SectionKind : std::uint32_t {
   file,           ///< the name of a file, and what import said of it
   model,          ///< one of its models, as imported, without clips
-  clips,          ///< the model's clips with all keys
+  clips,          ///< the model's clips with all keys; may be absent
   character,      ///< the baked model, its streams used in place
   surveyed_keys,  ///< the clips with those keys alone that another order of bones is measured by
   surface,        ///< the model's surface for the device, written and read by the renderer
@@ -63,7 +63,7 @@ constexpr std::size_t block_after(std::size_t size) {
 }
 
 /// Raise it when the meaning of bytes changes while their layout stays.
-inline constexpr std::uint32_t pack_version = 5;
+inline constexpr std::uint32_t pack_version = 6;
 
 /// Returns the XXH3 of bytes that follow others, whose checksum `before` is.
 std::uint64_t checksum_of(std::span<const std::byte> bytes, std::uint64_t before);

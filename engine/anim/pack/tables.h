@@ -117,7 +117,7 @@ void describe(Archive& archive, T& clip) {
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.curves, clip.morphs, clip.ground_speed, clip.note);
+          clip.curves, clip.morphs, clip.ground_velocity, clip.note);
 }
 
 inline auto members(anim::BoneLodRow& row) { return std::tie(row.bone, row.error_metres, row.level); }
@@ -131,6 +131,17 @@ inline auto members(anim::Character& character) {
                   character.curve_names, character.height, character.bone_lod, character.skip_errors, character.bounds,
                   character.surface_points, character.level_entries, character.morph_bones, character.morph_reach);
 }
+
+inline auto members(anim::RagdollLimit& limit) {
+  return std::tie(limit.parent_axes, limit.axes, limit.hinge, limit.swing, limit.sideways, limit.twist);
+}
+inline auto members(anim::RagdollBody& body) {
+  return std::tie(body.bone, body.parent, body.pose_parent, body.first_link, body.link_count, body.center, body.joint,
+                  body.joint_in_parent, body.axis, body.half_length, body.radius, body.inverse_mass,
+                  body.inverse_inertia, body.inverse_axial_inertia, body.limit);
+}
+inline auto members(anim::RagdollLink& link) { return std::tie(link.bone, link.offset); }
+inline auto members(anim::RagdollRig& rig) { return std::tie(rig.bodies, rig.links, rig.metre); }
 
 // These functions describe the steps between import and baking.
 inline auto members(anim::Placement& placement) {

@@ -19,7 +19,7 @@ std::uint32_t largest_player(const UpdateContext& context, const LocalStoreDeman
   std::uint32_t size = 0;
   for (const ClipStreams& clip : context.assets.clips) {
     if (clip.is_empty()) continue;
-    const bool sampled = demand.stream == StreamKind::sampled && clip.sampled != nullptr;
+    const bool sampled = clip.played(demand.stream) == StreamKind::sampled;
     const auto kind = sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
     size = std::max(size, context.pools->layout(kind).total_size);
   }
@@ -99,7 +99,7 @@ int widest(std::span<const UpdateContext> contexts, const LocalStoreDemand& dema
 std::string in_words(const LocalStoreDemand& demand) {
   return "skeleton \"" + demand.skeleton + "\" with schedule " +
          (demand.schedule == Schedule::fused ? "fused" : "levels") + " and stream " +
-         (demand.falls_back || demand.stream == StreamKind::keyframe ? "keyframe" : "sampled");
+         (demand.plays_keys ? "keyframe" : "sampled");
 }
 
 Error too_small(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {

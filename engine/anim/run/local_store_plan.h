@@ -20,7 +20,7 @@ struct LocalStoreDemand {
   Schedule schedule = Schedule::fused;
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;  ///< wanted; clips that have no such stream play the other
-  bool falls_back = false;                  ///< some clip of that skeleton plays the other; for the error
+  bool plays_keys = false;                  ///< some clip of that skeleton plays from its keys; for the error
   StoreNeeds largest;                       ///< the largest needs of all programs of agents
   std::size_t shared_entity_bytes = 0;      ///< the most StoreNeeds::entity_bytes of all graphs of shared entities
 };

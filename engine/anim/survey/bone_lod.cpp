@@ -60,6 +60,19 @@ void measure_levels(const Model& model, BoneLod& lod) {
   }
 }
 
+/// A model without keys has no poses to measure its levels in: a level errs at least as its worst dropped limb does.
+void take_worst_limbs(const Skeleton& skeleton, BoneLod& lod) {
+  for (std::size_t level = 1; level < skeleton.level_bone_counts.size(); ++level) {
+    float& error = lod.level_error_metres[level];
+    for (auto bone = static_cast<std::size_t>(skeleton.level_bone_counts[level]); bone < lod.rows.size(); ++bone) {
+      error = std::max(error, lod.rows[bone].error_metres);
+    }
+  }
+  for (std::size_t level = 1; level < lod.level_error_metres.size(); ++level) {
+    lod.level_error_metres[level] = std::max(lod.level_error_metres[level], lod.level_error_metres[level - 1]);
+  }
+}
+
 }  // namespace
 
 BoneLod measure_bone_lod(const Model& model) {
@@ -75,6 +88,7 @@ BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const
     add_row(model.skeleton, lod.rows[static_cast<std::size_t>(bone)].error_metres, reordered);
   }
   measure_levels(model, reordered);
+  if (model.clips.empty()) take_worst_limbs(model.skeleton, reordered);
   return reordered;
 }
 

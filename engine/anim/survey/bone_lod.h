@@ -30,6 +30,7 @@ BoneLod measure_bone_lod(const Model& model);
 
 /// Returns what measure_bone_lod finds on `model`, whose bones were measured in another order; `bones` has the former
 /// index of each. A bone's error stays with it, and only levels are measured.
+/// Without the keys of its clips, a level errs as its worst dropped limb does.
 BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const int> bones);
 
 /// Returns for each palette entry its replacement when only the first `bone_count` bones are kept: itself, or

@@ -42,7 +42,7 @@ inline double error_by_definition(const Model& model, const Clip& clip, const Ba
   const std::span pose(reinterpret_cast<float*>(block.get()), bytes / sizeof(float));
   const std::size_t packet_floats = static_cast<std::size_t>(model.skeleton.components()) * packet_bones;
   std::vector<BoneFrame> shown(model.skeleton.bones.size());
-  ExactPoses keys(baked.keyframe());
+  ExactPoses keys(*baked.keyframe());
   double worst = 0.0;
   for (int i = 0; i <= times; ++i) {
     const Ticks time = baked.duration * i / times;

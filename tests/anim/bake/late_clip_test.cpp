@@ -70,7 +70,7 @@ TEST_P(LateClip, ShowsThePosesOfItsFile) {
 
 TEST_P(LateClip, TravelsAtItsOwnSpeed) {
   EXPECT_NEAR(glm::length(clip_.loop_displacement), 2.4, 1e-4);
-  EXPECT_NEAR(character_.clips[0].ground_speed, 1.2, 1e-3);
+  EXPECT_NEAR(character_.clips[0].ground_speed(), 1.2, 1e-3);
   EXPECT_EQ(clip_.root_motion.duration, clip_.duration);
 }
 
@@ -97,7 +97,7 @@ TEST_P(LateClip, KeepsTheTimeOfItsFileWhereThatIsAskedFor) {
   const BakedClip& clip = unchanged.clips.front();
   EXPECT_EQ(clip.duration, key_ticks(first + seconds));
   EXPECT_EQ(clip.data_keys.front().time, key_ticks(first + 0.25));
-  ExactPoses poses(clip.keyframe());
+  ExactPoses poses(*clip.keyframe());
   std::vector<BoneFrame> frames(model_.skeleton.bones.size());
   const double time = first + 0.7;
   compute_frames(model_.skeleton, poses.at(key_ticks(time)), frames);

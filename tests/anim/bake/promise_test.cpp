@@ -118,7 +118,7 @@ TEST(CarriedRounding, ErrsLessThanHalfAsMuchAtTheEndOfAChain) {
   const Character character = bake_character(model);
   const BakedClip& clip = character.clips.front();
   const SurfaceProxy proxy = make_surface_proxy(model);
-  const SampleSource source{character.skeleton, proxy, clip.keyframe(), {}, clip.error_bound};
+  const SampleSource source{character.skeleton, proxy, *clip.keyframe(), {}, clip.error_bound};
   const auto error = [&](Rounding rounding) {
     const AlignedBytes block = sample_as(source, *clip.sampled(), rounding);
     return measure_error(source, *reinterpret_cast<const SampledStream*>(block.get()));

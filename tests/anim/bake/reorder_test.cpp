@@ -1,5 +1,7 @@
 // A character whose bones change their order is to the bit the one that is baked in that order, though no clip is
 // baked.
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/asset/sampled_rows.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/survey/lod_survey.h"
@@ -41,7 +44,7 @@ void expect_same(const Character& a, const Character& b) {
   }
   ASSERT_EQ(a.clips.size(), b.clips.size());
   for (std::size_t clip = 0; clip < a.clips.size(); ++clip) {
-    EXPECT_TRUE(same_bits(&a.clips[clip].keyframe(), &b.clips[clip].keyframe())) << clip;
+    EXPECT_TRUE(same_bits(a.clips[clip].keyframe(), b.clips[clip].keyframe())) << clip;
     EXPECT_TRUE(same_bits(a.clips[clip].sampled(), b.clips[clip].sampled())) << clip;
     EXPECT_EQ(a.clips[clip].loops, b.clips[clip].loops);
     EXPECT_EQ(a.clips[clip].loop_displacement, b.clips[clip].loop_displacement);
@@ -111,6 +114,62 @@ TEST(ReorderedCharacter, KeepsEveryInterpolation) {
     rotation.values = std::move(values);
   }
   expect_same_as_baked_anew(model);
+}
+
+/// Returns the farthest that a rotation or position of a bone in one clip is from that of another, in the same row.
+/// Both clips have the same rows.
+double farthest_row(const SampledStream& a, const SampledStream& b) {
+  const SampledRows rows = rows_of(a), others = rows_of(b);
+  double farthest = rows.rows.size() == others.rows.size() ? 0.0 : 1e9;
+  for (std::size_t i = 0; i < rows.rows.size() && farthest < 1e9; ++i) {
+    farthest = std::max(farthest, static_cast<double>(std::abs(rows.rows[i] - others.rows[i])));
+  }
+  return farthest;
+}
+
+TEST(ReorderedCharacter, ComesFromTheRowsWhereKeysWereLetGo) {
+  for (const Model& model : {synthetic_model(62, 3), general_model(40)}) {
+    Model other = model;
+    if (other.clips.empty()) other.clips.push_back(wild_clip(other.skeleton, Interpolation::linear, 1.5, 1));
+    const Character with_keys = bake_character(other);
+    Character without = bake_character(other);
+    keep_played_streams(without);
+    const BoneOrder order = other_order(other.skeleton);
+    reorder_bones(other, order);
+    const Character expected = reorder_character(with_keys, other, order);
+    const Character reordered = reorder_character(without, other, order);
+    for (std::size_t clip = 0; clip < expected.clips.size(); ++clip) {
+      if (expected.clips[clip].sampled() == nullptr) continue;
+      EXPECT_EQ(reordered.clips[clip].keyframe(), nullptr);
+      EXPECT_LT(farthest_row(*reordered.clips[clip].sampled(), *expected.clips[clip].sampled()), 1e-4) << clip;
+    }
+  }
+}
+
+TEST(ReorderedCharacter, ErrsAsItsWorstDroppedLimbWhereNoKeysTellMore) {
+  Model model = synthetic_model(30, 2);
+  const Character character = bake_character(model);
+  const BoneOrder order = other_order(model.skeleton);
+  reorder_bones(model, order);
+  model.clips.clear();
+  const Character reordered = reorder_character(character, model, order);
+  ASSERT_GT(model.skeleton.level_bone_counts.size(), 1U);
+  const auto kept = static_cast<std::size_t>(model.skeleton.level_bone_counts[1]);
+  for (std::size_t bone = kept; bone < 30; ++bone) {
+    EXPECT_LE(reordered.bone_lod.rows[bone].error_metres, reordered.bone_lod.level_error_metres[1]) << bone;
+  }
+  EXPECT_GT(reordered.bone_lod.level_error_metres[1], 0.0F);
+}
+
+TEST(KeepPlayedStreams, LetsTheKeysGoOfClipsThatHaveRows) {
+  Model model = synthetic_model(20, 1);
+  model.clips.push_back(wild_clip(model.skeleton, Interpolation::step, 1.5, 1));
+  Character character = bake_character(model);
+  ASSERT_EQ(character.clips[1].sampled(), nullptr) << "it jumps, and plays from its keys";
+  keep_played_streams(character);
+  EXPECT_EQ(character.clips[0].keyframe(), nullptr);
+  EXPECT_NE(character.clips[1].keyframe(), nullptr);
+  EXPECT_EQ(fault_of(character), nullptr);
 }
 
 TEST(SurveyedKeys, AreFewAndShowTheSamePoses) {

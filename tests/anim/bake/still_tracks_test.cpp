@@ -88,7 +88,7 @@ TEST(StillTracks, AreConstantsInBothStreams) {
   for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear}) {
     const Model model = swaying({.translation = {}, .rotation = trembling(5e-5F, interpolation), .scale = {}});
     const Character character = bake_character(model);
-    EXPECT_EQ(character.clips[0].keyframe().track_count, 1U);
+    EXPECT_EQ(character.clips[0].keyframe()->track_count, 1U);
     EXPECT_EQ(character.clips[0].sampled()->total_size, still.clips[0].sampled()->total_size);
   }
 }
@@ -100,7 +100,7 @@ TEST(StillTracks, ThatFlatCubicSplinesMakeAreConstants) {
     flat.values.insert(flat.values.end(), {tangent, glm::quat(1.0F, 0.0F, 0.0F, 0.0F), tangent});
   }
   const Character character = bake_character(swaying({.translation = {}, .rotation = flat, .scale = {}}));
-  EXPECT_EQ(character.clips[0].keyframe().track_count, 1U);
+  EXPECT_EQ(character.clips[0].keyframe()->track_count, 1U);
 }
 
 TEST(StillTracks, KeepCubicSplinesThatBulgeBetweenEqualKeys) {
@@ -109,7 +109,7 @@ TEST(StillTracks, KeepCubicSplinesThatBulgeBetweenEqualKeys) {
                                  .values = {glm::quat(0, 0, 0, 0), glm::quat(1, 0, 0, 0), glm::quat(0, 1, 0, 0),
                                             glm::quat(0, 1, 0, 0), glm::quat(1, 0, 0, 0), glm::quat(0, 0, 0, 0)}};
   const Character character = bake_character(swaying({.translation = {}, .rotation = bulging, .scale = {}}));
-  EXPECT_EQ(character.clips[0].keyframe().track_count, 2U);
+  EXPECT_EQ(character.clips[0].keyframe()->track_count, 2U);
 }
 
 TEST(StillTracks, OfScalesThatAreOneEverywhereAreConstants) {
@@ -123,7 +123,7 @@ TEST(StillTracks, OfScalesThatAreOneEverywhereAreConstants) {
   clip.tracks.push_back({.bone = 4, .translation = {}, .rotation = {}, .scale = nearly});
   model.clips.assign(1, clip);
   const Character character = bake_character(model);
-  EXPECT_EQ(character.clips[0].keyframe().track_count, 1U);
+  EXPECT_EQ(character.clips[0].keyframe()->track_count, 1U);
   EXPECT_NE(character.clips[0].sampled(), nullptr) << character.clips[0].note;
 }
 
@@ -135,7 +135,7 @@ TEST(StillTracks, DoNotFreezeAHandWithoutAVertexOfItsOwn) {
   mesh.weights.assign(3, glm::vec4(1.0F, 0.0F, 0.0F, 0.0F));
   mesh.indices = {0, 1, 2};
   model.meshes.push_back(mesh);
-  EXPECT_EQ(bake_character(model).clips[0].keyframe().track_count, 2U);
+  EXPECT_EQ(bake_character(model).clips[0].keyframe()->track_count, 2U);
 }
 
 TEST(StillTracks, DoNotFreezeWhatASmallScaleHidesAtFirst) {
@@ -147,7 +147,7 @@ TEST(StillTracks, DoNotFreezeWhatASmallScaleHidesAtFirst) {
   }
   clip.tracks.push_back({.bone = 0, .translation = {}, .rotation = sway(), .scale = growing});
   model.clips.assign(1, clip);
-  EXPECT_EQ(bake_character(model).clips[0].keyframe().track_count, 2U);
+  EXPECT_EQ(bake_character(model).clips[0].keyframe()->track_count, 2U);
 }
 
 TEST(StillTracks, TogetherMoveTheSurfaceByNoMoreThanTheyMay) {
@@ -181,7 +181,7 @@ TEST(StillTracks, OfARootDoNotHideTheTravelOfTheHips) {
 TEST(StillTracks, KeepTheirKeysWhereTheFileIsAskedFor) {
   const Model model = swaying({.translation = {}, .rotation = trembling(1e-4F), .scale = {}});
   const Character character = bake_character(model, {.take_root_motion = false, .as_in_the_file = true});
-  EXPECT_EQ(character.clips[0].keyframe().track_count, 2U);
+  EXPECT_EQ(character.clips[0].keyframe()->track_count, 2U);
   EXPECT_EQ(character.clips[0].keyframe_error, 0.0);
 }
 

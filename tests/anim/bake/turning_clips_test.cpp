@@ -114,7 +114,7 @@ TEST(TurningClip, ThatWalksAQuarterOfACircleWalksAWholeOneInFourLoops) {
   const RootMotion round = displacement(baked.clip().root_motion, loop / 3, loop / 3 + 4 * loop, true);
   EXPECT_LT(glm::length(round.translation), 1e-5);
   EXPECT_NEAR(round.yaw, 2.0 * pi, 1e-5);
-  EXPECT_NEAR(baked.character.clips.front().ground_speed, pi / 1.5, 1e-4) << "along the arc";
+  EXPECT_NEAR(baked.character.clips.front().ground_speed(), pi / 1.5, 1e-4) << "along the arc";
 }
 
 TEST(TurningClip, OfFewKeysIsStillTheClip) {
@@ -135,7 +135,7 @@ TEST(ClimbingClip, HasTheClimbInItsRootMotion) {
   EXPECT_EQ(baked.loop().yaw, 0.0);
   EXPECT_TRUE(baked.clip().loops);
   EXPECT_LT(baked.error(), baked.clip().error_bound);
-  EXPECT_NEAR(baked.character.clips.front().ground_speed, 0.4, 1e-5) << "over the ground";
+  EXPECT_NEAR(baked.character.clips.front().ground_speed(), 0.4, 1e-5) << "over the ground";
 }
 
 TEST(PoseThatChanges, IsNoTurn) {

@@ -32,7 +32,7 @@ class RunOfEntities : public testing::Test {
  protected:
   RunOfEntities() {
     for (const BakedClip& clip : character_.clips) {
-      clips_.push_back({.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration});
+      clips_.push_back({.keyframe = clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration});
     }
     assets_.clips = clips_;
   }

@@ -33,7 +33,7 @@ class PlayerInStore {
   PlayerInStore(const Character& character, StreamKind stream, const BoneSelection* bones)
       : pools_(character.skeleton.bone_count(), character.skeleton.components(), Residency::transient) {
     const BakedClip& clip = character.clips.front();
-    clip_ = {.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
+    clip_ = {.keyframe = clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
     assets_ = {.clips = {&clip_, 1}, .kernels = &scalar_kernels(), .components = character.skeleton.components()};
     const bool sampled = stream == StreamKind::sampled;
     const Handle handle = pools_.create(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players);

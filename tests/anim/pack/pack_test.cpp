@@ -25,6 +25,7 @@ using testing::HasSubstr;
 FileToPack two_models() {
   FileToPack packed;
   packed.name = "crowd";
+  packed.with_keys = true;
   packed.file.file = "crowd.glb";
   packed.file.animations = {"clip_0", "clip_1", "clip_2"};
   packed.file.repairs = {"a weight was repaired"};
@@ -175,7 +176,7 @@ TEST(Pack, UsesStreamsAndTexelsWhereTheyLie) {
 TEST(Pack, StaysAsLongAsACharacterOfItLives) {
   auto character = opened().character();  // the pack itself is gone
   ASSERT_TRUE(character);
-  EXPECT_EQ(character->clips[0].keyframe().bone_count, 23);
+  EXPECT_EQ(character->clips[0].keyframe()->bone_count, 23);
 }
 
 TEST(Pack, StaysAsLongAsAClipOfItIsLentToAnotherCharacter) {
@@ -183,7 +184,7 @@ TEST(Pack, StaysAsLongAsAClipOfItIsLentToAnotherCharacter) {
   const auto lent = anim::without_clip(std::move(packed), 1);
   ASSERT_TRUE(lent);
   EXPECT_TRUE(lent->clips[1].is_empty());
-  EXPECT_EQ(lent->clips[0].keyframe().bone_count, 23);
+  EXPECT_EQ(lent->clips[0].keyframe()->bone_count, 23);
 }
 
 TEST(Pack, GivesAnEmptyClipsStreamBackAsNone) {
@@ -198,6 +199,28 @@ TEST(Pack, GivesAnEmptyClipsStreamBackAsNone) {
   EXPECT_EQ(character->clips[1].sampled(), nullptr);
   EXPECT_NE(character->clips[2].sampled(), nullptr);
   EXPECT_EQ(character->clips[1].note, "plays from its keyframe stream");
+}
+
+TEST(Pack, WithoutKeysPlaysAndSaysWhatItLacks) {
+  FileToPack file = two_models();
+  auto lean = std::make_shared<anim::Character>(anim::bake_character(file.file.models[0]));
+  anim::keep_played_streams(*lean);
+  file.characters[0].character = lean;
+  file.with_keys = false;
+  const std::vector<std::byte> bytes = write_pack({&file, 1});
+  EXPECT_LT(bytes.size(), packed_bytes().size());
+  const auto pack = Pack::open(written(bytes));
+  ASSERT_TRUE(pack);
+  auto character = pack->character();
+  ASSERT_TRUE(character);
+  EXPECT_EQ(anim::fault_of(*character), nullptr);
+  EXPECT_EQ(character->clips[0].keyframe(), nullptr);
+  const auto played = std::make_shared<const anim::Character>(std::move(*character));
+  EXPECT_EQ(pose_hash(played, anim::StreamKind::keyframe), pose_hash(played, anim::StreamKind::sampled));
+  const auto imported = pack->imported(0);
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().message, HasSubstr("it has no keys of its model"));
+  EXPECT_THAT(imported.error().message, HasSubstr("--keep-keys"));
 }
 
 TEST(Pack, KeepsTheFileWholeAsImportMadeIt) {

@@ -211,8 +211,8 @@ TEST_F(ReorderedStage, HasTheCharacterThatIsBakedInThatOrder) {
     ASSERT_TRUE(a.sampled() != nullptr && b.sampled() != nullptr);
     ASSERT_EQ(a.sampled()->total_size, b.sampled()->total_size);
     EXPECT_EQ(std::memcmp(a.sampled(), b.sampled(), b.sampled()->total_size), 0) << b.name;
-    ASSERT_EQ(a.keyframe().total_size, b.keyframe().total_size);
-    EXPECT_EQ(std::memcmp(&a.keyframe(), &b.keyframe(), b.keyframe().total_size), 0) << b.name;
+    ASSERT_EQ(a.keyframe()->total_size, b.keyframe()->total_size);
+    EXPECT_EQ(std::memcmp(a.keyframe(), b.keyframe(), b.keyframe()->total_size), 0) << b.name;
     EXPECT_EQ(a.data_keys.size(), b.data_keys.size()) << b.name;
     EXPECT_EQ(reordered.skip_errors[clip].blended, anew.skip_errors[clip].blended) << b.name;
   }

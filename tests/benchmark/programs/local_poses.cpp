@@ -58,7 +58,7 @@ LocalClip::LocalClip(const anim::Skeleton& skeleton, const anim::BakedClip& clip
     : skeleton_(skeleton),
       stream_(*clip.sampled()),
       error_bound_(static_cast<float>(clip.error_bound - clip.keyframe_error)),
-      exact_(clip.keyframe()),
+      exact_(*clip.keyframe()),
       frames_(skeleton.bones.size()) {}
 
 std::span<const LocalPlace> LocalClip::pose(int sample) {

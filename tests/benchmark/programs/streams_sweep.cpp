@@ -23,7 +23,7 @@ std::size_t stream_bytes(const anim::Character& character, anim::StreamKind kind
   std::size_t bytes = 0;
   for (const anim::BakedClip& clip : character.clips) {
     const bool sampled = kind == anim::StreamKind::sampled && clip.sampled() != nullptr;
-    bytes += sampled ? clip.sampled()->total_size : clip.keyframe().total_size;
+    bytes += sampled ? clip.sampled()->total_size : clip.keyframe()->total_size;
   }
   return bytes;
 }

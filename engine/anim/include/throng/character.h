@@ -117,6 +117,10 @@ struct LoadOptions {
   /// Lets clips that walk in place move their agents, at ClipInfo::ground_speed in the direction of their steps.
   /// Without it Motion::displacement is 0 for them, and LoadedFile::notes names them.
   bool walk_in_place = false;
+  /// Keeps the file's own keys of all clips, which take several times the memory of the rows that agents play. Without
+  /// them, with_clips() rounds a clip once more if its bones come in another order. Clips that no rows can show as
+  /// exactly as they should keep their keys in any case.
+  bool keep_keys = false;
   /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and besides 1 GB of pixels,
   /// to which larger images are scaled down.
   std::uint64_t memory_limit = 0;

@@ -5,7 +5,7 @@ namespace throng::anim {
 TileRig::TileRig(const CrowdRig& crowd) : store_(256 * 1024) {
   const Character& character = crowd->agent(0).character();
   for (const BakedClip& clip : character.clips) {
-    clips_.push_back({.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration});
+    clips_.push_back({.keyframe = clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration});
   }
   context_ = {.hierarchy = &character.hierarchy,
               .assets = {.clips = clips_,

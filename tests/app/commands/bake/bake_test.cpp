@@ -106,11 +106,26 @@ TEST_F(Bake, SaysWhatThePackHolds) {
 TEST_F(Bake, KeepsPosesToTheBit) {
   for (const char* const file : {"linear-trs.glb", "cubic-trs.glb", "step-trs.glb", "negative-scale-joint.glb",
                                  "late-start.glb", "two-skins-one-skeleton.glb"}) {
-    const std::string pack = baked({features + file});
+    const std::string pack = baked({features + file}, {"--keep-keys"});
     for (const char* const stream : {"sampled", "keyframe"}) {
       EXPECT_EQ(posed(pack, stream), posed(features + file, stream)) << file << " " << stream;
     }
   }
+}
+
+TEST_F(Bake, LeavesTheKeysOutUnlessTheyAreAskedFor) {
+  const std::string pack = baked({person}, {"--keep-keys"});
+  const auto with_keys = fs::file_size(pack);
+  baked({person});
+  EXPECT_LT(fs::file_size(pack), with_keys);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"inspect", pack}, {"pose", pack, "--clip", "0", "--time", "0", "--json", "-"}}) {
+    const ProgramRun run = run_program(command);
+    EXPECT_EQ(run.exit_status, 1) << command.front();
+    EXPECT_THAT(run.errors, HasSubstr("town.pack: it has no keys of its model, which this needs: bake it with"));
+  }
+  EXPECT_THAT(load_character(pack, pack, nullptr, {.placement = {.scale = 0.5}}).error().message,
+              HasSubstr("--keep-keys"));
 }
 
 TEST_F(Bake, MakesTheCharacterThatTheFileMakes) {
@@ -155,7 +170,7 @@ TEST_F(Bake, PutsNobodyTwiceIntoTheCastOfAFolder) {
 }
 
 TEST_F(Bake, AsksWhichFileOfAPackIsMeant) {
-  const std::string pack = baked({person, other});
+  const std::string pack = baked({person, other}, {"--keep-keys"});
   EXPECT_THAT(read_model_file(pack).error().message,
               HasSubstr("town.pack: it holds 2 files; say which behind a #: linear-trs or late-start"));
   EXPECT_TRUE(read_model_file(pack + "#late-start"));
@@ -171,7 +186,7 @@ TEST_F(Bake, TakesSizeAndPlaceFromTheCommandLine) {
 }
 
 TEST_F(Bake, IsDoneAnewWhereTheRunAsksForAnotherSize) {
-  const std::string pack = baked({person}, {"--scale", "3"});
+  const std::string pack = baked({person}, {"--scale", "3", "--keep-keys"});
   const CharacterSource smaller = loaded(pack, {.placement = {.scale = 0.5}});
   EXPECT_EQ(smaller.placement.placement.scale, 0.5);
   EXPECT_TRUE(smaller.surface.bytes.empty()) << "it is of the former size";

@@ -143,6 +143,19 @@ TEST_F(PaletteFormatNotice, NamesWhoStaysFloat) {
 
 TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) { EXPECT_EQ(notice(PaletteFormat::matrices), ""); }
 
+TEST(StreamNotice, NamesCharactersWithoutKeysWhereKeysAreToBePlayed) {
+  auto lean = std::make_shared<anim::Character>(anim::bake_character(anim::synthetic_model(8, 1)));
+  anim::keep_played_streams(*lean);
+  std::vector<CharacterSource> people(1);
+  people[0].name = "town.pack";
+  people[0].character = lean;
+  const auto keys = std::move(*anim::AnimationSystem::create(lean, {.stream = anim::StreamKind::keyframe}));
+  EXPECT_EQ(stream_notice(*keys, people),
+            "town.pack: played from rows, because the pack has no keys; throng bake --keep-keys packs them.");
+  const auto rows = std::move(*anim::AnimationSystem::create(lean, {}));
+  EXPECT_EQ(stream_notice(*rows, people), "");
+}
+
 TEST(PlanNotice, SaysHowManyLinesAreTooMany) {
   EXPECT_EQ(plan_notice(30'000, 20'000),
             "Walls and floors are left out: the place has 30000 lines, and 20000 are the most; --walls names simpler "

@@ -60,18 +60,18 @@ render::PosedPalettes posed_palettes(const Character& character) {
 }  // namespace
 
 Result<render::CrowdMeshData> mesh_data(const Character& character) {
-  if (!character || character.data()->body->meshes.empty()) {
+  if (!character || character.data()->body->model.meshes.empty()) {
     return Error{"the character has no surface: load it with LoadOptions::keep_meshes"};
   }
   const detail::CharacterBody& body = *character.data()->body;
   const anim::Skeleton& skeleton = character.data()->baked->skeleton;
   render::CrowdMeshData data;
-  for (const anim::SkinnedMesh& mesh : body.meshes) {
-    data.parts.push_back(part_data(mesh, body.materials[static_cast<std::size_t>(mesh.material)]));
+  for (const anim::SkinnedMesh& mesh : body.model.meshes) {
+    data.parts.push_back(part_data(mesh, body.model.materials[static_cast<std::size_t>(mesh.material)]));
   }
-  add_materials(body.materials, body.images, data);
+  add_materials(body.model.materials, body.model.images, data);
   add_palette_data(skeleton, data);
-  data.morph_deltas = morph_deltas(body.meshes);
+  data.morph_deltas = morph_deltas(body.model.meshes);
   data.face_entries = face_entries(skeleton);
   data.bone_ends = bone_ends(skeleton);
   data.poses = posed_palettes(character);

@@ -15,6 +15,18 @@ inline const Character& mannequin() {
   return loaded;
 }
 
+/// Returns the hash of the poses that an agent of a character goes through in a second of a clip.
+inline std::uint64_t hash_of(const Character& character, ClipId clip = {1}) {
+  Crowd crowd = std::move(*Crowd::create(character, {.hash = true}));
+  const PoseRequest request{.agent = crowd.add_agent()};
+  crowd.agent(request.agent).play({.clip = clip});
+  for (int frame = 0; frame < 30; ++frame) {
+    crowd.advance(ticks_per_second / 30);
+    crowd.update({&request, 1});
+  }
+  return crowd.debug().pose_hash();
+}
+
 /// A crowd with a palette for each agent.
 class ApiCrowd {
  public:

@@ -18,6 +18,7 @@
 namespace throng::memory_test {
 namespace {
 
+using api_test::hash_of;
 using testing::HasSubstr;
 
 std::string bytes_of(const std::string& path) {
@@ -27,18 +28,6 @@ std::string bytes_of(const std::string& path) {
 
 FileInMemory in_memory(std::string_view name, std::string_view bytes) {
   return {.name = name, .bytes = std::as_bytes(std::span(bytes))};
-}
-
-/// Returns the hash of the poses that a character walks through.
-std::uint64_t hash_of(const Character& character) {
-  Crowd crowd = std::move(*Crowd::create(character, {.hash = true}));
-  const PoseRequest request{.agent = crowd.add_agent()};
-  crowd.agent(request.agent).play({.clip = {1}});
-  for (int frame = 0; frame < 30; ++frame) {
-    crowd.advance(ticks_per_second / 30);
-    crowd.update({&request, 1});
-  }
-  return crowd.debug().pose_hash();
 }
 
 /// A triangle on two bones, whose buffer is a file of its own.

@@ -55,7 +55,7 @@ const std::vector<House>& houses() {
         {"agent/channel"},
         {"api"},
         {"api/c"},
-        {"examples"}}},
+        {"examples", "tools"}}},
       {"engine/render/",
        {{"include/throng/render"}, {"gl"}, {"shader", "palette", "frame"}, {"mesh", "light"}, {"passes"}, {"scenery"}}},
       {"engine/crowd/", {{"include/throng"}, {"examples"}}},

@@ -1,6 +1,7 @@
 #include "engine/anim/agent/character_rigs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/anim/entity/foot_placement_entity.h"
 #include "engine/anim/entity/ik_entity.h"
@@ -41,7 +42,26 @@ void reorder(JointChain& chain, std::span<const int> places) {
 }  // namespace
 
 CharacterRigs::CharacterRigs(const Model& model, const RagdollOptions& ragdoll) {
-  const Skeleton& skeleton = model.skeleton;
+  find_limbs_of(model.skeleton);
+  Result<RagdollRig> falling = build_ragdoll_rig(model, ragdoll);
+  if (falling) {
+    take(std::move(*falling));
+  } else {
+    missing_.push_back(falling.error().message);
+  }
+}
+
+CharacterRigs::CharacterRigs(const Skeleton& skeleton, RagdollRig ragdoll) {
+  find_limbs_of(skeleton);
+  take(std::move(ragdoll));
+}
+
+void CharacterRigs::take(RagdollRig ragdoll) {
+  ragdoll_ = std::move(ragdoll);
+  ragdoll_kind_ = ragdoll_kind(*ragdoll_);
+}
+
+void CharacterRigs::find_limbs_of(const Skeleton& skeleton) {
   const Limbs limbs = find_limbs(skeleton);
   missing_ = limbs.doubts;
   find_gaze(skeleton, limbs);
@@ -51,13 +71,6 @@ CharacterRigs::CharacterRigs(const Model& model, const RagdollOptions& ragdoll) 
   find_limb(skeleton, limbs.left_leg, Limb::left_leg, limbs.forward);
   find_limb(skeleton, limbs.right_leg, Limb::right_leg, limbs.forward);
   if (!limbs_.empty()) ik_kind_ = ik_kind(limbs_);
-  Result<RagdollRig> falling = build_ragdoll_rig(model, ragdoll);
-  if (!falling) {
-    missing_.push_back(falling.error().message);
-    return;
-  }
-  ragdoll_ = std::move(*falling);
-  ragdoll_kind_ = ragdoll_kind(*ragdoll_);
 }
 
 void CharacterRigs::find_gaze(const Skeleton& skeleton, const Limbs& limbs) {

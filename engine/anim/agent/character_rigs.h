@@ -34,6 +34,8 @@ class CharacterRigs {
 
   /// Finds the rigs of an imported model, whose skeleton is the character's.
   explicit CharacterRigs(const Model& model, const RagdollOptions& ragdoll = {});
+  /// Takes a rag-doll that was built of the model before.
+  CharacterRigs(const Skeleton& skeleton, RagdollRig ragdoll);
   CharacterRigs(const CharacterRigs&) = delete;
   CharacterRigs& operator=(const CharacterRigs&) = delete;
 
@@ -57,6 +59,8 @@ class CharacterRigs {
   std::span<const std::string> missing() const { return missing_; }
 
  private:
+  void find_limbs_of(const Skeleton& skeleton);
+  void take(RagdollRig ragdoll);
   void find_gaze(const Skeleton& skeleton, const Limbs& limbs);
   void find_feet(const Skeleton& skeleton, const Limbs& limbs);
   void find_limb(const Skeleton& skeleton, const std::optional<LimbBones>& bones, Limb limb, const glm::vec3& bends);

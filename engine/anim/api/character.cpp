@@ -36,42 +36,42 @@ std::span<const To> as_floats(const std::vector<From>& from) {
 
 void show_material(const detail::CharacterBody& data, int index, MeshView& view) {
   const auto place = static_cast<std::size_t>(index);
-  if (place >= data.materials.size()) return;
-  const anim::Material& material = data.materials[place];
+  if (place >= data.model.materials.size()) return;
+  const anim::Material& material = data.model.materials[place];
   for (int i = 0; i < 4; ++i) view.base_color[static_cast<std::size_t>(i)] = material.base_color[i];
   const auto image = static_cast<std::size_t>(material.base_color_texture.image);
-  if (image >= data.images.size()) return;
-  view.base_color_texels = data.images[image].rgba;
-  view.texture_width = data.images[image].width;
-  view.texture_height = data.images[image].height;
+  if (image >= data.model.images.size()) return;
+  view.base_color_texels = data.model.images[image].rgba;
+  view.texture_width = data.model.images[image].width;
+  view.texture_height = data.model.images[image].height;
 }
 
-Character character_of(anim::Character baked, std::shared_ptr<const detail::CharacterBody> body) {
-  auto shared = std::make_shared<const anim::Character>(std::move(baked));
-  return Character(std::make_shared<const detail::CharacterData>(
-      detail::CharacterData{.baked = std::move(shared), .body = std::move(body)}));
+anim::CharacterRigs rigs_of(const anim::Model& model, std::optional<anim::RagdollRig> ragdoll) {
+  if (!ragdoll) return anim::CharacterRigs(model);
+  return anim::CharacterRigs(model.skeleton, std::move(*ragdoll));
+}
+
+void drop_surface(anim::Model& model) {
+  model.meshes.clear();
+  model.mesh_lods.clear();
+  model.parts.clear();
+  model.materials.clear();
+  model.images.clear();
 }
 
 }  // namespace
 
-detail::CharacterBody::CharacterBody(const anim::Model& model) : rigs(model) {
-  for (const anim::Skin& skin : model.skins) {
-    const Result<anim::JointList> joints = anim::joints_of_skin(model, skin.skin);
-    const auto place = static_cast<std::size_t>(skin.skin);
-    if (!joints || skin.skin < 0) continue;
-    if (place >= skins.size()) skins.resize(place + 1);
-    skins[place] = *joints;
-  }
+detail::CharacterBody::CharacterBody(anim::Model from, std::optional<anim::RagdollRig> ragdoll, bool keep_meshes)
+    : rigs(rigs_of(from, std::move(ragdoll))), model(std::move(from)) {
+  model.skeleton = {};
+  model.clips = {};
+  if (!keep_meshes) drop_surface(model);
 }
 
-Character detail::make_character(anim::Model model, anim::Character baked, bool keep_meshes) {
-  auto body = std::make_shared<CharacterBody>(model);
-  if (keep_meshes) {
-    body->meshes = std::move(model.meshes);
-    body->materials = std::move(model.materials);
-    body->images = std::move(model.images);
-  }
-  return character_of(std::move(baked), std::move(body));
+Character detail::character_of(anim::Character baked, std::shared_ptr<const CharacterBody> body) {
+  auto shared = std::make_shared<const anim::Character>(std::move(baked));
+  return Character(
+      std::make_shared<const CharacterData>(CharacterData{.baked = std::move(shared), .body = std::move(body)}));
 }
 
 std::uint32_t Character::clip_count() const { return static_cast<std::uint32_t>(baked(data()).clips.size()); }
@@ -115,7 +115,7 @@ Result<Character> Character::with_clips(const Character& more) const {
   if (!*this || !more) return anim::refuse({"Character::with_clips", "a character is empty"});
   Result<anim::Character> made = anim::with_clips(data()->baked, more.data()->baked);
   if (!made) return made.error();
-  return character_of(std::move(*made), data()->body);
+  return detail::character_of(std::move(*made), data()->body);
 }
 
 Result<Character> Character::without(ClipId clip) const {
@@ -123,7 +123,7 @@ Result<Character> Character::without(ClipId clip) const {
   if (!has(clip)) return Error{data()->baked->skeleton.name + ": the character has no clip of this id"};
   Result<anim::Character> made = anim::without_clip(data()->baked, static_cast<int>(clip.number));
   if (!made) return made.error();
-  return character_of(std::move(*made), data()->body);
+  return detail::character_of(std::move(*made), data()->body);
 }
 
 int Character::bone_count() const { return baked(data()).skeleton.bone_count(); }
@@ -171,11 +171,11 @@ std::span<const std::string> Character::data_key_names() const { return baked(da
 
 std::span<const std::string> Character::curve_names() const { return baked(data()).curve_names; }
 
-std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->body->meshes.size(); }
+std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->body->model.meshes.size(); }
 
 MeshView Character::mesh(std::size_t index) const {
   if (index >= mesh_count()) return {};
-  const anim::SkinnedMesh& mesh = data()->body->meshes[index];
+  const anim::SkinnedMesh& mesh = data()->body->model.meshes[index];
   MeshView view{.name = mesh.name,
                 .positions = as_floats<Vec3>(mesh.positions),
                 .normals = as_floats<Vec3>(mesh.normals),

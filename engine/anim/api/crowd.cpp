@@ -43,9 +43,8 @@ void keep(detail::CrowdParts& parts, CharacterId id, const Character& character)
 Result<anim::JointList> joints_of(const detail::CharacterData& character, const JointOutput& output) {
   const anim::Skeleton& skeleton = character.baked->skeleton;
   if (!output.skin) return output.bones.empty() ? anim::all_joints(skeleton) : anim::joints_of(skeleton, output.bones);
-  const std::vector<anim::JointList>& skins = character.body->skins;
-  const auto skin = static_cast<std::size_t>(*output.skin);
-  if (*output.skin >= 0 && skin < skins.size() && !skins[skin].empty()) return skins[skin];
+  Result<anim::JointList> joints = anim::joints_of_skin(character.body->model, *output.skin);
+  if (joints && *output.skin >= 0) return joints;
   return Error{skeleton.name + ": the character has no skin " + std::to_string(*output.skin) + " of the file"};
 }
 

@@ -1,4 +1,6 @@
 #include <cstdio>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,17 +33,6 @@ std::string walks_in_place(const anim::Character& character) {
   return named;
 }
 
-[[maybe_unused]] void add_character(anim::Model model, anim::Character baked, const LoadOptions& options,
-                                    LoadedFile& into) {
-  if (options.walk_in_place) {
-    anim::travel_by_steps(baked);
-  } else if (const std::string named = walks_in_place(baked); !named.empty()) {
-    into.notes.push_back("clips that walk in place move no agent; LoadOptions::walk_in_place lets them: " + named);
-  }
-  if (!options.keep_keys) anim::keep_played_streams(baked);
-  into.characters.push_back(detail::make_character(std::move(model), std::move(baked), options.keep_meshes));
-}
-
 #if defined(THRONG_HAS_PACK)
 Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, const LoadOptions& options,
                   LoadedFile& into) {
@@ -49,7 +40,7 @@ Status load_model(const pack::Pack& pack, std::size_t file, std::size_t model, c
   if (!baked) return baked.error();
   Result<anim::Model> from = pack.model(file, model, *baked);
   if (!from) return from.error();
-  add_character(std::move(*from), std::move(baked->character), options, into);
+  detail::add_character(std::move(*from), std::move(baked->ragdoll), std::move(baked->character), options, into);
   return Done{};
 }
 
@@ -81,7 +72,7 @@ Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options
     anim::place_model(model, placed.placement);
     if (!placed.is_plain) loaded.notes.push_back(placed.reasons);
     anim::Character baked = anim::bake_character(model);
-    add_character(std::move(model), std::move(baked), options, loaded);
+    detail::add_character(std::move(model), {}, std::move(baked), options, loaded);
   }
   return loaded;
 }
@@ -91,15 +82,27 @@ Error no_gltf(const std::string& path) {
 }
 #endif
 
-Status check(const std::string& path, const LoadOptions& options) {
-  if (options.scale >= 0.0 && options.scale < 1e9) return Done{};
-  return Error{plain_text(path) + ": LoadOptions::scale is metres a unit, above 0, or 0 for a guess"};
-}
-
 }  // namespace
 
+Status detail::check_options(const std::string& name, const LoadOptions& options) {
+  if (options.scale >= 0.0 && options.scale < 1e9) return Done{};
+  return Error{plain_text(name) + ": LoadOptions::scale is metres a unit, above 0, or 0 for a guess"};
+}
+
+void detail::add_character(anim::Model model, std::optional<anim::RagdollRig> ragdoll, anim::Character baked,
+                           const LoadOptions& options, LoadedFile& into) {
+  if (options.walk_in_place) {
+    anim::travel_by_steps(baked);
+  } else if (const std::string named = walks_in_place(baked); !named.empty()) {
+    into.notes.push_back("clips that walk in place move no agent; LoadOptions::walk_in_place lets them: " + named);
+  }
+  if (!options.keep_keys) anim::keep_played_streams(baked);
+  auto body = std::make_shared<const CharacterBody>(std::move(model), std::move(ragdoll), options.keep_meshes);
+  into.characters.push_back(character_of(std::move(baked), std::move(body)));
+}
+
 Result<LoadedFile> load(const std::string& path, const LoadOptions& options) {
-  if (const Status valid = check(path, options); !valid) return valid.error();
+  if (const Status valid = detail::check_options(path, options); !valid) return valid.error();
 #if defined(THRONG_HAS_PACK)
   const auto bytes = options.copy_pack ? pack::PackBytes::copied : pack::PackBytes::mapped;
   if (pack::is_pack(path)) return load_pack(pack::Pack::open(path, bytes), options);
@@ -114,7 +117,7 @@ Result<LoadedFile> load(const std::string& path, const LoadOptions& options) {
 Result<LoadedFile> load(std::span<const FileInMemory> files, const LoadOptions& options) {
   if (files.empty()) return anim::refuse({"load", "there is no file: the first is the model"});
   const std::string name(files.front().name);
-  if (const Status valid = check(name, options); !valid) return valid.error();
+  if (const Status valid = detail::check_options(name, options); !valid) return valid.error();
 #if defined(THRONG_HAS_PACK)
   if (pack::is_pack(files.front())) return load_pack(pack::Pack::open(files.front()), options);
 #endif

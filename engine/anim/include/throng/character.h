@@ -152,4 +152,10 @@ struct FileInMemory {
 /// such as buffers and images. All bytes are copied, and may go when it returns.
 Result<LoadedFile> load(std::span<const FileInMemory> files, const LoadOptions& options = {});
 
+/// Saves characters as one pack, which load() opens in a moment: skeletons, clips as they play, what is measured on
+/// them, and rigs. Surfaces go with it where LoadOptions::keep_meshes kept them, and keys where keep_keys did. The file
+/// is whole or as it was, and a name that ends in ".pack" is usual. Takes a moment, on any thread.
+/// Errors: there is no character, one is empty, the file cannot be written, or the library was built without packs.
+Status save(const std::string& path, std::span<const Character> characters);
+
 }  // namespace throng

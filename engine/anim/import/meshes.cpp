@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "engine/anim/asset/reference_frames.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/facing.h"
 #include "engine/anim/import/influences.h"
 #include "engine/anim/import/memory/model_memory.h"
-#include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/surface.h"
 
 namespace throng::import {

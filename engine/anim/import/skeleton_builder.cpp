@@ -9,10 +9,10 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "engine/anim/asset/reference_frames.h"
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/memory/model_memory.h"
-#include "engine/anim/import/reference_frames.h"
 
 namespace throng::import {
 

@@ -17,6 +17,7 @@
 #include "throng/agent.h"
 #include "throng/channels.h"
 #include "throng/character.h"
+#include "throng/character_builder.h"
 #include "throng/crowd.h"
 #include "throng/debug.h"
 #include "throng/host.h"

@@ -1,4 +1,4 @@
-#include "engine/anim/import/reference_frames.h"
+#include "engine/anim/asset/reference_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,9 @@
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/elementary.h"
 
-namespace throng::import {
+namespace throng::anim {
 
 namespace {
-
-using anim::ReferenceFrame;
-using anim::Skeleton;
-using anim::Skin;
 
 /// An exactly rigid skeleton, with skins bound to it.
 struct RigidCandidate {
@@ -34,7 +30,7 @@ std::optional<ReferenceFrame> as_frame(const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   const double determinant = glm::determinant(linear);
   if (!(determinant > 0.0)) return std::nullopt;
-  const double scale = anim::cube_root(determinant);
+  const double scale = cube_root(determinant);
   const glm::dmat3 rotation = linear / scale;
   const glm::dmat3 gram = glm::transpose(rotation) * rotation;
   for (int column = 0; column < 3; ++column) {
@@ -47,11 +43,11 @@ std::optional<ReferenceFrame> as_frame(const glm::dmat4& matrix) {
 }
 
 glm::dmat4 as_matrix(const ReferenceFrame& frame) {
-  return anim::compose({.rotation = frame.rotation, .position = frame.origin, .scale = glm::dvec3(frame.scale)});
+  return compose({.rotation = frame.rotation, .position = frame.origin, .scale = glm::dvec3(frame.scale)});
 }
 
-bool scale_is(const anim::Track<glm::vec3>& track, const glm::vec3& expected) {
-  const bool cubic = track.interpolation == anim::Interpolation::cubic_spline;
+bool scale_is(const Track<glm::vec3>& track, const glm::vec3& expected) {
+  const bool cubic = track.interpolation == Interpolation::cubic_spline;
   for (std::size_t i = 0; i < track.values.size(); ++i) {
     const bool tangent = cubic && i % 3 != 1;
     const glm::dvec3 offset(track.values[i] - (tangent ? glm::vec3(0.0F) : expected));
@@ -61,9 +57,9 @@ bool scale_is(const anim::Track<glm::vec3>& track, const glm::vec3& expected) {
   return true;
 }
 
-bool scales_stand_still(const Skeleton& skeleton, const std::vector<anim::Clip>& clips) {
-  for (const anim::Clip& clip : clips) {
-    for (const anim::BoneTracks& tracks : clip.tracks) {
+bool scales_stand_still(const Skeleton& skeleton, const std::vector<Clip>& clips) {
+  for (const Clip& clip : clips) {
+    for (const BoneTracks& tracks : clip.tracks) {
       if (!scale_is(tracks.scale, skeleton.bones[static_cast<std::size_t>(tracks.bone)].rest.scale)) return false;
     }
   }
@@ -86,8 +82,8 @@ class RigidMaker {
 
  private:
   bool clean_bones() {
-    for (anim::Bone& bone : skeleton_.bones) {
-      const auto local = as_frame(anim::compose(anim::rest_transform(bone)));
+    for (Bone& bone : skeleton_.bones) {
+      const auto local = as_frame(compose(rest_transform(bone)));
       const auto prefix = as_frame(bone.prefix);
       if (!local || !prefix) return false;
       bone.rest.scale = glm::vec3(static_cast<float>(local->scale));
@@ -98,7 +94,7 @@ class RigidMaker {
 
   /// Sets frames and scales to the rest pose, which stays for bones that no skin binds.
   bool set_rest_frames() {
-    const anim::ReferencePose rest = anim::reference_pose(skeleton_, nullptr, 0.0);
+    const ReferencePose rest = reference_pose(skeleton_, nullptr, 0.0);
     for (std::size_t bone = 0; bone < rest.globals.size(); ++bone) {
       const auto frame = as_frame(rest.globals[bone]);
       if (!frame) return false;
@@ -169,12 +165,12 @@ class PaletteComparison {
   double error_ = 0.0;
 };
 
-bool poses_agree(const RigidCandidate& rigid, const Skeleton& general, const std::vector<Skin>& skins,
-                 const anim::Clip* clip, double seconds) {
-  const anim::ReferencePose expected = anim::reference_pose(general, clip, seconds);
-  std::vector<anim::StateTransform> locals = expected.locals;
+bool poses_agree(const RigidCandidate& rigid, const Skeleton& general, const std::vector<Skin>& skins, const Clip* clip,
+                 double seconds) {
+  const ReferencePose expected = reference_pose(general, clip, seconds);
+  std::vector<StateTransform> locals = expected.locals;
   for (std::size_t bone = 0; bone < locals.size(); ++bone) locals[bone].scale = rigid.skeleton.bones[bone].rest.scale;
-  const anim::ReferencePose shown = anim::pose_from_locals(rigid.skeleton, std::move(locals));
+  const ReferencePose shown = pose_from_locals(rigid.skeleton, std::move(locals));
   for (std::size_t skin = 0; skin < skins.size(); ++skin) {
     PaletteComparison comparison;
     for (std::size_t joint = 0; joint < skins[skin].bones.size(); ++joint) {
@@ -189,7 +185,7 @@ bool poses_agree(const RigidCandidate& rigid, const Skeleton& general, const std
 
 /// Takes the rounding off a general skeleton that is otherwise rigid; returns nothing for any other.
 std::optional<RigidCandidate> make_rigid_candidate(const Skeleton& general, const std::vector<Skin>& skins,
-                                                   const std::vector<anim::Clip>& clips) {
+                                                   const std::vector<Clip>& clips) {
   if (!scales_stand_still(general, clips)) return std::nullopt;
   return RigidMaker(general).make(skins);
 }
@@ -197,10 +193,10 @@ std::optional<RigidCandidate> make_rigid_candidate(const Skeleton& general, cons
 /// Says whether the candidate's palettes agree with the general ones, in the rest pose and at five times of every clip,
 /// to half of the tolerance for poses: 1e-4, and 1e-5 of the palette's largest magnitude.
 bool shows_the_same(const RigidCandidate& rigid, const Skeleton& general, const std::vector<Skin>& skins,
-                    const std::vector<anim::Clip>& clips) {
+                    const std::vector<Clip>& clips) {
   constexpr int times = 5;
   if (!poses_agree(rigid, general, skins, nullptr, 0.0)) return false;
-  for (const anim::Clip& clip : clips) {
+  for (const Clip& clip : clips) {
     for (int i = 0; i < times; ++i) {
       const double seconds = clip.start + clip.length() * i / (times - 1);
       if (!poses_agree(rigid, general, skins, &clip, seconds)) return false;
@@ -240,7 +236,7 @@ class GeneralPalette {
   }
 
  private:
-  std::vector<anim::PaletteEntry> palette_;
+  std::vector<PaletteEntry> palette_;
   std::vector<std::vector<int>> entries_of_bone_;
 };
 
@@ -261,22 +257,21 @@ void set_general(Skeleton& skeleton, std::vector<Skin>& skins, const std::vector
 
 }  // namespace
 
-void set_reference_frames(Skeleton& skeleton, std::vector<Skin>& skins, std::vector<anim::Clip>& clips,
+void set_reference_frames(Skeleton& skeleton, std::vector<Skin>& skins, std::vector<Clip>& clips,
                           const std::vector<int>& attached_bones) {
   set_general(skeleton, skins, attached_bones);
   auto rigid = make_rigid_candidate(skeleton, skins, clips);
   if (!rigid || !shows_the_same(*rigid, skeleton, skins, clips)) return;
   skeleton = std::move(rigid->skeleton);
   skins = std::move(rigid->skins);
-  for (anim::Clip& clip : clips) drop_scales(clip);
+  for (Clip& clip : clips) drop_scales(clip);
 }
 
 int plain_palette_entry(const Skeleton& skeleton, int bone) {
   if (skeleton.rigid) return bone;
-  const auto plain = std::ranges::find_if(skeleton.palette, [&](const anim::PaletteEntry& entry) {
-    return entry.bone == bone && entry.post == glm::dmat4(1.0);
-  });
+  const auto plain = std::ranges::find_if(
+      skeleton.palette, [&](const PaletteEntry& entry) { return entry.bone == bone && entry.post == glm::dmat4(1.0); });
   return static_cast<int>(plain - skeleton.palette.begin());
 }
 
-}  // namespace throng::import
+}  // namespace throng::anim

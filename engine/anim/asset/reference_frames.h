@@ -4,10 +4,10 @@
 
 #include "engine/anim/asset/model.h"
 
-namespace throng::import {
+namespace throng::anim {
 
 /// Decides between the rigid and the general path and sets references, palette, Skin::palette_entries and
-/// Skin::bind_to_model (see anim::Skeleton).
+/// Skin::bind_to_model (see Skeleton).
 ///
 /// A skeleton is rigid if no clip changes a scale, every static scale is uniform and positive, and every inverse bind
 /// is a rotation, a translation and one uniform scale a skin. All skins then agree on one frame a joint.
@@ -15,10 +15,10 @@ namespace throng::import {
 /// the rest pose and of every clip change by at most half of the tolerance for poses.
 /// The palette's model space is the scene's, with the first skin's root joint where the rest pose has it.
 /// Meshes hang below `attached_bones`; the general palette gets an entry without inverse bind for each.
-void set_reference_frames(anim::Skeleton& skeleton, std::vector<anim::Skin>& skins, std::vector<anim::Clip>& clips,
+void set_reference_frames(Skeleton& skeleton, std::vector<Skin>& skins, std::vector<Clip>& clips,
                           const std::vector<int>& attached_bones);
 
 /// Returns the palette entry of `bone` for meshes that hang below it.
-int plain_palette_entry(const anim::Skeleton& skeleton, int bone);
+int plain_palette_entry(const Skeleton& skeleton, int bone);
 
-}  // namespace throng::import
+}  // namespace throng::anim

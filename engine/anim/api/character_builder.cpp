@@ -1,0 +1,261 @@
+#include "throng/character_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/anim/api/character_data.h"
+#include "engine/anim/asset/model_check.h"
+#include "engine/anim/asset/placement.h"
+#include "engine/anim/asset/reference_frames.h"
+#include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/survey/bone_importance.h"
+#include "engine/base/text/plain_text.h"
+
+namespace throng {
+
+/// The model as far as it was told, in the order and the spaces of the host. Faults of calls that it cannot hold, such
+/// as a bone that is not there, are kept in words.
+struct detail::BuilderData {
+  anim::Model model;
+  std::vector<std::optional<glm::dmat4>> inverse_binds;  // [bone]
+  std::string fault;                                     // the first one; empty: none so far
+};
+
+namespace {
+
+using detail::BuilderData;
+
+void note_fault(BuilderData& data, const std::string& fault) {
+  if (data.fault.empty()) data.fault = fault;
+}
+
+std::string in_marks(std::string_view name) { return "\"" + plain_text(name) + "\""; }
+
+anim::Interpolation interpolation_of(KeyForm form) {
+  if (form == KeyForm::step) return anim::Interpolation::step;
+  return form == KeyForm::linear ? anim::Interpolation::linear : anim::Interpolation::cubic_spline;
+}
+
+glm::vec3 as_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
+glm::quat as_glm(const Quat& q) { return {q.w, q.x, q.y, q.z}; }
+
+template <typename To, typename Value>
+anim::Track<To> track_of(const BoneKeys<Value>& keys) {
+  anim::Track<To> track{
+      .interpolation = interpolation_of(keys.form), .times = {keys.seconds.begin(), keys.seconds.end()}, .values = {}};
+  for (const Value& value : keys.values) track.values.push_back(as_glm(value));
+  return track;
+}
+
+anim::Clip* clip_at(BuilderData& data, int clip) {
+  if (clip >= 0 && static_cast<std::size_t>(clip) < data.model.clips.size())
+    return &data.model.clips[static_cast<std::size_t>(clip)];
+  note_fault(data, "there is no clip " + std::to_string(clip) + ": add_clip() returns the numbers of clips");
+  return nullptr;
+}
+
+/// Returns the tracks of a bone in a clip, which stay ascending by bone; null and a fault where one is not there.
+anim::BoneTracks* tracks_at(BuilderData& data, int clip, int bone) {
+  anim::Clip* const of = clip_at(data, clip);
+  if (of == nullptr) return nullptr;
+  if (bone < 0 || bone >= data.model.skeleton.bone_count()) {
+    note_fault(data, "clip " + in_marks(of->name) + ": there is no bone " + std::to_string(bone));
+    return nullptr;
+  }
+  const auto place = std::ranges::lower_bound(of->tracks, bone, {}, &anim::BoneTracks::bone);
+  if (place != of->tracks.end() && place->bone == bone) return &*place;
+  anim::BoneTracks tracks;
+  tracks.bone = bone;
+  return &*of->tracks.insert(place, std::move(tracks));
+}
+
+/// Returns one inverse bind matrix a bone. Bones without one were bound in the rest pose.
+std::vector<glm::dmat4> inverse_binds_of(const BuilderData& data) {
+  const std::vector<glm::dmat4> globals = anim::reference_pose(data.model.skeleton, nullptr, 0.0).globals;
+  std::vector<glm::dmat4> matrices;
+  for (std::size_t bone = 0; bone < globals.size(); ++bone) {
+    const std::optional<glm::dmat4>& own = data.inverse_binds[bone];
+    matrices.push_back(own ? *own : glm::inverse(globals[bone]));
+  }
+  return matrices;
+}
+
+/// Adds what a model of bones without levels, references and palette lacks to be checked: each bone has an entry of its
+/// own, and nothing is rigid.
+void make_checkable(anim::Skeleton& skeleton) {
+  skeleton.rigid = false;
+  skeleton.references.assign(skeleton.bones.size(), {});
+  skeleton.level_bone_counts = {skeleton.bone_count()};
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) skeleton.palette.push_back({.bone = bone});
+}
+
+void bring_to_palette(anim::SkinnedMesh& mesh, const anim::Skin& skin) {
+  const glm::dmat3 turn = glm::dmat3(skin.bind_to_model);
+  for (glm::vec3& position : mesh.positions) {
+    position = glm::vec3(skin.bind_to_model * glm::dvec4(glm::dvec3(position), 1.0));
+  }
+  for (glm::vec3& normal : mesh.normals) normal = glm::vec3(glm::normalize(turn * glm::dvec3(normal)));
+  for (glm::u16vec4& bones : mesh.palette_entries) {
+    for (int i = 0; i < 4; ++i) bones[i] = static_cast<std::uint16_t>(skin.palette_entries[bones[i]]);
+  }
+}
+
+/// Makes a model of a checked one: references, palette, and an order of bones for level of detail.
+void finish(anim::Model& model, std::vector<glm::dmat4> inverse_binds) {
+  anim::Skin& skin = model.skins.emplace_back();
+  skin.skin = 0;
+  skin.name = model.skeleton.name;
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) skin.bones.push_back(bone);
+  skin.inverse_binds = std::move(inverse_binds);
+  model.skeleton.palette.clear();
+  anim::set_reference_frames(model.skeleton, model.skins, model.clips, {});
+  for (anim::SkinnedMesh& mesh : model.meshes) bring_to_palette(mesh, model.skins.front());
+  std::vector<int> parents;
+  for (const anim::Bone& bone : model.skeleton.bones) parents.push_back(bone.parent);
+  anim::reorder_bones(model, anim::order_bones(parents, anim::bone_importance(model)));
+}
+
+/// Adds the texels of a mesh as an image of its own, and returns its index; -1 if the mesh has none.
+int add_image(anim::Model& model, const MeshView& mesh) {
+  if (mesh.base_color_texels.empty()) return -1;
+  auto texels =
+      std::make_shared<const std::vector<std::uint8_t>>(mesh.base_color_texels.begin(), mesh.base_color_texels.end());
+  model.images.push_back(
+      {.width = mesh.texture_width, .height = mesh.texture_height, .rgba = *texels, .lender = texels});
+  return static_cast<int>(model.images.size()) - 1;
+}
+
+anim::Material material_of(anim::Model& model, const MeshView& mesh) {
+  anim::Material material;
+  material.name = mesh.name;
+  for (int i = 0; i < 4; ++i) material.base_color[i] = mesh.base_color[static_cast<std::size_t>(i)];
+  material.base_color_texture.image = add_image(model, mesh);
+  return material;
+}
+
+bool has_one_each(const MeshView& mesh) {
+  const std::size_t count = mesh.positions.size();
+  const bool has_coords = mesh.texture_coords.empty() || mesh.texture_coords.size() == count;
+  return mesh.normals.size() == count && mesh.palette_entries.size() == count && mesh.weights.size() == count &&
+         has_coords;
+}
+
+bool has_whole_texture(const MeshView& mesh) {
+  if (mesh.texture_width < 0 || mesh.texture_height < 0) return false;
+  return mesh.base_color_texels.size() ==
+         std::size_t{4} * static_cast<std::size_t>(mesh.texture_width) * static_cast<std::size_t>(mesh.texture_height);
+}
+
+anim::SkinnedMesh copied(const MeshView& view, int material) {
+  anim::SkinnedMesh mesh;
+  mesh.name = view.name;
+  mesh.material = material;
+  for (const Vec3& position : view.positions) mesh.positions.push_back(as_glm(position));
+  for (const Vec3& normal : view.normals) mesh.normals.push_back(as_glm(normal));
+  for (const auto& bones : view.palette_entries)
+    mesh.palette_entries.emplace_back(bones[0], bones[1], bones[2], bones[3]);
+  for (const auto& w : view.weights) mesh.weights.emplace_back(w[0], w[1], w[2], w[3]);
+  mesh.indices.assign(view.indices.begin(), view.indices.end());
+  if (view.texture_coords.empty()) return mesh;
+  std::vector<glm::vec2>& coords = mesh.texture_coords.emplace_back();
+  for (const auto& place : view.texture_coords) coords.emplace_back(place[0], place[1]);
+  return mesh;
+}
+
+}  // namespace
+
+CharacterBuilder::CharacterBuilder(std::string_view name) : data_(std::make_unique<detail::BuilderData>()) {
+  data_->model.skeleton.name = name;
+}
+
+CharacterBuilder::CharacterBuilder(CharacterBuilder&& other) noexcept = default;
+CharacterBuilder& CharacterBuilder::operator=(CharacterBuilder&& other) noexcept = default;
+CharacterBuilder::~CharacterBuilder() = default;
+
+int CharacterBuilder::add_bone(const BoneToBuild& bone) {
+  std::vector<anim::Bone>& bones = data_->model.skeleton.bones;
+  const int index = static_cast<int>(bones.size());
+  anim::Bone& added = bones.emplace_back();
+  added.name = bone.name;
+  added.node = index;
+  added.parent = bone.parent;
+  added.rest = {as_glm(bone.rest.translation), as_glm(bone.rest.rotation), as_glm(bone.rest.scale)};
+  added.role = anim::body_role_named(bone.role);
+  if (!bone.role.empty() && !added.role) {
+    note_fault(*data_,
+               "bone " + in_marks(bone.name) + ": VRM 1.0 has no part of the body named " + in_marks(bone.role));
+  }
+  data_->inverse_binds.emplace_back();
+  if (bone.inverse_bind) data_->inverse_binds.back() = glm::dmat4(glm::make_mat4(&bone.inverse_bind->columns[0][0]));
+  return index;
+}
+
+int CharacterBuilder::add_clip(std::string_view name, double seconds) {
+  anim::Clip& clip = data_->model.clips.emplace_back();
+  clip.name = name;
+  clip.animation = static_cast<int>(data_->model.clips.size()) - 1;
+  clip.duration = seconds;
+  return clip.animation;
+}
+
+void CharacterBuilder::set_translations(int clip, int bone, const BoneKeys<Vec3>& keys) {
+  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->translation = track_of<glm::vec3>(keys);
+}
+
+void CharacterBuilder::set_rotations(int clip, int bone, const BoneKeys<Quat>& keys) {
+  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->rotation = track_of<glm::quat>(keys);
+}
+
+void CharacterBuilder::set_scales(int clip, int bone, const BoneKeys<Vec3>& keys) {
+  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->scale = track_of<glm::vec3>(keys);
+}
+
+void CharacterBuilder::add_data_key(int clip, std::string_view name, double seconds) {
+  anim::Clip* const of = clip_at(*data_, clip);
+  if (of == nullptr) return;
+  const auto after = std::ranges::upper_bound(of->data_keys, seconds, {}, &anim::NamedDataKey::time);
+  of->data_keys.insert(after, {.time = seconds, .name = std::string(name)});
+}
+
+void CharacterBuilder::add_curve(int clip, std::string_view name, std::span<const float> seconds,
+                                 std::span<const float> values) {
+  anim::Clip* const of = clip_at(*data_, clip);
+  if (of == nullptr) return;
+  of->curves.push_back(
+      {.name = std::string(name), .times = {seconds.begin(), seconds.end()}, .values = {values.begin(), values.end()}});
+}
+
+void CharacterBuilder::add_mesh(const MeshView& mesh) {
+  const std::string of = "mesh " + in_marks(mesh.name) + ": ";
+  if (!has_one_each(mesh)) {
+    return note_fault(*data_,
+                      of + "it does not have one normal, weight, list of bones and texture coordinate a position");
+  }
+  if (!has_whole_texture(mesh)) return note_fault(*data_, of + "its texels are not 4 bytes times width times height");
+  anim::Model& model = data_->model;
+  model.materials.push_back(material_of(model, mesh));
+  model.meshes.push_back(copied(mesh, static_cast<int>(model.materials.size()) - 1));
+}
+
+Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
+  const std::string name = plain_text(data_->model.skeleton.name);
+  if (!data_->fault.empty()) return Error{name + ": " + data_->fault};
+  if (const Status valid = detail::check_options(name, options); !valid) return valid.error();
+  anim::Model model = data_->model;
+  make_checkable(model.skeleton);
+  if (const Status valid = anim::check_model(model); !valid) return valid.error();
+  finish(model, inverse_binds_of(*data_));
+  anim::Placement placement;
+  if (options.scale > 0.0) placement.scale = options.scale;
+  anim::place_model(model, placement);
+  LoadedFile built;
+  anim::Character baked = anim::bake_character(model);
+  detail::add_character(std::move(model), {}, std::move(baked), options, built);
+  return built;
+}
+
+}  // namespace throng

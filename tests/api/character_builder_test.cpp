@@ -1,0 +1,224 @@
+// Building characters of a host's own data.
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/anim/api/character_data.h"
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/character.h"
+#include "tests/api/api_crowd.h"
+
+namespace throng::character_builder_test {
+namespace {
+
+using testing::HasSubstr;
+
+Vec3 as_own(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+Quat as_own(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+/// Tells a builder all of a model that import made.
+CharacterBuilder told(const anim::Model& model) {
+  CharacterBuilder builder(model.skeleton.name);
+  for (const anim::Bone& bone : model.skeleton.bones) {
+    builder.add_bone({.name = bone.name,
+                      .parent = bone.parent,
+                      .rest = {as_own(bone.rest.translation), as_own(bone.rest.rotation), as_own(bone.rest.scale)}});
+  }
+  for (const anim::Clip& clip : model.clips) {
+    const int number = builder.add_clip(clip.name, clip.duration);
+    for (const anim::BoneTracks& tracks : clip.tracks) {
+      std::vector<Quat> turns;
+      std::vector<Vec3> places;
+      for (const glm::quat& turn : tracks.rotation.values) turns.push_back(as_own(turn));
+      for (const glm::vec3& place : tracks.translation.values) places.push_back(as_own(place));
+      builder.set_rotations(number, tracks.bone, {.seconds = tracks.rotation.times, .values = turns});
+      builder.set_translations(number, tracks.bone, {.seconds = tracks.translation.times, .values = places});
+    }
+  }
+  return builder;
+}
+
+Character built(const CharacterBuilder& builder, const LoadOptions& options = {}) {
+  const auto file = builder.build(options);
+  EXPECT_TRUE(file) << (file ? "" : file.error().message);
+  return file ? file->characters.front() : Character();
+}
+
+/// A bone and a tip, 1 m above it, with a clip of a second.
+CharacterBuilder small() {
+  CharacterBuilder builder("small");
+  builder.add_bone({.name = "root"});
+  builder.add_bone({.name = "tip", .parent = 0, .rest = {.translation = {0.0F, 1.0F, 0.0F}}});
+  builder.add_clip("clip", 1.0);
+  return builder;
+}
+
+std::string fault_of(const CharacterBuilder& builder) {
+  const auto file = builder.build();
+  return file ? "" : file.error().message;
+}
+
+/// Returns the joints of a bone at a time of clip 0, row by row.
+std::array<float, 12> joint(const Character& character, std::string_view bone, Ticks time) {
+  Crowd crowd = std::move(*Crowd::create(character));
+  const int wanted[] = {character.find_bone(bone).value_or(0)};
+  EXPECT_TRUE(crowd.write_joints(0, {.bones = wanted, .format = JointFormat::matrices}));
+  alignas(64) std::array<float, 16> written{};
+  const PoseRequest request{.agent = crowd.add_agent(), .joints = reinterpret_cast<std::byte*>(written.data())};
+  crowd.agent(request.agent).play({.clip = {0}, .loop = false});
+  crowd.advance(time);
+  crowd.update({&request, 1});
+  std::array<float, 12> rows{};
+  std::copy_n(written.begin(), rows.size(), rows.begin());
+  return rows;
+}
+
+TEST(CharacterBuilder, BuildsTheCharacterThatImportWouldHaveMade) {
+  const anim::Model model = anim::synthetic_model(23, 2);
+  const Character character = built(told(model));
+  ASSERT_EQ(character.bone_count(), 23);
+  ASSERT_EQ(character.clip_count(), 2U);
+  EXPECT_EQ(character.clip({1}).name, "clip_1");
+  const anim::Character baked = anim::bake_character(model);
+  EXPECT_EQ(character.clip({1}).duration, baked.clips[1].duration);
+  EXPECT_TRUE(character.data()->baked->skeleton.rigid);
+  EXPECT_EQ(character.data()->baked->clips[0].sampled()->row_count, baked.clips[0].sampled()->row_count);
+  EXPECT_NEAR(character.height(), baked.height, 1e-6);
+}
+
+TEST(CharacterBuilder, PosesBonesAsItsKeysSay) {
+  CharacterBuilder builder = small();
+  const float seconds[] = {0.0F, 1.0F};
+  const Vec3 places[] = {{}, {2.0F, 0.0F, 0.0F}};
+  const float half = std::sqrt(0.5F);
+  const Quat turns[] = {{}, {.z = half, .w = half}};  // a quarter about z
+  builder.set_translations(0, 0, {.seconds = seconds, .values = places});
+  builder.set_rotations(0, 0, {.seconds = seconds, .values = turns});
+  const auto tip = joint(built(builder), "tip", ticks_per_second);
+  EXPECT_NEAR(tip[7], 0.0F, 1e-3F) << "the tip lies on the ground";
+  EXPECT_NEAR(tip[1], -1.0F, 1e-3F) << "and has turned";
+}
+
+TEST(CharacterBuilder, TakesKeysThatScaleAndKeysThatStep) {
+  CharacterBuilder builder = small();
+  const float seconds[] = {0.0F, 0.5F};
+  const Vec3 sizes[] = {{1.0F, 1.0F, 1.0F}, {1.0F, 3.0F, 1.0F}};
+  builder.set_scales(0, 0, {.seconds = seconds, .values = sizes, .form = KeyForm::step});
+  const Character character = built(builder);
+  EXPECT_NEAR(joint(character, "tip", ticks_per_second / 4)[7], 1.0F, 1e-3F);
+  EXPECT_NEAR(joint(character, "tip", ticks_per_second * 3 / 4)[7], 3.0F, 1e-3F);
+}
+
+TEST(CharacterBuilder, KeepsDataKeysCurvesAndRoles) {
+  CharacterBuilder builder = small();
+  const float seconds[] = {0.0F, 1.0F}, values[] = {0.0F, 8.0F};
+  builder.add_data_key(0, "late", 0.75);
+  builder.add_data_key(0, "early", 0.25);
+  builder.add_curve(0, "glow", seconds, values);
+  builder.add_bone({.name = "x", .parent = 1, .role = "head"});
+  const Character character = built(builder);
+  Crowd crowd = std::move(*Crowd::create(character));
+  const Agent agent = crowd.agent(crowd.add_agent());
+  agent.play({.clip = {0}});
+  crowd.advance(ticks_per_second / 2);
+  std::vector<std::string> met;
+  agent.motion().for_each_key(Ticks{}, ticks_per_second / 2,
+                              [&](const DataKey& key) { met.push_back(character.data_key_names()[key.name]); });
+  EXPECT_THAT(met, testing::ElementsAre("early"));
+  EXPECT_NEAR(agent.motion().curve(0), 4.0F, 1e-3F);
+  EXPECT_EQ(character.data()->baked->skeleton.bones[static_cast<std::size_t>(*character.find_bone("x"))].role,
+            anim::BodyRole::head);
+}
+
+/// A triangle beside the tip, which moves it.
+struct Triangle {
+  Vec3 positions[3] = {{1.0F, 1.0F, 0.0F}, {2.0F, 1.0F, 0.0F}, {1.0F, 2.0F, 0.0F}};
+  Vec3 normals[3] = {{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}};
+  std::array<std::uint16_t, 4> bones[3] = {{1}, {1}, {1}};
+  std::array<float, 4> weights[3] = {{1.0F}, {1.0F}, {1.0F}};
+  std::uint32_t indices[3] = {0, 1, 2};
+
+  MeshView view() const {
+    MeshView mesh;
+    mesh.name = "flag";
+    mesh.positions = positions;
+    mesh.normals = normals;
+    mesh.palette_entries = bones;
+    mesh.weights = weights;
+    mesh.indices = indices;
+    return mesh;
+  }
+};
+
+TEST(CharacterBuilder, DrawsAMeshWhereItWasBound) {
+  CharacterBuilder builder = small();
+  builder.add_mesh(Triangle().view());
+  const Character character = built(builder, {.keep_meshes = true});
+  ASSERT_EQ(character.mesh_count(), 1U);
+  Crowd crowd = std::move(*Crowd::create(character));
+  alignas(64) std::array<float, 64> palette{};
+  const PoseRequest request{.agent = crowd.add_agent(), .palette = reinterpret_cast<std::byte*>(palette.data())};
+  crowd.agent(request.agent).play({.clip = {0}});
+  crowd.update({&request, 1});
+  const MeshView mesh = character.mesh(0);
+  const float* const entry = &palette[std::size_t{12} * mesh.palette_entries[2][0]];
+  const Vec3 at = mesh.positions[2];
+  EXPECT_NEAR(entry[0] * at.x + entry[1] * at.y + entry[2] * at.z + entry[3], 1.0F, 1e-5F);
+  EXPECT_NEAR(entry[4] * at.x + entry[5] * at.y + entry[6] * at.z + entry[7], 2.0F, 1e-5F);
+}
+
+TEST(CharacterBuilder, TakesAnotherUnitByItsScale) {
+  EXPECT_NEAR(built(small(), {.scale = 0.01}).height(), 0.01, 1e-6);
+}
+
+TEST(CharacterBuilder, WithoutClipsHasItsRestPose) {
+  CharacterBuilder builder("still");
+  builder.add_bone({.name = "root"});
+  EXPECT_EQ(built(builder).clip({0}).name, "rest");
+}
+
+TEST(CharacterBuilder, NamesTheFirstFault) {
+  EXPECT_THAT(fault_of(CharacterBuilder("empty")), HasSubstr("model \"empty\": it has no bones"));
+  CharacterBuilder orphan = small();
+  orphan.add_bone({.name = "orphan", .parent = 7});
+  EXPECT_THAT(fault_of(orphan), HasSubstr("bone \"orphan\": its parent is not a bone before it"));
+  CharacterBuilder role = small();
+  role.add_bone({.name = "x", .parent = 0, .role = "paw"});
+  EXPECT_THAT(fault_of(role), HasSubstr("bone \"x\": VRM 1.0 has no part of the body named \"paw\""));
+  CharacterBuilder clip = small();
+  clip.add_data_key(3, "key", 0.0);
+  EXPECT_THAT(fault_of(clip), HasSubstr("small: there is no clip 3"));
+  CharacterBuilder bone = small();
+  bone.set_rotations(0, 9, {});
+  EXPECT_THAT(fault_of(bone), HasSubstr("clip \"clip\": there is no bone 9"));
+  CharacterBuilder late = small();
+  const float seconds[] = {0.0F, 2.0F};
+  const Quat turns[] = {{}, {}};
+  late.set_rotations(0, 1, {.seconds = seconds, .values = turns});
+  EXPECT_THAT(fault_of(late), HasSubstr("clip \"clip\": bone \"tip\": the clip's duration ends before a key"));
+  CharacterBuilder few = small();
+  few.set_rotations(0, 1, {.seconds = seconds, .values = std::span(turns).first(1)});
+  EXPECT_THAT(fault_of(few), HasSubstr("a track does not have one value a key"));
+  CharacterBuilder mesh = small();
+  const Triangle triangle;
+  MeshView short_of = triangle.view();
+  short_of.weights = short_of.weights.first(2);
+  mesh.add_mesh(short_of);
+  EXPECT_THAT(fault_of(mesh), HasSubstr("mesh \"flag\": it does not have one normal, weight"));
+}
+
+TEST(CharacterBuilder, MayBeMovedAndBuildsAsOftenAsOneLikes) {
+  CharacterBuilder first = small();
+  const CharacterBuilder moved = std::move(first);
+  EXPECT_EQ(built(moved).bone_count(), 2);
+  EXPECT_EQ(built(moved).bone_count(), 2);
+}
+
+}  // namespace
+}  // namespace throng::character_builder_test

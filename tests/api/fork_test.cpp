@@ -115,16 +115,19 @@ TEST(ApiFork, AChildGoesOnWithACrowdThatHasNoThreads) {
 
 /// A crowd of C that plays.
 throng_crowd* crowd_of_c(const throng_character* character) {
-  throng_crowd* const crowd = throng_crowd_create(character, pus, 0);
+  throng_crowd_options options = throng_crowd_options_default();
+  options.pus = pus;
+  throng_crowd* const crowd = throng_crowd_create(character, &options);
   std::vector<throng_id> ids(many);
   throng_crowd_add_agents(crowd, {0, THRONG_NONE}, many, ids.data());
-  const throng_play walk{.clip = 1, .fade = 0, .speed = 1, .start = 0, .loop = 1};
+  throng_play walk = throng_play_default();
+  walk.clip = 1;
   for (const throng_id id : ids) throng_agent_play(crowd, id, &walk);
   return crowd;
 }
 
 TEST(ApiFork, AChildHearsTheSameThroughC) {
-  throng_set_misuse_hook([](const char*, const char*) {});
+  throng_set_misuse_hook([](const char*, const char*, void*) {}, nullptr);
   throng_file* const file = throng_load(THRONG_SOURCE_DIR "/assets/mannequin.glb", 0.0);
   throng_character* const character = throng_file_character(file, 0);
   throng_crowd* const crowd = crowd_of_c(character);
@@ -146,7 +149,7 @@ TEST(ApiFork, AChildHearsTheSameThroughC) {
   throng_crowd_free(crowd);
   throng_character_free(character);
   throng_file_free(file);
-  throng_set_misuse_hook(nullptr);
+  throng_set_misuse_hook(nullptr, nullptr);
 }
 
 }  // namespace

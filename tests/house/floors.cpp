@@ -33,7 +33,8 @@ std::optional<std::string> folder_within(const House& house, const std::string& 
 const std::vector<House>& houses() {
   static const std::vector<House> all{
       {"engine/anim/",
-       {{"include/throng"},
+       {{"include/throng/c"},
+        {"include/throng"},
         {"base"},
         {"asset"},
         {"rig"},

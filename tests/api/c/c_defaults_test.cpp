@@ -48,6 +48,8 @@ TEST(ApiCDefaults, AreThoseOfCpp) {
   EXPECT_EQ(throng_spring_collider_default().radius, SpringCollider{}.radius);
   EXPECT_EQ(throng_ragdoll_default().fade, 0.1F);
   EXPECT_EQ(throng_socket_default().offset.rotation[3], 1.0F);
+  EXPECT_EQ(throng_camera_default().pixels_per_unit, Camera{}.pixels_per_unit);
+  EXPECT_EQ(throng_lod_rules_default().level_distances[2], LodRules{}.level_distances[2]);
   EXPECT_EQ(throng_load_options_default().size, sizeof(throng_load_options));
 }
 
@@ -62,7 +64,10 @@ TEST(ApiCDefaults, AZeroedStructIsRefusedInTheWordsThatHelp) {
   const throng_crowd_options options{};
   EXPECT_EQ(throng_crowd_create(c.character, &options), nullptr);
   EXPECT_THAT(throng_last_error(), HasSubstr("throng_crowd_options_default()"));
-  EXPECT_EQ(c.heard.size(), 3U);
+  throng_camera camera{};
+  constexpr float any[16] = {};
+  EXPECT_NE(throng_camera_set(&camera, any, any, any, 100), 0);
+  EXPECT_EQ(c.heard.size(), 4U);
 }
 
 TEST(ApiCDefaults, OfAnUnknownSizeAreZeros) {

@@ -19,6 +19,7 @@
 #include "throng/c/crowds.h"
 #include "throng/c/files.h"
 #include "throng/c/host.h"
+#include "throng/c/lod.h"
 #include "throng/c/many.h"
 #include "throng/c/motion.h"
 #include "throng/c/processes.h"

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/house/c_coverage.h"
 #include "tests/house/class_size.h"
 #include "tests/house/house_rules.h"
 #include "tests/house/includes.h"
@@ -86,6 +87,8 @@ TEST(House, AppSourcesTakeInFewHeaders) {
 }
 
 TEST(House, NoFunctionIsAFriendButOperators) { EXPECT_THAT(friends_that_are_methods(project()), IsEmpty()); }
+
+TEST(House, CReachesEveryPublicFunctionOrSaysWhyNot) { EXPECT_THAT(c_coverage_gaps(project(), c_table()), IsEmpty()); }
 
 TEST(House, NoFileNamesAPathOfOneMachine) { EXPECT_THAT(machine_paths(project()), IsEmpty()); }
 

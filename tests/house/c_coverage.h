@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/house/house_rules.h"
+
+namespace throng::house {
+
+/// A public function for C++, and the functions for C that do what it does. `why` is a sentence where one side is
+/// empty.
+struct CoverageRow {
+  std::string cpp;  ///< "Class::function" or "function"; its overloads share a row
+  std::vector<std::string> c;
+  std::string why = {};
+};
+
+/// Returns what C has of the public headers of the animation library, and what it leaves out.
+const std::vector<CoverageRow>& c_table();
+
+/// Holds the table against the public headers, and finds: functions of either language in no row; rows that name a
+/// function that there is not; rows with an empty side and no reason. Constructors, operators and functions that
+/// THRONG_DEFAULT declares need no row.
+Findings c_coverage_gaps(const Tree& tree, const std::vector<CoverageRow>& table);
+
+}  // namespace throng::house

@@ -70,7 +70,61 @@ void check_row(const CoverageRow& row, const std::set<std::string>& cpp, const s
   }
 }
 
+std::string without_comments_of_c(std::string code) {
+  for (std::size_t begin = code.find("/*"); begin != std::string::npos; begin = code.find("/*", begin)) {
+    code.erase(begin, code.find("*/", begin) + 2 - begin);
+  }
+  return code;
+}
+
+/// Returns the member that `head` declares; nothing for what is none.
+std::optional<std::string> member_name(const std::string& head) {
+  static const std::regex pointer_to_function(R"([^(=]*\(\*(\w+)\)\([^]*)");
+  static const std::regex other(R"(^\s*(using|friend|static_assert|enum|class|struct|static)\b[^]*)");
+  static const std::regex named(R"([^=\[]*?(\w+)\s*([=\[][^]*)?)");
+  std::smatch match;
+  if (std::regex_match(head, match, pointer_to_function)) return match.str(1);
+  const std::string plain = without_template_arguments(head);
+  if (declares_a_method(head) || std::regex_match(plain, other)) return {};
+  return std::regex_match(plain, match, named) ? std::optional(match.str(1)) : std::nullopt;
+}
+
+/// By the name of a struct of a public header, for C++ or C: the names of its members.
+using Members = std::map<std::string, std::vector<std::string>>;
+
+Members members_of(const Tree& tree) {
+  Members members;
+  for (const SourceFile& file : tree) {
+    if (!file.path.starts_with(public_headers) || !file.path.ends_with(".h")) continue;
+    for (const ClassBody& one : class_bodies(without_comments_of_c(code_of(file)))) {
+      for_each_declaration(one.body, true, [&](const std::string& head, bool) {
+        if (const auto name = member_name(head)) members[one.name].push_back(*name);
+      });
+    }
+  }
+  return members;
+}
+
 }  // namespace
+
+Findings c_struct_gaps(const Tree& tree, const std::vector<CStructRow>& table) {
+  const Members members = members_of(tree);
+  Findings findings;
+  for (const CStructRow& row : table) {
+    const auto cpp = members.find(row.cpp), c = members.find(row.c);
+    if (cpp == members.end()) findings.push_back(row.cpp + " is no struct of the headers for C++");
+    if (c == members.end()) findings.push_back(row.c + " is no struct of the headers for C");
+    if (cpp == members.end() || c == members.end()) continue;
+    for (const std::string& member : cpp->second) {
+      const auto renamed = row.renamed.find(member);
+      const std::string& wanted = renamed == row.renamed.end() ? member : renamed->second;
+      if (std::ranges::count(c->second, wanted) == 0) {
+        findings.push_back(row.cpp + "::" + member + " has no member in " + row.c);
+      }
+    }
+  }
+  return findings;
+}
 
 Findings c_coverage_gaps(const Tree& tree, const std::vector<CoverageRow>& table) {
   std::set<std::string> cpp, c;

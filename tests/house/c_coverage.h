@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,17 @@ const std::vector<CoverageRow>& c_table();
 /// function that there is not; rows with an empty side and no reason. Constructors, operators and functions that
 /// THRONG_DEFAULT declares need no row.
 Findings c_coverage_gaps(const Tree& tree, const std::vector<CoverageRow>& table);
+
+/// A struct of the public headers, and the struct for C that has its members. `renamed` has the names of C for members
+/// that are called otherwise there.
+struct CStructRow {
+  std::string cpp, c;
+  std::map<std::string, std::string> renamed = {};
+};
+
+const std::vector<CStructRow>& c_structs();
+
+/// Finds structs of the table that there are not, and their members that C lacks.
+Findings c_struct_gaps(const Tree& tree, const std::vector<CStructRow>& table);
 
 }  // namespace throng::house

@@ -51,5 +51,18 @@ TEST(CCoverage, AsksForAReasonWhereOneSideIsEmpty) {
   EXPECT_THAT(c_coverage_gaps(tree(), table), ElementsAre("find stands alone without a reason"));
 }
 
+TEST(CStructs, HaveTheMembersOfThoseOfCpp) {
+  const Tree eggs{source_file(headers + "egg.h",
+                              "struct Egg {\n  float size = 1.0F;  ///< big\n  std::array<int, 2> spots{1, 2};\n"
+                              "  void (*hatch)(int day) = nullptr;\n  int count() const;\n  Vec3 colour{};\n};\n"),
+                  source_file(headers + "c/egg.h",
+                              "/* struct throng_egg { */\ntypedef struct throng_egg {\n  float size; /* int shade; */\n"
+                              "  int dots[2];\n} throng_egg;\n")};
+  EXPECT_THAT(c_struct_gaps(eggs, {{"Egg", "throng_egg", {{"spots", "dots"}}}}),
+              ElementsAre("Egg::hatch has no member in throng_egg", "Egg::colour has no member in throng_egg"));
+  EXPECT_THAT(c_struct_gaps(eggs, {{"Nest", "throng_nest"}}),
+              ElementsAre("Nest is no struct of the headers for C++", "throng_nest is no struct of the headers for C"));
+}
+
 }  // namespace
 }  // namespace throng::house::c_coverage_test

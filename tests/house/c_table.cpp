@@ -183,4 +183,52 @@ const std::vector<CoverageRow>& c_table() {
   return table;
 }
 
+const std::vector<CStructRow>& c_structs() {
+  static const std::vector<CStructRow> table{
+      {"LoadOptions", "throng_load_options", {{"scale", "metres_a_unit"}}},
+      {"FileInMemory", "throng_bytes"},
+      {"MeshView", "throng_mesh"},
+      {"CrowdOptions", "throng_crowd_options"},
+      {"JointOutput", "throng_joint_output"},
+      {"BoneWeight", "throng_bone_weight"},
+      {"PoseRequest", "throng_pose_request"},
+      {"LocalTransform", "throng_transform"},
+      {"Place", "throng_place"},
+      {"Play", "throng_play"},
+      {"OneShot", "throng_one_shot"},
+      {"Layer", "throng_layer"},
+      {"BlendPoint", "throng_blend_point"},
+      {"BlendSpace", "throng_blend_space"},
+      {"BlendPoint2d", "throng_blend_point_2d"},
+      {"BlendSpace2d", "throng_blend_space_2d"},
+      {"LookAt", "throng_look_at"},
+      {"Reach", "throng_reach"},
+      {"ChainReach", "throng_chain_reach"},
+      {"FootPlacement", "throng_foot_placement"},
+      {"Noise", "throng_noise"},
+      {"SpringChain", "throng_spring_chain"},
+      {"SpringCollider", "throng_spring_collider"},
+      {"Springs", "throng_springs"},
+      {"Ragdoll", "throng_ragdoll"},
+      {"Socket", "throng_socket"},
+      {"StepKind", "throng_step", {{"shared", "user"}}},
+      {"StepJob", "throng_step_job", {{"shared", "user"}}},
+      {"RootMotion", "throng_root_motion"},
+      {"DataKey", "throng_key"},
+      {"ClipEnd", "throng_clip_end"},
+      {"SpeedRequest", "throng_speed_request"},
+      {"ParameterRequest", "throng_parameter_request"},
+      {"GazeRequest", "throng_gaze_request", {{"gaze", "process"}}},
+      {"ReachRequest", "throng_reach_request", {{"limb", "process"}}},
+      {"PlacementRequest", "throng_placement_request"},
+      {"GroundRequest", "throng_ground_request", {{"feet", "process"}}},
+      {"AgentKey", "throng_agent_key"},
+      {"ProcessOf", "throng_process_of"},
+      {"Camera", "throng_camera"},
+      {"LodRules", "throng_lod_rules"},
+      {"LodFrame", "throng_lod_frame"},
+  };
+  return table;
+}
+
 }  // namespace throng::house

@@ -90,6 +90,8 @@ TEST(House, NoFunctionIsAFriendButOperators) { EXPECT_THAT(friends_that_are_meth
 
 TEST(House, CReachesEveryPublicFunctionOrSaysWhyNot) { EXPECT_THAT(c_coverage_gaps(project(), c_table()), IsEmpty()); }
 
+TEST(House, StructsOfCHaveEveryMember) { EXPECT_THAT(c_struct_gaps(project(), c_structs()), IsEmpty()); }
+
 TEST(House, NoFileNamesAPathOfOneMachine) { EXPECT_THAT(machine_paths(project()), IsEmpty()); }
 
 TEST(House, TheProgramOfTheReadmeIsTheOneThatIsBuilt) {

@@ -13,7 +13,7 @@ throng_play default_of() {
   play.fade = static_cast<float>(to_seconds(own.fade));
   play.speed = static_cast<float>(own.speed);
   play.start = static_cast<float>(to_seconds(own.start));
-  play.loop = own.loop;
+  play.loop = own.loop ? 1 : 0;
   play.mask = own.mask.number;
   return play;
 }
@@ -26,7 +26,7 @@ throng_one_shot default_of() {
   shot.fade_in = static_cast<float>(to_seconds(own.fade_in));
   shot.fade_out = static_cast<float>(to_seconds(own.fade_out));
   shot.speed = static_cast<float>(own.speed);
-  shot.queued = own.queued;
+  shot.queued = own.queued ? 1 : 0;
   return shot;
 }
 
@@ -41,7 +41,7 @@ throng_blend_space default_of() {
   const BlendSpace own;
   throng_blend_space space{};
   space.parameter = own.parameter;
-  space.is_ground_speed = own.is_ground_speed;
+  space.is_ground_speed = own.is_ground_speed ? 1 : 0;
   return space;
 }
 
@@ -213,5 +213,5 @@ int throng_agent_play_once(throng_crowd* crowd, throng_id agent, uint32_t slot, 
 int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent, uint32_t slot) {
   const Call call("throng_agent_is_playing");
   if (call.is_missing(crowd)) return 0;
-  return call.answer<int>(agent_of(crowd, agent).is_playing({slot}));
+  return call.yes_or_no(agent_of(crowd, agent).is_playing({slot}));
 }

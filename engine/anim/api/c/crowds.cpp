@@ -14,8 +14,8 @@ throng_crowd_options default_of() {
   throng_crowd_options options{};
   options.pus = static_cast<uint32_t>(own.pus);
   options.palettes = static_cast<uint32_t>(own.palettes);
-  options.hash = own.hash;
-  options.trace = own.trace;
+  options.hash = own.hash ? 1 : 0;
+  options.trace = own.trace ? 1 : 0;
   options.local_store_bytes = own.local_store_bytes;
   return options;
 }

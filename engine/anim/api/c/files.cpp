@@ -30,10 +30,10 @@ template <>
 throng_load_options default_of() {
   const LoadOptions own;
   throng_load_options options{};
-  options.strict = own.strict;
-  options.keep_meshes = own.keep_meshes;
-  options.walk_in_place = own.walk_in_place;
-  options.copy_pack = own.copy_pack;
+  options.strict = own.strict ? 1 : 0;
+  options.keep_meshes = own.keep_meshes ? 1 : 0;
+  options.walk_in_place = own.walk_in_place ? 1 : 0;
+  options.copy_pack = own.copy_pack ? 1 : 0;
   options.metres_a_unit = own.scale;
   options.memory_limit = own.memory_limit;
   return options;

@@ -85,7 +85,7 @@ int throng_crowd_local_pose(throng_crowd* crowd, throng_id agent, throng_transfo
 throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd) {
   const Call call("throng_crowd_snapshot");
   if (call.is_missing(crowd)) return nullptr;
-  throng_snapshot* const made = make<throng_snapshot>();
+  auto* const made = make<throng_snapshot>();
   if (made == nullptr) return nullptr;
   crowd->own.snapshot(made->own);
   if (call.went_well()) return made;

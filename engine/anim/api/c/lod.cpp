@@ -42,8 +42,8 @@ throng_lod_rules default_of() {
   rules.full_rate_distance = own.full_rate_distance;
   rules.interval_growth = own.interval_growth;
   rules.largest_interval = static_cast<uint32_t>(own.largest_interval);
-  rules.bone_lod = own.bone_lod;
-  rules.smooth = own.smooth;
+  rules.bone_lod = own.bone_lod ? 1 : 0;
+  rules.smooth = own.smooth ? 1 : 0;
   std::ranges::copy(own.level_distances, rules.level_distances);
   rules.centre_importance = own.centre_importance;
   rules.centre_degrees = own.centre_degrees;

@@ -21,7 +21,7 @@ int throng_agent_absolute_root(const throng_crowd* crowd, throng_id agent, thron
   if (call.is_missing(crowd, place)) return 0;
   const std::optional<Place> root = agent_of(crowd, agent).motion().absolute_root();
   if (root) *place = c_place_of(*root);
-  return call.answer<int>(root.has_value());
+  return call.yes_or_no(root.has_value());
 }
 
 uint32_t throng_agent_keys(const throng_crowd* crowd, throng_id agent, double from, double to, uint32_t choice,

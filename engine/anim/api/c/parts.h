@@ -118,6 +118,7 @@ class Call {
   Answer answer(Answer value) const {
     return went_well() ? value : Answer{};
   }
+  int yes_or_no(bool yes) const { return went_well() && yes ? 1 : 0; }
 
  private:
   const char* name_;

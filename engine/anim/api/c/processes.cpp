@@ -79,7 +79,7 @@ int throng_agent_recover(throng_crowd* crowd, throng_id agent, uint32_t process,
 
 int throng_agent_is_down(const throng_crowd* crowd, throng_id agent, uint32_t process) {
   const Call call("throng_agent_is_down");
-  return call.is_missing(crowd) ? 0 : call.answer<int>(processes_of(crowd, agent).is_down({process}));
+  return call.is_missing(crowd) ? 0 : call.yes_or_no(processes_of(crowd, agent).is_down({process}));
 }
 
 int throng_agent_socket(const throng_crowd* crowd, throng_id agent, uint32_t process, throng_place* place) {

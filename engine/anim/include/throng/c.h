@@ -11,7 +11,7 @@
  *
  * Functions, structs and their layouts, names and meanings hold for all versions 1.x. A struct that begins with `size`
  * may get more members at its end: it begins as throng_NAME_default() returns it, and a program that was compiled
- * before has the defaults for what it does not know. Other structs never change. */
+ * before has the defaults for what it does not know. Other structs never change, unless their comment says so. */
 
 #include "throng/c/base.h"
 #include "throng/c/channels.h"

@@ -60,9 +60,15 @@ TEST(Ticks, ComeFromDurationsThatAreWholeTicks) {
   static_assert(250ms < ticks_per_second && ticks_per_second - 250ms == 750ms);
 }
 
-TEST(Ticks, DoNotComeFromDurationsThatWouldBeRounded) {
-  static_assert(!std::constructible_from<Ticks, std::chrono::microseconds>);
-  static_assert(!std::constructible_from<Ticks, std::chrono::nanoseconds>);
+TEST(Ticks, ComeFromShorterDurationsByTheNearestTick) {
+  static_assert(Ticks{16us}.count() == 11'290 && Ticks{5us}.count() == 3'528);  // 11,289.6 and 3,528
+  static_assert(Ticks{1ns}.count() == 1 && Ticks{-1ns}.count() == -1);          // 0.7056
+  static_assert(Ticks{2ns}.count() == 1 && Ticks{-2ns}.count() == -1);          // 1.4112
+  static_assert(Ticks{24h + 1ns} == 24 * 3600 * ticks_per_second + Ticks{1});
+  static_assert(Advances<std::chrono::steady_clock::duration>);
+}
+
+TEST(Ticks, DoNotComeFromDurationsThatAreFloats) {
   static_assert(!std::constructible_from<Ticks, std::chrono::duration<double>>);
   static_assert(!std::constructible_from<Ticks, std::chrono::duration<float, std::milli>>);
 }
@@ -70,6 +76,7 @@ TEST(Ticks, DoNotComeFromDurationsThatWouldBeRounded) {
 TEST(Ticks, FromDurationsEndAtTheLongestTime) {
   static_assert(Ticks{std::chrono::seconds::max()} == longest_time);
   static_assert(Ticks{std::chrono::hours::min()} == -longest_time);
+  static_assert(Ticks{std::chrono::nanoseconds::max()} == longest_time, "it is 292 years, of 207 at most");
   static_assert(Ticks{std::chrono::years{200}} < longest_time);
 }
 

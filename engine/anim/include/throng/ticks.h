@@ -7,34 +7,39 @@ namespace throng {
 inline constexpr std::int64_t tick_rate = 705'600'000;              ///< ticks a second, as a bare number
 inline constexpr std::int64_t most_ticks = std::int64_t{1} << 62U;  ///< longest_time, as a bare number
 
-/// Names the std::chrono::durations, and types like them, that are a whole number of ticks whatever they count: hours,
-/// seconds, milliseconds and durations of std::ratio<1, 60>, but not microseconds or floating durations.
+/// Names the std::chrono::durations, and types like them, that count in integers: hours, milliseconds, the durations of
+/// std::chrono::steady_clock, but not floating durations. They become whole ticks.
 template <typename Duration>
 concept WholeTicks = requires {
   requires std::signed_integral<typename Duration::rep>;
-  requires tick_rate % Duration::period::den == 0;
+  requires Duration::period::num <= most_ticks / tick_rate / Duration::period::den;
 };
 
 /// Counts time in integers, since sums of floats drift. 705,600,000 ticks a second divide evenly by every common frame
 /// rate and sample rate (24, 25, 30, 48, 50, 60, 90, 100, 120 Hz; 44.1, 48, 96 kHz).
 ///
 /// No number becomes a time by itself: to_ticks() takes seconds, Ticks{n} takes ticks, and durations of std::chrono
-/// convert where that is exact: `system.advance(16ms)`. Sums must stay within 64 bits, as with integers.
+/// convert: `system.advance(16ms)`. Sums must stay within 64 bits, as with integers.
 /// `Ticks{}` is 0; `Ticks t;` is not set, since blocks that hold times are plain bytes.
 class Ticks {
  public:
   Ticks() = default;
   constexpr explicit Ticks(std::int64_t count) : count_(count) {}
-  template <std::floating_point Number>
-  explicit Ticks(Number) = delete;  // to_ticks() takes seconds
+  /// Takes no number of seconds. A compiler names the parameter where `fade = 0.25F` stands.
+  template <std::floating_point to_ticks_takes_seconds>
+  Ticks(to_ticks_takes_seconds) = delete;
 
-  /// A longer duration than longest_time becomes longest_time.
+  /// Takes a duration, exactly if it is of milliseconds or longer; else the nearest tick, which is less than a
+  /// nanosecond off. A longer duration than longest_time becomes longest_time.
   template <WholeTicks Duration>
   constexpr Ticks(const Duration& duration) : count_(0) {
-    constexpr std::int64_t ticks_per_unit = tick_rate / Duration::period::den * Duration::period::num;
-    constexpr std::int64_t most = most_ticks / ticks_per_unit;
-    const std::int64_t units = duration.count();
-    count_ = units > most ? most_ticks : (units < -most ? -most_ticks : units * ticks_per_unit);
+    constexpr std::int64_t common = std::gcd(tick_rate, std::int64_t{Duration::period::den});
+    constexpr std::int64_t ticks = tick_rate / common * Duration::period::num;  // of so many units
+    constexpr std::int64_t of_units = Duration::period::den / common;
+    constexpr std::int64_t most = most_ticks / ticks;
+    const std::int64_t whole = duration.count() / of_units, rest = duration.count() % of_units * ticks;
+    const std::int64_t nearest = (rest + (rest < 0 ? -1 : 1) * (of_units / 2)) / of_units;
+    count_ = whole >= most ? most_ticks : (whole <= -most ? -most_ticks : whole * ticks + nearest);
   }
 
   constexpr std::int64_t count() const { return count_; }

@@ -12,6 +12,14 @@ struct Error {
   std::string message;
 };
 
+namespace detail {
+/// Ends the program, since there is nothing that a caller could go on with.
+[[noreturn]] inline void end_without_value(const Error& error) {
+  std::fprintf(stderr, "throng: the value of a Result that has none was asked for: %s\n", error.message.c_str());
+  std::abort();
+}
+}  // namespace detail
+
 /// A value, or the error that says why there is none. Nothing is thrown across a public interface.
 template <typename T>
 class [[nodiscard]] Result {
@@ -22,12 +30,13 @@ class [[nodiscard]] Result {
   bool has_value() const { return state_.index() == 0; }
   explicit operator bool() const { return has_value(); }
 
+  /// Where there is no value, the program prints the sentence of the error and ends. So do `*result` and `result->`.
   T& value() {
-    assert(has_value());
+    if (!has_value()) detail::end_without_value(error());
     return *std::get_if<0>(&state_);
   }
   const T& value() const {
-    assert(has_value());
+    if (!has_value()) detail::end_without_value(error());
     return *std::get_if<0>(&state_);
   }
   const Error& error() const {

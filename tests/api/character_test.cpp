@@ -127,6 +127,11 @@ TEST(ApiCharacter, SaysWhyAFileIsNone) {
   EXPECT_THAT(load("x.glb", {.scale = -1.0}).error().message, HasSubstr("LoadOptions::scale"));
 }
 
+TEST(ApiCharacter, OfNoFileEndsTheProgramWithItsSentence) {
+  EXPECT_DEATH(static_cast<void>(*load("no-such-model.glb")), "was asked for: no-such-model.glb: ");
+  EXPECT_DEATH(static_cast<void>(load("no-such-model.glb")->characters), "was asked for: no-such-model.glb: ");
+}
+
 TEST(ApiCharacter, OfAFileThatTakesMoreMemoryThanItMayIsNone) {
   const auto file = load(THRONG_SOURCE_DIR "/assets/mannequin.glb", {.memory_limit = 1'000'000});
   ASSERT_FALSE(file);

@@ -1,6 +1,8 @@
 #include "throng/camera.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -10,22 +12,43 @@
 
 namespace throng {
 
+namespace {
+
+using Plane = std::array<float, 4>;
+
+/// Returns a plane with a unit normal; zeros, which hold everything, where the normal is no more than rounding.
+Plane unit_plane(const glm::vec4& plane, float least) {
+  const float length = glm::length(glm::vec3(plane));
+  if (!(length > least)) return {};
+  return {plane.x / length, plane.y / length, plane.z / length, plane.w / length};
+}
+
+/// Returns the near and the far plane. On a perspective matrix a depth is a + b / w, where w is the distance: a is at
+/// least 1, or 0 at most if depths are reversed, and then above -1 only if they are from 0 to 1.
+std::array<Plane, 2> depth_planes(const glm::vec4& z, const glm::vec4& w) {
+  constexpr float rounding = 1e-6F;  // of normals that cancel each other out
+  const float square = glm::dot(glm::vec3(w), glm::vec3(w));
+  const float scale = std::max(std::sqrt(square), glm::length(glm::vec3(z)));
+  const float a = square > 0.0F ? glm::dot(glm::vec3(z), glm::vec3(w)) / square : 0.0F;
+  const bool is_reversed = square > 0.0F && a < 0.5F;
+  const glm::vec4 low = is_reversed && a > -1.0F + rounding ? z : w + z;
+  const Plane lower = unit_plane(low, rounding * scale), upper = unit_plane(w - z, rounding * scale);
+  return is_reversed ? std::array{upper, lower} : std::array{lower, upper};
+}
+
+}  // namespace
+
 Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall) {
-  Camera camera{.position = position, .forward = forward};
   const auto row = [&](int r) {
     return glm::vec4(clip_from_world[r], clip_from_world[4 + r], clip_from_world[8 + r], clip_from_world[12 + r]);
   };
-  for (int side = 0; side < 6; ++side) {
-    const glm::vec4 plane = row(3) + (side % 2 == 0 ? 1.0F : -1.0F) * row(side / 2);
-    const float length = glm::length(glm::vec3(plane));
-    for (int i = 0; i < 4; ++i) {
-      camera.frustum[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] =
-          length > 0.0F ? plane[i] / length : 0.0F;
-    }
-  }
+  const auto side = [&](const glm::vec4& axis) { return unit_plane(row(3) + axis, 0.0F); };
+  const auto [near_plane, far_plane] = depth_planes(row(2), row(3));
   // The second row is the projection's scale times a unit vector.
-  camera.pixels_per_unit = 0.5F * static_cast<float>(pixels_tall) * glm::length(glm::vec3(row(1)));
-  return camera;
+  return {.position = position,
+          .forward = forward,
+          .frustum = {side(row(0)), side(-row(0)), side(row(1)), side(-row(1)), near_plane, far_plane},
+          .pixels_per_unit = 0.5F * static_cast<float>(pixels_tall) * glm::length(glm::vec3(row(1)))};
 }
 
 Camera camera_of(const Vec3& position, const Vec3& forward, const Mat4& clip_from_world, int pixels_tall) {

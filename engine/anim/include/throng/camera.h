@@ -14,8 +14,11 @@ struct Camera {
   float pixels_per_unit = 1000.0F;                ///< pixels that a metre covers at a distance of a metre
 };
 
-/// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1. With z from
-/// 0 to 1, reversed or not, it has no far plane.
+/// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it. The matrix tells the range of
+/// depths: from -1 to 1 or from 0 to 1, reversed or not, with a far plane or without. A camera without one has a far
+/// plane of zeros, which holds everything.
+/// Depths from 0 to 1 that are not reversed look like depths from -1 to 1 whose near plane is half as far: the camera
+/// has that near plane. An orthographic matrix is taken for one with depths from -1 to 1, which holds at least as much.
 Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall);
 Camera camera_of(const Vec3& position, const Vec3& forward, const Mat4& clip_from_world, int pixels_tall);
 

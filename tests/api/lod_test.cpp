@@ -93,6 +93,31 @@ TEST(ApiLod, ACameraSeesWhatIsBeforeIt) {
   EXPECT_FALSE(row.lod.is_visible(row.crowd->agents()[1])) << "it stands behind the camera";
 }
 
+TEST(ApiLod, ACopyBesideASnapshotGoesOnToTheSameChoices) {
+  Row row(200);
+  row.posed(20);
+  row.crowd.agent(199).play({.clip = {1}, .fade = to_ticks(0.25)});
+  row.posed(1);
+  Snapshot snapshot;
+  row.crowd->snapshot(snapshot);
+  const Lod copy = row.lod;
+  const std::vector<int> counts = row.posed(50);
+  const std::uint64_t hash = row.crowd.hash();
+  ASSERT_TRUE(row.crowd->restore(snapshot));
+  row.lod = copy;
+  EXPECT_EQ(row.posed(50), counts);
+  EXPECT_EQ(row.crowd->debug().pose_hash(), hash);
+}
+
+TEST(ApiLod, ACopyHasRequestsOfItsOwn) {
+  Row row(3);
+  row.crowd->advance(row.frame.frame_step);
+  row.lod.select(*row.crowd, row.frame);
+  Lod copy = row.lod;
+  ASSERT_EQ(copy.requests().size(), row.lod.requests().size());
+  EXPECT_NE(copy.requests().data(), row.lod.requests().data());
+}
+
 TEST(ApiLod, RefusesFramesThatAreNone) {
   const HeardMisuses heard;
   Row row(10);

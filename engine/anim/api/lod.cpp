@@ -37,6 +37,10 @@ const char* fault_of(const LodFrame& frame, std::size_t numbers) {
 
 Lod::Lod() : state_(std::make_unique<State>()) {}
 Lod::~Lod() = default;
+Lod::Lod(const Lod& other) : state_(other.state_ == nullptr ? nullptr : std::make_unique<State>(*other.state_)) {
+  if (state_ != nullptr && !state_->requests.empty()) state_->requests = state_->lod.updates();
+}
+Lod& Lod::operator=(const Lod& other) { return *this = Lod(other); }
 Lod::Lod(Lod&&) noexcept = default;
 Lod& Lod::operator=(Lod&&) noexcept = default;
 

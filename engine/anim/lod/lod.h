@@ -43,8 +43,7 @@ struct VisibleAgent {
   std::uint8_t bone_level;  ///< 0: all bones
 };
 
-/// The decisions of one frame. Both lists ascend by agent. LodState::resize makes room for every agent. Cannot be
-/// copied.
+/// The decisions of one frame. Both lists ascend by agent. LodState::resize makes room for every agent.
 struct LodSelection {
   std::span<VisibleAgent> visible;
   std::span<std::uint32_t> due;  ///< the agents to be posed this frame; LodState has their levels and next updates
@@ -54,7 +53,12 @@ struct LodSelection {
   std::vector<std::uint32_t> room_for_due;     ///< [agents]
 
   LodSelection() = default;
-  LodSelection(const LodSelection&) = delete;
+  // The lists of a copy lie in its own room.
+  LodSelection(const LodSelection& other)
+      : cost(other.cost), room_for_visible(other.room_for_visible), room_for_due(other.room_for_due) {
+    visible = std::span(room_for_visible).first(other.visible.size());
+    due = std::span(room_for_due).first(other.due.size());
+  }
   LodSelection& operator=(const LodSelection&) = delete;
 };
 

@@ -19,7 +19,8 @@ struct LodFrame {
 };
 
 /// Decides which agents are posed now, how far ahead, and with how many bones (paper 3.2). It allocates only when
-/// agents or characters are added, or rules change. Each call of a Lod that was moved from is a misuse (host.h).
+/// agents or characters are added, or rules change. Each call of a Lod that was moved from is a misuse (host.h). A copy
+/// that is kept beside a snapshot of the crowd goes on to the same choices, once the crowd is restored.
 ///
 ///     for (PoseRequest& request : lod.select(crowd, frame)) request.palette = ...;
 ///     crowd.update(lod.requests());
@@ -28,6 +29,8 @@ class Lod {
  public:
   Lod();
   ~Lod();
+  Lod(const Lod& other);
+  Lod& operator=(const Lod& other);
   Lod(Lod&&) noexcept;
   Lod& operator=(Lod&&) noexcept;
 

@@ -73,6 +73,33 @@ TEST(Api, ASnapshotGoesOnToTheSamePoses) {
   EXPECT_EQ(crowd.hash(), hash);
 }
 
+TEST(Api, ASnapshotOfAnotherCrowdIsAMisuse) {
+  ApiCrowd one(3), other(3);
+  Snapshot snapshot;
+  one->snapshot(snapshot);
+  const HeardMisuses heard;
+  const Result<Done> restored = other->restore(snapshot);
+  ASSERT_FALSE(restored);
+  EXPECT_EQ(restored.error().message, "Crowd::restore: the snapshot is of another crowd");
+  EXPECT_EQ(heard.all().size(), 1U);
+  EXPECT_TRUE(one->restore(snapshot));
+}
+
+TEST(Api, AStartBeyondTheClipIsAMisuse) {
+  ApiCrowd crowd(1);
+  const ClipId walk = mannequin().find_clip("walk");
+  const Ticks duration = mannequin().clip(walk).duration;
+  const auto clips = crowd.agent(0).add_clips();
+  ASSERT_TRUE(clips);
+  EXPECT_TRUE(crowd.agent(0).play({.clip = walk, .start = duration}));
+  const HeardMisuses heard;
+  for (const Ticks start : {duration + ticks_per_second / 500, Ticks{-1}}) {
+    EXPECT_FALSE(crowd.agent(0).play({.clip = walk, .start = start}));
+    EXPECT_FALSE(crowd.agent(0).play(*clips, {.clip = walk, .start = start}));
+  }
+  EXPECT_EQ(heard.all().size(), 4U);
+}
+
 TEST(Api, ALayerWavesOnTheBonesOfItsMask) {
   ApiCrowd crowd(2);
   const int arm = *mannequin().find_bone("upper_arm.R");

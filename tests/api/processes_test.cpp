@@ -1,7 +1,10 @@
 // What changes an agent's final pose, and what its motion tells.
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -132,6 +135,25 @@ TEST(ApiProcesses, AStepOfTheHostsOwnChangesThePoseAndRemembers) {
   crowd.step(120);
   const Quat turned = crowd.agent(1).processes().socket(*socket).rotation;
   EXPECT_NEAR(2.0F * std::atan2(std::abs(turned.y), turned.w), 1.0F, 0.05F) << "half a radian a second for two";
+}
+
+TEST(ApiProcesses, AStepThatSetsWhatIsNoNumberIsAMisuseAndLeavesTheBone) {
+  const auto run = [](const StepJob& job) {
+    job.pose.set_rotation(0, {NAN, 0.0F, 0.0F, 1.0F});
+    job.pose.set_rotation(1, {0.0F, 0.0F, 0.0F, 0.0F});
+    job.pose.set_position(0, {0.0F, INFINITY, 0.0F});
+  };
+  ApiCrowd crowd = idling(2);
+  const auto step = crowd->add_step(0, {.name = "lost", .run = run});
+  ASSERT_TRUE(step);
+  ASSERT_TRUE(crowd.agent(1).add(*step));
+  const HeardMisuses heard;
+  crowd.step();
+  EXPECT_EQ(heard.all(), (std::vector<std::string>{"StepPose::set_rotation: a rotation is a unit quaternion",
+                                                   "StepPose::set_rotation: a rotation is a unit quaternion",
+                                                   "StepPose::set_position: a position is of finite metres"}));
+  const std::size_t floats = std::size_t{12} * mannequin().palette_entries();
+  EXPECT_TRUE(std::equal(crowd.palette({0}), crowd.palette({0}) + floats, crowd.palette({1})));
 }
 
 TEST(ApiProcesses, RefuseWhatTheyAreNot) {

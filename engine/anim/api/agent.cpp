@@ -48,13 +48,26 @@ const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<c
   return nullptr;
 }
 
+constexpr Ticks rounding_of_start = ticks_per_second / 1000;  // hosts multiply floats
+
+/// Returns why an agent cannot play a clip from a position, as CrowdParts::fault_of does. The system takes positions
+/// beyond the clip, which its channels need.
+const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, const Play& play) {
+  if (const char* const fault = crowd.fault_of(agent, play.clip); fault != nullptr) return fault;
+  const anim::AgentView own = std::as_const(*crowd.system).agent(agent);
+  if (!own.exists() || play.clip.number >= own.character().clips.size()) return nullptr;
+  const Ticks duration = own.character().clips[play.clip.number].duration;
+  const bool is_within = play.start >= Ticks{} && play.start <= duration + rounding_of_start;
+  return is_within ? nullptr : "start is from 0 to the clip's duration";
+}
+
 }  // namespace
 
 bool Agent::exists() const { return crowd_->system->agent(id_).exists(); }
 CharacterId Agent::character() const { return crowd_->system->agent(id_).character_id(); }
 
 bool Agent::play(const Play& request) const {
-  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+  if (const char* const fault = fault_of(*crowd_, id_, request); fault != nullptr)
     return anim::report_misuse({"Agent::play", fault});
   if (!crowd_->system->agent(id_).play(request_of(request))) return false;
   crowd_->note_clip(id_, request.clip, request.fade);
@@ -62,7 +75,7 @@ bool Agent::play(const Play& request) const {
 }
 
 bool Agent::play(ChannelId channel, const Play& request) const {
-  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+  if (const char* const fault = fault_of(*crowd_, id_, request); fault != nullptr)
     return anim::report_misuse({"Agent::play", fault});
   if (!crowd_->system->agent(id_).play(channel, request_of(request))) return false;
   crowd_->note_request(id_, request.fade);

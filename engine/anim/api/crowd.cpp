@@ -133,6 +133,7 @@ Result<Crowd> Crowd::create(const Character& character, const CrowdOptions& opti
   if (!system) return system.error();
   parts->system = std::move(*system);
   keep(*parts, 0, character);
+  parts->number = parts->version;
   return Crowd(std::move(parts));
 }
 

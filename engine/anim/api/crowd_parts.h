@@ -49,6 +49,7 @@ struct CrowdParts {
   std::vector<anim::Transform> locals;      // scratch of a look
   std::vector<std::vector<AgentKey>> keys;  // [run of agents] of ManyAgents::keys; the first has all of them
   std::uint64_t version = 0;                // another one, of all crowds, whenever characters come or go
+  std::uint64_t number = 0;                 // its first version, so another one than any crowd's
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.
   CrowdCharacter* character_of(AgentId agent, const char* call);

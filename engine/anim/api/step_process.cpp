@@ -1,6 +1,10 @@
 #include "engine/anim/api/step_process.h"
 
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/entity/entity_run.h"
+#include "engine/anim/kernel/lanes/rotations.h"
 #include "engine/base/glm_numbers.h"
 
 namespace throng {
@@ -49,7 +53,13 @@ Quat StepPose::rotation(int bone) const {
 }
 
 void StepPose::set_rotation(int bone, const Quat& rotation) const {
-  if (bone >= 0 && bone < bones_) view_of(view_).set_rotation(bone, to_glm(rotation));
+  if (bone < 0 || bone >= bones_) return;
+  const float square = glm::dot(to_glm(rotation), to_glm(rotation));
+  if (square > 0.25F && square < 4.0F) {
+    view_of(view_).set_rotation(bone, to_glm(rotation));
+  } else {
+    anim::report_misuse({"StepPose::set_rotation", "a rotation is a unit quaternion"});
+  }
 }
 
 Vec3 StepPose::position(int bone) const {
@@ -57,7 +67,12 @@ Vec3 StepPose::position(int bone) const {
 }
 
 void StepPose::set_position(int bone, const Vec3& position) const {
-  if (bone >= 0 && bone < bones_) view_of(view_).set_position(bone, to_glm(position));
+  if (bone < 0 || bone >= bones_) return;
+  if (anim::is_place(to_glm(position))) {
+    view_of(view_).set_position(bone, to_glm(position));
+  } else {
+    anim::report_misuse({"StepPose::set_position", "a position is of finite metres"});
+  }
 }
 
 }  // namespace throng

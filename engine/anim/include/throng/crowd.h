@@ -120,7 +120,8 @@ class Crowd {
   bool local_pose(AgentId agent, std::span<LocalTransform> into);
 
   void snapshot(Snapshot& into) const;
-  /// Puts a snapshot of this crowd back. The crowd goes on to the same poses, bit for bit.
+  /// Puts a snapshot of this crowd back. The crowd goes on to the same poses, bit for bit. A snapshot of another crowd
+  /// is a misuse.
   Result<Done> restore(const Snapshot& from);
 
   class Debug debug() const;

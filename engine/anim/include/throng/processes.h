@@ -94,8 +94,10 @@ class StepPose {
   /// Counts the bones of this update: a coarser level has fewer.
   int bone_count() const { return bones_; }
   Quat rotation(int bone) const;
+  /// Sets a unit quaternion. A number that is far from one, or NaN, is a misuse, and the bone stays as it was.
   void set_rotation(int bone, const Quat& rotation) const;
   Vec3 position(int bone) const;
+  /// Sets metres. NaN and more than a million kilometres are a misuse, and the bone stays as it was.
   void set_position(int bone, const Vec3& position) const;
 
  private:

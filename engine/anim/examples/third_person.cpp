@@ -38,10 +38,6 @@ int main(int count, char** arguments) {
     const float ahead = gaits.back().parameter * (frame < 300 ? 0.5F : 1.0F);
     if (legs) agent.set_parameter(*legs, ahead);
     if (gaze && frame == 60) agent.processes().look_at(*gaze, {1.0F, 1.6F, 2.0F}, 300ms);
-    if (feet) {
-      agent.processes().set_placement(*feet, stand);
-      agent.processes().set_ground(*feet, -1, {0.0F, 0.0F, 0.0F}, {0.0F, 0.995037F, -0.0995037F});
-    }
     const Ticks before = crowd->clock();
     crowd->advance(ticks_per_second / 60);
     const RootMotion moved = agent.motion().displacement(before, crowd->clock());
@@ -49,6 +45,10 @@ int main(int count, char** arguments) {
     stand.position.z += walks_in_place ? ahead / 60.0F : moved.displacement.z;
     stand.position.y = 0.1F * stand.position.z;
     agent.motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++steps; });
+    if (feet) {  // in the pose that comes now, so after the clock has moved
+      agent.processes().set_placement(*feet, stand);
+      agent.processes().set_ground(*feet, -1, {0.0F, 0.0F, 0.0F}, {0.0F, 0.995037F, -0.0995037F});
+    }
     const PoseRequest pose{.agent = agent.id()};  // no palette: this example does not draw
     crowd->update({&pose, 1});
   }

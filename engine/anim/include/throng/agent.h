@@ -118,7 +118,8 @@ class Processes {
   bool look_away(ProcessId gaze, Ticks fade) const;
   /// Sets the place that a limb or chain reaches for.
   bool reach(ProcessId limb, const Vec3& target) const;
-  /// Tells feet or springs where the character stands in the world, at each frame.
+  /// Tells feet or springs where the character stands in the world, at each frame: in the pose that the next
+  /// Crowd::update writes. So move the agent by Motion::displacement after Crowd::advance, and call this then.
   bool set_placement(ProcessId process, const Place& model_in_world) const;
   /// Tells feet the ground below a leg, in world space: a point of it and its unit normal. Leg -1: all.
   bool set_ground(ProcessId feet, int leg, const Vec3& point, const Vec3& normal) const;

@@ -34,7 +34,7 @@ struct ChainReach {
   float tolerance = 0.001F;  ///< metres
 };
 
-/// Lets feet stand on the ground; see Agent::set_placement and set_ground.
+/// Lets feet stand on the ground; see Processes::set_placement and set_ground.
 struct FootPlacement {
   float max_drop = 0.4F;       ///< metres that the pelvis may be lowered
   float farthest_lock = 0.4F;  ///< metres from its animation at which a planted foot is let go; 0: none is held

@@ -3,13 +3,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "throng/character.h"
 
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/base/box.h"
 #include "engine/anim/rig/ragdoll_rig.h"
+#include "engine/anim/survey/entry_boxes.h"
 
 namespace throng::detail {
 
@@ -20,6 +23,8 @@ struct CharacterBody {
   CharacterBody(anim::Model from, std::optional<anim::RagdollRig> ragdoll, bool keep_meshes);
 
   anim::CharacterRigs rigs;
+  std::vector<anim::Box> entry_boxes;    // [palette entry] of the surface that it moves
+  std::vector<std::string> morph_names;  // [morph]
   anim::Model model;
 };
 

@@ -38,6 +38,11 @@ struct LastSpaces {
   std::shared_ptr<const anim::BlendSpace2d> plane;
 };
 
+/// A row of a matrix, aligned as palettes are.
+struct alignas(16) PaletteRow {
+  float numbers[4];
+};
+
 /// The inside of a Crowd: an AnimationSystem, and what the public calls keep beside it.
 struct CrowdParts {
   std::vector<CrowdCharacter>
@@ -47,6 +52,7 @@ struct CrowdParts {
   LastSpaces spaces;
   std::vector<anim::ExactPose> exact;       // scratch of a look
   std::vector<anim::Transform> locals;      // scratch of a look
+  std::vector<PaletteRow> rows;             // scratch of Crowd::bounds, three an entry
   std::vector<std::vector<AgentKey>> keys;  // [run of agents] of ManyAgents::keys; the first has all of them
   std::uint64_t version = 0;                // another one, of all crowds, whenever characters come or go
   std::uint64_t number = 0;                 // its first version, so another one than any crowd's

@@ -92,6 +92,14 @@ class Character {
   std::vector<std::uint16_t> entries_at_level(int level) const;
   /// Returns the height of the standing character, in metres.
   double height() const;
+  /// Returns a sphere that holds the surface in every pose of its clips, in model space: move it by the agent's place.
+  /// An agent is in view for level of detail while this sphere is. It is measured on samples of the surface and of
+  /// time, and a tenth larger. Processes may lead the surface beyond it, for example a rag-doll that falls: see
+  /// Crowd::bounds.
+  BoundingSphere bounds() const;
+  /// Returns a box that holds the surface in the poses of one clip, without its root motion, in model space. It poses
+  /// the clip 60 times a second, at most 10,000 times, and so takes milliseconds. An absent clip has none.
+  BoundingBox bounds(ClipId clip) const;
   /// Returns the names of the data keys of all its clips. DataKey::name is an index.
   std::span<const std::string> data_key_names() const;
   /// Returns the names of the curves of all its clips. Motion::curve takes an index.

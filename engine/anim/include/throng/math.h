@@ -44,6 +44,22 @@ struct Place {
   friend constexpr bool operator==(const Place&, const Place&) = default;
 };
 
+/// A ball that holds something.
+struct BoundingSphere {
+  Vec3 centre{};
+  float radius = 0.0F;
+
+  friend constexpr bool operator==(const BoundingSphere&, const BoundingSphere&) = default;
+};
+
+/// A box along the axes that holds something.
+struct BoundingBox {
+  Vec3 low{};
+  Vec3 high{};
+
+  friend constexpr bool operator==(const BoundingBox&, const BoundingBox&) = default;
+};
+
 /// A local transform as glTF writes it (2.0, 3.5.3): scale first, then rotation, then translation.
 struct LocalTransform {
   Vec3 translation{};

@@ -34,16 +34,48 @@ std::span<const To> as_floats(const std::vector<From>& from) {
   return {reinterpret_cast<const To*>(from.data()), from.size()};
 }
 
-void show_material(const detail::CharacterBody& data, int index, MeshView& view) {
-  const auto place = static_cast<std::size_t>(index);
+std::span<const std::array<float, 2>> coords_of(const anim::SkinnedMesh& mesh, int set) {
+  const auto place = static_cast<std::size_t>(set);
+  if (place >= mesh.texture_coords.size()) return {};
+  return as_floats<std::array<float, 2>>(mesh.texture_coords[place]);
+}
+
+TextureView texture_of(const detail::CharacterBody& data, const anim::SkinnedMesh& mesh, const anim::Texture& texture) {
+  const auto place = static_cast<std::size_t>(texture.image);
+  if (place >= data.model.images.size()) return {};
+  const anim::Image& image = data.model.images[place];
+  return {
+      .texels = image.rgba, .width = image.width, .height = image.height, .coords = coords_of(mesh, texture.coords)};
+}
+
+AlphaMode alpha_of(const anim::Material& material) {
+  if (material.blended) return AlphaMode::blend;
+  return material.alpha_cutoff > 0.0F ? AlphaMode::mask : AlphaMode::opaque;
+}
+
+void show_material(const detail::CharacterBody& data, const anim::SkinnedMesh& mesh, MeshView& view) {
+  const auto place = static_cast<std::size_t>(mesh.material);
   if (place >= data.model.materials.size()) return;
   const anim::Material& material = data.model.materials[place];
   for (int i = 0; i < 4; ++i) view.base_color[static_cast<std::size_t>(i)] = material.base_color[i];
-  const auto image = static_cast<std::size_t>(material.base_color_texture.image);
-  if (image >= data.model.images.size()) return;
-  view.base_color_texels = data.model.images[image].rgba;
-  view.texture_width = data.model.images[image].width;
-  view.texture_height = data.model.images[image].height;
+  for (int i = 0; i < 3; ++i) view.emission[static_cast<std::size_t>(i)] = material.emission[i];
+  const TextureView base_color = texture_of(data, mesh, material.base_color_texture);
+  view.base_color_texels = base_color.texels;
+  view.texture_width = base_color.width;
+  view.texture_height = base_color.height;
+  if (!base_color.texels.empty()) view.texture_coords = base_color.coords;
+  view.alpha = alpha_of(material);
+  view.alpha_cutoff = material.alpha_cutoff;
+  view.double_sided = material.double_sided;
+  view.unlit = material.unlit;
+  view.metallic = material.metallic;
+  view.roughness = material.roughness;
+  view.metallic_roughness_texture = texture_of(data, mesh, material.metallic_roughness_texture);
+  view.normal_scale = material.normal_scale;
+  view.normal_texture = texture_of(data, mesh, material.normal_texture);
+  view.occlusion_strength = material.occlusion_strength;
+  view.occlusion_texture = texture_of(data, mesh, material.occlusion_texture);
+  view.emission_texture = texture_of(data, mesh, material.emission_texture);
 }
 
 anim::CharacterRigs rigs_of(const anim::Model& model, std::optional<anim::RagdollRig> ragdoll) {
@@ -177,17 +209,23 @@ std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data(
 MeshView Character::mesh(std::size_t index) const {
   if (index >= mesh_count()) return {};
   const anim::SkinnedMesh& mesh = data()->body->model.meshes[index];
-  MeshView view{.name = mesh.name,
-                .positions = as_floats<Vec3>(mesh.positions),
-                .normals = as_floats<Vec3>(mesh.normals),
-                .texture_coords = {},
-                .palette_entries = as_floats<std::array<std::uint16_t, 4>>(mesh.palette_entries),
-                .weights = as_floats<std::array<float, 4>>(mesh.weights),
-                .indices = mesh.indices,
-                .base_color_texels = {}};
-  if (!mesh.texture_coords.empty()) view.texture_coords = as_floats<std::array<float, 2>>(mesh.texture_coords.front());
-  show_material(*data()->body, mesh.material, view);
+  MeshView view;
+  view.name = mesh.name;
+  view.positions = as_floats<Vec3>(mesh.positions);
+  view.normals = as_floats<Vec3>(mesh.normals);
+  view.texture_coords = coords_of(mesh, 0);
+  view.palette_entries = as_floats<std::array<std::uint16_t, 4>>(mesh.palette_entries);
+  view.weights = as_floats<std::array<float, 4>>(mesh.weights);
+  view.indices = mesh.indices;
+  view.tangents = as_floats<std::array<float, 4>>(mesh.tangents);
+  view.colors = as_floats<std::array<float, 4>>(mesh.colors);
+  view.morph_deltas = as_floats<MorphDelta>(mesh.morph_deltas);
+  show_material(*data()->body, mesh, view);
   return view;
+}
+
+std::span<const std::string> Character::morph_names() const {
+  return data() == nullptr ? std::span<const std::string>() : data()->body->morph_names;
 }
 
 std::span<const std::string> Character::missing_rigs() const {

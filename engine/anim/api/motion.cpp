@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "throng/agent.h"
 
 #include "engine/anim/api/convert.h"
@@ -45,6 +47,16 @@ float Motion::curve(std::uint32_t name) const {
     return agent.motion().curve(name, crowd_->system->clock());
   return static_cast<float>(
       anim::report_misuse({"Motion::curve", "the agent has no curve of this name, an index of curve_names"}));
+}
+
+bool Motion::morph_weights(std::span<float> into) const {
+  constexpr const char* call = "Motion::morph_weights";
+  const anim::AgentView agent = std::as_const(*crowd_->system).agent(agent_);
+  if (!agent.exists()) return anim::report_misuse({call, detail::no_agent});
+  const std::size_t morphs = agent.character().morph_bones.size();
+  if (into.size() < morphs) return anim::report_misuse({call, "there is no room for the weight of each morph"});
+  std::ranges::fill(into, 0.0F);
+  return agent.motion().add_morph_weights(crowd_->system->clock(), into.first(morphs));
 }
 
 std::optional<Place> Motion::absolute_root() const {

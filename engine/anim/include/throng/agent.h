@@ -154,6 +154,9 @@ class Motion {
   /// Returns the value of a curve of its clips now; `name` is an index of Character::curve_names. It is blended by the
   /// weights of the clips; a clip without the curve counts as 0.
   float curve(std::uint32_t name) const;
+  /// Writes the weight of each of Character::morph_names now; `into` has an element for each. They are blended as the
+  /// pose is. Returns false if no clip that plays has morphs; then all are 0.
+  bool morph_weights(std::span<float> into) const;
   /// Returns where a cut scene has the agent now; nothing if none plays.
   std::optional<Place> absolute_root() const;
 

@@ -22,13 +22,39 @@ struct ClipInfo {
   double ground_speed = 0.0;
 };
 
+/// An image that a part of a surface shows, or reads numbers from. Its spans are empty where there is none.
+struct TextureView {
+  std::span<const std::uint8_t> texels{};  ///< RGBA, top row first
+  int width = 0;
+  int height = 0;
+  std::span<const std::array<float, 2>> coords{};  ///< one a vertex
+};
+
+/// Says how a part of a surface is seen through.
+enum class AlphaMode : unsigned char {
+  opaque,  ///< alpha is not read
+  mask,    ///< what has less alpha than MeshView::alpha_cutoff is not drawn
+  blend    ///< it is seen through as far as its alpha is below 1
+};
+
+/// The change that a morph of weight 1 makes to a vertex. It is added before the palette poses the vertex.
+struct MorphDelta {
+  std::uint32_t vertex = 0;
+  std::uint32_t morph = 0;  ///< index of Character::morph_names
+  Vec3 position{};          ///< metres, in the space of the palette
+  Vec3 normal{};
+};
+
 /// A part of a character's surface, for a renderer of one's own. Spans have one element a vertex, and live as long as
 /// the character. A vertex at `position` is drawn at the sum of weight * (palette[entry] * position).
+///
+/// A host that brings its own mesh of the file needs none of this: Crowd::write_joints with JointOutput::skin writes
+/// the matrices of a skin, in the order of its joints.
 struct MeshView {
   std::string_view name{};
   std::span<const Vec3> positions{};  ///< in the space of the palette
   std::span<const Vec3> normals{};
-  std::span<const std::array<float, 2>> texture_coords{};           ///< or empty
+  std::span<const std::array<float, 2>> texture_coords{};           ///< of the base colour; or empty
   std::span<const std::array<std::uint16_t, 4>> palette_entries{};  ///< strongest first
   std::span<const std::array<float, 4>> weights{};                  ///< sum to 1
   std::span<const std::uint32_t> indices{};                         ///< triangles, counter-clockwise front
@@ -36,6 +62,24 @@ struct MeshView {
   std::span<const std::uint8_t> base_color_texels{};                ///< RGBA, sRGB, top row first; or empty
   int texture_width = 0;
   int texture_height = 0;
+  std::span<const std::array<float, 4>> tangents{};  ///< unit, and the side of the bitangent, -1 or 1; empty: no normal
+                                                     ///< texture
+  std::span<const std::array<float, 4>> colors{};    ///< linear RGBA, times the base colour; or empty
+  std::span<const MorphDelta> morph_deltas{};        ///< of vertices that morphs move: by vertex, then by morph
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.0F;
+  bool double_sided = false;
+  bool unlit = false;  ///< it shows its base colour, whatever the light
+  // Factors multiply what textures show (glTF 2.0, 3.9).
+  float metallic = 1.0F;
+  float roughness = 1.0F;
+  TextureView metallic_roughness_texture{};  ///< linear: roughness in green, metallic in blue
+  float normal_scale = 1.0F;
+  TextureView normal_texture{};  ///< linear, in the space of `tangents`
+  float occlusion_strength = 1.0F;
+  TextureView occlusion_texture{};  ///< linear, in red
+  std::array<float, 3> emission{};  ///< linear, 1: as bright as white of the screen
+  TextureView emission_texture{};   ///< sRGB
 };
 
 /// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only: copies are as cheap
@@ -107,6 +151,8 @@ class Character {
 
   std::size_t mesh_count() const;
   MeshView mesh(std::size_t index) const;
+  /// Returns the names of the morphs that its clips animate. MorphDelta::morph is an index.
+  std::span<const std::string> morph_names() const;
 
   /// Returns why it cannot look, stand on uneven ground, reach or fall, one sentence each.
   std::span<const std::string> missing_rigs() const;

@@ -1,0 +1,108 @@
+// Meshes, morphs and packed palettes, as a renderer of a host's own reads them.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/anim/api/character_data.h"
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/character.h"
+#include "tests/anim/agent/heard_misuses.h"
+#include "tests/api/api_crowd.h"
+
+namespace throng::surface_test {
+namespace {
+
+using anim::HeardMisuses;
+using testing::ElementsAre;
+
+/// A triangle on the first of two bones. Its clip opens a smile within a second. Its material has all that a view
+/// shows.
+Character smiling() {
+  anim::Model model = anim::synthetic_model(2, 1);
+  anim::SkinnedMesh& mesh = model.meshes.emplace_back();
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    mesh.positions.emplace_back(vertex, 0.0F, 0.0F);
+    mesh.normals.emplace_back(0.0F, 0.0F, 1.0F);
+    mesh.tangents.emplace_back(1.0F, 0.0F, 0.0F, -1.0F);
+    mesh.colors.emplace_back(1.0F, 0.5F, 0.25F, 1.0F);
+    mesh.palette_entries.emplace_back(0, 0, 0, 0);
+    mesh.weights.emplace_back(1.0F, 0.0F, 0.0F, 0.0F);
+    mesh.indices.push_back(static_cast<std::uint32_t>(vertex));
+  }
+  mesh.texture_coords = {{{0.0F, 0.0F}, {0.1F, 0.0F}, {0.2F, 0.0F}}, {{0.5F, 0.0F}, {0.6F, 0.0F}, {0.7F, 0.0F}}};
+  mesh.morph_deltas = {{.vertex = 2, .morph = 0, .position = {0.0F, 0.5F, 0.0F}, .normal = {0.0F, 1.0F, 0.0F}}};
+  model.morphs = {{.name = "smile"}};
+  model.clips[0].morph_tracks = {{.morphs = {0}, .times = {0.0F, 1.0F}, .weights = {0.0F, 1.0F}}};
+  static constexpr std::array<std::uint8_t, 8> texels{1, 2, 3, 4, 5, 6, 7, 8};
+  model.images = {{.width = 1, .height = 1, .rgba = std::span(texels).first(4)},
+                  {.width = 1, .height = 1, .rgba = std::span(texels).last(4)}};
+  anim::Material& material = model.materials.emplace_back();
+  material.base_color_texture = {.image = 0, .coords = 1};
+  material.normal_texture = {.image = 1, .coords = 0};
+  material.normal_scale = 0.5F;
+  material.metallic = 0.25F;
+  material.roughness = 0.75F;
+  material.emission = {0.0F, 1.0F, 2.0F};
+  material.alpha_cutoff = 0.4F;
+  material.double_sided = true;
+  anim::Character baked = anim::bake_character(model);
+  return detail::make_character(std::move(model), std::move(baked), true);
+}
+
+TEST(MeshOfACharacter, ShowsItsMaterialAsTheFileHasIt) {
+  const Character character = smiling();
+  const MeshView mesh = character.mesh(0);
+  EXPECT_THAT(mesh.tangents[0], ElementsAre(1.0F, 0.0F, 0.0F, -1.0F));
+  EXPECT_THAT(mesh.colors[0], ElementsAre(1.0F, 0.5F, 0.25F, 1.0F));
+  EXPECT_EQ(mesh.texture_coords[1][0], 0.6F) << "its base colour has the second coordinates";
+  EXPECT_EQ(mesh.base_color_texels[0], 1);
+  EXPECT_EQ(mesh.normal_texture.coords[1][0], 0.1F);
+  EXPECT_EQ(mesh.normal_texture.texels[0], 5);
+  EXPECT_EQ(mesh.normal_scale, 0.5F);
+  EXPECT_TRUE(mesh.metallic_roughness_texture.texels.empty() && mesh.occlusion_texture.texels.empty());
+  EXPECT_EQ(mesh.metallic, 0.25F);
+  EXPECT_EQ(mesh.roughness, 0.75F);
+  EXPECT_THAT(mesh.emission, ElementsAre(0.0F, 1.0F, 2.0F));
+  EXPECT_EQ(mesh.alpha, AlphaMode::mask);
+  EXPECT_EQ(mesh.alpha_cutoff, 0.4F);
+  EXPECT_TRUE(mesh.double_sided);
+  EXPECT_FALSE(mesh.unlit);
+}
+
+TEST(MorphsOfAnAgent, AreToldWithWhatTheyDoToTheSurface) {
+  const Character character = smiling();
+  EXPECT_THAT(character.morph_names(), ElementsAre("smile"));
+  const auto deltas = character.mesh(0).morph_deltas;
+  ASSERT_EQ(deltas.size(), 1U);
+  EXPECT_EQ(deltas[0].vertex, 2U);
+  EXPECT_EQ(deltas[0].morph, 0U);
+  EXPECT_EQ(deltas[0].position, (Vec3{0.0F, 0.5F, 0.0F}));
+  EXPECT_EQ(deltas[0].normal, (Vec3{0.0F, 1.0F, 0.0F}));
+
+  Crowd crowd = std::move(*Crowd::create(character));
+  const Agent agent = crowd.agent(crowd.add_agent());
+  float weight = 7.0F;
+  EXPECT_FALSE(agent.motion().morph_weights({&weight, 1})) << "it plays nothing";
+  EXPECT_EQ(weight, 0.0F);
+  agent.play({.clip = {0}});
+  crowd.advance(ticks_per_second / 4);
+  EXPECT_TRUE(agent.motion().morph_weights({&weight, 1}));
+  EXPECT_NEAR(weight, 0.25F, 1e-3F);
+  EXPECT_GE(crowd.bounds(agent.id()).high.y - crowd.bounds(agent.id()).low.y, 1.0F) << "it may move up by half a metre";
+}
+
+TEST(MorphsOfAnAgent, WithoutRoomForTheirWeightsAreAMisuse) {
+  Crowd crowd = std::move(*Crowd::create(smiling()));
+  const Agent agent = crowd.agent(crowd.add_agent());
+  const HeardMisuses heard;
+  EXPECT_FALSE(agent.motion().morph_weights({}));
+  EXPECT_THAT(heard.all(), ElementsAre(testing::HasSubstr("Motion::morph_weights")));
+}
+
+}  // namespace
+}  // namespace throng::surface_test

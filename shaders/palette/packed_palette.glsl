@@ -1,11 +1,11 @@
 // Unpacks an entry of a packed palette, which is 16 bytes, to the rows of its matrix: PaletteFormat::packed of
-// throng/crowd.h. It declares no buffer, so a host binds palettes and frames as it likes: an entry is a uvec4 (bits of
+// throng/formats.h. It declares no buffer, so a host binds palettes and frames as it likes: an entry is a uvec4 (bits of
 // floats may change, bits of integers do not), and its frame is a vec4 of Character::packing_frames().
 //
 //     Rows rows = rows_of(unpacked(words, frame), frame.xyz);
 //     vec3 place = vec3(dot(rows.x, point), dot(rows.y, point), dot(rows.z, point));  // point.w is 1
 //
-// engine/anim/kernel/palette/packed_palette.h draws the layout.
+// That header draws the layout.
 
 // The top three rows of an affine matrix.
 struct Rows {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -18,6 +19,8 @@ namespace throng::surface_test {
 namespace {
 
 using anim::HeardMisuses;
+using api_test::ApiCrowd;
+using api_test::mannequin;
 using testing::ElementsAre;
 
 /// A triangle on the first of two bones. Its clip opens a smile within a second. Its material has all that a view
@@ -102,6 +105,52 @@ TEST(MorphsOfAnAgent, WithoutRoomForTheirWeightsAreAMisuse) {
   const HeardMisuses heard;
   EXPECT_FALSE(agent.motion().morph_weights({}));
   EXPECT_THAT(heard.all(), ElementsAre(testing::HasSubstr("Motion::morph_weights")));
+}
+
+/// Returns bits `first` to `first + count - 1` of 16 bytes as a signed number.
+std::int64_t bits(const std::uint32_t (&words)[4], int first, int count) {
+  std::int64_t number = 0;
+  for (int bit = count; bit-- > 0;) number = 2 * number + (words[(first + bit) / 32] >> ((first + bit) % 32) & 1U);
+  return number - (number >> (count - 1) << count);
+}
+
+/// Returns where a packed entry takes a point, as the drawing of PaletteFormat says it.
+Vec3 as_drawn(const std::uint32_t (&words)[4], const std::array<float, 4>& frame, const Vec3& point) {
+  double q[4], length = 0.0;
+  for (int i = 0; i < 4; ++i) q[i] = static_cast<double>(bits(words, 16 * i, 16));
+  for (const double number : q) length += number * number;
+  const double joint[3] = {static_cast<double>(bits(words, 64, 21)), static_cast<double>(bits(words, 85, 21)),
+                           static_cast<double>(bits(words, 106, 22))};
+  const double p[3] = {point.x - frame[0], point.y - frame[1], point.z - frame[2]};
+  double out[3];
+  for (int i = 0; i < 3; ++i) {  // p + 2 q x (q x p + w p), for a quaternion of any length
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const auto inner = [&](int a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      return q[b] * p[c] - q[c] * p[b] + q[3] * p[a];
+    };
+    out[i] = p[i] + 2.0 * (q[j] * inner(k) - q[k] * inner(j)) / length + static_cast<double>(frame[3]) * joint[i];
+  }
+  return {static_cast<float>(out[0]), static_cast<float>(out[1]), static_cast<float>(out[2])};
+}
+
+TEST(PackedPalette, IsAsItsHeaderDrawsIt) {
+  const auto frames = mannequin().packing_frames();
+  ApiCrowd matrices(1), packed(1, {.palettes = PaletteFormat::packed});
+  for (ApiCrowd* crowd : {&matrices, &packed}) {
+    crowd->agent(0).play({.clip = mannequin().find_clip("walk")});
+    crowd->step(20);
+  }
+  constexpr Vec3 point{0.3F, 1.2F, -0.1F};
+  for (std::size_t entry = 0; entry < frames.size(); ++entry) {
+    std::uint32_t words[4];
+    std::memcpy(words, packed.palette({0}) + 4 * entry, sizeof(words));
+    const float* const m = matrices.palette({0}) + 12 * entry;
+    const Vec3 drawn = as_drawn(words, frames[entry], point);
+    EXPECT_NEAR(drawn.x, m[0] * point.x + m[1] * point.y + m[2] * point.z + m[3], 1e-3F) << entry;
+    EXPECT_NEAR(drawn.y, m[4] * point.x + m[5] * point.y + m[6] * point.z + m[7], 1e-3F) << entry;
+    EXPECT_NEAR(drawn.z, m[8] * point.x + m[9] * point.y + m[10] * point.z + m[11], 1e-3F) << entry;
+  }
 }
 
 }  // namespace

@@ -9,12 +9,8 @@
 
 namespace throng::anim {
 
-/// One entry of the palette of a rigid skeleton: how the bone is turned from its bind pose, and where its joint is.
-///
-///     word 0   rotation x, y            16 bits each, signed, in units of 1 / packed_rotation_one
-///     word 1   rotation z, w
-///     word 2   joint x, low 11 of y     21 bits each, signed, in units of PackingFrame::step
-///     word 3   high 10 of y, joint z    z takes the upper 22
+/// One entry of the palette of a rigid skeleton, as PaletteFormat draws it. Rotations are in units of
+/// 1 / packed_rotation_one, joints in units of PackingFrame::step.
 ///
 /// It has the place of the joint and not of model space's origin, so that an error of the rotation is seen at the
 /// length of a limb and not at the height of a person. Its twin on the device is shaders/palette/packed_palette.glsl.

@@ -15,6 +15,7 @@ constexpr std::int64_t longest = std::numeric_limits<std::int64_t>::max();
 void sway(const StepJob& job) {
   job.memory[0] = static_cast<std::byte>(static_cast<int>(job.memory[0]) + 1);
   job.pose.set_rotation(0, job.pose.rotation(1));
+  if (job.memory[0] == std::byte{7}) job.pose.set_position(1, {no_float, 0.0F, infinite});
 }
 
 /// Returns a machine of the character's first clips, in which all kinds of transitions come often.
@@ -179,6 +180,7 @@ void RandomCalls::call_characters() {
       static_cast<void>(crowd_->write_joints(character_id(), output));
       std::vector<LocalTransform> locals(one_in(2) ? 100 : below(70));
       crowd_->local_pose(agent_id(), locals);
+      static_cast<void>(crowd_->bounds(agent_id()));
       return;
     }
     case 0:
@@ -291,6 +293,7 @@ void RandomCalls::call_motion() {
   static_cast<void>(motion.displacement(from, to));
   static_cast<void>(motion.absolute_root());
   static_cast<void>(motion.curve(count()));
+  static_cast<void>(motion.morph_weights({}));
   motion.for_each_key(
       from, to, [](const DataKey&) {}, static_cast<KeyChoice>(below(3)));
   motion.for_each_end(from, to, [](const ClipEnd&) {});
@@ -311,6 +314,7 @@ void RandomCalls::call_lod() {
     frame.rules.largest_interval = index();
     frame.rules.smooth = one_in(2);
   }
+  if (one_in(8)) lod_ = Lod(lod_);
   lod_.select(*crowd_, frame);
   crowd_->update(lod_.requests());
   lod_.settle(*crowd_);

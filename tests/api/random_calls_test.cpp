@@ -40,8 +40,8 @@ class InnerMisuses {
 
  private:
   static bool is_of_the_door(const std::string& call) {
-    constexpr std::array classes{"Agent",      "Character", "Crowd",     "Lod",         "Machine",
-                                 "ManyAgents", "Motion",    "Processes", "StateMachine"};
+    constexpr std::array classes{"Agent",      "Character", "Crowd",     "Lod",          "Machine",
+                                 "ManyAgents", "Motion",    "Processes", "StateMachine", "StepPose"};
     constexpr std::array inner{"Agent::change", "Agent::change_process"};
     const std::string of = call.substr(0, call.find(':'));
     return std::ranges::count(classes, of) > 0 && std::ranges::count(inner, call) == 0;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -54,7 +56,8 @@ Character smiling() {
   material.alpha_cutoff = 0.4F;
   material.double_sided = true;
   anim::Character baked = anim::bake_character(model);
-  return detail::make_character(std::move(model), std::move(baked), true);
+  auto body = std::make_shared<const detail::CharacterBody>(std::move(model), std::nullopt, true);
+  return detail::character_of(std::move(baked), std::move(body));
 }
 
 TEST(MeshOfACharacter, ShowsItsMaterialAsTheFileHasIt) {

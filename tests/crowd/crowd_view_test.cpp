@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -23,7 +25,8 @@ constexpr float spacing = 4.0F;  // metres
 
 Character person(int bones = 40) {
   const anim::Model model = anim::synthetic_model(bones, 2);
-  return detail::make_character(model, anim::bake_character(model), false);
+  return detail::character_of(anim::bake_character(model),
+                              std::make_shared<const detail::CharacterBody>(model, std::nullopt, false));
 }
 
 /// Agents in a row that leads away from a camera, which looks along +Z.

@@ -172,6 +172,19 @@ TEST(ApiProcesses, RefuseWhatTheyAreNot) {
   crowd.step(3);
 }
 
+TEST(ApiProcesses, RefuseAGroundWhoseNormalIsNotOfLengthOne) {
+  const HeardMisuses heard;
+  ApiCrowd crowd(1);
+  const Agent agent = crowd.agent(0);
+  agent.play({.clip = mannequin().find_clip("walk")});
+  const auto feet = agent.add(FootPlacement{});
+  ASSERT_TRUE(feet);
+  EXPECT_TRUE(agent.processes().set_ground(*feet, -1, {}, {0.0F, 1.0F, 0.0F}));
+  EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {}, {0.0F, 2.0F, 0.0F}));
+  EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {}, {-3.4e38F, 32767.0F, 1.25F}));
+  EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {0.0F, 1e30F, 0.0F}, {0.0F, 1.0F, 0.0F}));
+}
+
 TEST(ApiProcesses, OfWhoPlaysNothingAreNowhere) {
   ApiCrowd crowd(1);
   const auto feet = crowd.agent(0).add(FootPlacement{});

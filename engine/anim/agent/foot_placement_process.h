@@ -8,7 +8,7 @@
 namespace throng::anim {
 
 /// The reason why a ground is refused.
-inline constexpr const char* not_a_ground = "a leg is one of the rig, and its ground faces up";
+inline constexpr const char* not_a_ground = "a leg is one of the rig, and the unit normal of its ground faces up";
 
 /// Lets feet stand on the ground. The host says where the character stands and, for each leg, on which
 /// plane. Planes are in world space, so that they stay true while the character walks over them.
@@ -32,13 +32,9 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
       report_misuse({"Processes::set_placement", not_a_placement});
     }
   }
-  /// Returns whether feet can stand on this plane.
-  static bool is_ground(const Footing& plane) {
-    return all_finite(plane.place) && all_finite(plane.normal) && plane.normal.y > 0.0F;
-  }
   /// Sets the plane of one leg: a point of it and its unit normal (y above 0), in world space.
   void set_ground(int leg, const Footing& plane) {
-    if (leg >= 0 && leg < max_legs && is_ground(plane)) {
+    if (leg >= 0 && leg < max_legs && is_valid(plane)) {
       ground_[static_cast<std::size_t>(leg)] = plane;
     } else {
       report_misuse({"Processes::set_ground", not_a_ground});

@@ -165,7 +165,7 @@ bool ManyRequests::set_grounds(std::span<const GroundRequest> requests, const ch
       requests, call, &GroundRequest::feet,
       [](const GroundRequest& request) -> const char* {
         const bool is_leg = request.leg >= -1 && request.leg < max_legs;
-        return is_leg && FootPlacementProcess::is_ground(footing_of(request)) ? nullptr : not_a_ground;
+        return is_leg && is_valid(footing_of(request)) ? nullptr : not_a_ground;
       },
       [](FootPlacementProcess& feet, const GroundRequest& request) {
         if (request.leg == -1) feet.set_ground(footing_of(request));

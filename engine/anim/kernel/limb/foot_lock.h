@@ -52,6 +52,9 @@ struct Footing {
   glm::vec3 normal{0.0F, 1.0F, 0.0F};
 };
 
+/// Returns whether a foot can stand there: the normal is unit to a hundredth, and faces up.
+bool is_valid(const Footing& footing);
+
 /// Returns the height of the plane through a footing at (x, z).
 inline float ground_height(const Footing& footing, float x, float z) {
   return footing.place.y -

@@ -53,6 +53,12 @@ bool is_valid(const FootPlacementOptions& options) {
          is_not_negative(options.lock.release_seconds) && is_not_negative(options.lock.farthest);
 }
 
+bool is_valid(const Footing& footing) {
+  constexpr float off_by = 0.02F;  // of the square of a length
+  const float square = glm::dot(footing.normal, footing.normal);
+  return is_place(footing.place) && std::abs(square - 1.0F) < off_by && footing.normal.y > 0.0F;
+}
+
 bool is_valid(const JointMotion& motion) { return is_place(motion.position) && is_unit(motion.rotation); }
 
 bool is_valid(const LookAtJob& job) {

@@ -173,6 +173,32 @@ TEST(CharacterBuilder, DrawsAMeshWhereItWasBound) {
   EXPECT_NEAR(entry[4] * at.x + entry[5] * at.y + entry[6] * at.z + entry[7], 2.0F, 1e-5F);
 }
 
+TEST(CharacterBuilder, KeepsTheMaterialOfAMesh) {
+  const std::uint8_t texels[4] = {1, 2, 3, 4};
+  const std::array<float, 2> coords[3] = {{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}};
+  const Triangle triangle;
+  MeshView mesh = triangle.view();
+  mesh.base_color = {0.1F, 0.2F, 0.3F, 0.4F};
+  mesh.alpha = AlphaMode::mask;
+  mesh.alpha_cutoff = 0.25F;
+  mesh.double_sided = true;
+  mesh.roughness = 0.5F;
+  mesh.emission_texture = {.texels = texels, .width = 1, .height = 1, .coords = coords};
+  CharacterBuilder builder = small();
+  builder.add_mesh(mesh);
+  const Character character = built(builder, {.keep_meshes = true});
+  const MeshView kept = character.mesh(0);
+  EXPECT_EQ(kept.base_color, mesh.base_color);
+  EXPECT_EQ(kept.alpha, AlphaMode::mask);
+  EXPECT_EQ(kept.alpha_cutoff, 0.25F);
+  EXPECT_TRUE(kept.double_sided);
+  EXPECT_EQ(kept.roughness, 0.5F);
+  ASSERT_EQ(kept.emission_texture.texels.size(), 4U);
+  EXPECT_EQ(kept.emission_texture.texels[2], 3);
+  EXPECT_EQ(kept.emission_texture.coords[1][0], 1.0F);
+  EXPECT_TRUE(kept.base_color_texels.empty());
+}
+
 TEST(CharacterBuilder, TakesAnotherUnitByItsScale) {
   EXPECT_NEAR(built(small(), {.scale = 0.01}).height(), 0.01, 1e-6);
 }
@@ -210,7 +236,7 @@ TEST(CharacterBuilder, NamesTheFirstFault) {
   MeshView short_of = triangle.view();
   short_of.weights = short_of.weights.first(2);
   mesh.add_mesh(short_of);
-  EXPECT_THAT(fault_of(mesh), HasSubstr("mesh \"flag\": it does not have one normal, weight"));
+  EXPECT_THAT(fault_of(mesh), HasSubstr("mesh \"flag\": it does not have one normal, one list of weights"));
 }
 
 TEST(CharacterBuilder, MayBeMovedAndBuildsAsOftenAsOneLikes) {

@@ -86,6 +86,14 @@ TEST(Save, KeepsARagdollAsThickAsTheSurfaceThatIsNotSaved) {
   EXPECT_EQ(hash_of_fall(back), hash_of_fall(bare));
 }
 
+TEST(Save, KeepsTheBoundsOfASurfaceThatIsNotSaved) {
+  const Character bare = load(model)->characters.front();
+  const Character back = saved_and_loaded(bare);
+  const ClipId walk = bare.find_clip("walk");
+  EXPECT_EQ(back.bounds(walk).high, bare.bounds(walk).high);
+  EXPECT_EQ(back.bounds(walk).low, bare.bounds(walk).low);
+}
+
 TEST(Save, KeepsTheWayOfClipsThatWalkInPlace) {
   const Character strider = load(model, {.walk_in_place = true})->characters.front();
   const Character back = saved_and_loaded(strider);

@@ -4,6 +4,7 @@
 #include "throng/crowd.h"
 
 #include "engine/anim/api/crowd_parts.h"
+#include "engine/anim/survey/entry_boxes.h"
 #include "engine/base/glm_numbers.h"
 
 namespace throng {
@@ -61,12 +62,12 @@ BoundingBox Crowd::bounds(AgentId agent) {
   const anim::AgentView own = std::as_const(*parts_->system).agent(agent);
   if (own.graph().empty() || !own.can_pose_exactly()) return box_around(played->character.bounds());
   const detail::CharacterData& data = *played->character.data();
-  const std::size_t entries = data.body->entry_boxes.size();
+  const std::size_t entries = data.baked->entry_boxes.size();
   parts_->rows.resize(std::max(parts_->rows.size(), 3 * entries));
   auto* const palette = reinterpret_cast<anim::PaletteMatrix*>(parts_->rows.data());
   const anim::ExactPose pose{.agent = agent, .palette = palette};
   parts_->system->pose_exactly({&pose, 1});
-  return widened(anim::posed_box(data.body->entry_boxes, {palette, entries}), data.baked->morph_reach);
+  return widened(anim::posed_box(data.baked->entry_boxes, {palette, entries}), data.baked->morph_reach);
 }
 
 }  // namespace throng

@@ -94,7 +94,7 @@ void drop_surface(anim::Model& model) {
 }  // namespace
 
 detail::CharacterBody::CharacterBody(anim::Model from, std::optional<anim::RagdollRig> ragdoll, bool keep_meshes)
-    : rigs(rigs_of(from, std::move(ragdoll))), entry_boxes(anim::entry_boxes(from)), model(std::move(from)) {
+    : rigs(rigs_of(from, std::move(ragdoll))), model(std::move(from)) {
   for (const anim::Morph& morph : model.morphs) morph_names.push_back(morph.name);
   model.skeleton = {};
   model.clips = {};

@@ -1,12 +1,15 @@
 #include "throng/character_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include "engine/anim/api/character_data.h"
+#include "engine/anim/api/chosen_rig.h"
 #include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/asset/reference_frames.h"
@@ -99,6 +102,9 @@ void bring_to_palette(anim::SkinnedMesh& mesh, const anim::Skin& skin) {
     position = glm::vec3(skin.bind_to_model * glm::dvec4(glm::dvec3(position), 1.0));
   }
   for (glm::vec3& normal : mesh.normals) normal = glm::vec3(glm::normalize(turn * glm::dvec3(normal)));
+  for (glm::vec4& tangent : mesh.tangents) {
+    tangent = glm::vec4(glm::vec3(glm::normalize(turn * glm::dvec3(tangent))), tangent.w);
+  }
   for (glm::u16vec4& bones : mesh.palette_entries) {
     for (int i = 0; i < 4; ++i) bones[i] = static_cast<std::uint16_t>(skin.palette_entries[bones[i]]);
   }
@@ -119,50 +125,87 @@ void finish(anim::Model& model, std::vector<glm::dmat4> inverse_binds) {
   anim::reorder_bones(model, anim::order_bones(parents, anim::bone_importance(model)));
 }
 
-/// Adds the texels of a mesh as an image of its own, and returns its index; -1 if the mesh has none.
-int add_image(anim::Model& model, const MeshView& mesh) {
-  if (mesh.base_color_texels.empty()) return -1;
-  auto texels =
-      std::make_shared<const std::vector<std::uint8_t>>(mesh.base_color_texels.begin(), mesh.base_color_texels.end());
-  model.images.push_back(
-      {.width = mesh.texture_width, .height = mesh.texture_height, .rgba = *texels, .lender = texels});
-  return static_cast<int>(model.images.size()) - 1;
+template <typename To, typename From>
+std::vector<To> copied(std::span<const From> from) {
+  static_assert(sizeof(To) == sizeof(From));
+  std::vector<To> to(from.size());
+  if (!from.empty()) std::memcpy(static_cast<void*>(to.data()), from.data(), from.size_bytes());
+  return to;
 }
 
-anim::Material material_of(anim::Model& model, const MeshView& mesh) {
+/// Adds the texels of a texture as an image of its own, and its coordinates as a set of the mesh.
+anim::Texture add_texture(const TextureView& view, anim::Model& model, anim::SkinnedMesh& mesh) {
+  anim::Texture texture;
+  texture.coords = static_cast<int>(mesh.texture_coords.size());
+  if (!view.coords.empty()) mesh.texture_coords.push_back(copied<glm::vec2>(view.coords));
+  if (view.texels.empty()) return texture;
+  auto texels = std::make_shared<const std::vector<std::uint8_t>>(view.texels.begin(), view.texels.end());
+  model.images.push_back({.width = view.width, .height = view.height, .rgba = *texels, .lender = texels});
+  texture.image = static_cast<int>(model.images.size()) - 1;
+  return texture;
+}
+
+/// Returns the five textures of a mesh; the first is its base colour.
+std::array<TextureView, 5> textures_of(const MeshView& mesh) {
+  const TextureView base_color{.texels = mesh.base_color_texels,
+                               .width = mesh.texture_width,
+                               .height = mesh.texture_height,
+                               .coords = mesh.texture_coords};
+  return {base_color, mesh.metallic_roughness_texture, mesh.normal_texture, mesh.occlusion_texture,
+          mesh.emission_texture};
+}
+
+anim::Material material_of(const MeshView& view, anim::Model& model, anim::SkinnedMesh& mesh) {
   anim::Material material;
-  material.name = mesh.name;
-  for (int i = 0; i < 4; ++i) material.base_color[i] = mesh.base_color[static_cast<std::size_t>(i)];
-  material.base_color_texture.image = add_image(model, mesh);
+  material.name = view.name;
+  for (int i = 0; i < 4; ++i) material.base_color[i] = view.base_color[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 3; ++i) material.emission[i] = view.emission[static_cast<std::size_t>(i)];
+  material.blended = view.alpha == AlphaMode::blend;
+  material.alpha_cutoff = view.alpha == AlphaMode::mask ? view.alpha_cutoff : 0.0F;
+  material.double_sided = view.double_sided;
+  material.unlit = view.unlit;
+  material.metallic = view.metallic;
+  material.roughness = view.roughness;
+  material.normal_scale = view.normal_scale;
+  material.occlusion_strength = view.occlusion_strength;
+  const auto textures = textures_of(view);
+  anim::Texture* const places[] = {&material.base_color_texture, &material.metallic_roughness_texture,
+                                   &material.normal_texture, &material.occlusion_texture, &material.emission_texture};
+  for (std::size_t i = 0; i < textures.size(); ++i) *places[i] = add_texture(textures[i], model, mesh);
   return material;
 }
 
-bool has_one_each(const MeshView& mesh) {
+/// Says what a mesh lacks, in words; nothing if it is whole.
+std::string fault_of(const MeshView& mesh) {
   const std::size_t count = mesh.positions.size();
-  const bool has_coords = mesh.texture_coords.empty() || mesh.texture_coords.size() == count;
-  return mesh.normals.size() == count && mesh.palette_entries.size() == count && mesh.weights.size() == count &&
-         has_coords;
+  const auto is_one_each = [count](std::size_t elements) { return elements == 0 || elements == count; };
+  if (mesh.normals.size() != count || mesh.palette_entries.size() != count || mesh.weights.size() != count) {
+    return "it does not have one normal, one list of weights and one of bones a position";
+  }
+  if (!is_one_each(mesh.tangents.size()) || !is_one_each(mesh.colors.size())) {
+    return "it does not have one tangent and one colour a position, or none";
+  }
+  for (const TextureView& texture : textures_of(mesh)) {
+    const auto texels =
+        static_cast<std::size_t>(std::max(texture.width, 0)) * static_cast<std::size_t>(std::max(texture.height, 0));
+    if (texture.texels.size() != 4 * texels) return "its texels are not 4 bytes times width times height";
+    if (!is_one_each(texture.coords.size()) || (texture.coords.empty() && !texture.texels.empty())) {
+      return "a texture does not have one place a position";
+    }
+  }
+  return {};
 }
 
-bool has_whole_texture(const MeshView& mesh) {
-  if (mesh.texture_width < 0 || mesh.texture_height < 0) return false;
-  return mesh.base_color_texels.size() ==
-         std::size_t{4} * static_cast<std::size_t>(mesh.texture_width) * static_cast<std::size_t>(mesh.texture_height);
-}
-
-anim::SkinnedMesh copied(const MeshView& view, int material) {
+anim::SkinnedMesh copied(const MeshView& view) {
   anim::SkinnedMesh mesh;
   mesh.name = view.name;
-  mesh.material = material;
-  for (const Vec3& position : view.positions) mesh.positions.push_back(as_glm(position));
-  for (const Vec3& normal : view.normals) mesh.normals.push_back(as_glm(normal));
-  for (const auto& bones : view.palette_entries)
-    mesh.palette_entries.emplace_back(bones[0], bones[1], bones[2], bones[3]);
-  for (const auto& w : view.weights) mesh.weights.emplace_back(w[0], w[1], w[2], w[3]);
+  mesh.positions = copied<glm::vec3>(view.positions);
+  mesh.normals = copied<glm::vec3>(view.normals);
+  mesh.tangents = copied<glm::vec4>(view.tangents);
+  mesh.colors = copied<glm::vec4>(view.colors);
+  mesh.palette_entries = copied<glm::u16vec4>(view.palette_entries);
+  mesh.weights = copied<glm::vec4>(view.weights);
   mesh.indices.assign(view.indices.begin(), view.indices.end());
-  if (view.texture_coords.empty()) return mesh;
-  std::vector<glm::vec2>& coords = mesh.texture_coords.emplace_back();
-  for (const auto& place : view.texture_coords) coords.emplace_back(place[0], place[1]);
   return mesh;
 }
 
@@ -230,15 +273,13 @@ void CharacterBuilder::add_curve(int clip, std::string_view name, std::span<cons
 }
 
 void CharacterBuilder::add_mesh(const MeshView& mesh) {
-  const std::string of = "mesh " + in_marks(mesh.name) + ": ";
-  if (!has_one_each(mesh)) {
-    return note_fault(*data_,
-                      of + "it does not have one normal, weight, list of bones and texture coordinate a position");
+  if (const std::string fault = fault_of(mesh); !fault.empty()) {
+    return note_fault(*data_, "mesh " + in_marks(mesh.name) + ": " + fault);
   }
-  if (!has_whole_texture(mesh)) return note_fault(*data_, of + "its texels are not 4 bytes times width times height");
   anim::Model& model = data_->model;
-  model.materials.push_back(material_of(model, mesh));
-  model.meshes.push_back(copied(mesh, static_cast<int>(model.materials.size()) - 1));
+  anim::SkinnedMesh& added = model.meshes.emplace_back(copied(mesh));
+  added.material = static_cast<int>(model.materials.size());
+  model.materials.push_back(material_of(mesh, model, added));
 }
 
 Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
@@ -248,12 +289,15 @@ Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
   anim::Model model = data_->model;
   make_checkable(model.skeleton);
   if (const Status valid = anim::check_model(model); !valid) return valid.error();
+  detail::ChosenRig rig(options.rig);
+  rig.give_to(model.skeleton);
+  if (const Status given = rig.outcome(name); !given) return given.error();
   finish(model, inverse_binds_of(*data_));
   anim::Placement placement;
   if (options.scale > 0.0) placement.scale = options.scale;
   anim::place_model(model, placement);
   LoadedFile built;
-  anim::Character baked = anim::bake_character(model);
+  anim::Character baked = detail::bake(model, options);
   detail::add_character(std::move(model), {}, std::move(baked), options, built);
   return built;
 }

@@ -10,9 +10,7 @@
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/base/box.h"
 #include "engine/anim/rig/ragdoll_rig.h"
-#include "engine/anim/survey/entry_boxes.h"
 
 namespace throng::detail {
 
@@ -23,7 +21,6 @@ struct CharacterBody {
   CharacterBody(anim::Model from, std::optional<anim::RagdollRig> ragdoll, bool keep_meshes);
 
   anim::CharacterRigs rigs;
-  std::vector<anim::Box> entry_boxes;    // [palette entry] of the surface that it moves
   std::vector<std::string> morph_names;  // [morph]
   anim::Model model;
 };
@@ -39,6 +36,9 @@ Character character_of(anim::Character baked, std::shared_ptr<const CharacterBod
 
 /// Checks the options of a model that is named `name`.
 Status check_options(const std::string& name, const LoadOptions& options);
+
+/// Bakes a model that stands in its place. Clips that lack the key that closes them get it if the options say so.
+anim::Character bake(anim::Model& model, const LoadOptions& options);
 
 /// Adds a character as the options ask, and the notes on it. The model stands in its place, and `baked` is of it.
 /// `ragdoll` is empty where it is to be built of the model.

@@ -25,6 +25,7 @@
 #include "engine/anim/bake/still_tracks.h"
 #include "engine/anim/bake/surface.h"
 #include "engine/anim/base/misuse.h"
+#include "engine/anim/survey/entry_boxes.h"
 
 namespace throng::anim {
 
@@ -84,7 +85,10 @@ bool find_loop(BakedClip& baked, const SampleSource& source, const std::optional
   const double first_step = distance.between(Ticks{}, grid->step());
   const double last_step = distance.between(baked.duration - grid->step(), baked.duration);
   const bool hitches = gap < 1.5 * std::max(first_step, last_step);
-  if (hitches) add_note(baked, "does not loop: its last key stands one step before its first");
+  if (hitches) {
+    baked.closing_step = grid->step();
+    add_note(baked, "does not loop: its last key stands one step before its first");
+  }
   return hitches || gap <= gait_gap * size;
 }
 
@@ -208,6 +212,7 @@ Character bake_character(const Model& model, const BakeOptions& options) {
                       .skip_errors = std::vector<SkipError>(clips.size()),
                       .morph_bones = morph_bones(model),
                       .morph_reach = morph_reach(model),
+                      .entry_boxes = entry_boxes(model),
                       .level_entries = entries_of_levels(model.skeleton)};
   const BoundsSurvey room(model);
   std::vector<double> reaches(clips.size());

@@ -23,6 +23,7 @@
 #include "engine/anim/bake/skip_error.h"
 #include "engine/anim/bake/stream_kind.h"
 #include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/box.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
 #include "engine/anim/survey/bone_lod.h"
@@ -36,7 +37,8 @@ namespace throng::anim {
 struct BakedClip {
   std::string name;
   Ticks duration{};
-  bool loops = false;                 ///< first and last pose agree, without root motion
+  bool loops = false;    ///< first and last pose agree, without root motion
+  Ticks closing_step{};  ///< above 0: it would loop with a key that repeats its first, so long after its last
   glm::dvec3 loop_displacement{0.0};  ///< where a loop's root motion leads: metres, in the space of its start
   RootCurve root_motion;              ///< taken out of the pose, which stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
@@ -86,6 +88,7 @@ struct Character {
   std::vector<int> morph_bones = {};              ///< of each of Model::morphs, the bone that it moves with
   double morph_reach = 0.0;                       ///< metres, how far these can move a vertex; bounds.reach has it too
   SurfacePoints surface_points = {};              ///< points where the errors of drawn poses are measured
+  std::vector<Box> entry_boxes = {};              ///< [palette entry] of the surface that it moves, for bounds
   std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending
   std::shared_ptr<const void> lender = {};        ///< keeps the memory that lent streams lie in, for example a pack
 };

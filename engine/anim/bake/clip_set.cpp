@@ -170,6 +170,7 @@ Character lend_character(const std::shared_ptr<const Character>& from) {
                  .morph_bones = from->morph_bones,
                  .morph_reach = from->morph_reach,
                  .surface_points = from->surface_points,
+                 .entry_boxes = from->entry_boxes,
                  .level_entries = from->level_entries};
   lent.skip_errors.resize(from->clips.size(), no_skip_error);
   for (const BakedClip& clip : from->clips) lent.clips.push_back(lend_clip(clip, from));

@@ -13,6 +13,7 @@ BakedClip without_streams(const BakedClip& clip) {
   return {.name = clip.name,
           .duration = clip.duration,
           .loops = clip.loops,
+          .closing_step = clip.closing_step,
           .loop_displacement = clip.loop_displacement,
           .root_motion = clip.root_motion,
           .data_keys = clip.data_keys,
@@ -50,6 +51,12 @@ AlignedBytes reorder_rows(const SampledStream& stream, std::span<const int> plac
     }
   }
   return encode_rows(to, stream.duration);
+}
+
+std::vector<Box> reorder_boxes(const std::vector<Box>& boxes, const Skeleton& skeleton, const BoneOrder& order) {
+  std::vector<Box> reordered;
+  for (const int entry : palette_order(skeleton, order)) reordered.push_back(boxes[static_cast<std::size_t>(entry)]);
+  return reordered;
 }
 
 }  // namespace
@@ -96,6 +103,7 @@ Character reorder_character(const Character& character, const Model& model, cons
                       .morph_bones = character.morph_bones,
                       .morph_reach = character.morph_reach,
                       .surface_points = choose_surface_points(model),
+                      .entry_boxes = reorder_boxes(character.entry_boxes, character.skeleton, order),
                       .level_entries = entries_of_levels(model.skeleton)};
   for (int& bone : reordered.morph_bones) bone = places[static_cast<std::size_t>(bone)];
   in_parallel(1 + character.clips.size(), [&](std::size_t part) {

@@ -113,7 +113,8 @@ inline auto members(anim::UserCurve& curve) { return std::tie(curve.name, curve.
 
 template <typename Archive, Same<anim::BakedClip> T>
 void describe(Archive& archive, T& clip) {
-  archive(clip.name, clip.duration, clip.loops, clip.loop_displacement, clip.root_motion, clip.data_keys);
+  archive(clip.name, clip.duration, clip.loops, clip.closing_step, clip.loop_displacement, clip.root_motion,
+          clip.data_keys);
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
@@ -126,10 +127,12 @@ inline auto members(anim::SkipError& error) { return std::tie(error.blended, err
 inline auto members(anim::CharacterBounds& bounds) { return std::tie(bounds.height, bounds.body_radius, bounds.reach); }
 inline auto members(anim::PointInfluence& influence) { return std::tie(influence.weighted, influence.entry); }
 inline auto members(anim::SurfacePoints& points) { return std::tie(points.influences, points.firsts); }
+inline auto members(anim::Box& box) { return std::tie(box.low, box.high); }
 inline auto members(anim::Character& character) {
   return std::tie(character.skeleton, character.hierarchy, character.clips, character.data_key_names,
                   character.curve_names, character.height, character.bone_lod, character.skip_errors, character.bounds,
-                  character.surface_points, character.level_entries, character.morph_bones, character.morph_reach);
+                  character.surface_points, character.entry_boxes, character.level_entries, character.morph_bones,
+                  character.morph_reach);
 }
 
 inline auto members(anim::RagdollLimit& limit) {

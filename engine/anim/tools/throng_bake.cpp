@@ -18,6 +18,7 @@ constexpr const char* usage =
     "  --keep-meshes      packs surfaces too, for Character::mesh()\n"
     "  --keep-keys        packs the files' own keys too, which take several times the bytes\n"
     "  --walk-in-place    lets clips that walk in place move their agents\n"
+    "  --close-loops      closes clips whose last key stands one step before their first\n"
     "  --strict           refuses files that need repairs\n";
 
 struct Request {
@@ -43,6 +44,8 @@ bool read(int count, char** arguments, Request& request) {
       request.options.keep_keys = true;
     } else if (word == "--walk-in-place") {
       request.options.walk_in_place = true;
+    } else if (word == "--close-loops") {
+      request.options.close_loops = true;
     } else if (word == "--strict") {
       request.options.strict = true;
     } else if (word.starts_with("-")) {

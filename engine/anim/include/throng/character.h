@@ -144,7 +144,9 @@ class Character {
   /// Returns a box that holds the surface in the poses of one clip, without its root motion, in model space. It poses
   /// the clip 60 times a second, at most 10,000 times, and so takes milliseconds. An absent clip has none.
   BoundingBox bounds(ClipId clip) const;
-  /// Returns the names of the data keys of all its clips. DataKey::name is an index.
+  /// Returns the names of the data keys of all its clips. DataKey::name is an index. A glTF file has them among the
+  /// extras of an animation, in seconds: {"throng_data_keys": [{"time": 0.31, "name": "draw_sword"}]}. A loop without
+  /// data keys gets "footstep_left" and "footstep_right", where its feet come down.
   std::span<const std::string> data_key_names() const;
   /// Returns the names of the curves of all its clips. Motion::curve takes an index.
   std::span<const std::string> curve_names() const;
@@ -164,6 +166,12 @@ class Character {
   std::shared_ptr<const detail::CharacterData> data_;
 };
 
+/// The bone that plays a part of the body.
+struct BoneRole {
+  std::string_view role{};  ///< in the words of VRM 1.0: "hips", "leftUpperLeg", "leftFoot", "rightToes"
+  std::string_view bone{};  ///< its name in the file
+};
+
 struct LoadOptions {
   double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
   bool strict = false;       ///< refuses files that need repairs
@@ -175,6 +183,13 @@ struct LoadOptions {
   /// them, with_clips() rounds a clip once more if its bones come in another order. Clips that no rows can show as
   /// exactly as they should keep their keys in any case.
   bool keep_keys = false;
+  /// Closes clips whose last key stands one step before their first would come again: they get that key, one step
+  /// later. Without it they do not loop and get no footsteps, and LoadedFile::notes names them. A clip that travels
+  /// stays as it is, and so do those of a pack, which has no keys.
+  bool close_loops = false;
+  /// Names bones that play parts of the body, where their names do not tell: Character::missing_rigs() says what is
+  /// missing. Other bones keep what the file or their names say.
+  std::span<const BoneRole> rig{};
   /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and besides 1 GB of pixels,
   /// to which larger images are scaled down.
   std::uint64_t memory_limit = 0;
@@ -183,8 +198,8 @@ struct LoadOptions {
   bool copy_pack = false;
 };
 
-/// The characters of a file. `notes` says in sentences what was repaired, how the model was placed and which clips walk
-/// in place.
+/// The characters of a file. `notes` says in sentences what was repaired, how the model was placed, and which clips
+/// walk in place or just miss to be loops.
 struct LoadedFile {
   std::vector<Character> characters;  ///< at least one, the largest first
   std::vector<std::string> notes;

@@ -65,7 +65,8 @@ class CharacterBuilder {
 
   /// Adds a part of the surface. It is as Character::mesh() shows one, but its vertices stand in the bind pose, in
   /// model space, and `palette_entries` are indices of bones in the builder. Meshes are optional: with them, levels of
-  /// detail are measured on the surface instead of the joints, and rag-dolls are as thick as it is.
+  /// detail are measured on the surface instead of the joints, and rag-dolls are as thick as it is. Morph deltas are
+  /// left out.
   void add_mesh(const MeshView& mesh);
 
   /// Builds the character; `characters` has one. The builder stays as it is. Takes a moment, on any thread.

@@ -1,16 +1,12 @@
 #include "app/show/figures/timeline_log.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "engine/anim/agent/animation_system.h"
 
 namespace throng::app {
 namespace {
-
-// In the order of anim::TraceSpan::Kind.
-constexpr std::array kind_names{"fetch", "compute", "write back", "wait", "schedule", "copy slice"};
 
 template <typename... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -73,7 +69,7 @@ void TimelineLog::add_update(const anim::AnimationSystem& system, Clock::time_po
       add({.begin_us = update_us + begin,
            .length_us = static_cast<float>(time.ms(span.end) * 1000.0 - begin),
            .lane = lane,
-           .name = kind_names.at(static_cast<std::size_t>(span.kind)),
+           .name = anim::name_of(span.kind),
            .bytes_in = span.bytes_in,
            .bytes_out = span.bytes_out,
            .transfers = span.transfers,

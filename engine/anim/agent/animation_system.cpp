@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/anim/base/zone.h"
+
 namespace throng::anim {
 namespace {
 
@@ -111,6 +113,7 @@ bool AnimationSystem::can_run(const Turn& turn) const {
 }
 
 void AnimationSystem::advance(Ticks delta) {
+  const Zone zone("Crowd::advance", 0);
   const Turn turn(parts_.turn, "Crowd::advance");
   if (!turn) return;
   if (delta < Ticks{0}) {
@@ -123,11 +126,13 @@ void AnimationSystem::advance(Ticks delta) {
 }
 
 void AnimationSystem::update(std::span<const PoseRequest> agents) {
+  const Zone zone("Crowd::update", 0);
   const Turn turn(parts_.turn, "Crowd::update");
   if (turn && can_run(turn)) parts_.frame.update(parts_.population, parts_.pus, agents);
 }
 
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
+  const Zone zone("Crowd::pose_exactly", 0);
   const Turn turn(parts_.turn, "Crowd::pose_exactly");
   if (turn && can_run(turn)) parts_.exact.pose(parts_.population, parts_.pus, agents);
 }

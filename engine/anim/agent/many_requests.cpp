@@ -45,6 +45,7 @@ Footing footing_of(const GroundRequest& request) {
 template <typename Request, typename TakeInPlace, typename TakeAlone>
 bool ManyRequests::take(std::span<const Request> requests, const char* call, const TakeInPlace& in_place,
                         const TakeAlone& alone) const {
+  const Zone zone(call, 0);
   ManyScratch& scratch = system_->many;
   const char* fault = nullptr;
   {
@@ -66,7 +67,7 @@ bool ManyRequests::take(std::span<const Request> requests, const char* call, con
       scratch.waits[i] = outcome.waits ? 1 : 0;
       if (outcome.fault != nullptr) some_fault.store(outcome.fault, std::memory_order_relaxed);
     };
-    read(requests.size(), take_one);
+    read(call, requests.size(), take_one);
     fault = some_fault.load();
   }
   bool all = true;

@@ -8,6 +8,7 @@
 #include "throng/many.h"
 
 #include "engine/anim/agent/agent.h"
+#include "engine/anim/base/zone.h"
 #include "engine/base/run_jobs.h"
 
 namespace throng::anim {
@@ -32,19 +33,22 @@ class ManyRequests {
   bool set_grounds(std::span<const GroundRequest> requests, const char* call = "ManyAgents::set_grounds") const;
 
   /// Calls read(run, first, end) for runs of the numbers below `count`, at most one a PU, on all PUs. It reads from
-  /// agents and changes none.
+  /// agents and changes none. `call` names the zones.
   template <typename Read>
-  void read_runs(std::size_t count, const Read& read) const {
+  void read_runs(const char* call, std::size_t count, const Read& read) const {
     const auto pus = static_cast<std::size_t>(system_->pus.options().pus);
     const std::size_t runs = std::clamp<std::size_t>(count / requests_a_job, 1, pus);
-    const auto run = [&](std::size_t i) { read(i, count * i / runs, count * (i + 1) / runs); };
+    const auto run = [&](std::size_t i) {
+      const Zone zone(call, static_cast<int>(i));
+      read(i, count * i / runs, count * (i + 1) / runs);
+    };
     if (runs == 1) return run(0);
     run_jobs(system_->pus.executor(), runs, run);
   }
   /// Calls read(i) for each i below `count` in this way.
   template <typename Read>
-  void read(std::size_t count, const Read& read) const {
-    read_runs(count, [&](std::size_t, std::size_t first, std::size_t end) {
+  void read(const char* call, std::size_t count, const Read& read) const {
+    read_runs(call, count, [&](std::size_t, std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) read(i);
     });
   }

@@ -8,6 +8,7 @@
 #include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/api/taken_agents.h"
 #include "engine/anim/base/misuse.h"
+#include "engine/anim/base/zone.h"
 #include "engine/anim/lod/level_of_detail.h"
 
 namespace throng {
@@ -61,6 +62,7 @@ void Lod::take_characters(const Crowd& crowd) {
 
 std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
   if (is_gone(selects)) return {};
+  const anim::Zone zone(selects, 0);
   State& s = *state_;
   s.requests = {};
   s.has_selected = false;

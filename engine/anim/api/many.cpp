@@ -37,7 +37,7 @@ bool ManyAgents::displacements(Ticks from, Ticks to, std::span<const AgentId> ag
   constexpr const char* call = "ManyAgents::displacements";
   if (into.size() < agents.size()) return anim::report_misuse({call, no_room});
   if (!crowd_->are_near(from, to, call)) return false;
-  crowd_->system->many().read(agents.size(),
+  crowd_->system->many().read(call, agents.size(),
                               [&](std::size_t i) { into[i] = Motion(*crowd_, agents[i]).displacement(from, to); });
   return true;
 }
@@ -45,12 +45,13 @@ bool ManyAgents::displacements(Ticks from, Ticks to, std::span<const AgentId> ag
 // Each job lists the keys of a run of agents, so that the whole list has their order.
 std::span<const AgentKey> ManyAgents::keys(Ticks from, Ticks to, std::span<const AgentId> agents,
                                            KeyChoice choice) const {
-  if (!crowd_->is_asked_in_time(from, to, "ManyAgents::keys")) return {};
+  constexpr const char* call = "ManyAgents::keys";
+  if (!crowd_->is_asked_in_time(from, to, call)) return {};
   std::vector<std::vector<AgentKey>>& runs = crowd_->keys;
   const auto pus = static_cast<std::size_t>(crowd_->system->options().pus);
   runs.resize(std::max(runs.size(), pus));
   for (std::vector<AgentKey>& run : runs) run.clear();
-  crowd_->system->many().read_runs(agents.size(), [&](std::size_t run, std::size_t first, std::size_t end) {
+  crowd_->system->many().read_runs(call, agents.size(), [&](std::size_t run, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
       Motion(*crowd_, agents[i])
           .for_each_key(
@@ -67,7 +68,7 @@ bool ManyAgents::sockets(std::span<const ProcessOf> sockets, std::span<Place> in
   constexpr const char* call = "ManyAgents::sockets";
   if (into.size() < sockets.size()) return anim::report_misuse({call, no_room});
   std::atomic<bool> all{true};
-  crowd_->system->many().read(sockets.size(), [&](std::size_t i) {
+  crowd_->system->many().read(call, sockets.size(), [&](std::size_t i) {
     const anim::AgentView agent = std::as_const(*crowd_->system).agent(sockets[i].agent);
     const auto* const own = agent.post_process<anim::SocketProcess>(sockets[i].process);
     into[i] = own == nullptr ? Place{} : anim::from_joint(own->motion(agent.pools()));

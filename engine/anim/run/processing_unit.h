@@ -51,10 +51,10 @@ class alignas(block_alignment) ProcessingUnit {
     activity_.copies += engine_.take_counts();
   }
 
-  void begin_update(std::uint64_t tick, const Kernels& kernels) {
+  void begin_update(std::uint64_t tick, int pu, const Kernels& kernels) {
     engine_.use(kernels);
     activity_ = {};
-    trace_.begin(tick);
+    trace_.begin(tick, pu);
   }
   Trace& trace() { return trace_; }
   const Trace& trace() const { return trace_; }

@@ -4,6 +4,7 @@
 
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/base/room.h"
+#include "engine/anim/base/zone.h"
 
 namespace throng::anim {
 namespace {
@@ -55,9 +56,13 @@ void Scheduler::reserve(std::size_t agents) {
 void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
                        const WorkInRuns& agents, Executor& executor) {
   time_.begin();
-  for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick, *contexts.front().assets.kernels);
+  for (int pu = 0; pu < options_.pus; ++pu) {
+    units_[static_cast<std::size_t>(pu)].begin_update(time_.first_tick, pu, *contexts.front().assets.kernels);
+  }
+  units_.front().trace().open(TraceSpan::Kind::schedule);
   for (const UpdateContext& context : contexts) context.pools->guard_blocks();
   if (!shared.empty()) run_entities(contexts, shared, executor);
+  units_.front().trace().open(TraceSpan::Kind::schedule);
   order_.sort(agents);
   const std::span<const AgentWork> work = order_.work();
   if (!work.empty()) {
@@ -94,6 +99,7 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
   const auto run = [](void* context, int pu) {
     const auto& job = *static_cast<Context*>(context);
     if (!job.scheduler->begin_job(pu)) return;
+    const Zone zone("PU", pu);
     (*job.run_unit)(job.scheduler->units_[static_cast<std::size_t>(pu)], TaskQueue::Taker(job.scheduler->queue_, pu));
   };
   executor.run(jobs, {run, &shared});

@@ -92,6 +92,41 @@ TEST(ApiCHost, IsToldOfEachThread) {
   EXPECT_EQ(told, 1 + 2 + 3);
 }
 
+TEST(ApiCHost, HearsOfZonesInPairs) {
+  std::atomic<int> open{0}, began{0};
+  struct Counts {
+    std::atomic<int>&open, &began;
+  } counts{open, began};
+  const auto begin = [](const char*, int, void* user) {
+    ++static_cast<Counts*>(user)->open;
+    ++static_cast<Counts*>(user)->began;
+  };
+  const auto end = [](int, void* user) { --static_cast<Counts*>(user)->open; };
+  const CCrowd crowd(100);
+  for (std::uint32_t agent = 0; agent < 100; ++agent) crowd.play(agent, 0);
+  EXPECT_EQ(throng_set_zone_hooks(begin, end, &counts), 0);
+  crowd.step();
+  EXPECT_NE(throng_set_zone_hooks(begin, nullptr, nullptr), 0) << "one without the other";
+  EXPECT_EQ(throng_set_zone_hooks(nullptr, nullptr, nullptr), 0);
+  EXPECT_GT(began, 0);
+  EXPECT_EQ(open, 0);
+}
+
+TEST(ApiCHost, ReadsWhatAPuDid) {
+  throng_crowd_options options = throng_crowd_options_default();
+  options.trace = 1;
+  const CCrowd crowd(100, options);
+  for (std::uint32_t agent = 0; agent < 100; ++agent) crowd.play(agent, 0);
+  crowd.step();
+  std::vector<throng_pu_span> spans(throng_crowd_trace(crowd.crowd, 0, nullptr, 0));
+  ASSERT_GE(spans.size(), 3U);
+  spans.resize(2);
+  EXPECT_GE(throng_crowd_trace(crowd.crowd, 0, spans.data(), 2), 3U) << "it says how many there are";
+  EXPECT_STREQ(spans[0].name, "schedule");
+  EXPECT_EQ(spans[0].end, spans[1].begin);
+  EXPECT_EQ(throng_crowd_trace(crowd.crowd, 9, nullptr, 0), 0U) << "there is no such PU";
+}
+
 TEST(ApiCHost, LearnsWhoIsThereAndWhatAnUpdateTook) {
   const CCrowd c(3);
   for (std::uint32_t agent = 0; agent < 3; ++agent) c.play(agent, 1);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <climits>
+#include <ranges>
 
 #include "engine/anim/api/c/parts.h"
 
@@ -133,4 +135,18 @@ double throng_crowd_bytes_per_agent(const throng_crowd* crowd) {
 
 const char* throng_crowd_kernels(const throng_crowd* crowd) {
   return is_missing("throng_crowd_kernels", crowd) ? nullptr : crowd->own.debug().kernels();
+}
+
+uint32_t throng_crowd_trace(const throng_crowd* crowd, uint32_t pu, throng_pu_span* spans, uint32_t most) {
+  if (is_missing("throng_crowd_trace", crowd) || (most > 0 && is_missing("throng_crowd_trace", spans))) return 0;
+  const std::vector<PuSpan> all = crowd->own.debug().trace(pu <= INT_MAX ? static_cast<int>(pu) : -1);
+  std::ranges::transform(all | std::views::take(most), spans, [](const PuSpan& one) {
+    return throng_pu_span{.name = one.name,
+                          .begin = one.begin,
+                          .end = one.end,
+                          .agents = one.agents,
+                          .bytes_in = one.bytes_in,
+                          .bytes_out = one.bytes_out};
+  });
+  return static_cast<uint32_t>(all.size());
 }

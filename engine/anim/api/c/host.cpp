@@ -57,6 +57,12 @@ int throng_set_memory_hooks(throng_allocate allocate, throng_release release, vo
   return call.outcome();
 }
 
+int throng_set_zone_hooks(throng_begin_zone begin, throng_end_zone end, void* user) {
+  const Call call("throng_set_zone_hooks");
+  set_zone_hooks({.begin = begin, .end = end, .context = user});
+  return call.outcome();
+}
+
 void throng_set_thread_hook(throng_thread_hook hook, void* user) {
   thread_hook().set(hook, user);
   set_thread_hook(hook == nullptr ? nullptr : tell_of_thread);

@@ -27,7 +27,7 @@ struct CrowdOptions {
   PaletteFormat palettes = PaletteFormat::matrices;
   Executor* executor = nullptr;  ///< a host's job system, which outlives the crowd; null: threads of its own
   bool hash = false;             ///< Debug::pose_hash
-  bool trace = false;            ///< notes what each PU does, for tools that see into the crowd
+  bool trace = false;            ///< notes what each PU does, for Debug::trace
 };
 
 /// The weight of a bone and of all bones below it.

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-/// In place of the library a host may take misuses, run jobs, give memory and name threads.
+/// In place of the library a host may take misuses, run jobs, give memory, name threads and draw zones.
 namespace throng {
 
 /// A call that broke its contract: an id of nothing, a NaN, a call at the wrong time. The library
@@ -63,5 +63,25 @@ using ThreadHook = void (*)(int pu);
 
 /// Sets the function that is told of new threads, from any thread; nullptr: none.
 void set_thread_hook(ThreadHook hook);
+
+/// Tells a profiler of zones: Tracy, Perfetto or any other. A zone is a stretch of a thread's time. Both functions are
+/// called in pairs on that thread, from all PUs at once. Zones of a thread nest. A function does not call the library.
+///
+///     "Crowd::advance", "Crowd::update", "ManyAgents::reach", ...   a call, on the caller's thread
+///       "schedule"                                                  PU 0 sorts agents and cuts tiles
+///       "PU"                                                        all that a PU does in an update, on its thread
+///         "fetch", "compute", "write back"                          of a tile; most copies are a part of "compute"
+///       "ManyAgents::reach", ...                                    a PU's part of the requests, on its thread
+struct ZoneHooks {
+  /// Begins a zone on the calling thread, which works as this PU. The name lives as long as the program.
+  void (*begin)(const char* name, int pu, void* context) = nullptr;
+  /// Ends the newest zone of the calling thread.
+  void (*end)(int pu, void* context) = nullptr;
+  void* context = nullptr;
+};
+
+/// Sets the functions that hear of zones from now on; without functions, zones cost a load and a branch each. Call it
+/// when no thread is in the library. One function without the other is a misuse, which changes nothing.
+void set_zone_hooks(const ZoneHooks& hooks);
 
 }  // namespace throng

@@ -21,11 +21,14 @@ TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& 
 template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
   while (auto task = tasks.next()) {
+    trace.open(TraceSpan::Kind::fetch);
     tasks.fetch(*task, 0, engine);
     const TaskContent content = recorded_content(tasks, *task, trace);
     trace.close(TraceSpan::Kind::fetch, engine.finish(), content);
+    trace.open(TraceSpan::Kind::compute);
     tasks.compute(*task, 0, engine);
     trace.close(TraceSpan::Kind::compute, {}, content);
+    trace.open(TraceSpan::Kind::write_back);
     tasks.write_back(*task, 0, engine);
     trace.close(TraceSpan::Kind::write_back, engine.finish(), content);
   }
@@ -36,16 +39,19 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
   auto current = tasks.next();
   if (!current) return;
   int buffer = 0;
+  trace.open(TraceSpan::Kind::fetch);
   tasks.fetch(*current, buffer, engine);
   TaskContent content = recorded_content(tasks, *current, trace);
   trace.close_alone(TraceSpan::Kind::fetch, engine.finish(), content);
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
+    trace.open(mode == DoubleBuffering::inline_copy ? TraceSpan::Kind::fetch : TraceSpan::Kind::compute);
     if (previous) tasks.write_back(*previous, 1 - buffer, engine);
     if (next) tasks.fetch(*next, 1 - buffer, engine);
     const TaskContent next_content = next ? recorded_content(tasks, *next, trace) : content;
     if (mode == DoubleBuffering::inline_copy) trace.close(TraceSpan::Kind::fetch, engine.finish(), next_content);
+    trace.open(TraceSpan::Kind::compute);
     engine.spread_over(tasks.copy_points(*current), &trace);
     tasks.compute(*current, buffer, engine);
     trace.close(TraceSpan::Kind::compute, engine.finish(), content);
@@ -54,6 +60,7 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
     content = next_content;
     buffer = 1 - buffer;
   }
+  trace.open(TraceSpan::Kind::write_back);
   tasks.write_back(*previous, 1 - buffer, engine);
   trace.close_alone(TraceSpan::Kind::write_back, engine.finish(), content);
 }

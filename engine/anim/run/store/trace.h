@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/anim/base/room.h"
+#include "engine/anim/base/zone.h"
 #include "engine/anim/run/program/task_content.h"
 #include "engine/anim/run/store/schedule.h"
 #include "engine/base/compiler.h"
@@ -47,6 +49,11 @@ struct TraceSpan {
   TaskContent content{};
 };
 static_assert(sizeof(TraceSpan) == 48);
+
+constexpr const char* name_of(TraceSpan::Kind kind) {
+  constexpr std::array names{"fetch", "compute", "write back", "wait", "schedule", "copy slice"};
+  return names[static_cast<std::size_t>(kind)];
+}
 
 /// Bytes and transfers of copies.
 struct CopyCounts {
@@ -88,7 +95,8 @@ struct UpdateTime {
 };
 
 /// The spans of one PU in an update, without gaps: each begins where the one before it ended. They lie in memory set
-/// aside beforehand; spans that do not fit are counted and not kept.
+/// aside beforehand; spans that do not fit are counted and not kept. The profiler of a host hears of each task's spans
+/// as they begin and end, recorded or not.
 class Trace {
  public:
   static constexpr std::uint32_t slices_of_one_task_in = 64;
@@ -103,8 +111,11 @@ class Trace {
     every_task_ = tracing == Tracing::every_task;
   }
 
-  void begin(std::uint64_t tick) {
+  void begin(std::uint64_t tick, int pu = 0) {
     spans_.clear();
+    zones_ = zone_hooks();
+    pu_ = pu;
+    zone_is_open_ = false;
     last_ = tick;
     not_kept_ = 0;
     tasks_ = 0;
@@ -122,8 +133,16 @@ class Trace {
 
   bool records() const { return room_ > 0; }
 
+  /// Tells the host's profiler that a span of this kind begins on this thread. The next close() tells that it ends.
+  void open(TraceSpan::Kind kind) {
+    if (zones_.begin == nullptr || zone_is_open_) return;
+    zones_.begin(name_of(kind), pu_, zones_.context);
+    zone_is_open_ = true;
+  }
+
   /// Ends a span. The time since the last one was spent in this way, for these agents.
   void close(TraceSpan::Kind kind, const CopyCounts& copied = {}, const TaskContent& content = {}) {
+    if (std::exchange(zone_is_open_, false)) zones_.end(pu_, zones_.context);
     if (!records()) return;
     if (tasks_in_span_ > 1) {
       joined_copies_ += copied;
@@ -187,6 +206,9 @@ class Trace {
   std::uint32_t joined_tasks_ = 0;  // the tasks of the span that is open
   CopyCounts joined_copies_;
   JoinedContent joined_content_;
+  ZoneHooks zones_{};
+  int pu_ = 0;
+  bool zone_is_open_ = false;
   TaskContent copied_content_;  // the content of the task that was copied, or computed, last
 };
 

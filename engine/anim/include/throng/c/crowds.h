@@ -15,7 +15,7 @@ typedef struct throng_crowd_options {
   uint32_t pus;               /* threads that pose, the caller's included */
   uint32_t palettes;          /* THRONG_PALETTES_... */
   uint32_t hash;              /* 1: throng_crowd_pose_hash counts */
-  uint32_t trace;             /* 1: notes what each PU does */
+  uint32_t trace;             /* 1: notes what each PU does, for throng_crowd_trace */
   uint64_t local_store_bytes; /* 0: as large as fits */
   throng_executor executor;   /* null: threads of its own; it is called until the crowd is freed or configured anew */
   void* executor_user;
@@ -120,6 +120,18 @@ THRONG_C double throng_crowd_predicted_nanoseconds(const throng_crowd* crowd);
 THRONG_C double throng_crowd_update_milliseconds(const throng_crowd* crowd);
 THRONG_C double throng_crowd_bytes_per_agent(const throng_crowd* crowd);
 THRONG_C const char* throng_crowd_kernels(const throng_crowd* crowd);
+
+/* A stretch of a PU's time within an update. */
+typedef struct throng_pu_span {
+  const char* name; /* "fetch", "compute", "write back", "wait" or "schedule"; it lives as long as the program */
+  int64_t begin;    /* nanoseconds of a steady clock */
+  int64_t end;
+  uint32_t agents; /* the number of agents that it was for */
+  uint32_t bytes_in;
+  uint32_t bytes_out;
+} throng_pu_span;
+/* Lists what a PU did in the last update, and returns the number of spans; of these it writes `most` at most. */
+THRONG_C uint32_t throng_crowd_trace(const throng_crowd* crowd, uint32_t pu, throng_pu_span* spans, uint32_t most);
 
 /* NOLINTEND */
 #endif

@@ -24,5 +24,10 @@ typedef void (*throng_thread_hook)(int pu, void* user);
 /* Sets the function that each new thread calls first, with the number of its PU; null: none. */
 THRONG_C void throng_set_thread_hook(throng_thread_hook hook, void* user);
 
+typedef void (*throng_begin_zone)(const char* name, int pu, void* user);
+typedef void (*throng_end_zone)(int pu, void* user);
+/* Sets the functions that hear of zones, for a profiler: both, or neither. No thread is in the library then. */
+THRONG_C int throng_set_zone_hooks(throng_begin_zone begin, throng_end_zone end, void* user);
+
 /* NOLINTEND */
 #endif

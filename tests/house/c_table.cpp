@@ -10,6 +10,7 @@ const std::vector<CoverageRow>& c_table() {
   static const std::vector<CoverageRow> table{
       // character.h
       {"load", {"throng_load", "throng_load_with", "throng_load_bytes", "throng_load_bytes_with"}},
+      {"save", {"throng_save"}},
       {"",
        {"throng_file_character", "throng_file_character_count", "throng_file_note"},
        "They read the members of LoadedFile."},

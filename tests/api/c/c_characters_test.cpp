@@ -1,5 +1,6 @@
 // Characters, their clips and meshes, and how they are loaded, through the functions for C.
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/api/c/c_crowd.h"
+#include "tests/own_folder.h"
 
 namespace throng::c_characters_test {
 namespace {
@@ -122,6 +124,47 @@ TEST(ApiCFile, IsLoadedFromMemoryWithTheFilesThatItNames) {
   throng_file_free(file);
   EXPECT_EQ(throng_load_bytes_with(files, 0, nullptr), nullptr);
   EXPECT_STRNE(throng_last_error(), "");
+}
+
+/// Saves the mannequin through C, loaded with or without its keys.
+void save_mannequin(const std::string& pack, bool keeps_keys) {
+  throng_load_options options = throng_load_options_default();
+  options.keep_keys = keeps_keys ? 1 : 0;
+  throng_file* const file = throng_load_with(model, &options);
+  throng_character* const character = throng_file_character(file, 0);
+  const throng_character* const list[] = {character};
+  EXPECT_EQ(throng_save(pack.c_str(), list, 1), 0) << throng_last_error();
+  throng_character_free(character);
+  throng_file_free(file);
+}
+
+TEST(ApiCFile, IsSavedAsAPackThatPlaysToTheBitAndHasTheKeysThatWereKept) {
+  const test::OwnFolder folder;
+  const std::string rows = folder.path() / "rows.pack", keys = folder.path() / "keys.pack";
+  save_mannequin(rows, false);
+  save_mannequin(keys, true);
+  EXPECT_GT(std::filesystem::file_size(keys), std::filesystem::file_size(rows));
+  throng_file* const file = throng_load(rows.c_str(), 0.0);
+  ASSERT_NE(file, nullptr) << throng_last_error();
+  throng_character* const back = throng_file_character(file, 0);
+  const std::uint32_t walk = throng_character_find_clip(back, "walk");
+  const Character loaded = load(rows)->characters.front();
+  EXPECT_EQ(throng_character_clip_seconds(back, walk), to_seconds(mannequin().clip({walk}).duration));
+  EXPECT_EQ(api_test::hash_of(loaded, {walk}), api_test::hash_of(mannequin(), {walk}));
+  throng_character_free(back);
+  throng_file_free(file);
+}
+
+TEST(ApiCFile, OfNothingIsNotSaved) {
+  const CCrowd c(1);
+  const throng_character* const one[] = {c.character, nullptr};
+  EXPECT_NE(throng_save("none.pack", one, 2), 0);
+  EXPECT_STREQ(throng_last_error(), "throng_save: a pointer is null");
+  EXPECT_NE(throng_save("none.pack", one, 0), 0);
+  EXPECT_THAT(throng_last_error(), HasSubstr("there is no character"));
+  EXPECT_NE(throng_save("/no/such/folder/man.pack", one, 1), 0);
+  EXPECT_THAT(throng_last_error(), HasSubstr("/no/such/folder/man.pack"));
+  EXPECT_EQ(c.heard.size(), 2U) << "a folder that there is not is no misuse";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ LoadOptions options_of(const throng_load_options& options) {
   own.walk_in_place = options.walk_in_place != 0;
   own.memory_limit = options.memory_limit;
   own.copy_pack = options.copy_pack != 0;
+  own.keep_keys = options.keep_keys != 0;
   return own;
 }
 
@@ -34,6 +35,7 @@ throng_load_options default_of() {
   options.keep_meshes = own.keep_meshes ? 1 : 0;
   options.walk_in_place = own.walk_in_place ? 1 : 0;
   options.copy_pack = own.copy_pack ? 1 : 0;
+  options.keep_keys = own.keep_keys ? 1 : 0;
   options.metres_a_unit = own.scale;
   options.memory_limit = own.memory_limit;
   return options;
@@ -93,4 +95,15 @@ throng_character* throng_file_character(const throng_file* file, uint32_t index)
 
 const char* throng_file_note(const throng_file* file, uint32_t index) {
   return is_missing("throng_file_note", file) ? nullptr : text_at(file->loaded.notes, index);
+}
+
+int throng_save(const char* path, const throng_character* const* characters, uint32_t count) {
+  const Call call("throng_save");
+  if (call.is_missing(path, characters)) return failed;
+  std::vector<Character> own;
+  for (const throng_character* const character : std::span(characters, count)) {
+    if (call.is_missing(character)) return failed;
+    own.push_back(character->own);
+  }
+  return outcome(save(path, own));
 }

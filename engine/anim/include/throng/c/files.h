@@ -1,7 +1,7 @@
 #ifndef THRONG_C_FILES_H
 #define THRONG_C_FILES_H
 
-/* Loads models and packs. */
+/* Loads models and packs, and saves packs. */
 
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include "throng/c/base.h"
@@ -13,6 +13,7 @@ typedef struct throng_load_options {
   uint32_t keep_meshes;   /* 1: for throng_character_mesh */
   uint32_t walk_in_place; /* 1: clips that walk in place move their agents */
   uint32_t copy_pack;     /* 1: a pack is read instead of mapped */
+  uint32_t keep_keys;     /* 1: the file's own keys of all clips are kept */
   double metres_a_unit;   /* 0: guessed */
   uint64_t memory_limit;  /* bytes that reading a glTF file may hold; 0: as its size tells */
 } throng_load_options;
@@ -42,6 +43,8 @@ THRONG_C throng_character* throng_file_character(const throng_file* file, uint32
 /* Returns a sentence about what was repaired, placed or walks in place; null beyond the last. It lives with the file.
  */
 THRONG_C const char* throng_file_note(const throng_file* file, uint32_t index);
+/* Saves `count` characters as one pack, which throng_load opens in a moment. The file is whole or as it was. */
+THRONG_C int throng_save(const char* path, const throng_character* const* characters, uint32_t count);
 
 /* NOLINTEND */
 #endif

@@ -1,43 +1,6 @@
 #include "engine/anim/api/c/parts.h"
 
-namespace throng::c {
-
-template <>
-throng_mesh default_of() {
-  return {};
-}
-
-namespace {
-
-template <typename To, typename From>
-const To* first_of(std::span<const From> elements) {
-  return reinterpret_cast<const To*>(elements.data());
-}
-
-throng_mesh mesh_of(const MeshView& view) {
-  throng_mesh mesh{};
-  mesh.vertex_count = static_cast<uint32_t>(view.positions.size());
-  mesh.index_count = static_cast<uint32_t>(view.indices.size());
-  mesh.texture_width = view.texture_width;
-  mesh.texture_height = view.texture_height;
-  std::ranges::copy(view.base_color, mesh.base_color);
-  mesh.name = text_of(view.name);
-  mesh.positions = first_of<float>(view.positions);
-  mesh.normals = first_of<float>(view.normals);
-  mesh.texture_coords = first_of<float>(view.texture_coords);
-  mesh.palette_entries = first_of<uint16_t>(view.palette_entries);
-  mesh.weights = first_of<float>(view.weights);
-  mesh.indices = view.indices.data();
-  mesh.base_color_texels = view.base_color_texels.data();
-  return mesh;
-}
-
-}  // namespace
-}  // namespace throng::c
-
 using namespace throng::c;  // NOLINT: functions of C have no namespace
-
-int throng_mesh_fill(throng_mesh* into, size_t size) { return fill("throng_mesh_fill", into, size); }
 
 void throng_character_free(throng_character* character) { delete character; }
 
@@ -99,6 +62,11 @@ const char* throng_character_curve_name(const throng_character* character, uint3
   return text_at(character->own.curve_names(), name);
 }
 
+const char* throng_character_morph_name(const throng_character* character, uint32_t name) {
+  if (is_missing("throng_character_morph_name", character)) return nullptr;
+  return text_at(character->own.morph_names(), name);
+}
+
 uint32_t throng_character_bone_count(const throng_character* character) {
   if (is_missing("throng_character_bone_count", character)) return 0;
   return static_cast<uint32_t>(character->own.bone_count());
@@ -121,6 +89,21 @@ uint32_t throng_character_find_bone(const throng_character* character, const cha
 
 double throng_character_height(const throng_character* character) {
   return is_missing("throng_character_height", character) ? 0.0 : character->own.height();
+}
+
+int throng_character_bounds(const throng_character* character, throng_bounding_sphere* sphere) {
+  if (is_missing("throng_character_bounds", character, sphere)) return failed;
+  *sphere = std::bit_cast<throng_bounding_sphere>(character->own.bounds());
+  return done;
+}
+
+int throng_character_clip_bounds(const throng_character* character, uint32_t clip, throng_bounding_box* box) {
+  const Call call("throng_character_clip_bounds");
+  if (call.is_missing(character, box)) return failed;
+  if (!character->own.has({clip}))
+    return fail("throng_character_clip_bounds: the character has no clip of this number");
+  *box = std::bit_cast<throng_bounding_box>(character->own.bounds(ClipId{clip}));
+  return call.outcome();
 }
 
 const char* throng_character_missing_rig(const throng_character* character, uint32_t index) {
@@ -150,19 +133,4 @@ uint32_t throng_character_packing_frames(const throng_character* character, floa
   if (call.is_missing(character) || (most > 0 && call.is_missing(frames))) return 0;
   using Frame = std::array<float, 4>;
   return list(character->own.packing_frames(), reinterpret_cast<Frame*>(frames), most);
-}
-
-uint32_t throng_character_mesh_count(const throng_character* character) {
-  if (is_missing("throng_character_mesh_count", character)) return 0;
-  return static_cast<uint32_t>(character->own.mesh_count());
-}
-
-int throng_character_mesh(const throng_character* character, uint32_t index, throng_mesh* mesh) {
-  const Call call("throng_character_mesh");
-  if (call.is_missing(character, mesh) || !call.read("throng_mesh", mesh)) return failed;
-  if (index >= character->own.mesh_count()) {
-    return fail("throng_character_mesh: there is no mesh of this number; throng_load_options::keep_meshes keeps them");
-  }
-  write_known(mesh_of(character->own.mesh(index)), mesh);
-  return done;
 }

@@ -84,6 +84,13 @@ int throng_crowd_local_pose(throng_crowd* crowd, throng_id agent, throng_transfo
   return is_known ? done : fail("throng_crowd_local_pose: the present pose of the agent is not known");
 }
 
+int throng_crowd_bounds(throng_crowd* crowd, throng_id agent, throng_bounding_box* box) {
+  const Call call("throng_crowd_bounds");
+  if (call.is_missing(crowd, box)) return failed;
+  *box = std::bit_cast<throng_bounding_box>(crowd->own.bounds(agent_id(agent)));
+  return call.outcome();
+}
+
 throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd) {
   const Call call("throng_crowd_snapshot");
   if (call.is_missing(crowd)) return nullptr;

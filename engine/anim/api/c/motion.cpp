@@ -16,6 +16,12 @@ float throng_agent_curve(const throng_crowd* crowd, throng_id agent, uint32_t na
   return call.is_missing(crowd) ? 0.0F : call.answer(agent_of(crowd, agent).motion().curve(name));
 }
 
+int throng_agent_morph_weights(const throng_crowd* crowd, throng_id agent, float* weights, uint32_t count) {
+  const Call call("throng_agent_morph_weights");
+  if (call.is_missing(crowd) || (count > 0 && call.is_missing(weights))) return 0;
+  return call.yes_or_no(agent_of(crowd, agent).motion().morph_weights({weights, count}));
+}
+
 int throng_agent_absolute_root(const throng_crowd* crowd, throng_id agent, throng_place* place) {
   const Call call("throng_agent_absolute_root");
   if (call.is_missing(crowd, place)) return 0;

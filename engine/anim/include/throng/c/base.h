@@ -1,7 +1,7 @@
 #ifndef THRONG_C_BASE_H
 #define THRONG_C_BASE_H
 
-/* What all headers for C share: how functions are declared, ids, places and errors. */
+/* What all headers for C share: how functions are declared, ids, places, bounds and errors. */
 
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include <stddef.h>
@@ -51,6 +51,25 @@ typedef struct throng_place {
   float position[3]; /* metres */
   float rotation[4]; /* a unit quaternion */
 } throng_place;
+
+/* A transform relative to the parent bone: scale first, then rotation, then translation. */
+typedef struct throng_transform {
+  float translation[3];
+  float rotation[4];
+  float scale[3];
+} throng_transform;
+
+/* A ball that holds something, in metres. */
+typedef struct throng_bounding_sphere {
+  float centre[3];
+  float radius;
+} throng_bounding_sphere;
+
+/* A box along the axes that holds something, in metres. */
+typedef struct throng_bounding_box {
+  float low[3];
+  float high[3];
+} throng_bounding_box;
 
 THRONG_C int throng_version(void);
 THRONG_C const char* throng_version_text(void);

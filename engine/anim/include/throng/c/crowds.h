@@ -52,13 +52,6 @@ typedef struct throng_bone_weight {
   float weight; /* 0 to 1 */
 } throng_bone_weight;
 
-/* A transform relative to the parent bone. */
-typedef struct throng_transform {
-  float translation[3];
-  float rotation[4];
-  float scale[3];
-} throng_transform;
-
 /* Makes a crowd of a character, which is number 0. Null options: the defaults. */
 THRONG_C throng_crowd* throng_crowd_create(const throng_character* character, const throng_crowd_options* options);
 THRONG_C void throng_crowd_free(throng_crowd* crowd);
@@ -104,6 +97,9 @@ THRONG_C int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_
 THRONG_C int throng_crowd_pose_exactly(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count);
 /* Writes the transform of each bone at the clock. There is room for `count`. */
 THRONG_C int throng_crowd_local_pose(throng_crowd* crowd, throng_id agent, throng_transform* bones, uint32_t count);
+/* Writes a box that holds the surface of an agent in its pose at the clock, in model space: move it by the agent's
+ * place. It takes a few microseconds. */
+THRONG_C int throng_crowd_bounds(throng_crowd* crowd, throng_id agent, throng_bounding_box* box);
 
 /* Snapshots. */
 THRONG_C throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd);

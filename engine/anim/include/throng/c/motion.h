@@ -35,6 +35,9 @@ THRONG_C int throng_agent_displacement(const throng_crowd* crowd, throng_id agen
                                        throng_root_motion* motion);
 /* Returns the value of a curve now; `name` is an index for throng_character_curve_name. */
 THRONG_C float throng_agent_curve(const throng_crowd* crowd, throng_id agent, uint32_t name);
+/* Returns 1 and writes the weight of each morph now: see throng_character_morph_name. There is room for `count`. It
+ * returns 0 and writes zeros if no clip that plays has morphs. */
+THRONG_C int throng_agent_morph_weights(const throng_crowd* crowd, throng_id agent, float* weights, uint32_t count);
 /* Returns 1 and writes where a cut scene has the agent now; returns 0 if none plays. */
 THRONG_C int throng_agent_absolute_root(const throng_crowd* crowd, throng_id agent, throng_place* place);
 /* Lists the keys met in [from, to); `choice` is THRONG_KEYS_... */

@@ -16,7 +16,7 @@ const std::vector<CoverageRow>& c_table() {
        "They read the members of LoadedFile."},
       {"",
        {"throng_file_free", "throng_character_free", "throng_machine_free", "throng_crowd_free", "throng_snapshot_free",
-        "throng_lod_free"},
+        "throng_lod_free", "throng_builder_free"},
        owned},
       {"Character::clip_count", {"throng_character_clip_count"}},
       {"Character::has", {"throng_character_has_clip"}},
@@ -45,6 +45,18 @@ const std::vector<CoverageRow>& c_table() {
       {"Character::missing_rigs", {"throng_character_missing_rig"}},
       {"Character::data", {}, inside},
       {"Character::shared", {}, inside},
+
+      // character_builder.h
+      {"", {"throng_builder_create"}, "It is the constructor of CharacterBuilder."},
+      {"CharacterBuilder::add_bone", {"throng_builder_add_bone"}},
+      {"CharacterBuilder::add_clip", {"throng_builder_add_clip"}},
+      {"CharacterBuilder::set_translations", {"throng_builder_set_translations"}},
+      {"CharacterBuilder::set_rotations", {"throng_builder_set_rotations"}},
+      {"CharacterBuilder::set_scales", {"throng_builder_set_scales"}},
+      {"CharacterBuilder::add_data_key", {"throng_builder_add_data_key"}},
+      {"CharacterBuilder::add_curve", {"throng_builder_add_curve"}},
+      {"CharacterBuilder::add_mesh", {"throng_builder_add_mesh"}},
+      {"CharacterBuilder::build", {"throng_builder_build"}},
 
       // crowd.h
       {"Crowd::create", {"throng_crowd_create"}},
@@ -197,6 +209,8 @@ const std::vector<CStructRow>& c_structs() {
       {"TextureView", "throng_texture"},
       {"MorphDelta", "throng_morph_delta"},
       {"MeshView", "throng_mesh"},
+      {"BoneToBuild", "throng_bone_to_build"},
+      {"BoneKeys", "throng_bone_keys"},
       {"CrowdOptions", "throng_crowd_options"},
       {"JointOutput", "throng_joint_output"},
       {"BoneWeight", "throng_bone_weight"},

@@ -1,7 +1,6 @@
 #include "engine/anim/api/c/parts.h"
 
 namespace throng::c {
-namespace {
 
 LoadOptions options_of(const throng_load_options& options) {
   LoadOptions own;
@@ -14,6 +13,8 @@ LoadOptions options_of(const throng_load_options& options) {
   own.keep_keys = options.keep_keys != 0;
   return own;
 }
+
+namespace {
 
 throng_file* load_bytes(std::span<const FileInMemory> files, const LoadOptions& options) {
   return make_of<throng_file>(load(files, options));

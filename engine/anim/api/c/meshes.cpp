@@ -61,6 +61,63 @@ throng_mesh mesh_of(const MeshView& view) {
   return mesh;
 }
 
+/// Returns the texels of an image, four bytes each.
+std::span<const std::uint8_t> texels_of(const std::uint8_t* texels, std::int32_t width, std::int32_t height) {
+  if (texels == nullptr || width < 0 || height < 0) return {};
+  return {texels, std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)};
+}
+
+TextureView texture_view_of(const throng_texture& texture, std::size_t vertices) {
+  return {.texels = texels_of(texture.texels, texture.width, texture.height),
+          .width = texture.width,
+          .height = texture.height,
+          .coords = elements<std::array<float, 2>>(texture.coords, vertices)};
+}
+
+void read_material(const throng_mesh& mesh, MeshView& view) {
+  std::ranges::copy(mesh.base_color, view.base_color.begin());
+  std::ranges::copy(mesh.emission, view.emission.begin());
+  view.metallic = mesh.metallic;
+  view.roughness = mesh.roughness;
+  view.normal_scale = mesh.normal_scale;
+  view.occlusion_strength = mesh.occlusion_strength;
+  view.alpha_cutoff = mesh.alpha_cutoff;
+  view.alpha = static_cast<AlphaMode>(mesh.alpha);
+  view.double_sided = mesh.double_sided != 0;
+  view.unlit = mesh.unlit != 0;
+  view.base_color_texels = texels_of(mesh.base_color_texels, mesh.texture_width, mesh.texture_height);
+  view.texture_width = mesh.texture_width;
+  view.texture_height = mesh.texture_height;
+  view.metallic_roughness_texture = texture_view_of(mesh.metallic_roughness_texture, mesh.vertex_count);
+  view.normal_texture = texture_view_of(mesh.normal_texture, mesh.vertex_count);
+  view.occlusion_texture = texture_view_of(mesh.occlusion_texture, mesh.vertex_count);
+  view.emission_texture = texture_view_of(mesh.emission_texture, mesh.vertex_count);
+}
+
+MeshView mesh_view_of(const throng_mesh& mesh) {
+  MeshView view;
+  view.name = view_of(mesh.name);
+  view.positions = elements<Vec3>(mesh.positions, mesh.vertex_count);
+  view.normals = elements<Vec3>(mesh.normals, mesh.vertex_count);
+  view.texture_coords = elements<std::array<float, 2>>(mesh.texture_coords, mesh.vertex_count);
+  view.palette_entries = elements<std::array<std::uint16_t, 4>>(mesh.palette_entries, mesh.vertex_count);
+  view.weights = elements<std::array<float, 4>>(mesh.weights, mesh.vertex_count);
+  view.indices = elements<std::uint32_t>(mesh.indices, mesh.index_count);
+  view.tangents = elements<std::array<float, 4>>(mesh.tangents, mesh.vertex_count);
+  view.colors = elements<std::array<float, 4>>(mesh.colors, mesh.vertex_count);
+  view.morph_deltas = as<const MorphDelta>(mesh.morph_deltas, mesh.morph_delta_count);
+  read_material(mesh, view);
+  return view;
+}
+
+/// Returns whether a mesh has the arrays that its counts ask for; else reports a misuse.
+bool has_arrays(const Call& call, const throng_mesh& mesh) {
+  return (mesh.vertex_count == 0 ||
+          !call.is_missing(mesh.positions, mesh.normals, mesh.palette_entries, mesh.weights)) &&
+         (mesh.index_count == 0 || !call.is_missing(mesh.indices)) &&
+         (mesh.morph_delta_count == 0 || !call.is_missing(mesh.morph_deltas));
+}
+
 }  // namespace
 
 template <>
@@ -87,4 +144,15 @@ int throng_character_mesh(const throng_character* character, uint32_t index, thr
   }
   write_known(mesh_of(character->own.mesh(index)), mesh);
   return done;
+}
+
+int throng_builder_add_mesh(throng_builder* builder, const throng_mesh* mesh) {
+  const Call call("throng_builder_add_mesh");
+  if (call.is_missing(builder, mesh)) return failed;
+  const auto read = call.read("throng_mesh", mesh);
+  if (!read || !call.is_constant("throng_mesh::alpha", read->alpha, AlphaMode::blend) || !has_arrays(call, *read)) {
+    return failed;
+  }
+  builder->own.add_mesh(mesh_view_of(*read));
+  return call.outcome();
 }

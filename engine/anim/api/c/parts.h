@@ -26,6 +26,10 @@ struct throng_character {
   throng::Character own;
 };
 
+struct throng_builder {
+  throng::CharacterBuilder own;
+};
+
 struct throng_machine {
   throng::StateMachine own;
 };
@@ -168,12 +172,21 @@ std::span<Cpp> as(C* structs, std::size_t count) {
   return {reinterpret_cast<Cpp*>(structs), count};
 }
 
+/// Returns an array of C as elements of C++ that have several numbers each, such as three floats as a Vec3. Null: none.
+template <typename Cpp, typename Number>
+std::span<const Cpp> elements(const Number* numbers, std::size_t count) {
+  static_assert(sizeof(Cpp) % sizeof(Number) == 0);
+  return {reinterpret_cast<const Cpp*>(numbers), numbers == nullptr ? 0 : count};
+}
+
 inline std::string_view view_of(const char* text) { return text == nullptr ? std::string_view() : text; }
 /// Returns a name of the headers for C++ for C; null if there is none. It views a whole std::string.
 inline const char* text_of(std::string_view name) { return name.data(); }
 inline const char* text_at(std::span<const std::string> texts, std::uint32_t index) {
   return index < texts.size() ? texts[index].c_str() : nullptr;
 }
+
+LoadOptions options_of(const throng_load_options& options);
 
 // Agents are read through a crowd that no function changes.
 inline Agent agent_of(const throng_crowd* crowd, throng_id id) { return {crowd->own.parts(), agent_id(id)}; }

@@ -14,6 +14,7 @@
  * before has the defaults for what it does not know. Other structs never change, unless their comment says so. */
 
 #include "throng/c/base.h"
+#include "throng/c/builder.h"
 #include "throng/c/channels.h"
 #include "throng/c/characters.h"
 #include "throng/c/crowds.h"

@@ -35,6 +35,7 @@
 
 typedef struct throng_file throng_file;           /* what was loaded from a model or a pack */
 typedef struct throng_character throng_character; /* a skeleton and its clips, shared and read-only */
+typedef struct throng_builder throng_builder;     /* a character of the host's own data, in the making */
 typedef struct throng_machine throng_machine;     /* a state machine for a character, shared and read-only */
 typedef struct throng_crowd throng_crowd;         /* agents; one thread at a time calls it */
 typedef struct throng_snapshot throng_snapshot;   /* the state of a crowd at a moment */

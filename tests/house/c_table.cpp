@@ -205,6 +205,7 @@ const std::vector<CoverageRow>& c_table() {
 const std::vector<CStructRow>& c_structs() {
   static const std::vector<CStructRow> table{
       {"LoadOptions", "throng_load_options", {{"scale", "metres_a_unit"}}},
+      {"BoneRole", "throng_bone_role"},
       {"FileInMemory", "throng_bytes"},
       {"TextureView", "throng_texture"},
       {"MorphDelta", "throng_morph_delta"},

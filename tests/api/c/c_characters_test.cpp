@@ -40,6 +40,19 @@ TEST(ApiCCharacter, IsDescribedAsInCpp) {
   EXPECT_EQ(throng_character_missing_rig(c.character, 0), nullptr) << "the mannequin can do all";
 }
 
+TEST(ApiCCharacter, IsLoadedWithTheRigThatAHostNames) {
+  throng_load_options options = throng_load_options_default();
+  const throng_bone_role neck = {"head", "neck"}, tail = {"tail", "head"};
+  options.rig = &neck;
+  options.rig_count = 1;
+  throng_file* const file = throng_load_with(model, &options);
+  EXPECT_NE(file, nullptr) << throng_last_error();
+  throng_file_free(file);
+  options.rig = &tail;
+  EXPECT_EQ(throng_load_with(model, &options), nullptr);
+  EXPECT_THAT(throng_last_error(), HasSubstr("VRM 1.0 has no part of the body named \"tail\""));
+}
+
 TEST(ApiCCharacter, ListsTablesForARendererAndSaysHowLongTheyAre) {
   const CCrowd c(0);
   const std::vector<std::uint16_t> expected = mannequin().entries_at_level(1);

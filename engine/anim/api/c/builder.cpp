@@ -101,5 +101,6 @@ throng_file* throng_builder_build(const throng_builder* builder, const throng_lo
   const Call call("throng_builder_build");
   if (call.is_missing(builder)) return nullptr;
   const auto read = call.read("throng_load_options", options);
-  return read ? make_of<throng_file>(builder->own.build(options_of(*read))) : nullptr;
+  std::vector<BoneRole> rig;
+  return read ? make_of<throng_file>(builder->own.build(options_of(*read, rig))) : nullptr;
 }

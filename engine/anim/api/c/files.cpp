@@ -2,7 +2,7 @@
 
 namespace throng::c {
 
-LoadOptions options_of(const throng_load_options& options) {
+LoadOptions options_of(const throng_load_options& options, std::vector<BoneRole>& rig) {
   LoadOptions own;
   own.scale = options.metres_a_unit;
   own.strict = options.strict != 0;
@@ -11,6 +11,10 @@ LoadOptions options_of(const throng_load_options& options) {
   own.memory_limit = options.memory_limit;
   own.copy_pack = options.copy_pack != 0;
   own.keep_keys = options.keep_keys != 0;
+  own.close_loops = options.close_loops != 0;
+  const std::span roles(options.rig, options.rig == nullptr ? 0 : options.rig_count);
+  for (const throng_bone_role& one : roles) rig.push_back({.role = view_of(one.role), .bone = view_of(one.bone)});
+  own.rig = rig;
   return own;
 }
 
@@ -37,6 +41,7 @@ throng_load_options default_of() {
   options.walk_in_place = own.walk_in_place ? 1 : 0;
   options.copy_pack = own.copy_pack ? 1 : 0;
   options.keep_keys = own.keep_keys ? 1 : 0;
+  options.close_loops = own.close_loops ? 1 : 0;
   options.metres_a_unit = own.scale;
   options.memory_limit = own.memory_limit;
   return options;
@@ -59,7 +64,8 @@ throng_file* throng_load_with(const char* path, const throng_load_options* optio
   const Call call("throng_load_with");
   if (call.is_missing(path)) return nullptr;
   const auto read = call.read("throng_load_options", options);
-  return read ? make_of<throng_file>(load(path, options_of(*read))) : nullptr;
+  std::vector<BoneRole> rig;
+  return read ? make_of<throng_file>(load(path, options_of(*read, rig))) : nullptr;
 }
 
 throng_file* throng_load_bytes(const char* name, const void* bytes, size_t size, double metres_a_unit) {
@@ -78,7 +84,8 @@ throng_file* throng_load_bytes_with(const throng_bytes* files, uint32_t count, c
     if (call.is_missing(file.name, file.bytes)) return nullptr;
     own.push_back({.name = file.name, .bytes = {static_cast<const std::byte*>(file.bytes), file.count}});
   }
-  return load_bytes(own, options_of(*read));
+  std::vector<BoneRole> rig;
+  return load_bytes(own, options_of(*read, rig));
 }
 
 void throng_file_free(throng_file* file) { delete file; }

@@ -186,7 +186,8 @@ inline const char* text_at(std::span<const std::string> texts, std::uint32_t ind
   return index < texts.size() ? texts[index].c_str() : nullptr;
 }
 
-LoadOptions options_of(const throng_load_options& options);
+/// Returns the options for C++, which point to `rig`.
+LoadOptions options_of(const throng_load_options& options, std::vector<BoneRole>& rig);
 
 // Agents are read through a crowd that no function changes.
 inline Agent agent_of(const throng_crowd* crowd, throng_id id) { return {crowd->own.parts(), agent_id(id)}; }

@@ -6,6 +6,12 @@
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include "throng/c/base.h"
 
+/* The bone that plays a part of the body: "head", "leftFoot" (VRM 1.0), and the bone's name in the file. */
+typedef struct throng_bone_role {
+  const char* role;
+  const char* bone;
+} throng_bone_role;
+
 /* How a file is loaded; see LoadOptions of character.h. */
 typedef struct throng_load_options {
   uint32_t size;
@@ -14,8 +20,11 @@ typedef struct throng_load_options {
   uint32_t walk_in_place; /* 1: clips that walk in place move their agents */
   uint32_t copy_pack;     /* 1: a pack is read instead of mapped */
   uint32_t keep_keys;     /* 1: the file's own keys of all clips are kept */
-  double metres_a_unit;   /* 0: guessed */
-  uint64_t memory_limit;  /* bytes that reading a glTF file may hold; 0: as its size tells */
+  uint32_t close_loops;   /* 1: clips get the key that repeats their first, where it alone is missing */
+  uint32_t rig_count;
+  double metres_a_unit;        /* 0: guessed */
+  uint64_t memory_limit;       /* bytes that reading a glTF file may hold; 0: as its size tells */
+  const throng_bone_role* rig; /* [rig_count] bones that play parts of the body, where their names do not tell */
 } throng_load_options;
 THRONG_DEFAULT(throng_load_options)
 

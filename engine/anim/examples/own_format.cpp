@@ -1,8 +1,6 @@
-// A format of one's own: a reed of four bones is built of plain arrays, saved as a pack, and loaded out of memory.
+// A format of one's own: a reed of four bones is built of plain arrays, saved as a pack, and loaded again.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -38,11 +36,6 @@ CharacterBuilder read_reed() {
   return reed;
 }
 
-std::vector<char> read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -52,10 +45,7 @@ int main(int count, char** arguments) {
   if (const Status saved = save(arguments[1], built->characters); !saved)
     return std::fprintf(stderr, "%s\n", saved.error().message.c_str()), 1;
 
-  // A game has packs in an archive, or among the assets of a mobile app; here the bytes come from the file.
-  const std::vector<char> bytes = read_file(arguments[1]);
-  const FileInMemory pack{.name = "reed.pack", .bytes = std::as_bytes(std::span(bytes))};
-  const auto loaded = load({&pack, 1});
+  const auto loaded = load(arguments[1]);
   if (!loaded) return std::fprintf(stderr, "%s\n", loaded.error().message.c_str()), 1;
   const Character reed = loaded->characters.front();
   auto crowd = Crowd::create(reed);
@@ -68,6 +58,5 @@ int main(int count, char** arguments) {
     crowd->advance(ticks_per_second / 60);
     agent.motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++rustles; });
   }
-  std::printf("a reed of %d bones rustled %d times in 3 s, out of a pack of %zu bytes\n", reed.bone_count(), rustles,
-              bytes.size());
+  std::printf("a reed of %d bones rustled %d times in 3 s\n", reed.bone_count(), rustles);
 }

@@ -22,7 +22,6 @@
 #include "throng/c/host.h"
 #include "throng/c/lod.h"
 #include "throng/c/many.h"
-#include "throng/c/motion.h"
 #include "throng/c/processes.h"
 
 #endif

@@ -5,7 +5,7 @@
 
 /* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include "throng/c/base.h"
-#include "throng/c/motion.h"
+#include "throng/c/channels.h"
 
 typedef struct throng_speed_request {
   throng_id agent;

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/anim/agent/heard_misuses.h"
 #include "tests/api/c/c_crowd.h"
 
 namespace throng::c_builder_test {
@@ -136,6 +137,7 @@ TEST(ApiCBuilder, BuildsTheCharacterThatTheOneForCppBuilds) {
 }
 
 TEST(ApiCBuilder, TakesTheOptionsOfLoading) {
+  const anim::HeardMisuses heard;
   const CBuilder builder;
   throng_load_options options = throng_load_options_default();
   options.metres_a_unit = 0.01;

@@ -10,7 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/anim/agent/heard_misuses.h"
 #include "tests/api/c/c_crowd.h"
 
 namespace throng::c_builder_test {
@@ -145,9 +144,6 @@ TEST(ApiCBuilder, TakesTheOptionsOfLoading) {
   ASSERT_NE(character, nullptr) << throng_last_error();
   EXPECT_NEAR(throng_character_height(character), 0.01, 1e-6);
   throng_character_free(character);
-  options.size = 1;
-  EXPECT_EQ(builder.build(&options), nullptr);
-  EXPECT_THAT(throng_last_error(), HasSubstr("throng_load_options_default()"));
 }
 
 /// A triangle beside the tip, which moves it, with an image of one red texel.

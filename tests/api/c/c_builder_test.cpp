@@ -136,7 +136,7 @@ TEST(ApiCBuilder, BuildsTheCharacterThatTheOneForCppBuilds) {
 }
 
 TEST(ApiCBuilder, TakesTheOptionsOfLoading) {
-  const anim::HeardMisuses heard;
+  const api_test::CMisuses misuses;
   const CBuilder builder;
   throng_load_options options = throng_load_options_default();
   options.metres_a_unit = 0.01;
@@ -144,6 +144,9 @@ TEST(ApiCBuilder, TakesTheOptionsOfLoading) {
   ASSERT_NE(character, nullptr) << throng_last_error();
   EXPECT_NEAR(throng_character_height(character), 0.01, 1e-6);
   throng_character_free(character);
+  options.size = 1;
+  EXPECT_EQ(builder.build(&options), nullptr);
+  EXPECT_THAT(throng_last_error(), HasSubstr("throng_load_options_default()"));
 }
 
 /// A triangle beside the tip, which moves it, with an image of one red texel.

@@ -127,6 +127,7 @@ TEST(ApiCFile, IsLoadedWithOptionsAndHasNotes) {
 }
 
 TEST(ApiCFile, IsLoadedFromMemoryWithTheFilesThatItNames) {
+  const api_test::CMisuses misuses;
   std::ifstream stream(model, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   const throng_bytes files[] = {{.name = "man.glb", .bytes = bytes.data(), .count = bytes.size()},

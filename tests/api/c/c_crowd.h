@@ -11,13 +11,26 @@ namespace throng::api_test {
 
 inline constexpr throng_id first_character{0, THRONG_NONE};
 
-/// A crowd of the built-in character, made through C. It hears of the misuses that a test makes on purpose.
-class CCrowd {
+/// Hears of the misuses of C that a test makes on purpose, as long as it lives: a build with assertions would end at
+/// them. The library for C has a hook of its own, which anim::HeardMisuses does not set.
+class CMisuses {
  public:
-  explicit CCrowd(std::uint32_t agents, throng_crowd_options options = throng_crowd_options_default()) : ids(agents) {
+  CMisuses() {
     throng_set_misuse_hook([](const char* call, const char*,
                               void* user) { static_cast<std::vector<std::string>*>(user)->emplace_back(call); },
                            &heard);
+  }
+  ~CMisuses() { throng_set_misuse_hook(nullptr, nullptr); }
+  CMisuses(const CMisuses&) = delete;
+  CMisuses& operator=(const CMisuses&) = delete;
+
+  std::vector<std::string> heard;  ///< the names of misused calls
+};
+
+/// A crowd of the built-in character, made through C. It hears of the misuses that a test makes on purpose.
+class CCrowd : public CMisuses {
+ public:
+  explicit CCrowd(std::uint32_t agents, throng_crowd_options options = throng_crowd_options_default()) : ids(agents) {
     throng_load_options kept = throng_load_options_default();
     kept.keep_meshes = 1;
     throng_file* const file = throng_load_with(THRONG_SOURCE_DIR "/assets/mannequin.glb", &kept);
@@ -30,7 +43,6 @@ class CCrowd {
   ~CCrowd() {
     throng_crowd_free(crowd);
     throng_character_free(character);
-    throng_set_misuse_hook(nullptr, nullptr);
   }
   CCrowd(const CCrowd&) = delete;
   CCrowd& operator=(const CCrowd&) = delete;
@@ -56,7 +68,6 @@ class CCrowd {
   }
   std::uint64_t hash() const { return throng_crowd_pose_hash(crowd); }
 
-  std::vector<std::string> heard;  ///< the names of misused calls
   throng_character* character = nullptr;
   throng_crowd* crowd = nullptr;
   std::vector<throng_id> ids;

@@ -53,9 +53,10 @@ TEST(ApiCHost, RunsThePusOnItsOwnThreads) {
   EXPECT_NE(throng_crowd_configure(hosted.crowd, &alone), 0);
 }
 
+/// Counts bytes. Loading bakes on several threads, which all ask the host for memory.
 struct Account {
-  std::size_t given = 0;
-  std::size_t taken = 0;
+  std::atomic<std::size_t> given = 0;
+  std::atomic<std::size_t> taken = 0;
 };
 
 TEST(ApiCHost, GivesTheMemoryOfBlocksAndTakesItBack) {
@@ -73,9 +74,9 @@ TEST(ApiCHost, GivesTheMemoryOfBlocksAndTakesItBack) {
     const CCrowd crowd(1000);
     EXPECT_EQ(throng_set_memory_hooks(nullptr, nullptr, nullptr), 0);
     EXPECT_NE(throng_set_memory_hooks(allocate, nullptr, nullptr), 0) << "one without the other";
-    EXPECT_GT(account.given, std::size_t{100'000});
+    EXPECT_GT(account.given.load(), std::size_t{100'000});
   }
-  EXPECT_EQ(account.taken, account.given);
+  EXPECT_EQ(account.taken.load(), account.given.load());
 }
 
 TEST(ApiCHost, IsToldOfEachThread) {

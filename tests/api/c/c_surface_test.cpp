@@ -83,6 +83,7 @@ TEST(ApiCMesh, BeginsWithTheFactorsOfCpp) {
 }
 
 TEST(ApiCMorphs, AreToldWithWhatTheyDoToTheSurface) {
+  const api_test::CMisuses misuses;
   const CSmiling smile;
   EXPECT_STREQ(throng_character_morph_name(smile.character, 0), "smile");
   EXPECT_EQ(throng_character_morph_name(smile.character, 1), nullptr);

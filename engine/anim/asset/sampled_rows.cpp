@@ -50,14 +50,22 @@ class RowReader {
 
 }  // namespace
 
-SampledRows rows_of(const SampledStream& stream) {
+SampledRows places_of_rows(const SampledStream& stream) {
   SampledRows rows{.bone_count = stream.bone_count,
                    .components = stream.components,
                    .first_row = stream.first_row,
                    .step = Ticks{stream.step_ticks},
                    .row_count = stream.row_count,
-                   .gaps = gaps_of(stream),
+                   .gaps = {},
                    .rows = {}};
+  for (int step = 0; step < stream.step_count; step += rows.gaps.back()) {
+    rows.gaps.push_back(static_cast<std::uint8_t>(stream.steps()[step].steps()));
+  }
+  return rows;
+}
+
+SampledRows rows_of(const SampledStream& stream) {
+  SampledRows rows = places_of_rows(stream);
   rows.rows.resize(rows.floats_in_row() * static_cast<std::size_t>(rows.row_count));
   const std::size_t packet_floats = static_cast<std::size_t>(rows.components) * packet_bones;
   float* out = rows.rows.data();
@@ -67,14 +75,6 @@ SampledRows rows_of(const SampledStream& stream) {
     }
   }
   return rows;
-}
-
-std::vector<std::uint8_t> gaps_of(const SampledStream& stream) {
-  std::vector<std::uint8_t> gaps;
-  for (int step = 0; step < stream.step_count; step += gaps.back()) {
-    gaps.push_back(static_cast<std::uint8_t>(stream.steps()[step].steps()));
-  }
-  return gaps;
 }
 
 AlignedRows::AlignedRows(const SampledRows& rows)

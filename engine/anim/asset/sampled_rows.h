@@ -30,8 +30,8 @@ struct SampledRows {
 inline constexpr double least_row_dot = 0.8;
 bool turns_too_far(const SampledRows& rows);
 
-/// Returns SampledRows::gaps of a stream.
-std::vector<std::uint8_t> gaps_of(const SampledStream& stream);
+/// Returns the places and times of the rows of a stream, without their values.
+SampledRows places_of_rows(const SampledStream& stream);
 
 /// Reads the rows of a stream back, as kernels read them: rotations are as long as they were rounded to.
 SampledRows rows_of(const SampledStream& stream);

@@ -153,13 +153,7 @@ SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks 
 }
 
 AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream, Rounding rounding) {
-  SampledRows rows{.bone_count = stream.bone_count,
-                   .components = stream.components,
-                   .first_row = stream.first_row,
-                   .step = Ticks{stream.step_ticks},
-                   .row_count = stream.row_count,
-                   .gaps = gaps_of(stream),
-                   .rows = {}};
+  SampledRows rows = places_of_rows(stream);
   AlignedBytes block = sample(source, rows);
   if (rounding == Rounding::carried) carry_rounding(source.skeleton, rows, stream_of(block));
   return block;

@@ -38,7 +38,7 @@ struct BakedClip {
   std::string name;
   Ticks duration{};
   bool loops = false;    ///< first and last pose agree, without root motion
-  Ticks closing_step{};  ///< above 0: it would loop with a key that repeats its first, so long after its last
+  Ticks closing_step{};  ///< above 0: a key that repeats the first, this long after the last, would close the clip
   glm::dvec3 loop_displacement{0.0};  ///< where a loop's root motion leads: metres, in the space of its start
   RootCurve root_motion;              ///< taken out of the pose, which stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names

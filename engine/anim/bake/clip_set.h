@@ -26,7 +26,7 @@ namespace throng::anim {
 /// Errors: the skeleton is another one, a clip has the name of a clip that is there, or a character cannot be played.
 Result<Character> with_clips(const std::shared_ptr<const Character>& base, std::shared_ptr<const Character> more);
 
-/// Returns the same character, whose clips have the streams that `from` has, and keep it.
+/// Returns a character that plays as `from` does. Its clips lend the streams of `from`, and keep `from` alive.
 Character lend_character(const std::shared_ptr<const Character>& from);
 
 /// Returns the character `from` where the place of a clip is empty. Streams of the other clips are lent, as above, and

@@ -24,7 +24,7 @@ using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
 
 /// Allocates `size` zeroed bytes, in huge pages where they fill half of one and the system has them.
 AlignedBytes allocate_aligned(std::size_t size);
-/// Does the same, but the bytes may be anything. Pages that are not written take no memory.
+/// Allocates bytes as allocate_aligned() does, but does not set them. Pages that are not written take no memory.
 AlignedBytes allocate_unset(std::size_t size);
 
 /// Holds aligned bytes that belong to another owner, who keeps them for longer. They are not written.

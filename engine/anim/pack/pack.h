@@ -92,8 +92,8 @@ class Pack {
   Result<anim::Character> character(std::size_t file = 0, std::size_t model = 0) const;
   /// Returns a baked character, with the changes of its model.
   Result<BakedModel> baked(std::size_t file, std::size_t model) const;
-  /// Returns the model that a character was baked from: with its size, its place and its order of bones. Of its keys it
-  /// has those that anim::keep_surveyed_keys keeps, if its clips have any. Its texels lie in the pack.
+  /// Returns the model that a character was baked from: with its size, its place and its order of bones. Of its
+  /// keys it has what anim::keep_surveyed_keys keeps. Its texels lie in the pack.
   Result<anim::Model> model(std::size_t file, std::size_t model, const BakedModel& baked) const;
   /// Returns the surface that was packed with a character, which `lender()` keeps; empty if there is none.
   std::span<const std::byte> surface(std::size_t file, std::size_t model) const;

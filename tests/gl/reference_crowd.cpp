@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
@@ -73,8 +72,8 @@ std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, co
   const anim::Skeleton& skeleton = character_.model.skeleton;
   const double duration = to_seconds(clip.duration);
   // A pose of a later moment was made with the speed of the moment at which it was made.
-  const auto known = std::ranges::find_if(std::views::reverse(play.stretches),
-                                          [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
+  const auto known = std::find_if(play.stretches.rbegin(), play.stretches.rend(),
+                                  [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
   const double played = known->position + to_seconds(moment.time - known->since) * known->speed;
   const double seconds = std::fmod(played, duration);
   auto locals = anim::reference_pose(skeleton, &clips_[play.clip], seconds).locals;

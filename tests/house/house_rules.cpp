@@ -4,7 +4,6 @@
 #include <array>
 #include <fstream>
 #include <map>
-#include <ranges>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -124,10 +123,12 @@ Findings includes_that_climb(const Tree& tree) {
 Findings rooms_without_files(const Tree& tree) {
   Findings findings;
   for (const House& house : houses()) {
-    for (const std::string& room : std::views::join(house.floors)) {
-      const std::string folder = house.folder + room + "/";
-      if (std::ranges::none_of(tree, [&](const SourceFile& file) { return file.path.starts_with(folder); })) {
-        findings.push_back(folder + ": is planned and has no file");
+    for (const std::vector<std::string>& floor : house.floors) {
+      for (const std::string& room : floor) {
+        const std::string folder = house.folder + room + "/";
+        if (std::ranges::none_of(tree, [&](const SourceFile& file) { return file.path.starts_with(folder); })) {
+          findings.push_back(folder + ": is planned and has no file");
+        }
       }
     }
   }

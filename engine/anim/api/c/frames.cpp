@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <climits>
-#include <ranges>
+#include <span>
 
 #include "engine/anim/api/c/parts.h"
 
@@ -147,7 +147,8 @@ const char* throng_crowd_kernels(const throng_crowd* crowd) {
 uint32_t throng_crowd_trace(const throng_crowd* crowd, uint32_t pu, throng_pu_span* spans, uint32_t most) {
   if (is_missing("throng_crowd_trace", crowd) || (most > 0 && is_missing("throng_crowd_trace", spans))) return 0;
   const std::vector<PuSpan> all = crowd->own.debug().trace(pu <= INT_MAX ? static_cast<int>(pu) : -1);
-  std::ranges::transform(all | std::views::take(most), spans, [](const PuSpan& one) {
+  const std::span written(all.data(), std::min<std::size_t>(all.size(), most));
+  std::ranges::transform(written, spans, [](const PuSpan& one) {
     return throng_pu_span{.name = one.name,
                           .begin = one.begin,
                           .end = one.end,

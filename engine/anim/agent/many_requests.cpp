@@ -54,20 +54,30 @@ bool ManyRequests::take(std::span<const Request> requests, const char* call, con
     scratch.calls.resize(system_->population.numbers().number_limit());
     scratch.waits.assign(requests.size(), 0);
     ++scratch.call;
+    const auto goes_on = [&](std::size_t i) { return i > 0 && requests[i].agent == requests[i - 1].agent; };
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const std::uint32_t agent = requests[i].agent.number;
       if (agent >= scratch.calls.size()) continue;
-      scratch.waits[i] = std::exchange(scratch.calls[agent], scratch.call) == scratch.call ? 1 : 0;
+      const bool is_named_before = std::exchange(scratch.calls[agent], scratch.call) == scratch.call;
+      scratch.waits[i] = goes_on(i) ? scratch.waits[i - 1] : (is_named_before ? 1 : 0);
     }
     std::atomic<const char*> some_fault{nullptr};
-    const auto take_one = [&](std::size_t i) {
-      if (scratch.waits[i] != 0) return;
-      const Agent agent(*system_, requests[i].agent);
+    const auto take_one = [&](const Agent& agent, std::size_t i) {
       const Outcome outcome = agent.exists() ? in_place(agent, requests[i]) : Outcome{.fault = no_agent};
-      scratch.waits[i] = outcome.waits ? 1 : 0;
       if (outcome.fault != nullptr) some_fault.store(outcome.fault, std::memory_order_relaxed);
+      return outcome.waits;
     };
-    read(call, requests.size(), take_one);
+    // The first of the requests that name an agent one after the other takes the others with it.
+    const auto take_run = [&](std::size_t first) {
+      if (goes_on(first) || scratch.waits[first] != 0) return;
+      const Agent agent(*system_, requests[first].agent);
+      bool waits = false;
+      for (std::size_t i = first; i == first || (i < requests.size() && goes_on(i)); ++i) {
+        waits = waits || take_one(agent, i);
+        scratch.waits[i] = waits ? 1 : 0;
+      }
+    };
+    read(call, requests.size(), take_run);
     fault = some_fault.load();
   }
   bool all = true;

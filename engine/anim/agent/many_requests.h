@@ -17,7 +17,8 @@ namespace throng::anim {
 /// A request that cannot be met is left out; a call returns false if there was one, and reports one of them as a misuse
 /// of `call`.
 ///
-///     1. all requests     on all PUs, where the agent keeps its entities, and no request before names it
+///     1. all requests     on all PUs, where the agent keeps its entities, and no request before names it, but for the
+///                         requests right before
 ///     2. the remaining    in the caller's thread, in their order
 class ManyRequests {
  public:

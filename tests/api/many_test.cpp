@@ -96,6 +96,25 @@ TEST(ManyAgents, TakeTheLastOfTwoRequestsToAnAgent) {
   EXPECT_EQ(twice.crowd.hash(), once.crowd.hash());
 }
 
+TEST(ManyAgents, TakeTheLegsOfAnAgentOneAfterTheOther) {
+  Walkers together(2), alone(1);
+  std::vector<GroundRequest> grounds;
+  for (int frame = 0; frame < 10; ++frame) {
+    grounds.clear();
+    for (std::uint32_t agent = 0; agent < agents; ++agent) {
+      for (const int leg : {0, 1, 0}) {
+        const Vec3 point{0.0F, 0.02F * static_cast<float>(static_cast<int>(grounds.size()) % 7 + leg), 0.0F};
+        alone.crowd.agent(agent).processes().set_ground(alone.feet[agent], leg, point, {0.0F, 1.0F, 0.0F});
+        grounds.push_back({.agent = {agent}, .feet = together.feet[agent], .leg = leg, .point = point});
+      }
+    }
+    EXPECT_TRUE(together.crowd->many().set_grounds(grounds));
+    together.crowd.step();
+    alone.crowd.step();
+    ASSERT_EQ(together.crowd.hash(), alone.crowd.hash()) << "frame " << frame;
+  }
+}
+
 TEST(ManyAgents, LeaveOutWhatCannotBeMetAndReportItOnce) {
   const HeardMisuses heard;
   Walkers some(2), good(1);
@@ -141,6 +160,22 @@ TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
     });
   }
   EXPECT_EQ(next, keys.size());
+}
+
+TEST(ManyAgents, SayThatAnAgentIsGoneAndAnswerForTheOthers) {
+  const HeardMisuses heard;
+  Walkers walkers(2);
+  const Ticks before = walkers.crowd->clock();
+  walkers.crowd.step(40);
+  walkers.crowd->remove_agent({1});
+  const std::array ids{AgentId{0}, AgentId{1}, AgentId{36}};
+  std::array<RootMotion, 3> ways;
+  EXPECT_FALSE(walkers.crowd->many().displacements(before, walkers.crowd->clock(), ids, ways));
+  EXPECT_EQ(ways[1].displacement, Vec3{});
+  EXPECT_GT(ways[2].displacement.z, 1.0F);
+  EXPECT_FALSE(walkers.crowd->many().keys(before, walkers.crowd->clock(), ids).empty());
+  EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("ManyAgents::displacements: an agent of this id"),
+                                               HasSubstr("ManyAgents::keys: an agent of this id")));
 }
 
 TEST(ManyAgents, RefuseAnswersWithoutRoomAndSocketsThatThereAreNot) {

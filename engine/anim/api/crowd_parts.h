@@ -62,9 +62,11 @@ struct CrowdParts {
   /// Returns why an agent cannot play the clip of an id that it could once play, in one sentence; else null. Every
   /// request for a clip asks it first. The system checks everything else.
   const char* fault_of(AgentId agent, ClipId clip) const;
+  /// Returns whether an agent is in the crowd; else reports a misuse.
+  bool has(AgentId agent, const char* call) const;
   /// Returns whether both times are within a day of the clock; else reports a misuse.
   bool are_near(Ticks from, Ticks to, const char* call) const;
-  /// Returns whether keys may be asked for between these times: are_near(), and a minute at most.
+  /// Returns whether keys may be asked for between these times: are_near(), in their order, and a minute at most.
   bool is_asked_in_time(Ticks from, Ticks to, const char* call) const;
   /// Notes which clip an agent plays.
   void note_clip(AgentId agent, ClipId clip, Ticks fade = {}) {

@@ -13,6 +13,22 @@ namespace {
 
 constexpr const char* no_room = "there is no room for the answer of each agent";
 
+/// Notes from all PUs whether each agent could be asked, to be reported once.
+class Outcome {
+ public:
+  /// Returns `is_well`, and notes if it is not.
+  bool note(bool is_well) {
+    if (!is_well) all_.store(false, std::memory_order_relaxed);
+    return is_well;
+  }
+  bool report(const char* call, const char* fault) const { return all_.load() || anim::report_misuse({call, fault}); }
+
+ private:
+  std::atomic<bool> all_{true};
+};
+
+bool has(const detail::CrowdParts& crowd, AgentId agent) { return crowd.system->agent(agent).exists(); }
+
 }  // namespace
 
 bool ManyAgents::set_speeds(std::span<const SpeedRequest> requests) const {
@@ -37,9 +53,12 @@ bool ManyAgents::displacements(Ticks from, Ticks to, std::span<const AgentId> ag
   constexpr const char* call = "ManyAgents::displacements";
   if (into.size() < agents.size()) return anim::report_misuse({call, no_room});
   if (!crowd_->are_near(from, to, call)) return false;
-  crowd_->system->many().read(call, agents.size(),
-                              [&](std::size_t i) { into[i] = Motion(*crowd_, agents[i]).displacement(from, to); });
-  return true;
+  Outcome outcome;
+  crowd_->system->many().read(call, agents.size(), [&](std::size_t i) {
+    const bool is_here = outcome.note(has(*crowd_, agents[i]));
+    into[i] = is_here ? Motion(*crowd_, agents[i]).displacement(from, to) : RootMotion{};
+  });
+  return outcome.report(call, detail::no_agent);
 }
 
 // Each job lists the keys of a run of agents, so that the whole list has their order.
@@ -51,8 +70,10 @@ std::span<const AgentKey> ManyAgents::keys(Ticks from, Ticks to, std::span<const
   const auto pus = static_cast<std::size_t>(crowd_->system->options().pus);
   runs.resize(std::max(runs.size(), pus));
   for (std::vector<AgentKey>& run : runs) run.clear();
+  Outcome outcome;
   crowd_->system->many().read_runs(call, agents.size(), [&](std::size_t run, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
+      if (!outcome.note(has(*crowd_, agents[i]))) continue;
       Motion(*crowd_, agents[i])
           .for_each_key(
               from, to, [&](const DataKey& key) { runs[run].push_back({.agent = agents[i], .key = key}); }, choice);
@@ -61,20 +82,20 @@ std::span<const AgentKey> ManyAgents::keys(Ticks from, Ticks to, std::span<const
   for (std::size_t run = 1; run < runs.size(); ++run) {
     runs.front().insert(runs.front().end(), runs[run].begin(), runs[run].end());
   }
+  outcome.report(call, detail::no_agent);
   return runs.front();
 }
 
 bool ManyAgents::sockets(std::span<const ProcessOf> sockets, std::span<Place> into) const {
   constexpr const char* call = "ManyAgents::sockets";
   if (into.size() < sockets.size()) return anim::report_misuse({call, no_room});
-  std::atomic<bool> all{true};
+  Outcome outcome;
   crowd_->system->many().read(call, sockets.size(), [&](std::size_t i) {
     const anim::AgentView agent = std::as_const(*crowd_->system).agent(sockets[i].agent);
     const auto* const own = agent.post_process<anim::SocketProcess>(sockets[i].process);
-    into[i] = own == nullptr ? Place{} : anim::from_joint(own->motion(agent.pools()));
-    if (own == nullptr) all.store(false, std::memory_order_relaxed);
+    into[i] = outcome.note(own != nullptr) ? anim::from_joint(own->motion(agent.pools())) : Place{};
   });
-  return all.load() || anim::report_misuse({call, "an agent has no socket of this id"});
+  return outcome.report(call, "an agent has no socket of this id");
 }
 
 }  // namespace throng

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "throng/agent.h"
 
@@ -16,6 +19,29 @@ anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
   return std::as_const(*crowd.system).agent(agent).motion();
 }
 
+/// What an agent met, to be told once all of it is known: the listener may change the crowd. A frame meets few, which
+/// need no memory of their own.
+template <typename Met>
+class MetThings {
+ public:
+  void add(const Met& met) {
+    if (count_ < few_.size()) {
+      few_[count_++] = met;
+    } else {
+      more_.push_back(met);
+    }
+  }
+  void tell(void (*visit)(void*, const Met&), void* context) const {
+    for (const Met& met : std::span(few_).first(count_)) visit(context, met);
+    for (const Met& met : more_) visit(context, met);
+  }
+
+ private:
+  std::array<Met, 16> few_;
+  std::size_t count_ = 0;
+  std::vector<Met> more_;
+};
+
 // Public enumerators have the numbers of the library's own.
 static_assert(static_cast<int>(KeyChoice::heaviest) == static_cast<int>(anim::KeyChoice::heaviest));
 static_assert(static_cast<int>(KeyChoice::all) == static_cast<int>(anim::KeyChoice::all));
@@ -30,13 +56,19 @@ bool detail::CrowdParts::are_near(Ticks from, Ticks to, const char* call) const 
   return anim::report_misuse({call, "times are within a day of the clock"});
 }
 
+bool detail::CrowdParts::has(AgentId agent, const char* call) const {
+  return system->agent(agent).exists() || anim::report_misuse({call, no_agent});
+}
+
 bool detail::CrowdParts::is_asked_in_time(Ticks from, Ticks to, const char* call) const {
   if (!are_near(from, to, call)) return false;
+  if (to < from) return anim::report_misuse({call, "an interval ends before it begins"});
   return to - from <= longest_way || anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
 }
 
 RootMotion Motion::displacement(Ticks from, Ticks to) const {
-  if (!crowd_->are_near(from, to, "Motion::displacement")) return {};
+  constexpr const char* call = "Motion::displacement";
+  if (!crowd_->has(agent_, call) || !crowd_->are_near(from, to, call)) return {};
   const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
   return {.displacement = from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
 }
@@ -60,6 +92,7 @@ bool Motion::morph_weights(std::span<float> into) const {
 }
 
 std::optional<Place> Motion::absolute_root() const {
+  if (!crowd_->has(agent_, "Motion::absolute_root")) return std::nullopt;
   const auto root = motion_of(*crowd_, agent_).absolute_root(crowd_->system->clock());
   if (!root) return std::nullopt;
   return Place{.position = from_glm(glm::vec3(root->position)), .rotation = from_glm(root->rotation)};
@@ -68,22 +101,26 @@ std::optional<Place> Motion::absolute_root() const {
 void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
                         void* context) const {
   constexpr const char* call = "Motion::for_each_key";
-  if (!crowd_->is_asked_in_time(from, to, call)) return;
+  if (!crowd_->has(agent_, call) || !crowd_->is_asked_in_time(from, to, call)) return;
   const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
-  const auto tell = [&](const anim::DataKeyEvent& key) {
-    visit(context,
-          {.name = key.name, .clip = detail::id_of(character, key.clip), .time = key.time, .weight = key.weight});
+  MetThings<DataKey> met;
+  const auto note = [&](const anim::DataKeyEvent& key) {
+    met.add({.name = key.name, .clip = detail::id_of(character, key.clip), .time = key.time, .weight = key.weight});
   };
-  motion_of(*crowd_, agent_).for_each_data_key(from, to, tell, static_cast<anim::KeyChoice>(choice));
+  motion_of(*crowd_, agent_).for_each_data_key(from, to, note, static_cast<anim::KeyChoice>(choice));
+  met.tell(visit, context);
 }
 
 void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
-  if (!crowd_->are_near(from, to, "Motion::for_each_end")) return;
+  constexpr const char* call = "Motion::for_each_end";
+  if (!crowd_->has(agent_, call) || !crowd_->are_near(from, to, call)) return;
   const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
-  const auto tell = [&](const anim::ClipEnd& end) {
-    visit(context, {.clip = detail::id_of(character, end.clip), .time = end.time, .weight = end.weight});
+  MetThings<ClipEnd> met;
+  const auto note = [&](const anim::ClipEnd& end) {
+    met.add({.clip = detail::id_of(character, end.clip), .time = end.time, .weight = end.weight});
   };
-  motion_of(*crowd_, agent_).for_each_end(from, to, tell);
+  motion_of(*crowd_, agent_).for_each_end(from, to, note);
+  met.tell(visit, context);
 }
 
 }  // namespace throng

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -167,9 +168,30 @@ TEST(ApiProcesses, RefuseWhatTheyAreNot) {
   EXPECT_FALSE(crowd.agent(0).add(ChainReach{.first = "no", .last = "bones"}));
   EXPECT_FALSE(crowd.agent(0).add(Socket{.bone = -1}));
   EXPECT_FALSE(crowd->add_step(0, {.name = "nothing"}));
-  EXPECT_FALSE(crowd.agent(0).processes().look_at(*gaze, {NAN, 0.0F, 0.0F}) && heard.all().empty());
+  EXPECT_FALSE(crowd.agent(0).processes().look_at(*gaze, {NAN, 0.0F, 0.0F}));
   EXPECT_EQ(crowd.agent(0).processes().socket(*gaze).position, Vec3{});
   crowd.step(3);
+}
+
+TEST(ApiProcesses, ReturnFalseForWhatTheyReport) {
+  const HeardMisuses heard;
+  ApiCrowd crowd = idling();
+  const Agent agent = crowd.agent(0);
+  const auto gaze = agent.add(LookAt{});
+  const auto fall = agent.add(Ragdoll{});
+  ASSERT_TRUE(gaze && fall);
+  EXPECT_FALSE(agent.processes().set_weight(*gaze, 2.0F));
+  EXPECT_TRUE(agent.processes().look_at(*gaze, {}));
+  EXPECT_FALSE(agent.processes().look_away(*gaze, Ticks{-1}));
+  EXPECT_FALSE(agent.processes().push(*fall, {NAN, 0.0F, 0.0F}, {}));
+  EXPECT_FALSE(agent.processes().recover(*fall, Ticks{-1}));
+  const BlendPoint idle{.clip = mannequin().find_clip("idle")};
+  const auto space = agent.add(BlendSpace{.points = {&idle, 1}});
+  ASSERT_TRUE(space);
+  EXPECT_FALSE(agent.set_parameter(*space, NAN));
+  EXPECT_EQ(HeardMisuses::all().size(), 5U);
+  EXPECT_EQ(agent.add(BlendSpace{.points = {&idle, 1}, .parameter = NAN}).error().message,
+            "Agent::add: the parameter of a blend space is a finite number");
 }
 
 TEST(ApiProcesses, RefuseAGroundWhoseNormalIsNotOfLengthOne) {
@@ -252,6 +274,41 @@ TEST(ApiMotion, TellsEachKeyOnceAndWhenAClipEnds) {
     crowd.agent(0).motion().for_each_end(before, crowd->clock(), [&](const ClipEnd&) { ++ends; });
   }
   EXPECT_EQ(ends, 1);
+}
+
+TEST(ApiMotion, TellsAListenerThatChangesTheCrowdWhatWasMet) {
+  ApiCrowd crowd(3);
+  for (std::uint32_t agent = 0; agent < 3; ++agent) crowd.agent(agent).play({.clip = mannequin().find_clip("walk")});
+  crowd->advance(20 * ticks_per_second);  // more keys than a frame ever meets
+  std::vector<Ticks> met, met_by_who_stays;
+  crowd.agent(1).motion().for_each_key({}, crowd->clock(),
+                                       [&](const DataKey& key) { met_by_who_stays.push_back(key.time); });
+  crowd.agent(0).motion().for_each_key({}, crowd->clock(), [&](const DataKey& key) {
+    met.push_back(key.time);
+    crowd->add_agents(500);
+    crowd->remove_agent({0});
+  });
+  EXPECT_GT(met.size(), 20U);
+  EXPECT_EQ(met, met_by_who_stays);
+  const Crowd gone = [&] {
+    std::optional<Crowd> taken;
+    crowd.agent(2).motion().for_each_key({}, crowd->clock(), [&](const DataKey&) {
+      if (!taken) taken = std::move(*crowd);
+    });
+    return std::move(*taken);
+  }();
+  EXPECT_GT(gone.number_limit(), 500U);
+}
+
+TEST(ApiMotion, OfAnIntervalThatEndsBeforeItBeginsMeetsNothing) {
+  const HeardMisuses heard;
+  ApiCrowd crowd = idling();
+  crowd.agent(0).play({.clip = mannequin().find_clip("walk")});
+  crowd->advance(2 * ticks_per_second);
+  int met = 0;
+  crowd.agent(0).motion().for_each_key(crowd->clock(), {}, [&](const DataKey&) { ++met; });
+  EXPECT_EQ(met, 0);
+  EXPECT_EQ(HeardMisuses::all().size(), 1U);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "throng/agent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -48,6 +49,7 @@ const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<c
   return nullptr;
 }
 
+constexpr const char* not_a_parameter = "the parameter of a blend space is a finite number";
 constexpr Ticks rounding_of_start = ticks_per_second / 1000;  // hosts multiply floats
 
 /// Returns why an agent cannot play a clip from a position, as CrowdParts::fault_of does. The system takes positions
@@ -92,6 +94,7 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
   if (space.points.empty()) return anim::refuse({"Agent::add", "a blend space has at least one point"});
   if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
     return anim::refuse({"Agent::add", fault});
+  if (!std::isfinite(space.parameter)) return anim::refuse({"Agent::add", not_a_parameter});
   std::vector<anim::BlendPoint> points;
   for (const BlendPoint& point : space.points) {
     points.push_back({.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = point.pace});
@@ -109,6 +112,7 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
 Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) const {
   if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
     return anim::refuse({"Agent::add", fault});
+  if (!std::isfinite(space.x) || !std::isfinite(space.y)) return anim::refuse({"Agent::add", not_a_parameter});
   const anim::Agent agent = crowd_->system->agent(id_);
   std::vector<anim::BlendPoint2d> points;
   for (const BlendPoint2d& point : space.points) {
@@ -168,15 +172,17 @@ bool Agent::is_playing(ChannelId slot) const {
 }
 
 bool Agent::set_parameter(ChannelId channel, float parameter) const {
+  constexpr const char* call = "Agent::set_parameter";
+  if (!std::isfinite(parameter)) return anim::report_misuse({call, not_a_parameter});
   const auto set = [parameter](anim::BlendSpaceChannel& space) { space.set_parameter(parameter); };
-  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set, "Agent::set_parameter").has_value();
+  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set, call).has_value();
 }
 
 bool Agent::set_parameters(ChannelId channel, float x, float y) const {
+  constexpr const char* call = "Agent::set_parameters";
+  if (!std::isfinite(x) || !std::isfinite(y)) return anim::report_misuse({call, not_a_parameter});
   const auto set = [x, y](anim::BlendSpace2dChannel& space) { space.set_place({x, y}); };
-  return crowd_->system->agent(id_)
-      .change<anim::BlendSpace2dChannel>(channel, set, "Agent::set_parameters")
-      .has_value();
+  return crowd_->system->agent(id_).change<anim::BlendSpace2dChannel>(channel, set, call).has_value();
 }
 
 bool Agent::set_weight(ChannelId channel, float weight, Ticks fade) const {

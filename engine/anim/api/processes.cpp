@@ -34,6 +34,7 @@ Result<ProcessId> add(detail::CrowdParts& crowd, AgentId agent, const Result<det
 template <typename... Processes, typename Change>
 bool change(detail::CrowdParts& crowd, AgentId agent, ProcessId process, const char* call, Change&& change_it) {
   anim::Agent own = crowd.system->agent(agent);
+  const anim::MisuseListener misuses;
   bool done = false;
   const auto change_one = [&]<typename Process>(std::type_identity<Process>) {
     if (std::as_const(own).template post_process<Process>(process) == nullptr) return false;
@@ -42,7 +43,7 @@ bool change(detail::CrowdParts& crowd, AgentId agent, ProcessId process, const c
   };
   const bool is_known = (change_one(std::type_identity<Processes>()) || ...);
   if (!is_known) return anim::report_misuse({call, "the agent has no process of this id that can do so"});
-  return done;
+  return done && misuses.reason().empty();
 }
 
 /// Returns a process to read from; null, after a report, if the agent has none of this id and type.

@@ -12,6 +12,7 @@ namespace {
 
 std::atomic<MisuseHook> hook_of_the_host{nullptr};
 thread_local MisuseListener* listener = nullptr;
+thread_local bool is_in_hook = false;
 
 /// Returns whether this was not told before. Of very many it tells the first alone.
 bool is_new(const Misuse& misuse) {
@@ -39,12 +40,15 @@ MisuseListener::~MisuseListener() { listener = before_; }
 
 void MisuseListener::hear(const Misuse& misuse) {
   if (reason_.empty()) reason_ = misuse.reason;
+  if (before_ != nullptr) before_->hear(misuse);
 }
 
 bool report_misuse(const Misuse& misuse) {
   if (listener != nullptr) listener->hear(misuse);
+  if (std::exchange(is_in_hook, true)) return false;  // a hook that misuses the library is not told of it
   const MisuseHook hook = hook_of_the_host.load();
   (hook == nullptr ? print_once : hook)(misuse);
+  is_in_hook = false;
   return false;
 }
 

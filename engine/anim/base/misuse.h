@@ -8,7 +8,8 @@
 
 namespace throng::anim {
 
-/// Hears of the misuses of its thread while it lives, beside the hook. Listeners of a thread die in reverse order.
+/// Hears of the misuses of its thread while it lives, beside the hook and the listeners before it. Listeners of a
+/// thread die in reverse order.
 class MisuseListener {
  public:
   MisuseListener();

@@ -55,7 +55,8 @@ class Agent {
   CharacterId character() const;
 
   /// Plays a clip on the first channel, which fades between clips unless another kind was added first. It never waits
-  /// and never snaps: a fade may be interrupted at any time.
+  /// and never snaps: a fade may be interrupted at any time. Returns false also if the agent would have more than 64
+  /// parts, which its channels, their clips that play and fade, and its processes are.
   bool play(const Play& request) const;
   bool play(ChannelId channel, const Play& request) const;
   /// Changes the speed of the clip on the first channel, without a jump.
@@ -121,7 +122,8 @@ class Processes {
   /// Tells feet or springs where the character stands in the world, at each frame: in the pose that the next
   /// Crowd::update writes. So move the agent by Motion::displacement after Crowd::advance, and call this then.
   bool set_placement(ProcessId process, const Place& model_in_world) const;
-  /// Tells feet the ground below a leg, in world space: a point of it and its unit normal. Leg -1: all.
+  /// Tells feet the ground below a leg, in world space: a point of it and its unit normal. Leg -1: all. The ground of a
+  /// leg that the character has not is never read.
   bool set_ground(ProcessId feet, int leg, const Vec3& point, const Vec3& normal) const;
   /// Returns the ankle of a leg at the last update, before it was placed, in world space: where to look for the ground.
   /// It is 0 before the agent is posed, and for a leg that there is not.
@@ -160,14 +162,16 @@ class Motion {
   /// Returns where a cut scene has the agent now; nothing if none plays.
   std::optional<Place> absolute_root() const;
 
-  /// Calls visit(const DataKey&) for each key met in [from, to), a minute at most, clip after clip, each once.
+  /// Calls visit(const DataKey&) for each key met in [from, to), a minute at most, clip after clip, each once. The
+  /// visitor may change the crowd, which changes none of the keys that follow.
   template <typename Visit>
   void for_each_key(Ticks from, Ticks to, Visit&& visit, KeyChoice choice = KeyChoice::felt) const {
     visit_keys(
         from, to, choice, [](void* context, const DataKey& key) { (*static_cast<Function<Visit>*>(context))(key); },
         context_of(visit));
   }
-  /// Calls visit(const ClipEnd&) for each clip that does not loop and arrived at its end in (from, to].
+  /// Calls visit(const ClipEnd&) for each clip that does not loop and arrived at its end in (from, to]. The visitor may
+  /// change the crowd, too.
   template <typename Visit>
   void for_each_end(Ticks from, Ticks to, Visit&& visit) const {
     visit_ends(

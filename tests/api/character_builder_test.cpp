@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -231,6 +232,14 @@ TEST(CharacterBuilder, NamesTheFirstFault) {
   CharacterBuilder few = small();
   few.set_rotations(0, 1, {.seconds = seconds, .values = std::span(turns).first(1)});
   EXPECT_THAT(fault_of(few), HasSubstr("a track does not have one value a key"));
+  CharacterBuilder flat = small();
+  flat.add_bone({.name = "flat", .parent = 0, .rest = {.scale = {0.0F, 1.0F, 1.0F}}});
+  EXPECT_THAT(fault_of(flat), HasSubstr("bone \"flat\": its rest pose has a scale of 0"));
+  CharacterBuilder bind = small();
+  Mat4 lost{};
+  lost.columns[3][0] = std::numeric_limits<float>::quiet_NaN();
+  bind.add_bone({.name = "lost", .parent = 0, .inverse_bind = lost});
+  EXPECT_THAT(fault_of(bind), HasSubstr("bone \"lost\": its inverse_bind is not of finite numbers"));
   CharacterBuilder mesh = small();
   const Triangle triangle;
   MeshView short_of = triangle.view();

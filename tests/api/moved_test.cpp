@@ -96,6 +96,23 @@ TEST(Moved, EveryCallOfALodThatWasMovedFromIsAMisuse) {
   EXPECT_TRUE(to.select(crowd, {.positions = positions}).empty()) << "nor has a crowd that was moved from any agents";
 }
 
+TEST(Moved, EveryCallOfABuilderThatWasMovedFromIsAMisuse) {
+  const HeardMisuses heard;
+  CharacterBuilder from("person");
+  const CharacterBuilder to = std::move(from);
+  EXPECT_EQ(from.add_bone({.name = "root"}), -1);
+  EXPECT_EQ(from.add_clip("walk", 1.0), -1);
+  from.set_translations(0, 0, {});
+  from.set_rotations(0, 0, {});
+  from.set_scales(0, 0, {});
+  from.add_data_key(0, "key", 0.0);
+  from.add_curve(0, "curve", {}, {});
+  from.add_mesh({});
+  EXPECT_FALSE(from.build());
+  EXPECT_EQ(HeardMisuses::all().size(), 9U) << "one a call";
+  EXPECT_THAT(HeardMisuses::all(), Each(AllOf(HasSubstr("CharacterBuilder::"), HasSubstr("it was moved from"))));
+}
+
 TEST(Moved, OtherValuesThatWereMovedFromAreEmpty) {
   const HeardMisuses heard;
   Crowd crowd = made();

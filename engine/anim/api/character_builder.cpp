@@ -15,6 +15,8 @@
 #include "engine/anim/asset/reference_frames.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/base/finite.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/survey/bone_importance.h"
 #include "engine/base/text/plain_text.h"
 
@@ -31,6 +33,12 @@ struct detail::BuilderData {
 namespace {
 
 using detail::BuilderData;
+
+/// Returns what a builder was told; null, after a report, if it was moved from.
+BuilderData* data_of(const std::unique_ptr<BuilderData>& data, const char* call) {
+  if (data == nullptr) anim::report_misuse({call, "it was moved from"});
+  return data.get();
+}
 
 void note_fault(BuilderData& data, const std::string& fault) {
   if (data.fault.empty()) data.fault = fault;
@@ -77,12 +85,17 @@ anim::BoneTracks* tracks_at(BuilderData& data, int clip, int bone) {
 }
 
 /// Returns one inverse bind matrix a bone. Bones without one were bound in the rest pose.
-std::vector<glm::dmat4> inverse_binds_of(const BuilderData& data) {
+/// Errors: the rest pose of a bone shrinks it to nothing, or a matrix is not of finite numbers.
+Result<std::vector<glm::dmat4>> inverse_binds_of(const BuilderData& data) {
   const std::vector<glm::dmat4> globals = anim::reference_pose(data.model.skeleton, nullptr, 0.0).globals;
   std::vector<glm::dmat4> matrices;
   for (std::size_t bone = 0; bone < globals.size(); ++bone) {
     const std::optional<glm::dmat4>& own = data.inverse_binds[bone];
-    matrices.push_back(own ? *own : glm::inverse(globals[bone]));
+    const glm::dmat4& matrix = matrices.emplace_back(own ? *own : glm::inverse(globals[bone]));
+    if (anim::all_finite(matrix)) continue;
+    const std::string which = "bone " + in_marks(data.model.skeleton.bones[bone].name);
+    return Error{which + (own ? ": its inverse_bind is not of finite numbers"
+                              : ": its rest pose has a scale of 0, which has no inverse; give it an inverse_bind")};
   }
   return matrices;
 }
@@ -220,7 +233,9 @@ CharacterBuilder& CharacterBuilder::operator=(CharacterBuilder&& other) noexcept
 CharacterBuilder::~CharacterBuilder() = default;
 
 int CharacterBuilder::add_bone(const BoneToBuild& bone) {
-  std::vector<anim::Bone>& bones = data_->model.skeleton.bones;
+  BuilderData* const data = data_of(data_, "CharacterBuilder::add_bone");
+  if (data == nullptr) return -1;
+  std::vector<anim::Bone>& bones = data->model.skeleton.bones;
   const int index = static_cast<int>(bones.size());
   anim::Bone& added = bones.emplace_back();
   added.name = bone.name;
@@ -229,36 +244,45 @@ int CharacterBuilder::add_bone(const BoneToBuild& bone) {
   added.rest = {as_glm(bone.rest.translation), as_glm(bone.rest.rotation), as_glm(bone.rest.scale)};
   added.role = anim::body_role_named(bone.role);
   if (!bone.role.empty() && !added.role) {
-    note_fault(*data_,
-               "bone " + in_marks(bone.name) + ": VRM 1.0 has no part of the body named " + in_marks(bone.role));
+    note_fault(*data, "bone " + in_marks(bone.name) + ": VRM 1.0 has no part of the body named " + in_marks(bone.role));
   }
-  data_->inverse_binds.emplace_back();
-  if (bone.inverse_bind) data_->inverse_binds.back() = glm::dmat4(glm::make_mat4(&bone.inverse_bind->columns[0][0]));
+  data->inverse_binds.emplace_back();
+  if (bone.inverse_bind) data->inverse_binds.back() = glm::dmat4(glm::make_mat4(&bone.inverse_bind->columns[0][0]));
   return index;
 }
 
 int CharacterBuilder::add_clip(std::string_view name, double seconds) {
-  anim::Clip& clip = data_->model.clips.emplace_back();
+  BuilderData* const data = data_of(data_, "CharacterBuilder::add_clip");
+  if (data == nullptr) return -1;
+  anim::Clip& clip = data->model.clips.emplace_back();
   clip.name = name;
-  clip.animation = static_cast<int>(data_->model.clips.size()) - 1;
+  clip.animation = static_cast<int>(data->model.clips.size()) - 1;
   clip.duration = seconds;
   return clip.animation;
 }
 
 void CharacterBuilder::set_translations(int clip, int bone, const BoneKeys<Vec3>& keys) {
-  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->translation = track_of<glm::vec3>(keys);
+  BuilderData* const data = data_of(data_, "CharacterBuilder::set_translations");
+  if (data == nullptr) return;
+  if (anim::BoneTracks* const tracks = tracks_at(*data, clip, bone)) tracks->translation = track_of<glm::vec3>(keys);
 }
 
 void CharacterBuilder::set_rotations(int clip, int bone, const BoneKeys<Quat>& keys) {
-  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->rotation = track_of<glm::quat>(keys);
+  BuilderData* const data = data_of(data_, "CharacterBuilder::set_rotations");
+  if (data == nullptr) return;
+  if (anim::BoneTracks* const tracks = tracks_at(*data, clip, bone)) tracks->rotation = track_of<glm::quat>(keys);
 }
 
 void CharacterBuilder::set_scales(int clip, int bone, const BoneKeys<Vec3>& keys) {
-  if (anim::BoneTracks* const tracks = tracks_at(*data_, clip, bone)) tracks->scale = track_of<glm::vec3>(keys);
+  BuilderData* const data = data_of(data_, "CharacterBuilder::set_scales");
+  if (data == nullptr) return;
+  if (anim::BoneTracks* const tracks = tracks_at(*data, clip, bone)) tracks->scale = track_of<glm::vec3>(keys);
 }
 
 void CharacterBuilder::add_data_key(int clip, std::string_view name, double seconds) {
-  anim::Clip* const of = clip_at(*data_, clip);
+  BuilderData* const data = data_of(data_, "CharacterBuilder::add_data_key");
+  if (data == nullptr) return;
+  anim::Clip* const of = clip_at(*data, clip);
   if (of == nullptr) return;
   const auto after = std::ranges::upper_bound(of->data_keys, seconds, {}, &anim::NamedDataKey::time);
   of->data_keys.insert(after, {.time = seconds, .name = std::string(name)});
@@ -266,23 +290,28 @@ void CharacterBuilder::add_data_key(int clip, std::string_view name, double seco
 
 void CharacterBuilder::add_curve(int clip, std::string_view name, std::span<const float> seconds,
                                  std::span<const float> values) {
-  anim::Clip* const of = clip_at(*data_, clip);
+  BuilderData* const data = data_of(data_, "CharacterBuilder::add_curve");
+  if (data == nullptr) return;
+  anim::Clip* const of = clip_at(*data, clip);
   if (of == nullptr) return;
   of->curves.push_back(
       {.name = std::string(name), .times = {seconds.begin(), seconds.end()}, .values = {values.begin(), values.end()}});
 }
 
 void CharacterBuilder::add_mesh(const MeshView& mesh) {
+  BuilderData* const data = data_of(data_, "CharacterBuilder::add_mesh");
+  if (data == nullptr) return;
   if (const std::string fault = fault_of(mesh); !fault.empty()) {
-    return note_fault(*data_, "mesh " + in_marks(mesh.name) + ": " + fault);
+    return note_fault(*data, "mesh " + in_marks(mesh.name) + ": " + fault);
   }
-  anim::Model& model = data_->model;
+  anim::Model& model = data->model;
   anim::SkinnedMesh& added = model.meshes.emplace_back(copied(mesh));
   added.material = static_cast<int>(model.materials.size());
   model.materials.push_back(material_of(mesh, model, added));
 }
 
 Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
+  if (data_ == nullptr) return anim::refuse({"CharacterBuilder::build", "it was moved from"});
   const std::string name = plain_text(data_->model.skeleton.name);
   if (!data_->fault.empty()) return Error{name + ": " + data_->fault};
   if (const Status valid = detail::check_options(name, options); !valid) return valid.error();
@@ -292,12 +321,16 @@ Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
   detail::ChosenRig rig(options.rig);
   rig.give_to(model.skeleton);
   if (const Status given = rig.outcome(name); !given) return given.error();
-  finish(model, inverse_binds_of(*data_));
+  Result<std::vector<glm::dmat4>> inverse_binds = inverse_binds_of(*data_);
+  if (!inverse_binds) return Error{name + ": " + inverse_binds.error().message};
+  finish(model, std::move(*inverse_binds));
   anim::Placement placement;
   if (options.scale > 0.0) placement.scale = options.scale;
   anim::place_model(model, placement);
   LoadedFile built;
+  const anim::MisuseListener misuses;
   anim::Character baked = detail::bake(model, options);
+  if (baked.skeleton.bones.empty()) return Error{name + ": " + misuses.reason()};
   detail::add_character(std::move(model), {}, std::move(baked), options, built);
   return built;
 }

@@ -6,7 +6,7 @@ namespace throng::anim {
 
 const char* fault_of(const Character& character) {
   const Skeleton& skeleton = character.skeleton;
-  if (skeleton.bones.empty()) return "the character has no bones: bake one of a model that check_model() accepts";
+  if (skeleton.bones.empty()) return "the character has no bones";
   if (skeleton.bone_count() > max_bones) return "the character has more than 1,024 bones";
   const bool has_levels =
       !skeleton.level_bone_counts.empty() && skeleton.level_bone_counts.front() == skeleton.bone_count();

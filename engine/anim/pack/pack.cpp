@@ -191,6 +191,7 @@ Result<BakedModel> Pack::baked(std::size_t file, std::size_t model) const {
   BakedModel baked;
   const Status taken = read(SectionKind::character, file, model, baked.prepared, baked.ragdoll, baked.character);
   if (!taken) return taken.error();
+  if (anim::fault_of(baked.character) != nullptr) return damaged();
   baked.character.lender = lender_;
   return baked;
 }

@@ -1,5 +1,6 @@
 // Requests to many agents through the functions for C.
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -107,6 +108,29 @@ TEST(ApiCMany, TellHowTheyMoveAsEachDoesAlone) {
   EXPECT_EQ(keys[met].key.time, alone[0].time);
   EXPECT_EQ(throng_crowd_keys(walkers.crowd, 0.0, 2.0, walkers.ids.data(), 3, THRONG_KEYS_ALL, keys, 1), all)
       << "it says how many there are";
+}
+
+TEST(ApiCMany, TakeAnEmptyArrayThatIsNull) {
+  const CWalkers walkers;
+  EXPECT_EQ(throng_crowd_set_speeds(walkers.crowd, nullptr, 0), 0);
+  EXPECT_EQ(throng_crowd_displacements(walkers.crowd, 0.0, 0.0, nullptr, 0, nullptr), 0);
+  EXPECT_EQ(throng_crowd_add_agents(walkers.crowd, api_test::first_character, 0, nullptr), 0);
+  EXPECT_TRUE(walkers.heard.empty());
+  EXPECT_NE(throng_crowd_set_speeds(walkers.crowd, nullptr, 1), 0);
+}
+
+TEST(ApiCMany, FailWhereATimeIsNoNumber) {
+  const CWalkers walkers;
+  throng_play play = throng_play_default();
+  play.clip = walkers.clip("walk");
+  play.fade = NAN;
+  EXPECT_NE(throng_agent_play(walkers.crowd, walkers.ids[0], &play), 0);
+  EXPECT_NE(throng_crowd_advance(walkers.crowd, NAN), 0);
+  EXPECT_EQ(throng_crowd_clock(walkers.crowd), 0.0);
+  throng_root_motion way;
+  EXPECT_NE(throng_crowd_displacements(walkers.crowd, NAN, 0.0, walkers.ids.data(), 1, &way), 0);
+  EXPECT_EQ(throng_crowd_keys(walkers.crowd, NAN, 1.0, walkers.ids.data(), 1, THRONG_KEYS_ALL, nullptr, 0), 0U);
+  EXPECT_STRNE(throng_last_error(), "");
 }
 
 TEST(ApiCMany, FailWhereOneRequestCannotBeMet) {

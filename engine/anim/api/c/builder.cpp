@@ -100,7 +100,7 @@ int throng_builder_add_curve(throng_builder* builder, uint32_t clip, const char*
 throng_file* throng_builder_build(const throng_builder* builder, const throng_load_options* options) {
   const Call call("throng_builder_build");
   if (call.is_missing(builder)) return nullptr;
-  const auto read = call.read("throng_load_options", options);
   std::vector<BoneRole> rig;
-  return read ? make_of<throng_file>(builder->own.build(options_of(*read, rig))) : nullptr;
+  const auto own = load_options_of(call, options, rig);
+  return own ? make_of<throng_file>(builder->own.build(*own)) : nullptr;
 }

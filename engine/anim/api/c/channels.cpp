@@ -90,7 +90,7 @@ BlendPoint2d point_of(const throng_blend_point_2d& point) {
 template <typename Space>
 auto points_of(const Call& call, const Space& space) {
   std::optional<std::vector<decltype(point_of(*space.points))>> points;
-  if (space.point_count > 0 && call.is_missing(space.points)) return points;
+  if (call.lacks(space.points, space.point_count)) return points;
   points.emplace();
   for (const auto& point : std::span(space.points, space.point_count)) {
     points->push_back(point_of(point));

@@ -124,13 +124,13 @@ uint32_t throng_character_palette_entries(const throng_character* character, uin
 uint32_t throng_character_entries_at_level(const throng_character* character, uint32_t level, uint16_t* entries,
                                            uint32_t most) {
   const Call call("throng_character_entries_at_level");
-  if (call.is_missing(character) || (most > 0 && call.is_missing(entries))) return 0;
+  if (call.is_missing(character) || call.lacks(entries, most)) return 0;
   return list(character->own.entries_at_level(static_cast<int>(level)), entries, most);
 }
 
 uint32_t throng_character_packing_frames(const throng_character* character, float* frames, uint32_t most) {
   const Call call("throng_character_packing_frames");
-  if (call.is_missing(character) || (most > 0 && call.is_missing(frames))) return 0;
+  if (call.is_missing(character) || call.lacks(frames, most)) return 0;
   using Frame = std::array<float, 4>;
   return list(character->own.packing_frames(), reinterpret_cast<Frame*>(frames), most);
 }

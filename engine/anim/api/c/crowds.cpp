@@ -136,7 +136,7 @@ int throng_crowd_write_joints(throng_crowd* crowd, throng_id character, const th
   if (call.is_missing(crowd)) return failed;
   const auto read = call.read("throng_joint_output", output);
   if (!read || !call.is_constant("throng_joint_output::format", read->format, JointFormat::matrices_4x4)) return failed;
-  if (read->bone_count > 0 && call.is_missing(read->bones)) return failed;
+  if (call.lacks(read->bones, read->bone_count)) return failed;
   JointOutput own;
   own.bones = as<const int>(read->bones, read->bone_count);
   if (read->skin != THRONG_NONE) own.skin = static_cast<int>(read->skin);
@@ -152,14 +152,14 @@ uint32_t throng_crowd_joint_bytes(const throng_crowd* crowd, throng_id character
 uint32_t throng_crowd_add_mask(throng_crowd* crowd, throng_id character, const throng_bone_weight* bones,
                                uint32_t count, float elsewhere) {
   const Call call("throng_crowd_add_mask");
-  if (call.is_missing(crowd) || (count > 0 && call.is_missing(bones))) return THRONG_NONE;
+  if (call.is_missing(crowd) || call.lacks(bones, count)) return THRONG_NONE;
   const MaskId mask = crowd->own.add_mask(character_id(character), as<const BoneWeight>(bones, count), elsewhere);
   return call.went_well() ? mask.number : THRONG_NONE;
 }
 
 int throng_crowd_add_agents(throng_crowd* crowd, throng_id character, uint32_t count, throng_id* agents) {
   const Call call("throng_crowd_add_agents");
-  if (call.is_missing(crowd, agents)) return failed;
+  if (call.is_missing(crowd) || call.lacks(agents, count)) return failed;
   const std::span<const AgentId> added = crowd->own.add_agents(count, character_id(character));
   list(added, agents, count);
   return call.outcome(added.size() == count);
@@ -176,7 +176,7 @@ uint32_t throng_crowd_agent_count(const throng_crowd* crowd) {
 
 uint32_t throng_crowd_agents(const throng_crowd* crowd, throng_id* agents, uint32_t most) {
   const Call call("throng_crowd_agents");
-  if (call.is_missing(crowd) || (most > 0 && call.is_missing(agents))) return 0;
+  if (call.is_missing(crowd) || call.lacks(agents, most)) return 0;
   return list(crowd->own.agents(), agents, most);
 }
 

@@ -2,7 +2,11 @@
 
 namespace throng::c {
 
-LoadOptions options_of(const throng_load_options& options, std::vector<BoneRole>& rig) {
+std::optional<LoadOptions> load_options_of(const Call& call, const throng_load_options* given,
+                                           std::vector<BoneRole>& rig) {
+  const auto read = call.read("throng_load_options", given);
+  if (!read || call.lacks(read->rig, read->rig_count)) return std::nullopt;
+  const throng_load_options& options = *read;
   LoadOptions own;
   own.scale = options.metres_a_unit;
   own.strict = options.strict != 0;
@@ -12,8 +16,8 @@ LoadOptions options_of(const throng_load_options& options, std::vector<BoneRole>
   own.copy_pack = options.copy_pack != 0;
   own.keep_keys = options.keep_keys != 0;
   own.close_loops = options.close_loops != 0;
-  const std::span roles(options.rig, options.rig == nullptr ? 0 : options.rig_count);
-  for (const throng_bone_role& one : roles) rig.push_back({.role = view_of(one.role), .bone = view_of(one.bone)});
+  for (const throng_bone_role& one : std::span(options.rig, options.rig_count))
+    rig.push_back({.role = view_of(one.role), .bone = view_of(one.bone)});
   own.rig = rig;
   return own;
 }
@@ -63,9 +67,9 @@ throng_file* throng_load(const char* path, double metres_a_unit) {
 throng_file* throng_load_with(const char* path, const throng_load_options* options) {
   const Call call("throng_load_with");
   if (call.is_missing(path)) return nullptr;
-  const auto read = call.read("throng_load_options", options);
   std::vector<BoneRole> rig;
-  return read ? make_of<throng_file>(load(path, options_of(*read, rig))) : nullptr;
+  const auto own = load_options_of(call, options, rig);
+  return own ? make_of<throng_file>(load(path, *own)) : nullptr;
 }
 
 throng_file* throng_load_bytes(const char* name, const void* bytes, size_t size, double metres_a_unit) {
@@ -77,15 +81,15 @@ throng_file* throng_load_bytes(const char* name, const void* bytes, size_t size,
 throng_file* throng_load_bytes_with(const throng_bytes* files, uint32_t count, const throng_load_options* options) {
   const Call call("throng_load_bytes_with");
   if (call.is_missing(files)) return nullptr;
-  const auto read = call.read("throng_load_options", options);
+  std::vector<BoneRole> rig;
+  const auto read = load_options_of(call, options, rig);
   if (!read) return nullptr;
   std::vector<FileInMemory> own;
   for (const throng_bytes& file : std::span(files, count)) {
     if (call.is_missing(file.name, file.bytes)) return nullptr;
     own.push_back({.name = file.name, .bytes = {static_cast<const std::byte*>(file.bytes), file.count}});
   }
-  std::vector<BoneRole> rig;
-  return load_bytes(own, options_of(*read, rig));
+  return load_bytes(own, *read);
 }
 
 void throng_file_free(throng_file* file) { delete file; }

@@ -13,7 +13,7 @@ PoseRequest request_of(const throng_pose_request& request) {
   PoseRequest own;
   own.agent = agent_id(request.agent);
   own.level = static_cast<std::uint8_t>(std::min(request.level, most_of_a_byte));
-  own.look_ahead = to_ticks(request.look_ahead);
+  own.look_ahead = ticks_of(request.look_ahead);
   own.palette = reinterpret_cast<std::byte*>(request.palette);
   own.joints = reinterpret_cast<std::byte*>(request.joints);
   own.fade_level = static_cast<std::uint8_t>(std::min(request.fade_level, most_of_a_byte));
@@ -35,7 +35,7 @@ using namespace throng::c;  // NOLINT: functions of C have no namespace
 int throng_crowd_advance(throng_crowd* crowd, double seconds) {
   const Call call("throng_crowd_advance");
   if (call.is_missing(crowd)) return failed;
-  crowd->own.advance(to_ticks(seconds));
+  crowd->own.advance(ticks_of(seconds));
   return call.outcome();
 }
 
@@ -45,7 +45,7 @@ double throng_crowd_clock(const throng_crowd* crowd) {
 
 int throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count) {
   const Call call("throng_crowd_update");
-  if (call.is_missing(crowd) || (count > 0 && call.is_missing(requests))) return failed;
+  if (call.is_missing(crowd) || call.lacks(requests, count)) return failed;
   take_requests(*crowd, {requests, count});
   crowd->own.update(crowd->requests);
   return call.outcome();
@@ -70,7 +70,7 @@ int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, 
 
 int throng_crowd_pose_exactly(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count) {
   const Call call("throng_crowd_pose_exactly");
-  if (call.is_missing(crowd) || (count > 0 && call.is_missing(requests))) return failed;
+  if (call.is_missing(crowd) || call.lacks(requests, count)) return failed;
   take_requests(*crowd, {requests, count});
   crowd->own.pose_exactly(crowd->requests);
   return call.outcome();

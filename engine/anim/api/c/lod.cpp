@@ -76,7 +76,7 @@ LodRules rules_of(const throng_lod_rules& rules) {
 
 std::optional<LodFrame> read_frame(const Call& call, const throng_lod_frame* given) {
   const auto frame = call.read("throng_lod_frame", given);
-  if (!frame || (frame->count > 0 && call.is_missing(frame->positions))) return {};
+  if (!frame || call.lacks(frame->positions, frame->count)) return {};
   const auto camera = call.read("throng_camera", frame->camera);
   const auto rules = call.read("throng_lod_rules", frame->rules);
   if (!camera || !rules || !call.is_constant("throng_lod_rules::rule", rules->rule, LodRule::budget)) return {};
@@ -85,7 +85,7 @@ std::optional<LodFrame> read_frame(const Call& call, const throng_lod_frame* giv
   if (frame->scales != nullptr) own.scales = {frame->scales, frame->count};
   own.camera = camera_of_c(*camera);
   own.rules = rules_of(*rules);
-  own.frame_step = to_ticks(frame->frame_step);
+  own.frame_step = ticks_of(frame->frame_step);
   return own;
 }
 

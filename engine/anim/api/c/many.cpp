@@ -24,7 +24,7 @@ template <typename Cpp, typename C>
 int hand_on(const char* name, throng_crowd* crowd, const C* requests, uint32_t count,
             bool (ManyAgents::*take)(std::span<const Cpp>) const) {
   const Call call(name);
-  if (call.is_missing(crowd, requests)) return failed;
+  if (call.is_missing(crowd) || call.lacks(requests, count)) return failed;
   return call.outcome((many_of(crowd).*take)(as<const Cpp>(requests, count)));
 }
 
@@ -40,7 +40,7 @@ int throng_crowd_set_parameters(throng_crowd* crowd, const throng_parameter_requ
 
 int throng_crowd_look_at(throng_crowd* crowd, const throng_gaze_request* requests, uint32_t count) {
   const Call call("throng_crowd_look_at");
-  if (call.is_missing(crowd, requests)) return failed;
+  if (call.is_missing(crowd) || call.lacks(requests, count)) return failed;
   crowd->gazes.clear();
   for (const throng_gaze_request& request : std::span(requests, count)) {
     crowd->gazes.push_back({.agent = agent_id(request.agent),
@@ -66,17 +66,18 @@ int throng_crowd_set_grounds(throng_crowd* crowd, const throng_ground_request* r
 int throng_crowd_displacements(const throng_crowd* crowd, double from, double to, const throng_id* agents,
                                uint32_t count, throng_root_motion* motions) {
   const Call call("throng_crowd_displacements");
-  if (call.is_missing(crowd, agents, motions)) return failed;
-  return call.outcome(many_of(crowd).displacements(to_ticks(from), to_ticks(to), as<const AgentId>(agents, count),
+  if (call.is_missing(crowd) || call.lacks(agents, count) || call.lacks(motions, count)) return failed;
+  return call.outcome(many_of(crowd).displacements(ticks_of(from), ticks_of(to), as<const AgentId>(agents, count),
                                                    as<RootMotion>(motions, count)));
 }
 
 uint32_t throng_crowd_keys(const throng_crowd* crowd, double from, double to, const throng_id* agents, uint32_t count,
                            uint32_t choice, throng_agent_key* keys, uint32_t most) {
   const Call call("throng_crowd_keys");
-  if (call.is_missing(crowd, agents) || (most > 0 && call.is_missing(keys)) || !is_choice(call, choice)) return 0;
+  if (call.is_missing(crowd) || call.lacks(agents, count) || call.lacks(keys, most) || !is_choice(call, choice))
+    return 0;
   const std::span<const AgentKey> met = many_of(crowd).keys(
-      to_ticks(from), to_ticks(to), as<const AgentId>(agents, count), static_cast<KeyChoice>(choice));
+      ticks_of(from), ticks_of(to), as<const AgentId>(agents, count), static_cast<KeyChoice>(choice));
   std::ranges::transform(met.first(std::min<std::size_t>(met.size(), most)), keys, [](const AgentKey& one) {
     return throng_agent_key{.agent = id_of(one.agent), .key = c_key_of(one.key)};
   });
@@ -86,6 +87,6 @@ uint32_t throng_crowd_keys(const throng_crowd* crowd, double from, double to, co
 int throng_crowd_sockets(const throng_crowd* crowd, const throng_process_of* sockets, uint32_t count,
                          throng_place* places) {
   const Call call("throng_crowd_sockets");
-  if (call.is_missing(crowd, sockets, places)) return failed;
+  if (call.is_missing(crowd) || call.lacks(sockets, count) || call.lacks(places, count)) return failed;
   return call.outcome(many_of(crowd).sockets(as<const ProcessOf>(sockets, count), as<Place>(places, count)));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <new>
@@ -90,6 +91,8 @@ class Call {
   explicit Call(const char* name) : name_(name) {}
 
   bool is_missing(const auto*... pointers) const { return c::is_missing(name_, pointers...); }
+  /// Returns whether an array that has elements is null. An empty one may be.
+  bool lacks(const auto* elements, std::size_t count) const { return count > 0 && is_missing(elements); }
   /// Reports a misuse, and returns false.
   bool refuse(const std::string& reason) const {
     anim::report_misuse({name_, reason.c_str()});
@@ -157,7 +160,9 @@ throng_id id_of(Id id) {
   return {.number = id.number, .generation = id.generation};
 }
 
-inline Ticks ticks_of(float seconds) { return to_ticks(static_cast<double>(seconds)); }
+/// Returns a time. NaN becomes one that every call refuses, and not no time at all.
+inline Ticks ticks_of(double seconds) { return std::isnan(seconds) ? -longest_time : to_ticks(seconds); }
+inline Ticks ticks_of(float seconds) { return ticks_of(static_cast<double>(seconds)); }
 
 inline Vec3 vector_of(const float v[3]) { return {v[0], v[1], v[2]}; }
 inline void write(const Vec3& v, float out[3]) { std::memcpy(out, &v, sizeof(v)); }
@@ -186,8 +191,9 @@ inline const char* text_at(std::span<const std::string> texts, std::uint32_t ind
   return index < texts.size() ? texts[index].c_str() : nullptr;
 }
 
-/// Returns the options for C++, which point to `rig`.
-LoadOptions options_of(const throng_load_options& options, std::vector<BoneRole>& rig);
+/// Returns the options for C++, which point to `rig`. Returns nothing, after a report, if `given` is not whole.
+std::optional<LoadOptions> load_options_of(const Call& call, const throng_load_options* given,
+                                           std::vector<BoneRole>& rig);
 
 // Agents are read through a crowd that no function changes.
 inline Agent agent_of(const throng_crowd* crowd, throng_id id) { return {crowd->own.parts(), agent_id(id)}; }

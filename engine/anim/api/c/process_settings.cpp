@@ -189,8 +189,7 @@ uint32_t throng_agent_add_springs(throng_crowd* crowd, throng_id agent, const th
   if (call.is_missing(crowd, settings)) return THRONG_NONE;
   const auto read = call.read("throng_springs", settings);
   if (!read) return THRONG_NONE;
-  if ((read->chain_count > 0 && call.is_missing(read->chains)) ||
-      (read->collider_count > 0 && call.is_missing(read->colliders))) {
+  if (call.lacks(read->chains, read->chain_count) || call.lacks(read->colliders, read->collider_count)) {
     return THRONG_NONE;
   }
   std::vector<SpringChain> chains;

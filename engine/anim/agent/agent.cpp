@@ -58,7 +58,8 @@ bool Agent::play(const PlayRequest& request) {
     assert(added && "a channel that plays nothing yet");
   }
   CrossFadeChannel* const channel = first_channel();
-  if (channel == nullptr) return turn.report("the agent's first channel is not a CrossFadeChannel");
+  if (channel == nullptr)
+    return turn.report("the agent's first channel does not fade between clips: it was added as another kind");
   return play(*channel, request);
 }
 
@@ -67,7 +68,7 @@ bool Agent::play(ChannelId channel, const PlayRequest& request) {
   if (!turn) return false;
   if (const char* fault = fault_of(request); fault != nullptr) return turn.report(fault);
   auto* const own_channel = as<CrossFadeChannel, Channel>(own(channel));
-  if (own_channel == nullptr) return turn.report("the agent has no CrossFadeChannel of this id");
+  if (own_channel == nullptr) return turn.report("the agent has no channel of this id that fades between clips");
   return play(*own_channel, request);
 }
 

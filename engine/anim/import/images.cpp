@@ -27,7 +27,8 @@ void scale_into(std::uint64_t share, anim::Image& image, const std::string& name
   while (image.rgba.size() > share && image.rgba.size() > 4) image = halved(image);
   if (sides_of(image) == before) return;
   repairs.push_back(name + ": scaled down from " + before + " to " + sides_of(image) +
-                    " pixels, because the images of its file would take too much memory; --memory-limit allows more");
+                    " pixels, because the images of its file would take too much memory; a larger memory limit "
+                    "(--memory-limit, LoadOptions::memory_limit) allows more");
 }
 
 /// Decodes within the account's limit, and charges the account with the pixels.

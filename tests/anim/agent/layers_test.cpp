@@ -147,7 +147,7 @@ TEST(Layer, ThatAStoreOfFixedSizeHasNoRoomForIsRefusedAndTheAgentIsAsItWas) {
   std::size_t layers = 1;
   Status added = Done{};
   while ((added = lay(crowd, wave, {.weight = 0.0F}))) ASSERT_LT(++layers, 32U);
-  EXPECT_THAT(added.error().message, testing::HasSubstr("the smallest --local-store that works is"));
+  EXPECT_THAT(added.error().message, testing::HasSubstr("the smallest that works is"));
   EXPECT_EQ(crowd->agent(0).channel_count(), layers);
   for (CrowdRig* one : {&crowd, &plain}) one->step(10);
   for (std::size_t bone = 0; bone < 40; ++bone) EXPECT_LT(distance(crowd, plain, bone), 1e-5F);

@@ -91,9 +91,10 @@ TEST(DenseImages, ThatTakeTooMuchTogetherAreScaledDownAndSaid) {
   EXPECT_EQ(file.models.at(0).images.front().width, 2048);
   EXPECT_EQ(file.models.at(0).images.back().width, 4096) << "which has what the others left";
   ASSERT_FALSE(file.repairs.empty());
-  EXPECT_EQ(file.repairs.front(),
-            "image 0 \"skin\": scaled down from 4096 by 4096 to 2048 by 2048 pixels, because the images of its file "
-            "would take too much memory; --memory-limit allows more");
+  EXPECT_EQ(
+      file.repairs.front(),
+      "image 0 \"skin\": scaled down from 4096 by 4096 to 2048 by 2048 pixels, because the images of its file "
+      "would take too much memory; a larger memory limit (--memory-limit, LoadOptions::memory_limit) allows more");
 }
 
 TEST(MemoryLimit, OfTheCallerAllowsMore) {

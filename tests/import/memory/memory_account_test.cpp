@@ -29,7 +29,7 @@ TEST(MemoryAccount, RefusesOneByteTooManyByTheNameOfTheObject) {
   } catch (const MemoryRefusal& refusal) {
     EXPECT_STREQ(refusal.what(),
                  "mesh 2 needs 1 bytes of memory, and 0 bytes are left of the 1000 bytes that the import may take; "
-                 "use smaller images or meshes, or allow more with --memory-limit");
+                 "use smaller images or meshes, or a larger memory limit (--memory-limit, LoadOptions::memory_limit)");
   }
   EXPECT_EQ(account.left(), 0U) << "what was refused is not held";
 }

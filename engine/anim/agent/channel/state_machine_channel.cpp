@@ -16,7 +16,7 @@ StateMachineChannel::StateMachineChannel(std::shared_ptr<const StateMachine> mac
 }
 
 bool StateMachineChannel::set(std::uint32_t input, float value) {
-  constexpr const char* call = "StateMachineChannel::set";
+  constexpr const char* call = "Machine::set";
   if (input >= machine_->input_count()) return report_misuse({call, "the state machine has no input of this number"});
   if (!std::isfinite(value)) return report_misuse({call, "an input is a finite number"});
   const bool is_number = machine_->input(input).kind == MachineDescription::Input::Kind::number;

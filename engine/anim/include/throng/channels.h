@@ -53,8 +53,9 @@ struct BlendPoint {
 struct BlendSpace {
   std::span<const BlendPoint> points{};  ///< at least one; parameters ascend
   float parameter = 0.0F;
-  /// Metres a second: the root moves at the parameter, so that feet do not slide. Clips without root motion move no
-  /// root (LoadOptions::walk_in_place).
+  /// Metres a second: the root moves at the parameter, so that feet do not slide, where the parameter of each point is
+  /// the speed at which its clip was made (ClipInfo::ground_speed). Beyond the last point its clip plays faster. Clips
+  /// without root motion move no root (LoadOptions::walk_in_place).
   bool is_ground_speed = true;
 };
 

@@ -113,7 +113,8 @@ class Crowd {
   void advance(Ticks delta);
   Ticks clock() const;
   void update(std::span<const PoseRequest> requests);
-  /// Writes palettes of matrices for the time of the clock, with all bones at any level of detail. Changes nothing.
+  /// Writes palettes for the time of the clock, with all bones at any level of detail. Changes nothing. They are of
+  /// matrices, 48 bytes for each of Character::palette_entries, also in a crowd whose palettes are packed.
   void pose_exactly(std::span<const PoseRequest> requests);
   /// Writes the local transforms of an agent at the clock, relative to the parent, in the order of its bones: for a
   /// network or an editor. `into` has room for all. Returns false if its present pose is not known.

@@ -9,7 +9,7 @@
 /// call reads strings and spans while it lasts.
 namespace throng {
 
-/// Turns spine, neck and head towards a place, within limits. It looks nowhere until Agent::look_at is called.
+/// Turns spine, neck and head towards a place, within limits. It looks nowhere until Processes::look_at is called.
 struct LookAt {
   float yaw = 1.3F;  ///< radians to either side
   float pitch_up = 0.7F;
@@ -34,7 +34,8 @@ struct ChainReach {
   float tolerance = 0.001F;  ///< metres
 };
 
-/// Lets feet stand on the ground; see Processes::set_placement and set_ground.
+/// Lets feet stand on the ground; see Processes::set_placement and set_ground. Until the host tells it otherwise, the
+/// ground is flat at height 0. Leg 0 is the left one, leg 1 the right one.
 struct FootPlacement {
   float max_drop = 0.4F;       ///< metres that the pelvis may be lowered
   float farthest_lock = 0.4F;  ///< metres from its animation at which a planted foot is let go; 0: none is held
@@ -74,7 +75,8 @@ struct Springs {
   std::span<const SpringCollider> colliders{};
 };
 
-/// Lets an agent fall when it is pushed, and come back when it is told to.
+/// Lets an agent fall when it is pushed, and come back when it is told to. It falls on the ground at height 0 of its
+/// model space, and moves in updates alone: while the agent is not posed, Processes::is_down stays as it is.
 struct Ragdoll {
   Ticks fade = ticks_per_second / 10;  ///< from the animation to the rag-doll
 };

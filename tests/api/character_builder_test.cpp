@@ -14,10 +14,14 @@
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
 #include "tests/api/api_crowd.h"
+#include "tests/api/small_builder.h"
 
 namespace throng::character_builder_test {
 namespace {
 
+using api_test::built;
+using api_test::fault_of;
+using api_test::small;
 using testing::HasSubstr;
 
 Vec3 as_own(const glm::vec3& v) { return {v.x, v.y, v.z}; }
@@ -43,26 +47,6 @@ CharacterBuilder told(const anim::Model& model) {
     }
   }
   return builder;
-}
-
-Character built(const CharacterBuilder& builder, const LoadOptions& options = {}) {
-  const auto file = builder.build(options);
-  EXPECT_TRUE(file) << (file ? "" : file.error().message);
-  return file ? file->characters.front() : Character();
-}
-
-/// A bone and a tip, 1 m above it, with a clip of a second.
-CharacterBuilder small() {
-  CharacterBuilder builder("small");
-  builder.add_bone({.name = "root"});
-  builder.add_bone({.name = "tip", .parent = 0, .rest = {.translation = {0.0F, 1.0F, 0.0F}}});
-  builder.add_clip("clip", 1.0);
-  return builder;
-}
-
-std::string fault_of(const CharacterBuilder& builder) {
-  const auto file = builder.build();
-  return file ? "" : file.error().message;
 }
 
 /// Returns the joints of a bone at a time of clip 0, row by row.
@@ -116,6 +100,14 @@ TEST(CharacterBuilder, TakesKeysThatScaleAndKeysThatStep) {
   EXPECT_NEAR(joint(character, "tip", ticks_per_second * 3 / 4)[7], 3.0F, 1e-3F);
 }
 
+TEST(CharacterBuilder, FollowsTheTangentsOfACubicKey) {
+  CharacterBuilder builder = small();
+  const float seconds[] = {0.0F, 1.0F};
+  const Vec3 keys[] = {{}, {}, {4.0F, 0.0F, 0.0F}, {}, {}, {}};  // in-tangent, value and out-tangent of each
+  builder.set_translations(0, 0, {.seconds = seconds, .values = keys, .form = KeyForm::cubic_spline});
+  EXPECT_NEAR(joint(built(builder), "root", ticks_per_second / 2)[3], 0.5F, 1e-3F);
+}
+
 TEST(CharacterBuilder, KeepsDataKeysCurvesAndRoles) {
   CharacterBuilder builder = small();
   const float seconds[] = {0.0F, 1.0F}, values[] = {0.0F, 8.0F};
@@ -132,72 +124,12 @@ TEST(CharacterBuilder, KeepsDataKeysCurvesAndRoles) {
   agent.motion().for_each_key(Ticks{}, ticks_per_second / 2,
                               [&](const DataKey& key) { met.push_back(character.data_key_names()[key.name]); });
   EXPECT_THAT(met, testing::ElementsAre("early"));
+  agent.motion().for_each_key(ticks_per_second / 2, ticks_per_second * 9 / 10,
+                              [&](const DataKey& key) { met.push_back(character.data_key_names()[key.name]); });
+  EXPECT_THAT(met, testing::ElementsAre("early", "late"));
   EXPECT_NEAR(agent.motion().curve(0), 4.0F, 1e-3F);
   EXPECT_EQ(character.data()->baked->skeleton.bones[static_cast<std::size_t>(*character.find_bone("x"))].role,
             anim::BodyRole::head);
-}
-
-/// A triangle beside the tip, which moves it.
-struct Triangle {
-  Vec3 positions[3] = {{1.0F, 1.0F, 0.0F}, {2.0F, 1.0F, 0.0F}, {1.0F, 2.0F, 0.0F}};
-  Vec3 normals[3] = {{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}};
-  std::array<std::uint16_t, 4> bones[3] = {{1}, {1}, {1}};
-  std::array<float, 4> weights[3] = {{1.0F}, {1.0F}, {1.0F}};
-  std::uint32_t indices[3] = {0, 1, 2};
-
-  MeshView view() const {
-    MeshView mesh;
-    mesh.name = "flag";
-    mesh.positions = positions;
-    mesh.normals = normals;
-    mesh.palette_entries = bones;
-    mesh.weights = weights;
-    mesh.indices = indices;
-    return mesh;
-  }
-};
-
-TEST(CharacterBuilder, DrawsAMeshWhereItWasBound) {
-  CharacterBuilder builder = small();
-  builder.add_mesh(Triangle().view());
-  const Character character = built(builder, {.keep_meshes = true});
-  ASSERT_EQ(character.mesh_count(), 1U);
-  Crowd crowd = std::move(*Crowd::create(character));
-  alignas(64) std::array<float, 64> palette{};
-  const PoseRequest request{.agent = crowd.add_agent(), .palette = reinterpret_cast<std::byte*>(palette.data())};
-  crowd.agent(request.agent).play({.clip = {0}});
-  crowd.update({&request, 1});
-  const MeshView mesh = character.mesh(0);
-  const float* const entry = &palette[std::size_t{12} * mesh.palette_entries[2][0]];
-  const Vec3 at = mesh.positions[2];
-  EXPECT_NEAR(entry[0] * at.x + entry[1] * at.y + entry[2] * at.z + entry[3], 1.0F, 1e-5F);
-  EXPECT_NEAR(entry[4] * at.x + entry[5] * at.y + entry[6] * at.z + entry[7], 2.0F, 1e-5F);
-}
-
-TEST(CharacterBuilder, KeepsTheMaterialOfAMesh) {
-  const std::uint8_t texels[4] = {1, 2, 3, 4};
-  const std::array<float, 2> coords[3] = {{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}};
-  const Triangle triangle;
-  MeshView mesh = triangle.view();
-  mesh.base_color = {0.1F, 0.2F, 0.3F, 0.4F};
-  mesh.alpha = AlphaMode::mask;
-  mesh.alpha_cutoff = 0.25F;
-  mesh.double_sided = true;
-  mesh.roughness = 0.5F;
-  mesh.emission_texture = {.texels = texels, .width = 1, .height = 1, .coords = coords};
-  CharacterBuilder builder = small();
-  builder.add_mesh(mesh);
-  const Character character = built(builder, {.keep_meshes = true});
-  const MeshView kept = character.mesh(0);
-  EXPECT_EQ(kept.base_color, mesh.base_color);
-  EXPECT_EQ(kept.alpha, AlphaMode::mask);
-  EXPECT_EQ(kept.alpha_cutoff, 0.25F);
-  EXPECT_TRUE(kept.double_sided);
-  EXPECT_EQ(kept.roughness, 0.5F);
-  ASSERT_EQ(kept.emission_texture.texels.size(), 4U);
-  EXPECT_EQ(kept.emission_texture.texels[2], 3);
-  EXPECT_EQ(kept.emission_texture.coords[1][0], 1.0F);
-  EXPECT_TRUE(kept.base_color_texels.empty());
 }
 
 TEST(CharacterBuilder, TakesAnotherUnitByItsScale) {
@@ -240,12 +172,6 @@ TEST(CharacterBuilder, NamesTheFirstFault) {
   lost.columns[3][0] = std::numeric_limits<float>::quiet_NaN();
   bind.add_bone({.name = "lost", .parent = 0, .inverse_bind = lost});
   EXPECT_THAT(fault_of(bind), HasSubstr("bone \"lost\": its inverse_bind is not of finite numbers"));
-  CharacterBuilder mesh = small();
-  const Triangle triangle;
-  MeshView short_of = triangle.view();
-  short_of.weights = short_of.weights.first(2);
-  mesh.add_mesh(short_of);
-  EXPECT_THAT(fault_of(mesh), HasSubstr("mesh \"flag\": it does not have one normal, one list of weights"));
 }
 
 TEST(CharacterBuilder, MayBeMovedAndBuildsAsOftenAsOneLikes) {

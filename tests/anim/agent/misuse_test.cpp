@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -248,15 +249,30 @@ TEST_F(MisuseTest, OfAnExecutor) {
   EXPECT_EQ(heard.size(), 4U) << "the second 0, 77 and -3";
 }
 
+/// A fault, and what the check says of it.
+struct Spoiled {
+  const char* sentence;
+  std::function<void(Model&)> spoil;
+};
+
+/// Expects that a model is whole, and is refused in words once each fault alone has spoiled it.
+void expect_refusals(const Model& whole, std::span<const Spoiled> cases) {
+  ASSERT_TRUE(check_model(whole));
+  for (const Spoiled& each : cases) {
+    Model model = whole;
+    each.spoil(model);
+    const Status checked = check_model(model);
+    ASSERT_FALSE(checked) << each.sentence;
+    EXPECT_THAT(checked.error().message, HasSubstr(each.sentence));
+  }
+}
+
 TEST(ModelCheck, NamesTheFaultAndWhereItIs) {
-  struct Case {
-    const char* sentence;
-    std::function<void(Model&)> spoil;
-  };
-  const Case cases[] = {
+  const Spoiled cases[] = {
       {"it has no bones", [](Model& model) { model.skeleton = {}; }},
       {"its parent is not a bone before it", [](Model& model) { model.skeleton.bones[3].parent = 7; }},
       {"its parent is not a bone before it", [](Model& model) { model.skeleton.bones[3].parent = 700; }},
+      {"more than 1024", [](Model& model) { model.skeleton.bones.resize(1025); }},
       {"one reference a bone", [](Model& model) { model.skeleton.references.clear(); }},
       {"it has no palette", [](Model& model) { model.skeleton.palette.clear(); }},
       {"no levels", [](Model& model) { model.skeleton.level_bone_counts.clear(); }},
@@ -273,14 +289,43 @@ TEST(ModelCheck, NamesTheFaultAndWhereItIs) {
       {"its start and duration", [](Model& model) { model.clips[0].duration = nan; }},
       {"data key", [](Model& model) { model.clips[0].data_keys = {{.time = 55.0, .name = "x"}}; }},
   };
-  for (const Case& each : cases) {
-    Model model = synthetic_model(20, 1);
-    ASSERT_TRUE(check_model(model));
-    each.spoil(model);
-    const Status checked = check_model(model);
-    ASSERT_FALSE(checked) << each.sentence;
-    EXPECT_THAT(checked.error().message, HasSubstr(each.sentence));
-  }
+  expect_refusals(synthetic_model(20, 1), cases);
+}
+
+TEST(ModelCheck, NamesNumbersThatAreNone) {
+  Model model = synthetic_model(20, 1);
+  model.clips[0].curves = {{.name = "glow", .times = {0.0F, 1.0F}, .values = {0.0F, 8.0F}}};
+  const Spoiled cases[] = {
+      {"its rest transform is not of finite", [](Model& model) { model.skeleton.bones[3].rest.scale.y = INFINITY; }},
+      {"a key's time is negative or not finite", [](Model& model) { model.clips[0].tracks[0].rotation.times[0] = -1; }},
+      {"a key's time is negative or not finite",
+       [](Model& model) { model.clips[0].tracks[0].rotation.times[1] = std::nanf(""); }},
+      {"curve \"glow\": it does not have one value a time",
+       [](Model& model) { model.clips[0].curves[0].values = {1}; }},
+      {"curve \"glow\": its times do not ascend", [](Model& model) { model.clips[0].curves[0].times[1] = 0.0F; }},
+      {"curve \"glow\": its times do not ascend, or a number is not finite",
+       [](Model& model) { model.clips[0].curves[0].values[1] = std::nanf(""); }},
+      {"two curves \"glow\"", [](Model& model) { model.clips[0].curves.push_back(model.clips[0].curves[0]); }},
+  };
+  expect_refusals(model, cases);
+}
+
+TEST(ModelCheck, NamesTheFaultOfASurface) {
+  Model model = synthetic_model(20, 1);
+  SkinnedMesh& mesh = model.meshes.emplace_back();
+  mesh.positions.resize(3);
+  mesh.palette_entries.resize(3);
+  mesh.weights.resize(3);
+  mesh.indices = {0, 1, 2};
+  const Spoiled cases[] = {
+      {"one weight and one palette entry a position", [](Model& model) { model.meshes[0].weights.pop_back(); }},
+      {"not triangles of its positions", [](Model& model) { model.meshes[0].indices[2] = 3; }},
+      {"not triangles of its positions", [](Model& model) { model.meshes[0].indices.pop_back(); }},
+      {"a vertex is not of finite numbers", [](Model& model) { model.meshes[0].positions[1].y = std::nanf(""); }},
+      {"a vertex is not of finite numbers", [](Model& model) { model.meshes[0].weights[1].x = std::nanf(""); }},
+      {"reads beyond the palette", [](Model& model) { model.meshes[0].palette_entries[2].w = 20; }},
+  };
+  expect_refusals(model, cases);
 }
 
 TEST_F(MisuseTest, OfAModelGivesACharacterThatNoSystemTakes) {

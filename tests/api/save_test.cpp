@@ -1,5 +1,6 @@
 // Saving characters as a pack, and the memory of their keys.
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,16 +10,24 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/api/character_data.h"
+#include "engine/anim/pack/archive.h"
+#include "engine/anim/pack/pack.h"
+#include "engine/anim/pack/tables.h"
 #include "tests/anim/agent/heard_misuses.h"
 #include "tests/api/api_crowd.h"
+#include "tests/api/small_builder.h"
+#include "tests/api/smiling.h"
 #include "tests/own_folder.h"
 
 namespace throng::save_test {
 namespace {
 
 using anim::HeardMisuses;
+using api_test::built;
 using api_test::hash_of;
 using api_test::mannequin;
+using api_test::small;
+using api_test::smiling;
 using testing::HasSubstr;
 
 const std::string model = THRONG_SOURCE_DIR "/assets/mannequin.glb";
@@ -51,6 +60,32 @@ TEST(Save, GivesBackACharacterThatPlaysToTheBit) {
   EXPECT_EQ(back.clip(back.find_clip("walk")).ground_speed,
             mannequin().clip(mannequin().find_clip("walk")).ground_speed);
   EXPECT_EQ(back.height(), mannequin().height());
+}
+
+std::vector<std::byte> tables_of(const Character& character) {
+  pack::PackWriter writer;
+  writer(*character.data()->baked);
+  return writer.bytes();
+}
+
+TEST(Save, GivesBackAllThatWasBaked) {
+  CharacterBuilder glows = small();
+  const float seconds[] = {0.0F, 1.0F}, values[] = {0.0F, 8.0F};
+  glows.add_curve(0, "glow", seconds, values);
+  glows.add_bone({.name = "top", .parent = 1, .role = "head"});
+  for (const Character& character : {mannequin(), smiling(), built(glows)}) {
+    EXPECT_TRUE(tables_of(saved_and_loaded(character)) == tables_of(character)) << character.clip({0}).name;
+  }
+}
+
+TEST(Save, KeepsMaterialsImagesAndMorphs) {
+  const Character back = saved_and_loaded(smiling(), {.keep_meshes = true});
+  EXPECT_THAT(back.morph_names(), testing::ElementsAre("smile"));
+  ASSERT_EQ(back.mesh_count(), 1U);
+  EXPECT_EQ(back.mesh(0).morph_deltas.size(), 1U);
+  EXPECT_EQ(back.mesh(0).normal_scale, 0.5F);
+  ASSERT_EQ(back.mesh(0).normal_texture.texels.size(), 4U);
+  EXPECT_EQ(back.mesh(0).normal_texture.texels[1], 6);
 }
 
 TEST(Save, KeepsTheSurfaceThatWasKept) {
@@ -86,12 +121,24 @@ TEST(Save, KeepsARagdollAsThickAsTheSurfaceThatIsNotSaved) {
   EXPECT_EQ(hash_of_fall(back), hash_of_fall(bare));
 }
 
+TEST(Save, LetsARagdollBeBuiltAnewOfTheRigThatIsNamedLater) {
+  const test::OwnFolder folder;
+  const std::string pack = folder.path() / "man.pack";
+  ASSERT_TRUE(save(pack, {&mannequin(), 1}));
+  const BoneRole rig[] = {{"leftLowerArm", "hand.L"}};
+  const LoadOptions named{.keep_meshes = true, .rig = rig};
+  const Character of_file = load(model, named)->characters.front(), of_pack = load(pack, named)->characters.front();
+  ASSERT_NE(hash_of_fall(of_file), hash_of_fall(mannequin())) << "else the promise below could not be broken";
+  EXPECT_EQ(hash_of_fall(of_pack), hash_of_fall(of_file));
+}
+
 TEST(Save, KeepsTheBoundsOfASurfaceThatIsNotSaved) {
   const Character bare = load(model)->characters.front();
   const Character back = saved_and_loaded(bare);
   const ClipId walk = bare.find_clip("walk");
   EXPECT_EQ(back.bounds(walk).high, bare.bounds(walk).high);
   EXPECT_EQ(back.bounds(walk).low, bare.bounds(walk).low);
+  EXPECT_EQ(back.bounds(), bare.bounds());
 }
 
 TEST(Save, KeepsTheWayOfClipsThatWalkInPlace) {
@@ -110,6 +157,11 @@ TEST(Save, TakesSeveralCharactersAndClipsThatCameLater) {
   const Character less = *mannequin().without(mannequin().find_clip("wave"));
   const Character both[] = {mannequin(), less};
   ASSERT_TRUE(save(pack, both));
+  const auto opened = pack::Pack::open(pack);
+  ASSERT_TRUE(opened) << opened.error().message;
+  const std::string name = mannequin().data()->baked->skeleton.name;
+  EXPECT_THAT(opened->names(0), testing::ElementsAre(name, name + " 2"));
+  EXPECT_EQ(opened->baked(0, 1)->prepared.placement.height, mannequin().height());
   const auto loaded = load(pack);
   ASSERT_EQ(loaded->characters.size(), 2U);
   EXPECT_TRUE(loaded->characters[0].find_clip("wave").valid());

@@ -1,6 +1,7 @@
 // Options that say what a file leaves open: parts of the body, and loops without their last key.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/rig/rig_map.h"
 #include "tests/api/api_crowd.h"
+#include "tests/own_folder.h"
 
 namespace throng::load_options_test {
 namespace {
@@ -54,6 +56,13 @@ TEST(CloseLoops, AreNamedWhereTheyStayOpen) {
   EXPECT_TRUE(swing(true).build()->notes.empty());
 }
 
+TEST(CloseLoops, AreNamedInAPackTooWhereTheyStayOpen) {
+  const test::OwnFolder folder;
+  const std::string pack = folder.path() / "swing.pack";
+  ASSERT_TRUE(save(pack, swing(false).build()->characters));
+  EXPECT_THAT(load(pack)->notes, Contains(HasSubstr("clips do not loop")));
+}
+
 TEST(CloseLoops, LeaveALoopAsItIs) {
   const auto loop = swing(true).build({.close_loops = true});
   EXPECT_EQ(loop->characters.front().clip({0}).duration, swing(true).build()->characters.front().clip({0}).duration);
@@ -90,6 +99,40 @@ TEST(Rig, OfABoneOrPartThatThereIsNotIsAnError) {
               HasSubstr("mannequin.glb: LoadOptions::rig: no skeleton has a bone named \"skull\""));
   EXPECT_THAT(load(model, {.rig = no_part}).error().message,
               HasSubstr("LoadOptions::rig: VRM 1.0 has no part of the body named \"tail\""));
+}
+
+TEST(Rig, OfACharacterThatIsBuiltIsAnErrorTooWhereThereIsNoSuchBone) {
+  const BoneRole no_bone[] = {{"head", "skull"}};
+  const auto built = swing(true).build({.rig = no_bone});
+  ASSERT_FALSE(built);
+  EXPECT_THAT(built.error().message, HasSubstr("swing: LoadOptions::rig: no skeleton has a bone named \"skull\""));
+}
+
+TEST(Rig, TakesThePartFromTheBoneThatHadIt) {
+  CharacterBuilder builder = swing(true);
+  builder.add_bone({.name = "top", .parent = 1, .role = "head"});
+  const BoneRole rig[] = {{"head", "tip"}};
+  const auto built = builder.build({.rig = rig});
+  ASSERT_TRUE(built) << built.error().message;
+  const Character& character = built->characters.front();
+  const auto& bones = character.data()->baked->skeleton.bones;
+  EXPECT_EQ(bones[static_cast<std::size_t>(*character.find_bone("tip"))].role, anim::BodyRole::head);
+  EXPECT_EQ(bones[static_cast<std::size_t>(*character.find_bone("top"))].role, std::nullopt);
+}
+
+TEST(Rig, IsGivenToTheCharactersOfAPack) {
+  const test::OwnFolder folder;
+  const std::string pack = folder.path() / "man.pack";
+  ASSERT_TRUE(save(pack, {&mannequin(), 1}));
+  const BoneRole rig[] = {{"head", "neck"}}, no_bone[] = {{"head", "skull"}};
+  const auto loaded = load(pack, {.rig = rig});
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const Character& character = loaded->characters.front();
+  const auto& bones = character.data()->baked->skeleton.bones;
+  EXPECT_EQ(bones[static_cast<std::size_t>(*character.find_bone("neck"))].role, anim::BodyRole::head);
+  const auto without = load(pack, {.rig = no_bone});
+  ASSERT_FALSE(without);
+  EXPECT_THAT(without.error().message, HasSubstr("man.pack: LoadOptions::rig: no skeleton has a bone named \"skull\""));
 }
 
 TEST(Rig, WinsOverWhatNamesTell) {
